@@ -1,0 +1,159 @@
+//! The type itself and everything that does not depend on the frequency.
+
+use super::{Emission, Part, derives, rounded};
+use frictiongen_kernel::mode::{Kind, Mode};
+use frictiongen_model::scene::Scene;
+use proc_macro2::TokenStream;
+
+pub(super) fn emit(emission: &Emission<'_>) -> Part {
+    let Emission { description, scene, modal, precision, scalar, name, facade, .. } = emission;
+    let attributes = &description.attributes;
+    let visibility = &description.visibility;
+    let derives = derives();
+    let header = format!(
+        "Emitted by frictiongen {} from scene {:016x}.",
+        env!("CARGO_PKG_VERSION"),
+        fingerprint(scene)
+    );
+    let types = code! {
+        #(#attributes)*
+        #[doc = ""]
+        #[doc = #header]
+        #derives
+        #visibility struct #name;
+    };
+
+    let masses = scene.masses.len();
+    let round = |value| rounded(value, *precision);
+    let frequencies = emission.list(modal.natural_frequencies().into_iter().map(round));
+    let resonances = emission.list(modal.resonances.iter().map(|value| round(*value)));
+    let shapes = modal.shapes.iter().map(|shape| emission.list(shape.iter().map(|value| round(*value))));
+    let reference = emission.literal(round(modal.reference));
+    let mode_count = emission.modes();
+    let modes = emission.reduced.modes.iter().map(|mode| mode_constant(emission, mode));
+    let chain = chain(emission);
+    let ends = emission.reduced.ends;
+    let sliding_at_rest = emission.literal(ends.sliding_at_rest);
+    let continuous_at_infinity = emission.literal(ends.continuous_at_infinity);
+    let sliding_at_infinity = emission.literal(ends.sliding_at_infinity);
+    let names = scene.masses.iter().map(|mass| mass.name.as_str());
+    let at = &emission.at;
+    let items = code! {
+        impl #name {
+            /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+            pub const NATURAL_FREQUENCIES: [#scalar; #masses] = #frequencies;
+            /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+            pub const RESONANCES: [#scalar; #masses] = #resonances;
+            /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
+            /// that is not negligible is positive.
+            pub const MODE_SHAPES: [[#scalar; #masses]; #masses] = [#(#shapes),*];
+
+            /// The modes that the load or the contact drives.
+            const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
+            const CHAIN: Chain<#scalar> = #chain;
+            /// β*_lim for r = 0, where β_lim is 0.
+            const SLIDING_AT_REST: #scalar = #sliding_at_rest;
+            /// β_∞ (6.28).
+            const CONTINUOUS_AT_INFINITY: #scalar = #continuous_at_infinity;
+            /// β*_∞.
+            const SLIDING_AT_INFINITY: #scalar = #sliding_at_infinity;
+
+            /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+            #[inline]
+            #[must_use]
+            pub fn frequency_ratio(omega: #scalar) -> #scalar {
+                omega / #reference
+            }
+
+            /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
+            /// base motion of amplitude Y the load is P = k₁Y.
+            #[inline]
+            #[must_use]
+            pub fn friction_ratio(friction: #scalar, load: #scalar) -> #scalar {
+                friction / load
+            }
+        }
+
+        impl #facade::FrictionSystem for #name {
+            type Scalar = #scalar;
+            type At<'a> = #at;
+
+            fn resonances(&self) -> &[#scalar] {
+                &Self::RESONANCES
+            }
+            fn masses(&self) -> ::core::primitive::usize {
+                #masses
+            }
+            fn mass_name(&self, index: ::core::primitive::usize) -> Option<&::core::primitive::str> {
+                const NAMES: [&::core::primitive::str; #masses] = [#(#names),*];
+                NAMES.get(index).copied()
+            }
+            fn at(&self, r: #scalar) -> Result<#at, OutOfDomain> {
+                Self::at(r)
+            }
+        }
+    };
+    Part { types, items }
+}
+
+fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>) -> TokenStream {
+    let Mode { kind, in_contact, .. } = mode;
+    let kind = match kind {
+        Kind::Undamped => code!(Undamped),
+        Kind::Light => code!(Light),
+        Kind::Heavy => code!(Heavy),
+        Kind::Critical => code!(Critical),
+        Kind::Over => code!(Over),
+    };
+    let of = |value| emission.literal(value);
+    let (resonance, zeta, q) = (of(mode.resonance), of(mode.zeta), of(mode.q));
+    let (q_defect, load, contact) = (of(mode.q_defect), of(mode.load), of(mode.contact));
+    let (residue, mobility) = (of(mode.residue), of(mode.mobility));
+    let static_residue = of(mode.static_residue);
+    code! {
+        Mode {
+            kind: Kind::#kind,
+            in_contact: #in_contact,
+            resonance: #resonance,
+            zeta: #zeta,
+            q: #q,
+            q_defect: #q_defect,
+            load: #load,
+            contact: #contact,
+            residue: #residue,
+            mobility: #mobility,
+            static_residue: #static_residue,
+        }
+    }
+}
+
+fn chain(emission: &Emission<'_>) -> TokenStream {
+    let chain = &emission.reduced.chain;
+    let damped = chain.damped;
+    let on_moving_base = match chain.on_moving_base {
+        None => code!(None),
+        Some(at_rest) => {
+            let at_rest = emission.literal(at_rest);
+            code!(Some(#at_rest))
+        }
+    };
+    let mobility = emission.literal(chain.mobility);
+    let stiction = emission.literal(chain.stiction);
+    code! {
+        Chain {
+            damped: #damped,
+            on_moving_base: #on_moving_base,
+            mobility: #mobility,
+            stiction: #stiction,
+        }
+    }
+}
+
+/// FNV-1a over the scene as it was understood: the same text, however laid out, has the same one.
+fn fingerprint(scene: &Scene) -> u64 {
+    let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
+    for byte in format!("{scene:?}").bytes() {
+        hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    }
+    hash
+}

@@ -1,0 +1,214 @@
+//! Emits a scene's solver: one file for each group of emitted items.
+
+mod constants;
+mod frequency;
+mod limits;
+mod motion;
+mod stuck;
+mod trace;
+
+use crate::Description;
+use crate::graph::print::scalar;
+use frictiongen_model::modal::{Modal, Reduced};
+use frictiongen_model::scene::{Precision, Provide, Scene};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::format_ident;
+
+pub use trace::traces;
+
+/// From this many modes on the frequency stage is emitted as passes over arrays of modes instead
+/// of straight lines; ARCHITECTURE.md has the measurement.
+pub const PASSES_FROM: usize = 5;
+
+/// Everything that the emitted items have in common.
+struct Emission<'a> {
+    description: &'a Description,
+    scene: &'a Scene,
+    modal: Modal,
+    /// The driven modes, in double-double bits rounded to the scene's precision, as `f64`.
+    reduced: Reduced<f64>,
+    precision: Precision,
+    /// `f64` or `f32`.
+    scalar: TokenStream,
+    /// How modes decay: `Undamped` or `Damped<f64>`.
+    decay: TokenStream,
+    name: &'a Ident,
+    at: Ident,
+    motion: Ident,
+    stuck: Ident,
+    facade: &'a syn::Path,
+}
+
+/// What a scene asks for.
+struct Wanted<'a> {
+    motion: Option<Vec<(usize, &'a Ident)>>,
+    stuck: bool,
+    unbuilt: Vec<&'static str>,
+}
+
+impl Emission<'_> {
+    fn modes(&self) -> usize {
+        self.reduced.modes.len()
+    }
+
+    /// Whether modes are emitted as passes over arrays.
+    fn in_passes(&self) -> bool {
+        self.modes() >= PASSES_FROM
+    }
+
+    fn damped(&self) -> bool {
+        self.reduced.chain.damped
+    }
+
+    fn literal(&self, value: f64) -> TokenStream {
+        crate::graph::print::literal(value, self.precision)
+    }
+
+    fn list(&self, values: impl IntoIterator<Item = f64>) -> TokenStream {
+        let values = values.into_iter().map(|value| self.literal(value));
+        code!([#(#values),*])
+    }
+
+    fn wanted(&self) -> Wanted<'_> {
+        let mut wanted = Wanted { motion: None, stuck: false, unbuilt: Vec::new() };
+        let all = || self.description.mass_names.iter().enumerate().collect::<Vec<_>>();
+        for item in &self.scene.provide {
+            match item {
+                Provide::Limits => {}
+                Provide::Motion(None) => wanted.motion = Some(all()),
+                Provide::Motion(Some(masses)) => {
+                    let named = all().into_iter().filter(|(index, _)| masses.contains(index));
+                    let known = wanted.motion.take().unwrap_or_default();
+                    let mut merged: Vec<_> = known.into_iter().chain(named).collect();
+                    merged.sort_by_key(|(index, _)| *index);
+                    merged.dedup_by_key(|(index, _)| *index);
+                    wanted.motion = Some(merged);
+                }
+                Provide::Stuck => wanted.stuck = true,
+                Provide::Orbit => wanted.unbuilt.push("orbit"),
+                Provide::Simulation => wanted.unbuilt.push("simulation"),
+                Provide::Stepper => wanted.unbuilt.push("stepper"),
+            }
+        }
+        wanted
+    }
+}
+
+/// Rounded once from double-double to the scene's scalar, as an `f64`.
+#[allow(clippy::cast_possible_truncation, reason = "the scene's scalar is f32")]
+pub(crate) fn rounded(value: frictiongen_kernel::dd::Dd, precision: Precision) -> f64 {
+    match precision {
+        Precision::F64 => value.hi,
+        Precision::F32 => {
+            // An f64 halfway between two f32 would hide on which side the low part is: move it.
+            let moved = match value.lo.partial_cmp(&0.0) {
+                Some(std::cmp::Ordering::Greater) => value.hi.next_up(),
+                Some(std::cmp::Ordering::Less) => value.hi.next_down(),
+                _ => value.hi,
+            };
+            let (plain, moved) = (value.hi as f32, moved as f32);
+            f64::from(if f64::from(plain) == value.hi { plain } else { moved })
+        }
+    }
+}
+
+/// The solver of a description.
+#[must_use]
+pub fn emit(description: &Description) -> TokenStream {
+    let scene = &description.scene;
+    let modal = Modal::of(scene);
+    let precision = scene.precision;
+    let reduced = modal.reduced(|value| rounded(value, precision));
+    let scalar = scalar(precision);
+    let decay = if reduced.chain.damped { code!(Damped<#scalar>) } else { code!(Undamped) };
+    let name = &description.name;
+    let emission = Emission {
+        description,
+        scene,
+        modal,
+        reduced,
+        precision,
+        scalar,
+        decay,
+        at: suffixed(name, "At"),
+        motion: suffixed(name, "Motion"),
+        stuck: suffixed(name, "Stuck"),
+        name,
+        facade: &description.facade,
+    };
+    let wanted = emission.wanted();
+    let unbuilt = wanted.unbuilt.iter().map(|item| {
+        let message = format!(
+            "`{item}` under `provide` is not built yet: leave it out; `limits`, `motion` and `stuck` are there"
+        );
+        code!(::core::compile_error!(#message);)
+    });
+    let constants = constants::emit(&emission);
+    let frequency = frequency::emit(&emission);
+    let limits = limits::emit(&emission);
+    let motion = wanted.motion.as_deref().map(|masses| motion::emit(&emission, masses));
+    let stuck = wanted.stuck.then(|| stuck::emit(&emission));
+    let mut types = constants.types;
+    types.extend(frequency.types);
+    let mut items = constants.items;
+    items.extend(frequency.items);
+    items.extend(limits);
+    for part in [motion, stuck].into_iter().flatten() {
+        types.extend(part.types);
+        items.extend(part.items);
+    }
+    let facade = emission.facade;
+    code! {
+        #(#unbuilt)*
+        #types
+        #[automatically_derived]
+        #[allow(
+            unused_imports,
+            unused_qualifications,
+            clippy::all,
+            clippy::pedantic,
+            clippy::nursery,
+            clippy::restriction
+        )]
+        const _: () = {
+            use #facade::kernel::chain::{Chain, ContactAt, ModeAt, Others};
+            use #facade::kernel::decay::{Damped, Undamped};
+            use #facade::kernel::mode::{Kind, Mode, ModeResponse};
+            use #facade::kernel::motion::{Carrier, Friction, Share};
+            use #facade::kernel::steady::{self, Motion};
+            use #facade::kernel::wave::Wave;
+            use #facade::kernel::{Complex, Scalar};
+            use #facade::{NotContinuous, OutOfDomain, Regime, StuckResonance};
+            use ::core::iter::{IntoIterator, Iterator};
+            use ::core::option::Option::{self, None, Some};
+            use ::core::result::Result::{self, Err, Ok};
+            #items
+        };
+    }
+}
+
+/// What one file emits: types in the user's module, and what stays hidden.
+struct Part {
+    types: TokenStream,
+    items: TokenStream,
+}
+
+fn suffixed(name: &Ident, suffix: &str) -> Ident {
+    let mut ident = format_ident!("{}{}", name, suffix);
+    ident.set_span(name.span());
+    ident
+}
+
+/// A local name that the user's code cannot capture.
+fn local(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+/// The derives of emitted types, by paths that hold without a prelude.
+fn derives() -> TokenStream {
+    code! {
+        #[::core::prelude::v1::derive(
+            ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug
+        )]
+    }
+}

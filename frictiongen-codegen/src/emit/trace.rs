@@ -1,0 +1,165 @@
+//! The formulas read as code: each emitted function as a graph with named outputs.
+
+use super::rounded;
+use crate::graph::count::Count;
+use crate::graph::print::{Printed, print};
+use crate::graph::{Expr, Graph, Operand};
+use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt, Others};
+use frictiongen_kernel::complex::Complex;
+use frictiongen_kernel::mode::ModeResponse;
+use frictiongen_kernel::motion::{Friction, Share};
+use frictiongen_model::modal::{Modal, Reduced};
+use frictiongen_model::scene::{Precision, Scene};
+
+/// A recorded function under construction.
+pub(super) struct Tracer<'g> {
+    pub graph: &'g Graph,
+    pub reduced: Reduced<Expr<'g>>,
+}
+
+impl<'g> Tracer<'g> {
+    pub fn new(graph: &'g Graph, modal: &Modal, precision: Precision) -> Self {
+        Self { graph, reduced: modal.reduced(|value| Expr::Number(rounded(value, precision))) }
+    }
+
+    pub fn count(&self) -> usize {
+        self.reduced.modes.len()
+    }
+
+    fn damped(&self) -> bool {
+        self.reduced.chain.damped
+    }
+
+    fn complex(&self, text: &str) -> Complex<Expr<'g>> {
+        let im = if self.damped() {
+            self.graph.input(format!("{text}.im"))
+        } else {
+            Expr::Number(0.0)
+        };
+        Complex::new(self.graph.input(format!("{text}.re")), im)
+    }
+
+    fn if_damped(&self, text: String) -> Expr<'g> {
+        if self.damped() { self.graph.input(text) } else { Expr::Number(0.0) }
+    }
+
+    pub fn contact(&self, name: &str) -> ContactAt<Expr<'g>> {
+        ContactAt {
+            scale: self.graph.input(format!("{name}.scale")),
+            v: self.complex(&format!("{name}.v")),
+            u: self.graph.input(format!("{name}.u")),
+            g: self.if_damped(format!("{name}.g")),
+            reversal: self.if_damped(format!("{name}.reversal")),
+            h: self.complex(&format!("{name}.h")),
+        }
+    }
+
+    pub fn mode_at(&self, name: &str) -> ModeAt<Expr<'g>> {
+        ModeAt {
+            x: self.graph.input(format!("{name}.x")),
+            response: self.complex(&format!("{name}.response")),
+            u: self.graph.input(format!("{name}.u")),
+            g: self.if_damped(format!("{name}.g")),
+        }
+    }
+
+    pub fn modes_at(&self) -> Vec<ModeAt<Expr<'g>>> {
+        (1..=self.count()).map(|mode| self.mode_at(&format!("mode_{mode}"))).collect()
+    }
+
+    pub fn friction(&self) -> Friction<Expr<'g>> {
+        let of = |field: &str| self.graph.input(format!("friction.{field}"));
+        Friction {
+            beta: of("beta"),
+            root: of("root"),
+            amplitude: of("amplitude"),
+            phase: of("phase"),
+            unscale: of("unscale"),
+        }
+    }
+
+    pub fn others(&self, at: &[ModeAt<Expr<'g>>], scale: Expr<'g>, inverse_r: Expr<'g>) -> Vec<Others<Expr<'g>>> {
+        let Reduced { modes, chain, .. } = &self.reduced;
+        let mut others = vec![Others::zero(); modes.len()];
+        chain.without_each(modes, at, scale, inverse_r, &mut others);
+        others
+    }
+
+    /// The whole frequency stage, unrolled.
+    pub fn frequency(&self, inverse_r: Expr<'g>) -> (ContactAt<Expr<'g>>, Vec<ModeAt<Expr<'g>>>) {
+        let Reduced { modes, chain, .. } = &self.reduced;
+        let mut responses = vec![ModeResponse::zero(); modes.len()];
+        let scale = Chain::responses(modes, inverse_r, &mut responses);
+        let mut at = vec![ModeAt::zero(); modes.len()];
+        let contact = chain.contact(modes, &responses, scale, inverse_r, &mut at);
+        (contact, at)
+    }
+
+    pub fn share(
+        &self,
+        index: usize,
+        residue: Expr<'g>,
+        at: &ModeAt<Expr<'g>>,
+        contact: &ContactAt<Expr<'g>>,
+        inverse_r: Expr<'g>,
+    ) -> Share<Expr<'g>> {
+        self.reduced.chain.share(at, residue, contact, &self.friction(), inverse_r, index)
+    }
+
+    /// Prints `outputs` for a function body in which `taken` are in use.
+    pub fn print(&self, outputs: &[Operand], precision: Precision, taken: &[&str]) -> (Printed, Count) {
+        (print(self.graph, outputs, precision, taken), Count::of(self.graph, outputs))
+    }
+}
+
+/// The outputs of a contact's sums, in the order in which they are emitted.
+pub(super) fn contact_outputs(contact: &ContactAt<Expr<'_>>) -> Vec<Operand> {
+    let ContactAt { scale, v, u, g, reversal, h } = contact;
+    [scale, &v.re, &v.im, u, g, reversal, &h.re, &h.im].map(|value| value.operand()).to_vec()
+}
+
+/// The outputs of a mode at a frequency, in the order in which they are emitted.
+pub(super) fn mode_outputs(at: &ModeAt<Expr<'_>>) -> Vec<Operand> {
+    [at.x, at.response.re, at.response.im, at.u, at.g].map(Expr::operand).to_vec()
+}
+
+/// A numeric reading of a scene's traced functions, for comparing the recorded graph with the
+/// compiled code and with the run-time system.
+pub fn traces<S: frictiongen_kernel::Float>(
+    scene: &Scene,
+    inverse_r: S,
+    beta: S,
+) -> Option<Vec<(String, S)>> {
+    let modal = Modal::of(scene);
+    let graph = Graph::new(scene.masses.len());
+    let tracer = Tracer::new(&graph, &modal, scene.precision);
+    let inverse = graph.input("inverse_r");
+    let (contact, at) = tracer.frequency(inverse);
+    let chain = &tracer.reduced.chain;
+    let friction = chain.friction(&contact, inverse, graph.input("beta"));
+    let limit = chain.continuous_limit(&contact, chain.break_away(&contact));
+    let mut named: Vec<(String, Operand)> = Vec::new();
+    named.push(("continuous_limit_without_search".into(), limit.operand()));
+    named.push(("sliding_limit".into(), chain.sliding_limit(&contact).operand()));
+    named.push(("amplitude".into(), friction.amplitude.operand()));
+    named.push(("phase".into(), friction.phase.operand()));
+    let others = tracer.others(&at, contact.scale, inverse);
+    for (shape, mass) in tracer.reduced.shapes.iter().zip(&scene.masses) {
+        let carrier = chain.carrier(shape, &tracer.reduced.modes, &at, &others, &contact, &friction);
+        for (field, value) in
+            [("constant", carrier.constant), ("cosine", carrier.cosine), ("sine", carrier.sine)]
+        {
+            named.push((format!("{}.{field}", mass.name), value.operand()));
+        }
+        let stuck = chain.stuck(shape, &tracer.reduced.modes, &at, &others, &contact, inverse);
+        named.push((format!("{}.stuck.re", mass.name), stuck.re.operand()));
+        named.push((format!("{}.stuck.im", mass.name), stuck.im.operand()));
+    }
+    let outputs: Vec<Operand> = named.iter().map(|(_, operand)| *operand).collect();
+    let values = crate::graph::interpret::interpret(&graph, &outputs, |text| match text {
+        "inverse_r" => Some(inverse_r),
+        "beta" => Some(beta),
+        _ => None,
+    })?;
+    Some(named.into_iter().map(|(name, _)| name).zip(values).collect())
+}

@@ -1,0 +1,80 @@
+//! How many operations an emitted function performs, on its worst path.
+
+use super::{Binary, Graph, Node, Operand, Unary};
+use std::collections::BTreeMap;
+
+/// Operations by kind.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Count(BTreeMap<&'static str, usize>);
+
+impl Count {
+    /// What `outputs` need.
+    #[must_use]
+    pub fn of(graph: &Graph, outputs: &[Operand]) -> Self {
+        let mut count = Self::default();
+        for (_, node, _) in graph.reachable(outputs) {
+            if let Some(kind) = kind(&node) {
+                *count.0.entry(kind).or_default() += 1;
+            }
+        }
+        count
+    }
+
+    /// This and another, one after the other.
+    #[must_use]
+    pub fn and(mut self, other: &Self) -> Self {
+        for (kind, number) in &other.0 {
+            *self.0.entry(kind).or_default() += number;
+        }
+        self
+    }
+
+    /// This, `times` times.
+    #[must_use]
+    pub fn times(mut self, times: usize) -> Self {
+        for number in self.0.values_mut() {
+            *number *= times;
+        }
+        self
+    }
+
+    /// All operations together.
+    #[must_use]
+    pub fn total(&self) -> usize {
+        self.0.values().sum()
+    }
+}
+
+/// For example `12: 5 ×, 3 +, 2 ÷, 1 √, 1 sin_cos_pi`.
+impl std::fmt::Display for Count {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.total())?;
+        let mut parts: Vec<_> = self.0.iter().collect();
+        parts.sort_by(|a, b| b.1.cmp(a.1).then(a.0.cmp(b.0)));
+        for (index, (kind, number)) in parts.into_iter().enumerate() {
+            write!(f, "{} {number} {kind}", if index == 0 { ":" } else { "," })?;
+        }
+        Ok(())
+    }
+}
+
+fn kind(node: &Node) -> Option<&'static str> {
+    Some(match node {
+        Node::Input(_) | Node::Part(..) => return None,
+        Node::Unary(Unary::Neg | Unary::Abs, _) | Node::Binary(Binary::Copysign, ..) => "sign",
+        Node::Unary(Unary::Sqrt, _) => "√",
+        Node::Unary(Unary::Exp, _) => "exp",
+        Node::Unary(Unary::ExpM1, _) => "exp_m1",
+        Node::Unary(Unary::OneMinusSincPi, _) => "one_minus_sinc_pi",
+        Node::Unary(Unary::ScaledSinhDefect, _) => "scaled_sinh_defect",
+        Node::Binary(Binary::Add | Binary::Sub, ..) => "+",
+        Node::Binary(Binary::Mul, ..) => "×",
+        Node::Binary(Binary::Div, ..) => "÷",
+        Node::Binary(Binary::Max | Binary::Min, ..)
+        | Node::Less(..)
+        | Node::IsZero(_)
+        | Node::Select(..) => "compare",
+        Node::Binary(Binary::Atan2, ..) => "atan2",
+        Node::SinCosPi(_) | Node::SinCosPiMinus(..) => "sin_cos_pi",
+    })
+}

@@ -1,0 +1,252 @@
+//! The scalar that records what is done with it.
+
+use super::{Binary, Graph, Id, Node, Operand, Unary};
+use frictiongen_kernel::Scalar;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number known now, or one that the emitted code will have.
+#[derive(Clone, Copy)]
+pub enum Expr<'g> {
+    /// Known now.
+    Number(f64),
+    /// A recorded operation.
+    Node(&'g Graph, Id),
+}
+
+/// The outcome of a comparison, known now or in the emitted code.
+#[derive(Clone, Copy)]
+pub enum Condition<'g> {
+    /// Known now.
+    Known(bool),
+    /// A recorded comparison.
+    Node(&'g Graph, Id),
+}
+
+impl<'g> Expr<'g> {
+    /// The operand that stands for this value.
+    #[must_use]
+    pub fn operand(self) -> Operand {
+        match self {
+            Self::Number(value) => Operand::number(value),
+            Self::Node(_, id) => Operand::Node(id),
+        }
+    }
+
+    fn graph(self) -> Option<&'g Graph> {
+        match self {
+            Self::Number(_) => None,
+            Self::Node(graph, _) => Some(graph),
+        }
+    }
+
+    fn is(self, number: f64) -> bool {
+        matches!(self, Self::Number(value) if value == number)
+    }
+
+    fn unary(self, op: Unary, number: impl Fn(f64) -> f64) -> Self {
+        match self {
+            Self::Number(value) => Self::Number(number(value)),
+            Self::Node(graph, id) => {
+                Self::Node(graph, graph.record(Node::Unary(op, Operand::Node(id))))
+            }
+        }
+    }
+
+    fn binary(self, op: Binary, other: Self, number: impl Fn(f64, f64) -> f64) -> Self {
+        match (self, other, self.graph().or(other.graph())) {
+            (Self::Number(a), Self::Number(b), _) => Self::Number(number(a, b)),
+            (a, b, Some(graph)) => {
+                Self::Node(graph, graph.record(Node::Binary(op, a.operand(), b.operand())))
+            }
+            (a, _, None) => a,
+        }
+    }
+
+    /// `-a` as the operation it is, so that a − (−b) can be told.
+    fn negated(self) -> Option<Self> {
+        let Self::Node(graph, id) = self else { return None };
+        let inner = graph.inner.borrow();
+        match inner.nodes.get(id.0) {
+            Some(Node::Unary(Unary::Neg, Operand::Node(of))) => Some(Self::Node(graph, *of)),
+            _ => None,
+        }
+    }
+
+    fn pair(graph: &'g Graph, node: Node) -> (Self, Self) {
+        let pair = graph.record(node);
+        let part = |second| Self::Node(graph, graph.record(Node::Part(pair, second)));
+        (part(false), part(true))
+    }
+}
+
+impl Neg for Expr<'_> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.negated().unwrap_or_else(|| self.unary(Unary::Neg, |a| -a))
+    }
+}
+
+impl Add for Expr<'_> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        if self.is(0.0) {
+            return other;
+        }
+        if other.is(0.0) {
+            return self;
+        }
+        match other.negated() {
+            Some(of) => self - of,
+            None => self.binary(Binary::Add, other, |a, b| a + b),
+        }
+    }
+}
+
+impl Sub for Expr<'_> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        if self.is(0.0) {
+            return -other;
+        }
+        if other.is(0.0) {
+            return self;
+        }
+        match other.negated() {
+            Some(of) => self + of,
+            None => self.binary(Binary::Sub, other, |a, b| a - b),
+        }
+    }
+}
+
+impl Mul for Expr<'_> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        if self.is(0.0) || other.is(0.0) {
+            return Self::Number(0.0);
+        }
+        if self.is(1.0) {
+            return other;
+        }
+        if other.is(1.0) {
+            return self;
+        }
+        if self.is(-1.0) {
+            return -other;
+        }
+        if other.is(-1.0) {
+            return -self;
+        }
+        self.binary(Binary::Mul, other, |a, b| a * b)
+    }
+}
+
+impl Div for Expr<'_> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        if self.is(0.0) {
+            return self;
+        }
+        if other.is(1.0) {
+            return self;
+        }
+        self.binary(Binary::Div, other, |a, b| a / b)
+    }
+}
+
+impl<'g> Scalar for Expr<'g> {
+    type Condition = Condition<'g>;
+
+    fn constant(value: f64) -> Self {
+        Self::Number(value)
+    }
+
+    fn lt(self, other: Self) -> Condition<'g> {
+        match (self, other, self.graph().or(other.graph())) {
+            (Self::Number(a), Self::Number(b), _) => Condition::Known(a < b),
+            (a, b, Some(graph)) => {
+                Condition::Node(graph, graph.record(Node::Less(a.operand(), b.operand())))
+            }
+            (_, _, None) => Condition::Known(false),
+        }
+    }
+
+    fn is_zero(self) -> Condition<'g> {
+        match self {
+            Self::Number(value) => Condition::Known(value == 0.0),
+            Self::Node(graph, id) => {
+                Condition::Node(graph, graph.record(Node::IsZero(Operand::Node(id))))
+            }
+        }
+    }
+
+    fn select(condition: Condition<'g>, yes: Self, no: Self) -> Self {
+        match condition {
+            Condition::Known(true) => yes,
+            Condition::Known(false) => no,
+            Condition::Node(_, _) if yes.operand() == no.operand() => yes,
+            Condition::Node(graph, id) => {
+                Self::Node(graph, graph.record(Node::Select(id, yes.operand(), no.operand())))
+            }
+        }
+    }
+
+    fn abs(self) -> Self {
+        self.unary(Unary::Abs, f64::abs)
+    }
+    fn sqrt(self) -> Self {
+        self.unary(Unary::Sqrt, f64::sqrt)
+    }
+    fn max(self, other: Self) -> Self {
+        self.binary(Binary::Max, other, f64::max)
+    }
+    fn min(self, other: Self) -> Self {
+        self.binary(Binary::Min, other, f64::min)
+    }
+    fn copysign(self, sign: Self) -> Self {
+        self.binary(Binary::Copysign, sign, f64::copysign)
+    }
+    fn exp(self) -> Self {
+        self.unary(Unary::Exp, Scalar::exp)
+    }
+    fn exp_m1(self) -> Self {
+        self.unary(Unary::ExpM1, Scalar::exp_m1)
+    }
+    fn atan2(self, x: Self) -> Self {
+        self.binary(Binary::Atan2, x, Scalar::atan2)
+    }
+    fn sin_cos_pi(self) -> (Self, Self) {
+        match self {
+            Self::Number(value) => {
+                let (s, c) = value.sin_cos_pi();
+                (Self::Number(s), Self::Number(c))
+            }
+            Self::Node(graph, id) => Self::pair(graph, Node::SinCosPi(Operand::Node(id))),
+        }
+    }
+    fn sin_cos_pi_minus(self, d: Self) -> (Self, Self) {
+        match (self, d, self.graph().or(d.graph())) {
+            (Self::Number(h), Self::Number(d), _) => {
+                let (s, c) = h.sin_cos_pi_minus(d);
+                (Self::Number(s), Self::Number(c))
+            }
+            (h, d, _) if d.is(0.0) => h.sin_cos_pi(),
+            (h, d, Some(graph)) => {
+                Self::pair(graph, Node::SinCosPiMinus(h.operand(), d.operand()))
+            }
+            (h, d, None) => (h, d),
+        }
+    }
+    fn one_minus_sinc_pi(self) -> Self {
+        self.unary(Unary::OneMinusSincPi, Scalar::one_minus_sinc_pi)
+    }
+    fn scaled_sinh_defect(self) -> Self {
+        self.unary(Unary::ScaledSinhDefect, Scalar::scaled_sinh_defect)
+    }
+
+    fn named(self, name: &'static str, mode: Option<usize>) -> Self {
+        if let Self::Node(graph, id) = self {
+            graph.name(id, name, mode);
+        }
+        self
+    }
+}

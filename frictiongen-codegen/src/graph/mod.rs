@@ -1,0 +1,178 @@
+//! The expression graph: what the closed forms become when they are read as code.
+//!
+//! [`Expr`] is a scalar like any other.  Evaluating a formula with it records the operations;
+//! constants fold on the way, equal operations are recorded once.  A recorded [`Graph`] can be
+//! interpreted in numbers ([`interpret`]), counted ([`count`]) and printed as Rust ([`print`]).
+
+pub mod count;
+pub mod expr;
+pub mod interpret;
+pub mod print;
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+pub use expr::{Condition, Expr};
+
+/// The place of an operation in its graph; operands come before their users.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Id(pub(crate) usize);
+
+/// An operand: a recorded operation or a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Operand {
+    /// A recorded operation.
+    Node(Id),
+    /// A number, by its bits.
+    Number(u64),
+}
+
+impl Operand {
+    pub(crate) fn number(value: f64) -> Self {
+        Self::Number(value.to_bits())
+    }
+}
+
+/// An operation on one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[allow(missing_docs, reason = "the names are those of the scalar trait")]
+pub enum Unary {
+    Neg,
+    Abs,
+    Sqrt,
+    Exp,
+    ExpM1,
+    OneMinusSincPi,
+    ScaledSinhDefect,
+}
+
+/// An operation on two numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[allow(missing_docs, reason = "the names are those of the scalar trait")]
+pub enum Binary {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Max,
+    Min,
+    Copysign,
+    Atan2,
+}
+
+/// A recorded operation.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// A value from outside, by the Rust expression that names it.
+    Input(String),
+    /// An operation on one number.
+    Unary(Unary, Operand),
+    /// An operation on two numbers.
+    Binary(Binary, Operand, Operand),
+    /// (sin πh, cos πh), a pair.
+    SinCosPi(Operand),
+    /// (sin π(h − d), cos π(h − d)), a pair.
+    SinCosPiMinus(Operand, Operand),
+    /// The first or the second of a pair.
+    Part(Id, bool),
+    /// a < b.
+    Less(Operand, Operand),
+    /// a = 0.
+    IsZero(Operand),
+    /// `yes` where the condition holds, else `no`.
+    Select(Id, Operand, Operand),
+}
+
+#[derive(Default)]
+struct Inner {
+    nodes: Vec<Node>,
+    known: HashMap<Node, Id>,
+    names: Vec<Option<String>>,
+}
+
+/// A straight-line program under construction.
+#[derive(Default)]
+pub struct Graph {
+    inner: RefCell<Inner>,
+    /// Whether a mode's number belongs into the names of its values.
+    numbered: bool,
+}
+
+impl Graph {
+    /// An empty graph for a scene of `modes` modes.
+    #[must_use]
+    pub fn new(modes: usize) -> Self {
+        Self { inner: RefCell::default(), numbered: modes > 1 }
+    }
+
+    /// A value from outside, by the Rust expression that names it.
+    pub fn input(&self, text: impl Into<String>) -> Expr<'_> {
+        Expr::Node(self, self.record(Node::Input(text.into())))
+    }
+
+    pub(crate) fn record(&self, node: Node) -> Id {
+        let mut inner = self.inner.borrow_mut();
+        if let Some(id) = inner.known.get(&node) {
+            return *id;
+        }
+        let id = Id(inner.nodes.len());
+        inner.nodes.push(node.clone());
+        inner.names.push(None);
+        inner.known.insert(node, id);
+        id
+    }
+
+    pub(crate) fn name(&self, id: Id, name: &str, mode: Option<usize>) {
+        let full = match mode {
+            Some(mode) if self.numbered => format!("mode_{}_{name}", mode + 1),
+            _ => name.to_owned(),
+        };
+        let mut inner = self.inner.borrow_mut();
+        let is_input = matches!(inner.nodes.get(id.0), Some(Node::Input(_)));
+        if let (false, Some(slot @ None)) = (is_input, inner.names.get_mut(id.0)) {
+            *slot = Some(full);
+        }
+    }
+
+    /// The recorded operations that `outputs` need, operands first.
+    pub(crate) fn reachable(&self, outputs: &[Operand]) -> Vec<(Id, Node, Option<String>)> {
+        let inner = self.inner.borrow();
+        let mut needed = vec![false; inner.nodes.len()];
+        let mut open: Vec<Id> = outputs.iter().filter_map(operand_id).collect();
+        while let Some(id) = open.pop() {
+            if let Some(slot @ false) = needed.get_mut(id.0) {
+                *slot = true;
+                if let Some(node) = inner.nodes.get(id.0) {
+                    open.extend(operands(node));
+                }
+            }
+        }
+        let all = inner.nodes.iter().zip(&inner.names).zip(needed).enumerate();
+        all.filter(|(_, (_, needed))| *needed)
+            .map(|(id, ((node, name), _))| (Id(id), node.clone(), name.clone()))
+            .collect()
+    }
+}
+
+fn operand_id(operand: &Operand) -> Option<Id> {
+    match operand {
+        Operand::Node(id) => Some(*id),
+        Operand::Number(_) => None,
+    }
+}
+
+/// The recorded operands of an operation.
+pub(crate) fn operands(node: &Node) -> Vec<Id> {
+    let of = |list: &[&Operand]| list.iter().filter_map(|o| operand_id(o)).collect::<Vec<_>>();
+    match node {
+        Node::Input(_) => Vec::new(),
+        Node::Unary(_, a) | Node::SinCosPi(a) | Node::IsZero(a) => of(&[a]),
+        Node::Binary(_, a, b) | Node::SinCosPiMinus(a, b) | Node::Less(a, b) => of(&[a, b]),
+        Node::Part(pair, _) => vec![*pair],
+        Node::Select(condition, a, b) => {
+            let mut all = vec![*condition];
+            all.extend(of(&[a, b]));
+            all
+        }
+    }
+}

@@ -1,0 +1,280 @@
+//! Prints a graph as Rust: `let` for what has a name or several uses, the rest in place.
+
+use super::{Binary, Graph, Id, Node, Operand, Unary, operands};
+use frictiongen_model::scene::Precision;
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A printed expression and how tightly it binds.
+#[derive(Clone)]
+struct Text {
+    tokens: TokenStream,
+    binds: Binds,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binds {
+    Branch,
+    Compare,
+    Sum,
+    Product,
+    Unary,
+    Atom,
+}
+
+/// Statements, and the expressions of the outputs.
+pub struct Printed {
+    /// The `let` statements.
+    pub statements: TokenStream,
+    /// One expression for each output.
+    pub outputs: Vec<TokenStream>,
+}
+
+/// A number as a literal: the shortest text that reads back to the same bits.
+#[must_use]
+pub fn literal(value: f64, precision: Precision) -> TokenStream {
+    #[allow(clippy::cast_possible_truncation, reason = "the scene's scalar is f32")]
+    let (text, negative) = match precision {
+        Precision::F64 => (format!("{:?}", value.abs()), value.is_sign_negative()),
+        Precision::F32 => (format!("{:?}", (value as f32).abs()), value.is_sign_negative()),
+    };
+    let scalar = scalar(precision);
+    if text == "inf" {
+        return if negative { code!(#scalar::NEG_INFINITY) } else { code!(#scalar::INFINITY) };
+    }
+    let number = text.parse::<Literal>().map_or_else(|_| code!(#scalar::NAN), |number| code!(#number));
+    if negative { code!(-#number) } else { number }
+}
+
+/// `f64` or `f32`.
+#[must_use]
+pub fn scalar(precision: Precision) -> TokenStream {
+    match precision {
+        Precision::F64 => code!(f64),
+        Precision::F32 => code!(f32),
+    }
+}
+
+/// Prints what `outputs` need.  `taken` are names that the surrounding code uses.
+#[must_use]
+pub fn print(graph: &Graph, outputs: &[Operand], precision: Precision, taken: &[&str]) -> Printed {
+    let nodes = graph.reachable(outputs);
+    let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
+    for (_, node, _) in &nodes {
+        for operand in operands(node) {
+            *uses.entry(operand).or_default() += 1;
+        }
+    }
+    for output in outputs {
+        if let Operand::Node(id) = output {
+            *uses.entry(*id).or_default() += 1;
+        }
+    }
+    let mut printer = Printer {
+        precision,
+        texts: BTreeMap::new(),
+        pairs: BTreeMap::new(),
+        names: taken.iter().map(|name| (*name).to_owned()).collect(),
+        statements: TokenStream::new(),
+    };
+    for (id, node, _) in &nodes {
+        if let Node::Part(pair, second) = node {
+            let parts = printer.pairs.entry(*pair).or_default();
+            if *second { parts.1 = Some(*id) } else { parts.0 = Some(*id) }
+        }
+    }
+    let names: BTreeMap<Id, String> =
+        nodes.iter().filter_map(|(id, _, name)| Some((*id, name.clone()?))).collect();
+    for (id, node, name) in &nodes {
+        printer.visit(*id, node, name.as_deref(), uses.get(id).copied().unwrap_or(0), &names);
+    }
+    let outputs = outputs.iter().map(|output| printer.text(output).tokens).collect();
+    Printed { statements: printer.statements, outputs }
+}
+
+struct Printer {
+    precision: Precision,
+    texts: BTreeMap<Id, Text>,
+    pairs: BTreeMap<Id, (Option<Id>, Option<Id>)>,
+    names: BTreeSet<String>,
+    statements: TokenStream,
+}
+
+impl Printer {
+    fn visit(&mut self, id: Id, node: &Node, name: Option<&str>, uses: usize, names: &BTreeMap<Id, String>) {
+        match node {
+            Node::Part(..) => return,
+            Node::SinCosPi(_) | Node::SinCosPiMinus(..) => {
+                let value = self.expression(node).tokens;
+                let (first, second) = self.pairs.get(&id).copied().unwrap_or_default();
+                let mut bind = |part: Option<Id>, default: &str| match part {
+                    None => code!(_),
+                    Some(part) => {
+                        let name = names.get(&part).map_or(default, String::as_str);
+                        let ident = self.fresh(name);
+                        self.texts.insert(part, atom(code!(#ident)));
+                        code!(#ident)
+                    }
+                };
+                let (first, second) = (bind(first, "sine"), bind(second, "cosine"));
+                self.statements.extend(code!(let (#first, #second) = #value;));
+                return;
+            }
+            _ => {}
+        }
+        let text = self.expression(node);
+        let trivial = matches!(node, Node::Input(_) | Node::Less(..) | Node::IsZero(_));
+        let text = if !trivial && (name.is_some() || uses > 1) {
+            let ident = self.fresh(name.unwrap_or_else(|| fallback(node)));
+            let value = text.tokens;
+            self.statements.extend(code!(let #ident = #value;));
+            atom(code!(#ident))
+        } else {
+            text
+        };
+        self.texts.insert(id, text);
+    }
+
+    fn fresh(&mut self, name: &str) -> Ident {
+        let mut full = name.to_owned();
+        let mut number = 2;
+        while !self.names.insert(full.clone()) {
+            full = format!("{name}_{number}");
+            number += 1;
+        }
+        Ident::new(&full, Span::mixed_site())
+    }
+
+    fn text(&self, operand: &Operand) -> Text {
+        match operand {
+            Operand::Number(bits) => {
+                let value = f64::from_bits(*bits);
+                let binds = if value.is_sign_negative() { Binds::Unary } else { Binds::Atom };
+                Text { tokens: literal(value, self.precision), binds }
+            }
+            Operand::Node(id) => {
+                self.texts.get(id).cloned().unwrap_or_else(|| atom(TokenStream::new()))
+            }
+        }
+    }
+
+    /// The operand, in parentheses unless it binds at least as tightly as `least`.
+    fn within(&self, operand: &Operand, least: Binds) -> TokenStream {
+        let text = self.text(operand);
+        let tokens = text.tokens;
+        if text.binds >= least { tokens } else { code!((#tokens)) }
+    }
+
+    fn expression(&self, node: &Node) -> Text {
+        let plain = |operand: &Operand| self.text(operand).tokens;
+        match node {
+            Node::Input(text) => atom(mixed(text.parse().unwrap_or_default())),
+            Node::Unary(Unary::Neg, a) => {
+                let a = self.within(a, Binds::Unary);
+                Text { tokens: code!(-#a), binds: Binds::Unary }
+            }
+            Node::Unary(op, a) => {
+                let function = Ident::new(unary_name(*op), Span::mixed_site());
+                let a = plain(a);
+                atom(code!(Scalar::#function(#a)))
+            }
+            Node::Binary(op, a, b) => self.binary(*op, a, b),
+            Node::SinCosPi(a) => {
+                let a = plain(a);
+                atom(code!(Scalar::sin_cos_pi(#a)))
+            }
+            Node::SinCosPiMinus(a, b) => {
+                let (a, b) = (plain(a), plain(b));
+                atom(code!(Scalar::sin_cos_pi_minus(#a, #b)))
+            }
+            Node::Part(..) => atom(TokenStream::new()),
+            Node::Less(a, b) => {
+                let (a, b) = (self.within(a, Binds::Sum), self.within(b, Binds::Sum));
+                Text { tokens: code!(#a < #b), binds: Binds::Compare }
+            }
+            Node::IsZero(a) => {
+                let a = self.within(a, Binds::Sum);
+                Text { tokens: code!(#a == 0.0), binds: Binds::Compare }
+            }
+            Node::Select(condition, yes, no) => {
+                let condition = self.text(&Operand::Node(*condition)).tokens;
+                let (yes, no) = (plain(yes), plain(no));
+                Text { tokens: code!(if #condition { #yes } else { #no }), binds: Binds::Branch }
+            }
+        }
+    }
+
+    fn binary(&self, op: Binary, a: &Operand, b: &Operand) -> Text {
+        let sum = |tokens| Text { tokens, binds: Binds::Sum };
+        let product = |tokens| Text { tokens, binds: Binds::Product };
+        match op {
+            Binary::Add => {
+                let (a, b) = (self.within(a, Binds::Sum), self.within(b, Binds::Product));
+                sum(code!(#a + #b))
+            }
+            Binary::Sub => {
+                let (a, b) = (self.within(a, Binds::Sum), self.within(b, Binds::Product));
+                sum(code!(#a - #b))
+            }
+            Binary::Mul => {
+                let (a, b) = (self.within(a, Binds::Product), self.within(b, Binds::Unary));
+                product(code!(#a * #b))
+            }
+            Binary::Div => {
+                let (a, b) = (self.within(a, Binds::Product), self.within(b, Binds::Unary));
+                product(code!(#a / #b))
+            }
+            Binary::Max | Binary::Min | Binary::Copysign | Binary::Atan2 => {
+                let function = match op {
+                    Binary::Max => code!(max),
+                    Binary::Min => code!(min),
+                    Binary::Copysign => code!(copysign),
+                    _ => code!(atan2),
+                };
+                let (a, b) = (self.text(a).tokens, self.text(b).tokens);
+                atom(code!(Scalar::#function(#a, #b)))
+            }
+        }
+    }
+}
+
+fn atom(tokens: TokenStream) -> Text {
+    Text { tokens, binds: Binds::Atom }
+}
+
+fn unary_name(op: Unary) -> &'static str {
+    match op {
+        Unary::Neg => "neg",
+        Unary::Abs => "abs",
+        Unary::Sqrt => "sqrt",
+        Unary::Exp => "exp",
+        Unary::ExpM1 => "exp_m1",
+        Unary::OneMinusSincPi => "one_minus_sinc_pi",
+        Unary::ScaledSinhDefect => "scaled_sinh_defect",
+    }
+}
+
+/// The tokens as if this crate had written them.
+fn mixed(tokens: TokenStream) -> TokenStream {
+    tokens
+        .into_iter()
+        .map(|mut token| {
+            token.set_span(Span::mixed_site());
+            token
+        })
+        .collect()
+}
+
+/// What a shared value without a name of its own is called.
+fn fallback(node: &Node) -> &'static str {
+    match node {
+        Node::Binary(Binary::Add, ..) => "sum",
+        Node::Binary(Binary::Sub, ..) => "difference",
+        Node::Binary(Binary::Mul, ..) => "product",
+        Node::Binary(Binary::Div, ..) => "ratio",
+        Node::Unary(Unary::Abs, _) => "magnitude",
+        Node::Unary(Unary::Sqrt, _) => "root",
+        Node::Select(..) => "choice",
+        _ => "value",
+    }
+}

@@ -1,0 +1,31 @@
+//! Parses scene descriptions and emits specialised Rust solvers for them.
+//!
+//! `parse` reads text or tokens into a spanned syntax tree, `lower` makes a scene of it, `graph`
+//! records the closed forms as code, and `emit` writes the items of a solver.
+
+/// Emitted code: like `quote!`, with names that neither capture the user's nor are captured.
+macro_rules! code {
+    ($($tokens:tt)*) => {
+        ::quote::quote_spanned!(::proc_macro2::Span::mixed_site()=> $($tokens)*)
+    };
+}
+
+mod diagnostics;
+mod emit;
+pub mod graph;
+mod lower;
+mod parse;
+
+pub use diagnostics::{Diagnostic, Diagnostics, Failure, Partial};
+pub use emit::{PASSES_FROM, emit, traces};
+pub use lower::{Description, Limits, parse_text, parse_tokens};
+
+#[cfg(feature = "pretty")]
+/// The solver of a description as formatted source text.
+///
+/// # Errors
+/// A message, should the emitted tokens not be Rust; that would be a defect of this crate.
+pub fn pretty(description: &Description) -> Result<String, String> {
+    let file: syn::File = syn::parse2(emit(description)).map_err(|error| error.to_string())?;
+    Ok(prettyplease::unparse(&file))
+}

@@ -1,0 +1,148 @@
+//! From what was written to a scene that makes physical sense.
+
+mod places;
+mod resolve;
+mod settings;
+
+use core::fmt;
+use std::collections::HashSet;
+
+use frictiongen_model::scene::{Precision, Scene};
+use frictiongen_model::validate::{MOST_MASSES, may_name};
+use proc_macro2::{Ident, Span, TokenStream};
+
+use crate::diagnostics::{Diagnostics, Failure, Partial, Problems};
+use crate::parse;
+use crate::parse::syntax::Syntax;
+
+/// How large a scene may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// The most masses.
+    pub masses: usize,
+}
+
+impl Limits {
+    /// What a macro expands: each mass becomes a method and a stretch of code.
+    pub const MACRO: Self = Self { masses: 64 };
+    /// What is computed at run time.
+    pub const RUN_TIME: Self = Self {
+        masses: MOST_MASSES,
+    };
+}
+
+/// A description that has been read and found to make physical sense.
+pub struct Description {
+    /// The doc comments and attributes before the struct.
+    pub attributes: Vec<syn::Attribute>,
+    /// Its visibility.
+    pub visibility: syn::Visibility,
+    /// Its name.
+    pub name: Ident,
+    /// The path of the facade, `::frictiongen` unless the description says otherwise.
+    pub facade: syn::Path,
+    /// The scene.
+    pub scene: Scene,
+    /// The names of the masses with the user's spans, in the order of [`Scene::masses`].
+    pub mass_names: Vec<Ident>,
+}
+
+impl fmt::Debug for Description {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Description")
+            .field("scene", &self.scene)
+            .finish_non_exhaustive()
+    }
+}
+
+/// Reads the tokens of a macro call.
+///
+/// # Errors
+/// Every error of the description, and what could be read all the same.
+#[allow(
+    clippy::result_large_err,
+    reason = "once a macro call; the parts are for the caller to take"
+)]
+pub fn parse_tokens(tokens: TokenStream, limits: &Limits) -> Result<Description, Failure> {
+    let mut problems = Problems::default();
+    let syntax = parse::tokens(tokens, &mut problems);
+    lower(syntax, limits, &mut problems).map_err(|partial| Failure {
+        errors: problems.into_error(),
+        partial: *partial,
+    })
+}
+
+/// Reads a text: the same language as in a macro call. The names in the result carry the span of
+/// the call where there is one.
+///
+/// # Errors
+/// Every error of the text with its line and column.
+pub fn parse_text(text: &str, limits: &Limits) -> Result<Description, Diagnostics> {
+    let mut problems = Problems::default();
+    match parse::text(text, &mut problems) {
+        Some(syntax) => lower(syntax, limits, &mut problems).ok(),
+        None => None,
+    }
+    .ok_or_else(|| problems.into_diagnostics())
+}
+
+/// The scene, or what a macro can still make of the syntax; the errors are then among `problems`.
+fn lower(
+    mut syntax: Syntax,
+    limits: &Limits,
+    problems: &mut Problems,
+) -> Result<Description, Box<Partial>> {
+    let scene = if syntax.has_body {
+        Some(resolve::resolve(&syntax, limits, problems))
+    } else {
+        None
+    };
+    let facade = syntax.fields.facade.take().unwrap_or_else(default_facade);
+    let entries = syntax
+        .fields
+        .masses
+        .given()
+        .map_or(&[][..], |masses| &masses.list.entries);
+    let names = entries.iter().map(|entry| &entry.name);
+    match (scene, syntax.name) {
+        (Some(scene), Some(name)) if problems.is_empty() => Ok(Description {
+            attributes: syntax.attributes,
+            visibility: syntax.visibility,
+            name: name.ident,
+            facade,
+            scene,
+            mass_names: names.map(|name| name.ident.clone()).collect(),
+        }),
+        (_, name) => {
+            let mut seen = HashSet::new();
+            let mass_names = names
+                .filter(|name| may_name(&name.text))
+                .filter(|name| seen.insert(name.text.as_str()))
+                .map(|name| name.ident.clone())
+                .collect();
+            Err(Box::new(Partial {
+                attributes: syntax.attributes,
+                visibility: syntax.visibility,
+                name: name.map(|name| name.ident),
+                facade,
+                mass_names,
+                precision: syntax
+                    .fields
+                    .scalar
+                    .given()
+                    .copied()
+                    .unwrap_or(Precision::F64),
+            }))
+        }
+    }
+}
+
+fn default_facade() -> syn::Path {
+    let span = Span::call_site();
+    let mut segments = syn::punctuated::Punctuated::new();
+    segments.push_value(syn::PathSegment::from(Ident::new("frictiongen", span)));
+    syn::Path {
+        leading_colon: Some(syn::Token![::]([span, span])),
+        segments,
+    }
+}

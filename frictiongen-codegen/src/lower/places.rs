@@ -1,0 +1,71 @@
+//! Where in the description each part of a scene was written.
+
+use frictiongen_model::validate::Path;
+
+use crate::diagnostics::Place;
+use crate::parse::syntax::{AccuracyEntry, DampingKind, ProvideEntry, SpringEntry, Syntax};
+
+/// The way back from a scene to what was written.
+pub(super) struct Places<'s> {
+    pub(super) syntax: &'s Syntax,
+    /// What each spring of the scene was made of: some that were written are not in it.
+    pub(super) springs: Vec<&'s SpringEntry>,
+    /// The same for what to provide.
+    pub(super) provide: Vec<&'s ProvideEntry>,
+}
+
+impl Places<'_> {
+    /// The place of a part; that of the scene's name if the part was not written.
+    pub(super) fn of(&self, path: Path) -> Place {
+        self.find(path).unwrap_or(self.syntax.place)
+    }
+
+    fn find(&self, path: Path) -> Option<Place> {
+        let fields = &self.syntax.fields;
+        let mass = |index: usize| {
+            fields
+                .masses
+                .given()
+                .and_then(|masses| masses.list.entries.get(index))
+        };
+        let spring = |index: usize| self.springs.get(index);
+        let range = fields.range.given();
+        match path {
+            Path::Masses => fields.masses.given().map(|masses| masses.place),
+            Path::Mass(index) => mass(index).map(|mass| mass.value.place),
+            Path::MassName(index) => mass(index).map(|mass| mass.name.place),
+            Path::Springs => fields.springs.given().map(|springs| springs.place),
+            Path::Spring(index) => spring(index).map(|spring| spring.stiffness.place),
+            Path::SpringFrom(index) => spring(index).map(|spring| spring.from.place),
+            Path::SpringTo(index) => spring(index).map(|spring| spring.to.place),
+            Path::Contact | Path::ContactFrom => {
+                fields.contact.given().map(|contact| contact.from.place)
+            }
+            Path::ContactTo => fields.contact.given().map(|contact| contact.to.place),
+            Path::Excitation => fields.excitation.given().map(|name| name.place),
+            Path::Damping(index) => self.damping(index),
+            Path::Stiction => fields.stiction.given().map(|number| number.place),
+            Path::Provide(None) => fields.provide.given().map(|provide| provide.place),
+            Path::Provide(Some(index)) => self.provide.get(index).map(|entry| entry.place),
+            Path::Accuracy => match fields.accuracy.given() {
+                Some(AccuracyEntry::Relative(number)) => Some(number.place),
+                _ => None,
+            },
+            Path::RangeR => range.and_then(|range| range.r.as_ref()).map(|r| r.place),
+            Path::RangeBeta => range
+                .and_then(|range| range.beta.as_ref())
+                .map(|beta| beta.place),
+        }
+    }
+
+    fn damping(&self, index: Option<usize>) -> Option<Place> {
+        let damping = self.syntax.fields.damping.given()?;
+        let number = index.and_then(|index| match &damping.kind {
+            DampingKind::None => None,
+            DampingKind::Uniform(ratio) => Some(ratio),
+            DampingKind::Modal(ratios) => ratios.get(index),
+            DampingKind::Rayleigh(mass, stiffness) => [mass, stiffness].get(index).copied(),
+        });
+        Some(number.map_or(damping.place, |number| number.place))
+    }
+}

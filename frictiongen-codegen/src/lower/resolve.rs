@@ -1,0 +1,308 @@
+//! Names become masses, and the scene is checked as far as it could be read.
+
+use std::collections::{HashMap, HashSet};
+
+use frictiongen_model::scene::{Accuracy, Contact, Excitation, Mass, Node, Scene, Spring};
+use frictiongen_model::validate::{Checks, Path, validate_known};
+
+use super::Limits;
+use super::places::Places;
+use crate::diagnostics::{Problems, Reported};
+use crate::parse::suggest;
+use crate::parse::syntax::{AccuracyEntry, Fields, SpringEntry, Syntax};
+use crate::parse::{Name, Number};
+
+/// The scene of a description; whatever is wrong with it is reported.
+pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems) -> Scene {
+    let fields = &syntax.fields;
+    report_missing(syntax, problems);
+    let names = Names::new(fields);
+    let mut lowering = Lowering {
+        names,
+        problems,
+        checks: Checks {
+            most_masses: limits.masses,
+            ..Checks::default()
+        },
+        unread: HashSet::new(),
+    };
+    let masses = lowering.masses(fields);
+    let (springs, spring_entries) = lowering.springs(fields);
+    let contact = lowering.contact(fields);
+    let excitation = lowering.excitation(fields);
+    let damping = lowering.damping(fields);
+    let stiction = match fields.stiction.given() {
+        Some(number) => lowering.number(*number, Path::Stiction),
+        None => 1.0,
+    };
+    let (provide, provide_entries) = lowering.provide(fields);
+    let accuracy = match fields.accuracy.given() {
+        Some(AccuracyEntry::Relative(number)) => {
+            Accuracy::Relative(lowering.number(*number, Path::Accuracy))
+        }
+        Some(AccuracyEntry::Exact) | None => Accuracy::Exact,
+    };
+    let range = lowering.range(fields);
+    let scene = Scene {
+        name: syntax
+            .name
+            .as_ref()
+            .map(|name| name.text.clone())
+            .unwrap_or_default(),
+        masses,
+        springs,
+        contact,
+        excitation,
+        damping,
+        stiction,
+        precision: fields.scalar.given().copied().unwrap_or_default(),
+        provide,
+        accuracy,
+        range,
+    };
+    let Lowering {
+        problems,
+        checks,
+        unread,
+        ..
+    } = lowering;
+    if let Err(errors) = validate_known(&scene, &checks) {
+        let places = Places {
+            syntax,
+            springs: spring_entries,
+            provide: provide_entries,
+        };
+        for error in errors {
+            // A number that could not be read stands in the scene as NaN and has been reported.
+            if !unread.contains(&error.path()) {
+                problems.report(places.of(error.path()), error.to_string());
+            }
+        }
+    }
+    scene
+}
+
+fn report_missing(syntax: &Syntax, problems: &mut Problems) {
+    let fields = &syntax.fields;
+    let name = syntax
+        .name
+        .as_ref()
+        .map_or("the scene".to_owned(), |name| format!("`{}`", name.text));
+    // The advice should fit the scene: it speaks of a mass that is there.
+    let entries = fields
+        .masses
+        .given()
+        .map_or(&[][..], |masses| &masses.list.entries);
+    let mass = entries
+        .first()
+        .map_or("m1", |entry| entry.name.text.as_str());
+    for (is_missing, what, example) in [
+        (
+            fields.masses.is_missing(),
+            "masses",
+            "masses: { m1: 1.0 }".to_owned(),
+        ),
+        (
+            fields.springs.is_missing(),
+            "springs",
+            format!("springs: {{ base - {mass}: 1.0 }}"),
+        ),
+        (
+            fields.contact.is_missing(),
+            "contact",
+            format!("contact: {mass} - wall"),
+        ),
+        (
+            fields.excitation.is_missing(),
+            "excitation",
+            format!("excitation: {mass}"),
+        ),
+    ] {
+        if is_missing {
+            problems.report(
+                syntax.place,
+                format!("{name} lacks the field `{what}`; write, for example, `{example},`"),
+            );
+        }
+    }
+}
+
+/// The masses by name; of two with the same name the first.
+struct Names<'s> {
+    index: HashMap<&'s str, usize>,
+    order: Vec<&'s str>,
+    complete: bool,
+}
+
+impl<'s> Names<'s> {
+    fn new(fields: &'s Fields) -> Self {
+        let Some(masses) = fields.masses.given() else {
+            return Self {
+                index: HashMap::new(),
+                order: Vec::new(),
+                complete: false,
+            };
+        };
+        let mut index = HashMap::new();
+        let mut order = Vec::new();
+        for (place, entry) in masses.list.entries.iter().enumerate() {
+            let name = entry.name.text.as_str();
+            index.entry(name).or_insert_with(|| {
+                order.push(name);
+                place
+            });
+        }
+        // With no mass at all, that is the error, not each name.
+        let complete = masses.list.complete && !order.is_empty();
+        Self {
+            index,
+            order,
+            complete,
+        }
+    }
+}
+
+/// A scene in the making.
+pub(super) struct Lowering<'s, 'p> {
+    names: Names<'s>,
+    pub(super) problems: &'p mut Problems,
+    checks: Checks,
+    /// Where numbers could not be read.
+    unread: HashSet<Path>,
+}
+
+impl<'s> Lowering<'s, '_> {
+    /// A number, or NaN with a note that its error is known.
+    pub(super) fn number(&mut self, number: Number, path: Path) -> f64 {
+        number.value.unwrap_or_else(|| {
+            self.unread.insert(path);
+            f64::NAN
+        })
+    }
+
+    /// The mass of a name; `supports` are the words that would have done as well.
+    pub(super) fn mass(&mut self, name: &Name, supports: &[&str]) -> Result<usize, Reported> {
+        let text = name.text.as_str();
+        if let Some(&index) = self.names.index.get(text) {
+            return Ok(index);
+        }
+        // The name may be that of a mass which could not be read.
+        if !self.names.complete {
+            return Err(Reported);
+        }
+        let grounded = ["ground", "earth", "fixed", "floor", "support"].contains(&text);
+        let hint = if self.problems.are_many() {
+            String::new()
+        } else if grounded && supports.contains(&"wall") {
+            "; a support that never moves is called `wall`, one that moves with the excitation `base`".to_owned()
+        } else {
+            let candidates = self
+                .names
+                .order
+                .iter()
+                .copied()
+                .chain(supports.iter().copied());
+            suggest::hint(text, candidates, || {
+                let shown: Vec<_> = self.names.order.iter().take(8).copied().collect();
+                let more = if self.names.order.len() > shown.len() {
+                    ", …"
+                } else {
+                    ""
+                };
+                format!("the masses are {}{more}", shown.join(", "))
+            })
+        };
+        Err(self
+            .problems
+            .report(name.place, format!("there is no mass `{text}`{hint}")))
+    }
+
+    fn node(&mut self, name: &Name) -> Result<Node, Reported> {
+        match name.text.as_str() {
+            "base" => Ok(Node::Base),
+            "wall" => Ok(Node::Wall),
+            _ => self.mass(name, &["base", "wall"]).map(Node::Mass),
+        }
+    }
+
+    fn masses(&mut self, fields: &Fields) -> Vec<Mass> {
+        self.checks.masses = fields
+            .masses
+            .given()
+            .is_some_and(|masses| masses.list.complete);
+        let entries = fields
+            .masses
+            .given()
+            .map_or(&[][..], |masses| &masses.list.entries);
+        entries
+            .iter()
+            .enumerate()
+            .map(|(index, entry)| Mass {
+                name: entry.name.text.clone(),
+                value: self.number(entry.value, Path::Mass(index)),
+            })
+            .collect()
+    }
+
+    /// The springs whose ends exist, with what was written of each.
+    fn springs(&mut self, fields: &'s Fields) -> (Vec<Spring>, Vec<&'s SpringEntry>) {
+        let (mut springs, mut entries) = (Vec::new(), Vec::new());
+        let Some(written) = fields.springs.given() else {
+            self.checks.springs = false;
+            return (springs, entries);
+        };
+        self.checks.springs = written.list.complete;
+        for entry in &written.list.entries {
+            // Both ends are looked up before either error counts.
+            let (from, to) = (self.node(&entry.from), self.node(&entry.to));
+            let (Ok(from), Ok(to)) = (from, to) else {
+                self.checks.springs = false;
+                continue;
+            };
+            let stiffness = self.number(entry.stiffness, Path::Spring(springs.len()));
+            springs.push(Spring {
+                from,
+                to,
+                stiffness,
+            });
+            entries.push(entry);
+        }
+        (springs, entries)
+    }
+
+    fn contact(&mut self, fields: &Fields) -> Contact {
+        let nodes = fields
+            .contact
+            .given()
+            .map(|entry| (self.node(&entry.from), self.node(&entry.to)));
+        if let Some((Ok(from), Ok(to))) = nodes {
+            Contact { from, to }
+        } else {
+            self.checks.contact = false;
+            Contact {
+                from: Node::Mass(0),
+                to: Node::Wall,
+            }
+        }
+    }
+
+    fn excitation(&mut self, fields: &Fields) -> Excitation {
+        let excitation =
+            fields.excitation.given().map(|name| {
+                match name.text.as_str() {
+            "base" => Ok(Excitation::Base),
+            "wall" => Err(self.problems.report(
+                name.place,
+                "a wall never moves; write `base` for a base motion, or a mass for a force on it",
+            )),
+            _ => self.mass(name, &["base"]).map(Excitation::Force),
+        }
+            });
+        if let Some(Ok(excitation)) = excitation {
+            excitation
+        } else {
+            self.checks.excitation = false;
+            Excitation::Base
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Damping, what to provide, and the range, from what was written.
+
+use std::collections::HashSet;
+
+use frictiongen_model::scene::{Damping, Provide, Range};
+use frictiongen_model::validate::Path;
+
+use super::resolve::Lowering;
+use crate::diagnostics::Reported;
+use crate::parse::syntax::{
+    DampingKind, Fields, Interval, Placed, ProvideEntry, ProvideKind, Slot,
+};
+use crate::parse::{List, Name};
+
+impl<'s> Lowering<'s, '_> {
+    pub(super) fn damping(&mut self, fields: &Fields) -> Damping {
+        let Some(entry) = fields.damping.given() else {
+            return Damping::None;
+        };
+        match &entry.kind {
+            DampingKind::None => Damping::None,
+            DampingKind::Uniform(ratio) => {
+                Damping::Uniform(self.number(*ratio, Path::Damping(Some(0))))
+            }
+            DampingKind::Modal(ratios) => Damping::Modal(
+                ratios
+                    .iter()
+                    .enumerate()
+                    .map(|(index, ratio)| self.number(*ratio, Path::Damping(Some(index))))
+                    .collect(),
+            ),
+            DampingKind::Rayleigh(mass, stiffness) => Damping::Rayleigh {
+                mass: self.number(*mass, Path::Damping(Some(0))),
+                stiffness: self.number(*stiffness, Path::Damping(Some(1))),
+            },
+        }
+    }
+
+    /// The items that could be read, with what was written of each.
+    pub(super) fn provide(&mut self, fields: &'s Fields) -> (Vec<Provide>, Vec<&'s ProvideEntry>) {
+        let default = || (vec![Provide::Limits, Provide::Motion(None)], Vec::new());
+        let Slot::Given(Placed { list, .. }) = &fields.provide else {
+            return default();
+        };
+        // An empty list is an error only where nothing was written.
+        if list.entries.is_empty() && !list.complete {
+            return default();
+        }
+        let provide = list
+            .entries
+            .iter()
+            .map(|entry| match &entry.kind {
+                ProvideKind::Limits => Provide::Limits,
+                ProvideKind::Motion(None) => Provide::Motion(None),
+                ProvideKind::Motion(Some(names)) => self.motion(names),
+                ProvideKind::Stuck => Provide::Stuck,
+                ProvideKind::Orbit => Provide::Orbit,
+                ProvideKind::Simulation => Provide::Simulation,
+                ProvideKind::Stepper => Provide::Stepper,
+            })
+            .collect();
+        (provide, list.entries.iter().collect())
+    }
+
+    fn motion(&mut self, names: &List<Name>) -> Provide {
+        let mut masses = Vec::new();
+        let mut seen = HashSet::new();
+        let mut sound = names.complete;
+        for name in &names.entries {
+            if name.text == "contact" {
+                self.problems.report(
+                    name.place,
+                    "the motion in the contact is always provided; delete `contact`",
+                );
+                sound = false;
+                continue;
+            }
+            match self.mass(name, &[]) {
+                Ok(mass) if !seen.insert(mass) => {
+                    let message = format!("`{}` is named twice; name it once", name.text);
+                    self.problems.report(name.place, message);
+                }
+                Ok(mass) => masses.push(mass),
+                Err(Reported) => sound = false,
+            }
+        }
+        // What is left of a faulty list may be empty, which is no error of its own.
+        Provide::Motion((sound || !masses.is_empty()).then_some(masses))
+    }
+
+    pub(super) fn range(&mut self, fields: &Fields) -> Option<Range> {
+        let placeholder = (0.0, 1.0);
+        let mut interval = |interval: &Option<Interval>, path| {
+            interval.as_ref().map_or(placeholder, |interval| {
+                (
+                    self.number(interval.start, path),
+                    self.number(interval.end, path),
+                )
+            })
+        };
+        match &fields.range {
+            Slot::Missing => None,
+            Slot::Broken => Some(Range {
+                r: placeholder,
+                beta: placeholder,
+            }),
+            Slot::Given(range) => Some(Range {
+                r: interval(&range.r, Path::RangeR),
+                beta: interval(&range.beta, Path::RangeBeta),
+            }),
+        }
+    }
+}

@@ -1,0 +1,227 @@
+//! The fields between the braces, in any order.
+
+use frictiongen_model::scene::Precision;
+
+use super::forms;
+use super::graph;
+use super::reader::{Name, Read, Reader};
+use super::suggest;
+use super::syntax::{Fields, Slot};
+use super::token::{Kind, Token};
+use crate::diagnostics::{Problems, Reported};
+
+/// A field by its name.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Field {
+    Masses,
+    Springs,
+    Contact,
+    Excitation,
+    Damping,
+    Stiction,
+    Scalar,
+    Provide,
+    Accuracy,
+    Range,
+    Crate,
+}
+
+const FIELDS: [(&str, Field); 11] = [
+    ("masses", Field::Masses),
+    ("springs", Field::Springs),
+    ("contact", Field::Contact),
+    ("excitation", Field::Excitation),
+    ("damping", Field::Damping),
+    ("stiction", Field::Stiction),
+    ("scalar", Field::Scalar),
+    ("provide", Field::Provide),
+    ("accuracy", Field::Accuracy),
+    ("range", Field::Range),
+    ("crate", Field::Crate),
+];
+
+fn known(word: &str) -> Option<Field> {
+    FIELDS
+        .iter()
+        .find(|(name, _)| *name == word)
+        .map(|&(_, field)| field)
+}
+
+fn names() -> impl Iterator<Item = &'static str> {
+    FIELDS.iter().map(|&(name, _)| name)
+}
+
+/// Whether a field that exists begins here: `crate:` and `crate: ::path`, but not `crate::path`.
+pub(crate) fn begins(reader: &Reader<'_>) -> bool {
+    matches!(reader.peek(0), Some(Token { kind: Kind::Word { text, .. }, .. }) if known(text).is_some())
+        && reader.is_punct(1, ':')
+        && (!reader.is_punct(2, ':') || reader.is_punct(3, ':'))
+}
+
+/// Reads all fields.
+pub(crate) fn fields(reader: &mut Reader<'_>, problems: &mut Problems) -> Fields {
+    let mut fields = Fields::default();
+    reader.list(
+        problems,
+        |reader| reader.is_word(0) && reader.is_punct(1, ':'),
+        begins,
+        |reader, problems| match field(reader, problems, &mut fields) {
+            Ok(()) => Read::clean(()),
+            Err(Reported) => Read::lost(),
+        },
+    );
+    fields
+}
+
+fn field(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+    fields: &mut Fields,
+) -> Result<(), Reported> {
+    let place = reader.place();
+    let Some(word) = reader.take_word() else {
+        let message = format!(
+            "the name of a field belongs here, not {}; write, for example, `stiction: 1.2`",
+            reader.found()
+        );
+        return Err(problems.report(place, message));
+    };
+    let field = recognise(&word, problems);
+    reader.take_colon(problems, "the name of a field and its value")?;
+    let Some(field) = field else {
+        return Err(Reported);
+    };
+    match field {
+        Field::Masses => store(&mut fields.masses, &word, reader, problems, graph::masses),
+        Field::Springs => store(&mut fields.springs, &word, reader, problems, graph::springs),
+        Field::Contact => store(&mut fields.contact, &word, reader, problems, graph::contact),
+        Field::Excitation => store(
+            &mut fields.excitation,
+            &word,
+            reader,
+            problems,
+            graph::excitation,
+        ),
+        Field::Damping => store(&mut fields.damping, &word, reader, problems, forms::damping),
+        Field::Stiction => store(
+            &mut fields.stiction,
+            &word,
+            reader,
+            problems,
+            super::number::number,
+        ),
+        Field::Scalar => store(&mut fields.scalar, &word, reader, problems, scalar),
+        Field::Provide => store(&mut fields.provide, &word, reader, problems, forms::provide),
+        Field::Accuracy => store(
+            &mut fields.accuracy,
+            &word,
+            reader,
+            problems,
+            forms::accuracy,
+        ),
+        Field::Range => store(&mut fields.range, &word, reader, problems, forms::range),
+        Field::Crate => store(&mut fields.facade, &word, reader, problems, facade),
+    }
+}
+
+/// Which field a word names; a misspelt one is reported and then read as what it must have meant,
+/// so that it does not count as missing too.
+fn recognise(word: &Name, problems: &mut Problems) -> Option<Field> {
+    let text = word.text.as_str();
+    known(text).or_else(|| {
+        let hint = suggest::hint(text, names(), || {
+            format!("the fields are {}", names().collect::<Vec<_>>().join(", "))
+        });
+        problems.report(word.place, format!("a scene has no field `{text}`{hint}"));
+        suggest::closest(text, names()).and_then(known)
+    })
+}
+
+/// Reads the value of a field and keeps it, unless an earlier one of the same name was kept.
+fn store<'t, T>(
+    slot: &mut Slot<T>,
+    word: &Name,
+    reader: &mut Reader<'t>,
+    problems: &mut Problems,
+    read: impl FnOnce(&mut Reader<'t>, &mut Problems) -> Read<T>,
+) -> Result<(), Reported> {
+    let first = slot.is_missing();
+    if !first {
+        let message = format!("`{}` is there twice; keep one of the two", word.text);
+        problems.report(word.place, message);
+    }
+    let value = if reader.is_empty() || reader.is_punct(0, ',') || begins(reader) {
+        let message = format!(
+            "the field `{}` has no value; write it after the colon",
+            word.text
+        );
+        problems.report(word.place, message);
+        Read::lost()
+    } else {
+        read(reader, problems)
+    };
+    if first {
+        *slot = value.value.map_or(Slot::Broken, Slot::Given);
+    }
+    if value.clean { Ok(()) } else { Err(Reported) }
+}
+
+fn scalar(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Precision> {
+    let place = reader.place();
+    let found = reader.found();
+    match reader.take_word().map(|word| word.text).as_deref() {
+        Some("f64") => Read::clean(Precision::F64),
+        Some("f32") => Read::clean(Precision::F32),
+        _ => {
+            problems.report(
+                place,
+                format!("the scalar is `f64` or `f32`, not {found}; write one of the two"),
+            );
+            Read::lost()
+        }
+    }
+}
+
+/// The path under which the user's crate knows the facade.
+fn facade(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<syn::Path> {
+    let place = reader.place();
+    path(reader).map_or_else(
+        || {
+            let message = format!(
+                "`crate` is the path of the library, not {}; write, for example, `::frictiongen`",
+                Reader::found(reader)
+            );
+            problems.report(place, message);
+            Read::lost()
+        },
+        Read::clean,
+    )
+}
+
+/// Words joined by `::`.
+pub(crate) fn path(reader: &mut Reader<'_>) -> Option<syn::Path> {
+    let leading = colons(reader);
+    let mut path = syn::Path {
+        leading_colon: leading,
+        segments: syn::punctuated::Punctuated::new(),
+    };
+    loop {
+        let word = reader.take_word()?;
+        path.segments.push_value(syn::PathSegment::from(word.ident));
+        match colons(reader) {
+            Some(sign) => path.segments.push_punct(sign),
+            None => return Some(path),
+        }
+    }
+}
+
+fn colons(reader: &mut Reader<'_>) -> Option<syn::Token![::]> {
+    let span = reader.place().span();
+    if reader.is_punct(0, ':') && reader.is_punct(1, ':') {
+        reader.next();
+        reader.next();
+        Some(syn::Token![::]([span, span]))
+    } else {
+        None
+    }
+}

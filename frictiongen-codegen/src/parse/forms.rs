@@ -1,0 +1,308 @@
+//! The fields that set the scene up: damping, what to provide, how exact.
+
+use proc_macro2::Delimiter;
+
+use super::number::{Number, number};
+use super::reader::{Inside, List, Name, Read, Reader};
+use super::suggest;
+use super::syntax::{
+    AccuracyEntry, DampingEntry, DampingKind, Interval, Placed, ProvideEntry, ProvideKind,
+    RangeEntry,
+};
+use crate::diagnostics::{Place, Problems, Reported};
+
+const DAMPING: [&str; 3] = ["none", "modal", "rayleigh"];
+const PROVIDE: [&str; 6] = [
+    "limits",
+    "motion",
+    "stuck",
+    "orbit",
+    "simulation",
+    "stepper",
+];
+
+/// `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)`
+pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<DampingEntry> {
+    let place = reader.place();
+    let Some(word) = reader.take_word() else {
+        let message = format!(
+            "the damping is `none`, `modal(ζ)`, `modal[ζ1, ζ2]` or `rayleigh(a, b)`, not {}; write, for example, `modal(0.01)`",
+            reader.found()
+        );
+        problems.report(place, message);
+        return Read::lost();
+    };
+    let kind = match word.text.as_str() {
+        "none" => Ok(DampingKind::None),
+        "modal" => modal(reader, problems, place),
+        "rayleigh" => rayleigh(reader, problems, place),
+        text => {
+            let hint = suggest::hint(text, DAMPING, || {
+                "write `none`, `modal(0.01)`, `modal[0.01, 0.02]` or `rayleigh(0.1, 0.001)`"
+                    .to_owned()
+            });
+            problems.report(place, format!("there is no damping `{text}`{hint}"));
+            // Its numbers go with it.
+            let _ = reader.take_group(Delimiter::Parenthesis);
+            let _ = reader.take_group(Delimiter::Bracket);
+            return Read {
+                value: None,
+                clean: true,
+            };
+        }
+    };
+    // The bracket is behind us even where its numbers are wrong.
+    Read {
+        value: kind.ok().map(|kind| DampingEntry { place, kind }),
+        clean: true,
+    }
+}
+
+fn modal(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+    place: Place,
+) -> Result<DampingKind, Reported> {
+    if let Some(mut inside) = reader.take_group(Delimiter::Bracket) {
+        return Ok(DampingKind::Modal(
+            numbers(&mut inside.reader, problems).entries,
+        ));
+    }
+    let Some(inside) = reader.take_group(Delimiter::Parenthesis) else {
+        let message = "`modal` needs its damping ratios; write `modal(0.01)` for one in all modes, or `modal[0.01, 0.02]` for one in each";
+        let reported = problems.report(place, message);
+        let _ = reader.take_group(Delimiter::Brace);
+        return Err(reported);
+    };
+    match arguments(inside, problems)?.as_slice() {
+        [ratio] => Ok(DampingKind::Uniform(*ratio)),
+        found => Err(problems.report(
+            place,
+            format!(
+                "`modal(…)` takes one damping ratio for all modes, not {}; for one in each write square brackets, `modal[0.01, 0.02]`",
+                found.len()
+            ),
+        )),
+    }
+}
+
+fn rayleigh(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+    place: Place,
+) -> Result<DampingKind, Reported> {
+    const FORM: &str =
+        "write `rayleigh(a, b)` with C = aM + bK, for example `rayleigh(0.1, 0.001)`";
+    let Some(inside) = reader.take_group(Delimiter::Parenthesis) else {
+        let reported = problems.report(
+            place,
+            format!("`rayleigh` needs two factors in parentheses; {FORM}"),
+        );
+        let _ = reader.take_group(Delimiter::Bracket);
+        let _ = reader.take_group(Delimiter::Brace);
+        return Err(reported);
+    };
+    match arguments(inside, problems)?.as_slice() {
+        [mass, stiffness] => Ok(DampingKind::Rayleigh(*mass, *stiffness)),
+        found => Err(problems.report(
+            place,
+            format!("`rayleigh` takes two factors, not {}; {FORM}", found.len()),
+        )),
+    }
+}
+
+/// The numbers in parentheses, if all their places could be told apart.
+fn arguments(mut inside: Inside<'_>, problems: &mut Problems) -> Result<Vec<Number>, Reported> {
+    let list = numbers(&mut inside.reader, problems);
+    if list.complete {
+        Ok(list.entries)
+    } else {
+        Err(Reported)
+    }
+}
+
+fn numbers(reader: &mut Reader<'_>, problems: &mut Problems) -> List<Number> {
+    reader.list(problems, |_| false, |_| false, number)
+}
+
+/// A list of what to emit.
+pub(crate) fn provide(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+) -> Read<Placed<ProvideEntry>> {
+    let place = reader.place();
+    let Some(mut inside) = reader.take_group(Delimiter::Bracket) else {
+        let message = format!(
+            "what to provide is a list in square brackets, but here is {}; write, for example, `[limits, motion]`",
+            reader.found()
+        );
+        problems.report(place, message);
+        return Read::lost();
+    };
+    let begins = |reader: &Reader<'_>| reader.is_word(0);
+    let list = inside.reader.list(
+        problems,
+        begins,
+        |_| false,
+        |reader, problems| provide_item(reader, problems).into(),
+    );
+    Read::clean(Placed {
+        list,
+        place: inside.place,
+    })
+}
+
+fn provide_item(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+) -> Result<ProvideEntry, Reported> {
+    let place = reader.place();
+    let all = || format!("write some of {}", PROVIDE.join(", "));
+    let Some(word) = reader.take_word() else {
+        let message = format!("{} cannot be provided; {}", reader.found(), all());
+        return Err(problems.report(place, message));
+    };
+    let kind = match word.text.as_str() {
+        "limits" => ProvideKind::Limits,
+        "stuck" => ProvideKind::Stuck,
+        "orbit" => ProvideKind::Orbit,
+        "simulation" => ProvideKind::Simulation,
+        "stepper" => ProvideKind::Stepper,
+        "motion" => ProvideKind::Motion(
+            reader
+                .take_group(Delimiter::Parenthesis)
+                .map(|mut inside| mass_names(&mut inside.reader, problems)),
+        ),
+        text => {
+            let hint = suggest::hint(text, PROVIDE, all);
+            return Err(problems.report(place, format!("`{text}` cannot be provided{hint}")));
+        }
+    };
+    Ok(ProvideEntry { place, kind })
+}
+
+fn mass_names(reader: &mut Reader<'_>, problems: &mut Problems) -> List<Name> {
+    let begins = |reader: &Reader<'_>| reader.is_word(0);
+    reader.list(
+        problems,
+        begins,
+        |_| false,
+        |reader, problems| {
+            let place = reader.place();
+            reader
+                .take_word()
+                .ok_or_else(|| {
+                    let message = format!(
+                        "the name of a mass belongs here, not {}; write, for example, `motion(m1)`",
+                        reader.found()
+                    );
+                    problems.report(place, message)
+                })
+                .into()
+        },
+    )
+}
+
+/// `exact` or a number.
+pub(crate) fn accuracy(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<AccuracyEntry> {
+    let place = reader.place();
+    if !reader.is_word(0) {
+        let read = number(reader, problems);
+        return Read {
+            value: read.value.map(AccuracyEntry::Relative),
+            clean: read.clean,
+        };
+    }
+    let found = reader.found();
+    if reader.take_word().is_some_and(|word| word.text == "exact") {
+        return Read::clean(AccuracyEntry::Exact);
+    }
+    problems.report(
+        place,
+        format!("the accuracy is `exact` or a relative error such as `1e-6`, not {found}; write one of the two"),
+    );
+    Read::lost()
+}
+
+/// `{ r: a..b, beta: a..b }`
+pub(crate) fn range(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<RangeEntry> {
+    const FORM: &str = "write, for example, `{ r: 0.1..3.0, beta: 0.0..2.0 }`";
+    let place = reader.place();
+    let Some(mut inside) = reader.take_group(Delimiter::Brace) else {
+        let message = format!(
+            "the range stands in braces, but here is {}; {FORM}",
+            reader.found()
+        );
+        problems.report(place, message);
+        return Read::lost();
+    };
+    let mut range = RangeEntry {
+        r: None,
+        beta: None,
+    };
+    let begins = |reader: &Reader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
+    let list = inside
+        .reader
+        .list(problems, begins, begins, |reader, problems| {
+            interval(reader, problems, &mut range).into()
+        });
+    if list.complete {
+        for (is_missing, name) in [(range.r.is_none(), "r"), (range.beta.is_none(), "beta")] {
+            if is_missing {
+                problems.report(
+                    inside.place,
+                    format!("the range of `{name}` is missing; {FORM}"),
+                );
+            }
+        }
+    }
+    Read::clean(range)
+}
+
+fn interval(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+    range: &mut RangeEntry,
+) -> Result<(), Reported> {
+    let place = reader.place();
+    let found = reader.found();
+    let word = reader.take_word().map(|word| word.text).unwrap_or_default();
+    let slot = match word.as_str() {
+        "r" => &mut range.r,
+        "beta" => &mut range.beta,
+        _ => {
+            let message = format!(
+                "a range is given for `r`, the frequency ratio, and `beta`, the friction ratio, not for {found}; write one of the two"
+            );
+            return Err(problems.report(place, message));
+        }
+    };
+    reader.take_colon(problems, "the name of a range and its ends")?;
+    let start = lossless(number(reader, problems))?;
+    let dots = reader.place();
+    if !(reader.take_punct('.') && reader.take_punct('.')) {
+        let message = format!(
+            "two points stand between the ends of a range, but here is {}; write, for example, `0.1..3.0`",
+            reader.found()
+        );
+        return Err(problems.report(dots, message));
+    }
+    if reader.take_punct('=') || reader.take_punct('.') {
+        problems.report(dots, "both ends belong to a range anyway; write `..`");
+    }
+    let end = lossless(number(reader, problems))?;
+    if slot.is_some() {
+        problems.report(
+            place,
+            format!("the range of `{word}` is there twice; keep one of the two"),
+        );
+    } else {
+        *slot = Some(Interval { place, start, end });
+    }
+    Ok(())
+}
+
+/// The number, where the reader still knows its place.
+fn lossless(read: Read<Number>) -> Result<Number, Reported> {
+    read.value.filter(|_| read.clean).ok_or(Reported)
+}

@@ -1,0 +1,179 @@
+//! The fields that draw the picture: masses, springs, contact, excitation.
+
+use proc_macro2::Delimiter;
+
+use super::number::number;
+use super::reader::{List, Name, Read, Reader};
+use super::syntax::{ContactEntry, MassEntry, Placed, SpringEntry};
+use super::token::{Kind, Token};
+use crate::diagnostics::{Problems, Reported};
+
+/// `{ name: number, … }`
+pub(crate) fn masses(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Placed<MassEntry>> {
+    let begins = |reader: &Reader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
+    braces(
+        reader,
+        problems,
+        "the masses stand in braces",
+        "{ m1: 1.0, m2: 2.0 }",
+        |inner, problems| {
+            inner.list(problems, begins, begins, |reader, problems| {
+                mass(reader, problems).unwrap_or_else(|Reported| Read::lost())
+            })
+        },
+    )
+}
+
+fn mass(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<MassEntry>, Reported> {
+    let place = reader.place();
+    let Some(name) = reader.take_word() else {
+        let message = match reader.peek(0) {
+            Some(Token {
+                kind: Kind::Number(text),
+                ..
+            }) => format!(
+                "a mass has a name before its value, for example `m1: {text}`; if this is a decimal, write a point, not a comma"
+            ),
+            _ => format!(
+                "the name of a mass belongs here, not {}; write, for example, `m1: 1.0`",
+                reader.found()
+            ),
+        };
+        return Err(problems.report(place, message));
+    };
+    reader.take_colon(problems, "the name of a mass and its value")?;
+    let value = number(reader, problems);
+    Ok(Read {
+        value: value.value.map(|value| MassEntry { name, value }),
+        clean: value.clean,
+    })
+}
+
+/// `{ node - node: number, … }`
+pub(crate) fn springs(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+) -> Read<Placed<SpringEntry>> {
+    let begins = |reader: &Reader<'_>| {
+        reader.is_word(0) && reader.is_punct(1, '-') && reader.is_word(2) && reader.is_punct(3, ':')
+    };
+    braces(
+        reader,
+        problems,
+        "the springs stand in braces",
+        "{ base - m1: 1.0 }",
+        |inner, problems| {
+            inner.list(problems, begins, begins, |reader, problems| {
+                spring(reader, problems).unwrap_or_else(|Reported| Read::lost())
+            })
+        },
+    )
+}
+
+fn spring(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<SpringEntry>, Reported> {
+    let (from, to) = ends(reader, problems, "a spring", "base - m1: 1.0")?;
+    reader.take_colon(problems, "the ends of a spring and its stiffness")?;
+    let stiffness = number(reader, problems);
+    let value = stiffness.value.map(|stiffness| SpringEntry {
+        from,
+        to,
+        stiffness,
+    });
+    Ok(Read {
+        value,
+        clean: stiffness.clean,
+    })
+}
+
+/// `mass - wall`, `mass - mass`, `mass - base`, either way round.
+pub(crate) fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<ContactEntry> {
+    ends(reader, problems, "the contact", "m1 - wall")
+        .map(|(from, to)| ContactEntry { from, to })
+        .into()
+}
+
+/// `node - node`
+fn ends(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+    what: &str,
+    example: &str,
+) -> Result<(Name, Name), Reported> {
+    let from = node(reader, problems, what, example)?;
+    let place = reader.place();
+    if !reader.take_punct('-') {
+        let message = format!(
+            "a hyphen joins the two sides of {what}, but here is {}; write, for example, `{example}`",
+            reader.found()
+        );
+        return Err(problems.report(place, message));
+    }
+    let arrow = reader.place();
+    if reader.take_punct('>') {
+        problems.report(
+            arrow,
+            format!("a plain hyphen joins the two sides of {what}; delete `>`"),
+        );
+    }
+    let to = node(reader, problems, what, example)?;
+    Ok((from, to))
+}
+
+fn node(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+    what: &str,
+    example: &str,
+) -> Result<Name, Reported> {
+    let place = reader.place();
+    reader.take_word().ok_or_else(|| {
+        let message = format!(
+            "one side of {what} belongs here, a mass, `base` or `wall`, not {}; write, for example, `{example}`",
+            reader.found()
+        );
+        problems.report(place, message)
+    })
+}
+
+/// A mass or `base`.
+pub(crate) fn excitation(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Name> {
+    let place = reader.place();
+    reader
+        .take_word()
+        .ok_or_else(|| {
+            let message = format!(
+                "the excitation is a mass, for a force on it, or `base`, for a base motion, not {}; write, for example, `base`",
+                reader.found()
+            );
+            problems.report(place, message)
+        })
+        .into()
+}
+
+/// A list in braces.
+fn braces<T>(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+    what: &str,
+    example: &str,
+    read: impl FnOnce(&mut Reader<'_>, &mut Problems) -> List<T>,
+) -> Read<Placed<T>> {
+    let place = reader.place();
+    match reader.take_group(Delimiter::Brace) {
+        Some(mut inside) => {
+            let list = read(&mut inside.reader, problems);
+            Read::clean(Placed {
+                list,
+                place: inside.place,
+            })
+        }
+        None => {
+            let message = format!(
+                "{what}, but here is {}; write, for example, `{example}`",
+                reader.found()
+            );
+            problems.report(place, message);
+            Read::lost()
+        }
+    }
+}

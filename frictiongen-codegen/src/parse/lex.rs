@@ -1,0 +1,393 @@
+//! A text as tokens.
+//!
+//! The compiler's own lexer would do, but inside a macro it gives every token of a text the place
+//! of the call, outside one it keeps every text it ever read, and its errors have no words.
+
+use core::str::Chars;
+
+use proc_macro2::{Delimiter, Ident, Literal, Span};
+
+use super::token::{DEEPEST, Kind, TOO_DEEP, Token};
+use crate::diagnostics::{Place, Problems, Reported};
+
+/// The tokens of a text, and where it ends. Fails only where brackets or comments do not close;
+/// a stray character is reported and left out.
+pub(crate) fn lex(text: &str, problems: &mut Problems) -> Result<(Vec<Token>, Place), Reported> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut lexer = Lexer {
+        rest: text.chars(),
+        line: 1,
+        column: 1,
+        problems,
+    };
+    let tokens = lexer.run()?;
+    Ok((tokens, lexer.place()))
+}
+
+struct Lexer<'t, 'p> {
+    rest: Chars<'t>,
+    line: usize,
+    column: usize,
+    problems: &'p mut Problems,
+}
+
+/// A bracket that is still open.
+struct Open {
+    bracket: Delimiter,
+    place: Place,
+    /// What stood before it.
+    before: Vec<Token>,
+}
+
+impl Lexer<'_, '_> {
+    fn run(&mut self) -> Result<Vec<Token>, Reported> {
+        let mut open: Vec<Open> = Vec::new();
+        let mut tokens = Vec::new();
+        // Braces nest two deep in a scene: a third means that the second was never closed.
+        let mut suspect = None;
+        while let Some(next) = self.peek(0) {
+            let place = self.place();
+            if next.is_whitespace() {
+                self.bump();
+            } else if self.starts_with("//") {
+                self.line_comment(place, &mut tokens);
+            } else if self.starts_with("/*") {
+                self.block_comment(place, &mut tokens)?;
+            } else if let Some(bracket) = opening(next) {
+                self.bump();
+                if open.len() >= DEEPEST {
+                    return Err(self.problems.report(place, TOO_DEEP));
+                }
+                if let [.., _, second] = open.as_slice()
+                    && bracket == Delimiter::Brace
+                    && second.bracket == Delimiter::Brace
+                {
+                    suspect = suspect.or(Some(second.place));
+                }
+                open.push(Open {
+                    bracket,
+                    place,
+                    before: core::mem::take(&mut tokens),
+                });
+            } else if let Some(bracket) = closing(next) {
+                self.bump();
+                match open.pop() {
+                    Some(last) if last.bracket == bracket => {
+                        let inner = core::mem::replace(&mut tokens, last.before);
+                        let kind = Kind::Group {
+                            bracket,
+                            tokens: inner,
+                            close: place,
+                        };
+                        tokens.push(Token {
+                            kind,
+                            place: last.place,
+                        });
+                    }
+                    last => return Err(self.mismatch(next, place, last)),
+                }
+            } else {
+                self.leaf(next, place, &mut tokens)?;
+            }
+        }
+        match open.last() {
+            None => Ok(tokens),
+            Some(last) => {
+                let (sign, close) = signs(last.bracket);
+                Err(match suspect {
+                    Some(place) => self.problems.report(
+                        place,
+                        "this `{` is not closed where its list ends; write `}` after the last entry",
+                    ),
+                    None => self.problems.report(
+                        last.place,
+                        format!("this `{sign}` is never closed; write `{close}` where it ends"),
+                    ),
+                })
+            }
+        }
+    }
+
+    fn mismatch(&mut self, found: char, place: Place, open: Option<Open>) -> Reported {
+        let message = match open {
+            None => format!("this `{found}` closes nothing; delete it"),
+            Some(Open { bracket, place, .. }) => {
+                let (sign, close) = signs(bracket);
+                let at = match place {
+                    Place::Text { line, column } => format!(" (line {line}, column {column})"),
+                    Place::Span(_) => String::new(),
+                };
+                format!(
+                    "this `{found}` comes before the `{sign}`{at} is closed; write `{close}` first"
+                )
+            }
+        };
+        self.problems.report(place, message)
+    }
+
+    /// A word, a number, a string, a sign, or a character that means nothing.
+    fn leaf(&mut self, next: char, place: Place, out: &mut Vec<Token>) -> Result<(), Reported> {
+        if is_start(next) {
+            if let Ok(kind) = self.word(place) {
+                out.push(Token { kind, place });
+            }
+        } else if next.is_ascii_digit() {
+            let kind = Kind::Number(self.number());
+            out.push(Token { kind, place });
+        } else if next == '"' {
+            let kind = self.string(place)?;
+            out.push(Token { kind, place });
+        } else if "~!@#$%^&*-=+|;:,<.>/?".contains(next) {
+            self.bump();
+            out.push(Token {
+                kind: Kind::Punct(next),
+                place,
+            });
+        } else {
+            self.bump();
+            let meant = match next {
+                '−' | '–' | '—' | '‐' | '‑' => Some('-'),
+                '×' | '·' | '⋅' => Some('*'),
+                '÷' => Some('/'),
+                _ => None,
+            };
+            if let Some(sign) = meant {
+                self.problems.report(
+                    place,
+                    format!("`{next}` is typographic; write the plain `{sign}`"),
+                );
+                out.push(Token {
+                    kind: Kind::Punct(sign),
+                    place,
+                });
+            } else {
+                self.stray(next, place);
+            }
+        }
+        Ok(())
+    }
+
+    fn stray(&mut self, found: char, place: Place) -> Reported {
+        let code = u32::from(found);
+        let message = if found.is_ascii_graphic() {
+            format!("`{found}` means nothing in a scene; delete it")
+        } else {
+            format!(
+                "the character `{}` (U+{code:04X}) means nothing in a scene; delete it",
+                found.escape_debug()
+            )
+        };
+        self.problems.report(place, message)
+    }
+
+    fn word(&mut self, place: Place) -> Result<Kind, Reported> {
+        let raw = self.starts_with("r#") && self.peek(2).is_some_and(is_start);
+        if raw {
+            self.bump();
+            self.bump();
+        }
+        let name = self.take_while(is_continue);
+        let span = Span::call_site();
+        // `Ident::new` panics on what is no identifier. Our own test is exact for ASCII; the
+        // letters of the world are left to syn.
+        let ident = if !name.is_ascii() {
+            match syn::parse_str::<Ident>(&name) {
+                Ok(mut ident) => {
+                    ident.set_span(span);
+                    ident
+                }
+                Err(_) => {
+                    return Err(self.problems.report(
+                        place,
+                        format!("`{name}` is not a name; make names of letters, digits and `_`"),
+                    ));
+                }
+            }
+        } else if raw && !["_", "crate", "self", "Self", "super"].contains(&name.as_str()) {
+            Ident::new_raw(&name, span)
+        } else {
+            Ident::new(&name, span)
+        };
+        let text = if raw { format!("r#{name}") } else { name };
+        Ok(Kind::Word { text, ident })
+    }
+
+    /// As Rust does it: `0..2` is two numbers, `1.5.x` a number and a point.
+    fn number(&mut self) -> String {
+        let mut text = self.take_while(|next| next.is_ascii_digit() || next == '_');
+        if self.peek(0) == Some('.')
+            && !self
+                .peek(1)
+                .is_some_and(|next| next == '.' || is_start(next))
+        {
+            text.push('.');
+            self.bump();
+            text.push_str(&self.take_while(|next| next.is_ascii_digit() || next == '_'));
+        }
+        if let Some(exponent @ ('e' | 'E')) = self.peek(0)
+            && let Some(sign @ ('+' | '-')) = self.peek(1)
+            && self.peek(2).is_some_and(|next| next.is_ascii_digit())
+        {
+            self.bump();
+            self.bump();
+            text.extend([exponent, sign]);
+        }
+        text.push_str(&self.take_while(|next| next == '_' || next.is_ascii_alphanumeric()));
+        text
+    }
+
+    fn string(&mut self, place: Place) -> Result<Kind, Reported> {
+        self.bump();
+        let (mut text, mut value) = ("\"".to_owned(), String::new());
+        while let Some(next) = self.bump() {
+            text.push(next);
+            match next {
+                '"' => {
+                    return Ok(Kind::Quoted {
+                        text,
+                        literal: Literal::string(&value),
+                    });
+                }
+                '\\' => {
+                    let Some(escaped) = self.bump() else { break };
+                    text.push(escaped);
+                    value.push(if escaped == 'n' { '\n' } else { escaped });
+                }
+                _ => value.push(next),
+            }
+        }
+        Err(self.problems.report(
+            place,
+            "this quotation mark is never closed; delete it, a scene needs none",
+        ))
+    }
+
+    fn line_comment(&mut self, place: Place, out: &mut Vec<Token>) {
+        let line = self.take_while(|next| next != '\n');
+        if line.starts_with("//!") {
+            out.push(Token {
+                kind: Kind::InnerDoc,
+                place,
+            });
+        } else if let Some(doc) = line.strip_prefix("///").filter(|doc| !doc.starts_with('/')) {
+            let doc = doc.strip_suffix('\r').unwrap_or(doc).to_owned();
+            out.push(Token {
+                kind: Kind::Doc(doc),
+                place,
+            });
+        }
+    }
+
+    fn block_comment(&mut self, place: Place, out: &mut Vec<Token>) -> Result<(), Reported> {
+        let whole = self.rest.as_str();
+        let mut depth = 0_usize;
+        let mut text = String::new();
+        loop {
+            let pair = if self.starts_with("/*") {
+                depth += 1;
+                true
+            } else if self.starts_with("*/") {
+                depth -= 1;
+                true
+            } else {
+                false
+            };
+            for _ in 0..if pair { 2 } else { 1 } {
+                let Some(next) = self.bump() else {
+                    return Err(self.problems.report(
+                        place,
+                        "this comment is never closed; write `*/` where it ends",
+                    ));
+                };
+                text.push(next);
+            }
+            if depth == 0 {
+                break;
+            }
+        }
+        if whole.starts_with("/*!") {
+            out.push(Token {
+                kind: Kind::InnerDoc,
+                place,
+            });
+        } else if whole.starts_with("/**")
+            && !whole.starts_with("/***")
+            && let Some(doc) = text.get(3..text.len().saturating_sub(2))
+        {
+            out.push(Token {
+                kind: Kind::Doc(doc.to_owned()),
+                place,
+            });
+        }
+        Ok(())
+    }
+
+    fn take_while(&mut self, wanted: impl Fn(char) -> bool) -> String {
+        let mut taken = String::new();
+        while let Some(next) = self.peek(0).filter(|&next| wanted(next)) {
+            taken.push(next);
+            self.bump();
+        }
+        taken
+    }
+
+    fn starts_with(&self, sign: &str) -> bool {
+        self.rest.as_str().starts_with(sign)
+    }
+
+    fn peek(&self, ahead: usize) -> Option<char> {
+        self.rest.clone().nth(ahead)
+    }
+
+    fn bump(&mut self) -> Option<char> {
+        let next = self.rest.next()?;
+        if next == '\n' {
+            self.line += 1;
+            self.column = 1;
+        } else {
+            self.column += 1;
+        }
+        Some(next)
+    }
+
+    fn place(&self) -> Place {
+        Place::Text {
+            line: self.line,
+            column: self.column,
+        }
+    }
+}
+
+fn is_start(letter: char) -> bool {
+    letter == '_' || letter.is_ascii_alphabetic() || (!letter.is_ascii() && letter.is_alphabetic())
+}
+
+fn is_continue(letter: char) -> bool {
+    is_start(letter) || letter.is_ascii_digit()
+}
+
+fn opening(sign: char) -> Option<Delimiter> {
+    match sign {
+        '(' => Some(Delimiter::Parenthesis),
+        '[' => Some(Delimiter::Bracket),
+        '{' => Some(Delimiter::Brace),
+        _ => None,
+    }
+}
+
+fn closing(sign: char) -> Option<Delimiter> {
+    match sign {
+        ')' => Some(Delimiter::Parenthesis),
+        ']' => Some(Delimiter::Bracket),
+        '}' => Some(Delimiter::Brace),
+        _ => None,
+    }
+}
+
+fn signs(bracket: Delimiter) -> (char, char) {
+    match bracket {
+        Delimiter::Bracket => ('[', ']'),
+        Delimiter::Brace => ('{', '}'),
+        Delimiter::Parenthesis | Delimiter::None => ('(', ')'),
+    }
+}

@@ -1,0 +1,108 @@
+//! A description as a syntax tree: what was written and where, nothing resolved.
+//!
+//! Every error is reported and reading goes on: inside a list with its next entry, otherwise with
+//! the next field.
+
+mod fields;
+mod forms;
+mod graph;
+mod header;
+mod lex;
+mod number;
+mod reader;
+pub(crate) mod suggest;
+pub(crate) mod syntax;
+mod token;
+
+use proc_macro2::{Delimiter, Span, TokenStream};
+
+pub(crate) use self::number::Number;
+use self::reader::Reader;
+pub(crate) use self::reader::{List, Name};
+use self::syntax::{Fields, Syntax};
+use self::token::Token;
+use crate::diagnostics::{Place, Problems};
+
+/// Reads the tokens of a macro call. Where brackets nest too deep, nothing but that is reported.
+pub(crate) fn tokens(stream: TokenStream, problems: &mut Problems) -> Syntax {
+    let mut tokens = Vec::new();
+    let sound = token::from_stream(stream, 0, &mut tokens, problems);
+    let end = tokens
+        .last()
+        .map_or(Place::Span(Span::call_site()), |last| last.place);
+    if sound {
+        syntax(&tokens, end, problems)
+    } else {
+        let mut syntax = syntax(&tokens, end, &mut Problems::default());
+        syntax.has_body = false;
+        syntax
+    }
+}
+
+/// Reads a text. Where its brackets or comments do not close, nothing but that is reported.
+pub(crate) fn text(text: &str, problems: &mut Problems) -> Option<Syntax> {
+    let (tokens, end) = lex::lex(text, problems).ok()?;
+    Some(syntax(&tokens, end, problems))
+}
+
+fn syntax(tokens: &[Token], end: Place, problems: &mut Problems) -> Syntax {
+    let mut reader = Reader::new(tokens, end);
+    let reader = &mut reader;
+    let attributes = header::attributes(reader, problems);
+    let visibility = header::visibility(reader, problems);
+    let place = reader.place();
+    let mut syntax = Syntax {
+        attributes,
+        visibility,
+        name: None,
+        place,
+        has_body: false,
+        fields: Fields::default(),
+    };
+    let Some(name) = header::name(reader, problems) else {
+        return syntax;
+    };
+    if let Some(name) = &name {
+        syntax.place = name.place;
+    }
+    syntax.name = name;
+    if fields::begins(reader) {
+        syntax.fields = fields::fields(reader, problems);
+        syntax.has_body = true;
+    } else if let Some(mut body) = body(reader, problems) {
+        syntax.fields = fields::fields(&mut body, problems);
+        syntax.has_body = true;
+        if !reader.is_empty() {
+            let message = format!(
+                "{} stands behind the scene; one description holds one scene, so delete it",
+                reader.found()
+            );
+            problems.report(reader.place(), message);
+        }
+    }
+    syntax
+}
+
+/// The inside of the braces.
+fn body<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'t>> {
+    let place = reader.place();
+    if let Some(inside) = reader.take_group(Delimiter::Brace) {
+        return Some(inside.reader);
+    }
+    let message = if reader.is_punct(0, '<') {
+        "a scene has no type parameters; delete them".to_owned()
+    } else {
+        format!(
+            "the fields of a scene stand in braces, but here is {}; write `{{ … }}` behind the name",
+            reader.found()
+        )
+    };
+    problems.report(place, message);
+    while !reader.is_empty() {
+        if let Some(inside) = reader.take_group(Delimiter::Brace) {
+            return Some(inside.reader);
+        }
+        reader.next();
+    }
+    None
+}

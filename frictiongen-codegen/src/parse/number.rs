@@ -1,0 +1,205 @@
+//! Numbers: literals joined by `+ - * / ( )`, worked out in double precision.
+
+use proc_macro2::Delimiter;
+
+use super::reader::{Read, Reader};
+use super::token::{Kind, Token};
+use crate::diagnostics::{Place, Problems, Reported};
+
+/// A number with the place where it begins; without a value where it could not be read.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Number {
+    pub(crate) value: Option<f64>,
+    pub(crate) place: Place,
+}
+
+/// Reads a number. It always has a place; a faulty one has no value.
+pub(crate) fn number(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Number> {
+    let place = reader.place();
+    let result = sum(reader, problems).and_then(|value| {
+        check_after(reader, problems)?;
+        Ok(value)
+    });
+    Read {
+        value: Some(Number {
+            value: result.ok(),
+            place,
+        }),
+        clean: result.is_ok(),
+    }
+}
+
+fn sum(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
+    let mut total = product(reader, problems)?;
+    loop {
+        let place = reader.place();
+        if reader.take_punct('+') {
+            total = checked(total + product(reader, problems)?, place, problems)?;
+        } else if reader.take_punct('-') {
+            total = checked(total - product(reader, problems)?, place, problems)?;
+        } else {
+            return Ok(total);
+        }
+    }
+}
+
+fn product(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
+    let mut total = signed(reader, problems)?;
+    loop {
+        let place = reader.place();
+        if reader.is_punct(0, '*') && reader.is_punct(1, '*') {
+            return Err(problems.report(place, NO_POWERS));
+        }
+        if reader.take_punct('*') {
+            let factor = signed(reader, problems)?;
+            total = nonzero(
+                total * factor,
+                total != 0.0 && factor != 0.0,
+                place,
+                problems,
+            )?;
+        } else if reader.take_punct('/') {
+            let divisor = signed(reader, problems)?;
+            if divisor == 0.0 {
+                return Err(problems.report(place, "this divides by zero; write another divisor"));
+            }
+            total = nonzero(total / divisor, total != 0.0, place, problems)?;
+        } else {
+            return Ok(total);
+        }
+    }
+}
+
+/// Signs are counted, not nested: a million of them must not exhaust the stack.
+fn signed(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
+    let mut negative = false;
+    loop {
+        if reader.take_punct('-') {
+            negative = !negative;
+        } else if !reader.take_punct('+') {
+            break;
+        }
+    }
+    let value = single(reader, problems)?;
+    Ok(if negative { -value } else { value })
+}
+
+fn single(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
+    let place = reader.place();
+    if let Some(mut inside) = reader.take_group(Delimiter::Parenthesis) {
+        let value = sum(&mut inside.reader, problems)?;
+        if !inside.reader.is_empty() {
+            check_after(&mut inside.reader, problems)?;
+            let message = format!(
+                "{} does not belong into a number; delete it",
+                inside.reader.found()
+            );
+            return Err(problems.report(inside.reader.place(), message));
+        }
+        return Ok(value);
+    }
+    let message = match reader.peek(0).map(|token| &token.kind) {
+        Some(Kind::Number(text)) => {
+            reader.next();
+            return literal(text, place, problems);
+        }
+        Some(Kind::Word { text, .. })
+            if ["inf", "infinity", "nan", "∞"].contains(&text.to_lowercase().as_str()) =>
+        {
+            format!("`{text}` is not finite; write a finite number")
+        }
+        Some(Kind::Word { text, .. }) => format!(
+            "`{text}` is not a number; numbers are literals joined by `+ - * / ( )`, for example `2.0 * 3.27`"
+        ),
+        Some(Kind::Quoted { .. }) => {
+            "a number stands without quotation marks; delete them".to_owned()
+        }
+        Some(Kind::Punct('.')) => match reader.peek(1).map(|token| &token.kind) {
+            Some(Kind::Number(text)) => {
+                format!("a digit is missing before the point; write `0.{text}`")
+            }
+            _ => "a number is missing before the point; write, for example, `0.5`".to_owned(),
+        },
+        None | Some(Kind::Punct(',')) => {
+            "a number is missing here; write, for example, `1.0`".to_owned()
+        }
+        Some(_) => {
+            format!(
+                "a number belongs here, not {}; write, for example, `1.0`",
+                reader.found()
+            )
+        }
+    };
+    Err(problems.report(place, message))
+}
+
+const NO_POWERS: &str =
+    "there are no powers in a number; multiply instead, for example `2.0 * 2.0`";
+
+/// Hints for what people write behind a number.
+fn check_after(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<(), Reported> {
+    let Some(Token { kind, place }) = reader.peek(0) else {
+        return Ok(());
+    };
+    let message = match kind {
+        Kind::Punct('^') => NO_POWERS.to_owned(),
+        Kind::Punct('%') => {
+            "a percentage is written as a fraction, for example `0.01` for 1 %".to_owned()
+        }
+        // A name that a colon or a hyphen follows begins the next entry; its comma is missing.
+        Kind::Word { text, .. } if !reader.is_punct(1, ':') && !reader.is_punct(1, '-') => format!(
+            "`{text}` does not belong behind a number: units are not written, any consistent set will do (SI: kg, N/m); delete it"
+        ),
+        _ => return Ok(()),
+    };
+    Err(problems.report(*place, message))
+}
+
+fn literal(text: &str, place: Place, problems: &mut Problems) -> Result<f64, Reported> {
+    let digits: String = text.chars().filter(|&digit| digit != '_').collect();
+    if let Some(end) = ["f32", "f64"].into_iter().find(|end| digits.ends_with(end))
+        && !digits.starts_with("0x")
+    {
+        let bare = digits.strip_suffix(end).unwrap_or(&digits);
+        return Err(problems.report(
+            place,
+            format!("a number bears no type here; write `{bare}`, and `scalar: {end}` as a field if you need it"),
+        ));
+    }
+    let Ok(value) = digits.parse::<f64>() else {
+        return Err(problems.report(
+            place,
+            format!("`{text}` is not a decimal number; write, for example, `12.5` or `1.25e1`"),
+        ));
+    };
+    let mantissa = digits.split(['e', 'E']).next().unwrap_or_default();
+    let is_zero = !mantissa.contains(|digit: char| ('1'..='9').contains(&digit));
+    nonzero(value, !is_zero, place, problems)
+}
+
+/// Reports overflow, and what should not have become zero.
+fn nonzero(
+    value: f64,
+    expected: bool,
+    place: Place,
+    problems: &mut Problems,
+) -> Result<f64, Reported> {
+    if value == 0.0 && expected {
+        return Err(problems.report(
+            place,
+            "this is smaller than the smallest number of double precision, about 5e-324; write 0 or choose other units",
+        ));
+    }
+    checked(value, place, problems)
+}
+
+fn checked(value: f64, place: Place, problems: &mut Problems) -> Result<f64, Reported> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(problems.report(
+            place,
+            "this is larger than the largest number of double precision, about 1.8e308; choose other units",
+        ))
+    }
+}

@@ -1,0 +1,262 @@
+//! A walk over the tokens of one bracket, and how it finds its way again after an error.
+
+use proc_macro2::{Delimiter, Ident};
+
+use super::token::{Kind, Token};
+use crate::diagnostics::{Place, Problems, Reported};
+
+/// A word with its place.
+#[derive(Clone, Debug)]
+pub(crate) struct Name {
+    pub(crate) text: String,
+    pub(crate) ident: Ident,
+    pub(crate) place: Place,
+}
+
+/// What is left to read of one bracket, or of the whole description.
+#[derive(Clone, Copy)]
+pub(crate) struct Reader<'t> {
+    rest: &'t [Token],
+    end: Place,
+}
+
+/// A bracket's inside, and where it opens.
+pub(crate) struct Inside<'t> {
+    pub(crate) reader: Reader<'t>,
+    pub(crate) place: Place,
+}
+
+/// Something read. `clean` is false where an error has been reported and the place is lost.
+pub(crate) struct Read<T> {
+    pub(crate) value: Option<T>,
+    pub(crate) clean: bool,
+}
+
+impl<T> Read<T> {
+    pub(crate) fn clean(value: T) -> Self {
+        Self {
+            value: Some(value),
+            clean: true,
+        }
+    }
+
+    pub(crate) fn lost() -> Self {
+        Self {
+            value: None,
+            clean: false,
+        }
+    }
+}
+
+impl<T> From<Result<T, Reported>> for Read<T> {
+    fn from(result: Result<T, Reported>) -> Self {
+        result.map_or_else(|Reported| Self::lost(), Self::clean)
+    }
+}
+
+/// A list, and whether every entry of it could be read.
+pub(crate) struct List<T> {
+    pub(crate) entries: Vec<T>,
+    pub(crate) complete: bool,
+}
+
+impl<'t> Reader<'t> {
+    pub(crate) fn new(rest: &'t [Token], end: Place) -> Self {
+        Self { rest, end }
+    }
+
+    pub(crate) fn peek(&self, ahead: usize) -> Option<&'t Token> {
+        self.rest.get(ahead)
+    }
+
+    pub(crate) fn next(&mut self) -> Option<&'t Token> {
+        let (first, rest) = self.rest.split_first()?;
+        self.rest = rest;
+        Some(first)
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.rest.is_empty()
+    }
+
+    /// How much is left, to see whether anything was read.
+    pub(crate) fn left(&self) -> usize {
+        self.rest.len()
+    }
+
+    /// The place of the next token, or of the bracket that closes.
+    pub(crate) fn place(&self) -> Place {
+        self.peek(0).map_or(self.end, |token| token.place)
+    }
+
+    /// What comes next, for a message.
+    pub(crate) fn found(&self) -> String {
+        self.peek(0)
+            .map_or_else(|| "the end".to_owned(), Token::describe)
+    }
+
+    pub(crate) fn is_punct(&self, ahead: usize, sign: char) -> bool {
+        self.peek(ahead).is_some_and(|token| token.is_punct(sign))
+    }
+
+    pub(crate) fn is_word(&self, ahead: usize) -> bool {
+        matches!(
+            self.peek(ahead),
+            Some(Token {
+                kind: Kind::Word { .. },
+                ..
+            })
+        )
+    }
+
+    pub(crate) fn take_punct(&mut self, sign: char) -> bool {
+        let found = self.is_punct(0, sign);
+        if found {
+            self.next();
+        }
+        found
+    }
+
+    pub(crate) fn take_word(&mut self) -> Option<Name> {
+        let token = self.peek(0)?;
+        let Kind::Word { text, ident } = &token.kind else {
+            return None;
+        };
+        self.next();
+        Some(Name {
+            text: text.clone(),
+            ident: ident.clone(),
+            place: token.place,
+        })
+    }
+
+    /// The inside of a bracket of the wanted kind.
+    pub(crate) fn take_group(&mut self, wanted: Delimiter) -> Option<Inside<'t>> {
+        let token = self.peek(0)?;
+        match &token.kind {
+            Kind::Group {
+                bracket,
+                tokens,
+                close,
+            } if *bracket == wanted => {
+                self.next();
+                Some(Inside {
+                    reader: Reader::new(tokens, *close),
+                    place: token.place,
+                })
+            }
+            _ => None,
+        }
+    }
+
+    /// The colon between a name and its value; `=` is told and taken for one.
+    pub(crate) fn take_colon(
+        &mut self,
+        problems: &mut Problems,
+        what: &str,
+    ) -> Result<(), Reported> {
+        if self.take_punct(':') {
+            return Ok(());
+        }
+        let place = self.place();
+        if self.take_punct('=') {
+            problems.report(
+                place,
+                format!("a colon, not `=`, stands between {what}; write `:`"),
+            );
+            return Ok(());
+        }
+        Err(problems.report(
+            place,
+            format!(
+                "a colon stands between {what}, but here is {}; write `:`",
+                self.found()
+            ),
+        ))
+    }
+
+    /// Skips to the next comma, or to where `begins` sees an entry begin.
+    fn recover(&mut self, begins: impl Fn(&Self) -> bool) {
+        while !self.is_empty() && !self.is_punct(0, ',') && !begins(self) {
+            self.next();
+        }
+    }
+
+    /// Reports doc comments and attributes where they have no meaning, and skips them.
+    fn skip_attributes(&mut self, problems: &mut Problems) {
+        loop {
+            let place = self.place();
+            let is_doc = matches!(
+                self.peek(0),
+                Some(Token {
+                    kind: Kind::Doc(_) | Kind::InnerDoc,
+                    ..
+                })
+            );
+            let is_attribute = self.is_punct(0, '#');
+            if !is_doc && !is_attribute {
+                return;
+            }
+            self.next();
+            if is_attribute {
+                self.take_punct('!');
+                self.take_group(Delimiter::Bracket);
+            }
+            problems.report(
+                place,
+                "doc comments and attributes stand before `struct` only; write a comment with `//` here",
+            );
+        }
+    }
+
+    /// Entries separated by commas. A faulty entry is skipped and the rest is read; `begins` tells
+    /// where an entry begins although its comma is missing, `begins_after_error` the same where
+    /// the reader has lost its place.
+    pub(crate) fn list<T>(
+        &mut self,
+        problems: &mut Problems,
+        begins: impl Fn(&Self) -> bool,
+        begins_after_error: impl Fn(&Self) -> bool,
+        mut read: impl FnMut(&mut Self, &mut Problems) -> Read<T>,
+    ) -> List<T> {
+        let mut list = List {
+            entries: Vec::new(),
+            complete: true,
+        };
+        loop {
+            self.skip_attributes(problems);
+            if self.is_empty() {
+                return list;
+            }
+            let left = self.left();
+            if self.is_punct(0, ',') {
+                problems.report(self.place(), "nothing stands before this comma; delete it");
+            } else {
+                let entry = read(self, problems);
+                list.complete &= entry.value.is_some();
+                list.entries.extend(entry.value);
+                if !entry.clean {
+                    self.recover(&begins_after_error);
+                } else if !self.is_empty() && !self.is_punct(0, ',') {
+                    if begins(self) {
+                        let message =
+                            format!("a comma is missing before {}; write `,`", self.found());
+                        problems.report(self.place(), message);
+                    } else {
+                        let message = format!(
+                            "{} does not belong here; a comma or the end should follow",
+                            self.found()
+                        );
+                        problems.report(self.place(), message);
+                        self.next();
+                        self.recover(&begins_after_error);
+                    }
+                }
+            }
+            self.take_punct(',');
+            if self.left() == left {
+                self.next();
+            }
+        }
+    }
+}

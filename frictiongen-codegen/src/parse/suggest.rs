@@ -1,0 +1,68 @@
+//! "Did you mean …?"
+
+/// Words longer than this are no misspellings, and comparing them would take long.
+const LONGEST: usize = 64;
+
+/// The candidate that a misspelt word most likely stands for.
+pub(crate) fn closest<'c>(
+    word: &str,
+    candidates: impl IntoIterator<Item = &'c str>,
+) -> Option<&'c str> {
+    let length = word.chars().count();
+    if length > LONGEST {
+        return None;
+    }
+    let allowed = if length <= 2 { 1 } else { length.div_ceil(3) };
+    candidates
+        .into_iter()
+        .filter(|candidate| candidate.chars().count() <= LONGEST)
+        .map(|candidate| {
+            (
+                distance(&word.to_lowercase(), &candidate.to_lowercase()),
+                candidate,
+            )
+        })
+        // A wholly different word of the same length is no misspelling either.
+        .filter(|&(steps, candidate)| steps <= allowed && steps < candidate.chars().count())
+        .min_by_key(|&(steps, _)| steps)
+        .map(|(_, candidate)| candidate)
+}
+
+/// `; did you mean …?`, or another way on.
+pub(crate) fn hint<'c>(
+    word: &str,
+    candidates: impl IntoIterator<Item = &'c str>,
+    otherwise: impl FnOnce() -> String,
+) -> String {
+    closest(word, candidates).map_or_else(
+        || format!("; {}", otherwise()),
+        |meant| format!("; did you mean `{meant}`?"),
+    )
+}
+
+/// How many letters to insert, delete, replace or swap with their neighbour.
+fn distance(from: &str, to: &str) -> usize {
+    let to: Vec<char> = to.chars().collect();
+    let mut before: Vec<usize> = Vec::new();
+    let mut above: Vec<usize> = (0..=to.len()).collect();
+    let mut last = None;
+    for (row, letter) in from.chars().enumerate() {
+        let mut current = vec![row + 1];
+        let mut left = row + 1;
+        for (column, &other) in to.iter().enumerate() {
+            let at =
+                |line: &[usize], place: usize| line.get(place).copied().unwrap_or(usize::MAX / 2);
+            let replace = at(&above, column) + usize::from(letter != other);
+            let mut best = replace.min(at(&above, column + 1) + 1).min(left + 1);
+            let previous = column.checked_sub(1).and_then(|place| to.get(place));
+            if last == Some(other) && previous == Some(&letter) && letter != other {
+                best = best.min(at(&before, column - 1) + 1);
+            }
+            current.push(best);
+            left = best;
+        }
+        last = Some(letter);
+        before = core::mem::replace(&mut above, current);
+    }
+    above.last().copied().unwrap_or(0)
+}

@@ -1,0 +1,134 @@
+//! What was written, with the place of each word; nothing is resolved yet.
+
+use frictiongen_model::scene::Precision;
+
+use super::number::Number;
+use super::reader::{List, Name};
+use crate::diagnostics::Place;
+
+/// A field of the description.
+#[derive(Default)]
+pub(crate) enum Slot<T> {
+    /// Not there.
+    #[default]
+    Missing,
+    /// There, but not readable; the errors have been reported.
+    Broken,
+    /// There.
+    Given(T),
+}
+
+impl<T> Slot<T> {
+    pub(crate) fn given(&self) -> Option<&T> {
+        match self {
+            Self::Given(value) => Some(value),
+            Self::Missing | Self::Broken => None,
+        }
+    }
+
+    /// Takes the value out.
+    pub(crate) fn take(&mut self) -> Option<T> {
+        match core::mem::take(self) {
+            Self::Given(value) => Some(value),
+            Self::Missing | Self::Broken => None,
+        }
+    }
+
+    pub(crate) fn is_missing(&self) -> bool {
+        matches!(self, Self::Missing)
+    }
+}
+
+/// A list with the place of its bracket.
+pub(crate) struct Placed<T> {
+    pub(crate) list: List<T>,
+    pub(crate) place: Place,
+}
+
+pub(crate) struct MassEntry {
+    pub(crate) name: Name,
+    pub(crate) value: Number,
+}
+
+pub(crate) struct SpringEntry {
+    pub(crate) from: Name,
+    pub(crate) to: Name,
+    pub(crate) stiffness: Number,
+}
+
+pub(crate) struct ContactEntry {
+    pub(crate) from: Name,
+    pub(crate) to: Name,
+}
+
+pub(crate) struct DampingEntry {
+    /// The word that names the kind.
+    pub(crate) place: Place,
+    pub(crate) kind: DampingKind,
+}
+
+pub(crate) enum DampingKind {
+    None,
+    Uniform(Number),
+    Modal(Vec<Number>),
+    Rayleigh(Number, Number),
+}
+
+pub(crate) struct ProvideEntry {
+    pub(crate) place: Place,
+    pub(crate) kind: ProvideKind,
+}
+
+pub(crate) enum ProvideKind {
+    Limits,
+    /// The masses named, if any are.
+    Motion(Option<List<Name>>),
+    Stuck,
+    Orbit,
+    Simulation,
+    Stepper,
+}
+
+pub(crate) enum AccuracyEntry {
+    Exact,
+    Relative(Number),
+}
+
+/// From where to where, with the place of the name.
+pub(crate) struct Interval {
+    pub(crate) place: Place,
+    pub(crate) start: Number,
+    pub(crate) end: Number,
+}
+
+pub(crate) struct RangeEntry {
+    pub(crate) r: Option<Interval>,
+    pub(crate) beta: Option<Interval>,
+}
+
+/// A whole description, as far as it could be read.
+pub(crate) struct Syntax {
+    pub(crate) attributes: Vec<syn::Attribute>,
+    pub(crate) visibility: syn::Visibility,
+    pub(crate) name: Option<Name>,
+    /// Where missing fields are reported.
+    pub(crate) place: Place,
+    /// Whether there are fields at all.
+    pub(crate) has_body: bool,
+    pub(crate) fields: Fields,
+}
+
+#[derive(Default)]
+pub(crate) struct Fields {
+    pub(crate) masses: Slot<Placed<MassEntry>>,
+    pub(crate) springs: Slot<Placed<SpringEntry>>,
+    pub(crate) contact: Slot<ContactEntry>,
+    pub(crate) excitation: Slot<Name>,
+    pub(crate) damping: Slot<DampingEntry>,
+    pub(crate) stiction: Slot<Number>,
+    pub(crate) scalar: Slot<Precision>,
+    pub(crate) provide: Slot<Placed<ProvideEntry>>,
+    pub(crate) accuracy: Slot<AccuracyEntry>,
+    pub(crate) range: Slot<RangeEntry>,
+    pub(crate) facade: Slot<syn::Path>,
+}

@@ -1,0 +1,148 @@
+//! That no text whatever makes the parser panic or go on for ever, and that both doors agree.
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    reason = "a test may fail"
+)]
+
+use frictiongen_codegen::{Limits, parse_text, parse_tokens};
+
+const VALID: &str = "/// Doc.
+pub(crate) struct Frame {
+    masses: { lower: 3.27, upper: 3.25 * (1 + 0.5) }, // kg
+    springs: { base - lower: 1190.0, lower - upper: -1 + 2e3, upper - wall: 1e1 },
+    contact: upper - wall, /* brass */
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    stiction: 1.2,
+    provide: [limits, motion(lower), stuck],
+    accuracy: 1e-6,
+    range: { r: 0.1..2, beta: 0..1.5 },
+    scalar: f64,
+    crate: ::frictiongen,
+}";
+
+const PIECES: [&str; 48] = [
+    "{", "}", "(", ")", "[", "]", ",", ":", "::", "-", "->", "+", "*", "/", "//", "/*", "*/",
+    "///", "//!", "/**", "\"", "'", "#", "#[", "#!", "=", ".", "..", "1", "1e400", "0x", "1e",
+    "9_f32", "r#", "r#type", "_", "struct", "base", "wall", "lower", "masses:", "modal", "é", "ⓐ",
+    "§", "\\", "\n", "\u{0}",
+];
+
+/// A linear congruential generator: the same mutations on every machine.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as usize % limit.max(1)
+    }
+}
+
+fn mutate(text: &mut Vec<char>, random: &mut Random) {
+    let at = random.below(text.len() + 1);
+    let to = (at + random.below(12)).min(text.len());
+    match random.below(5) {
+        0 => drop(text.drain(at..to)),
+        1 => drop(text.splice(at..at, PIECES[random.below(PIECES.len())].chars())),
+        2 => drop(text.splice(at..to, PIECES[random.below(PIECES.len())].chars())),
+        3 => {
+            let copy: Vec<char> = text[at..to].to_vec();
+            let there = random.below(text.len() + 1);
+            drop(text.splice(there..there, copy));
+        }
+        _ => text.truncate(if random.below(20) == 0 {
+            at
+        } else {
+            text.len()
+        }),
+    }
+}
+
+/// Both doors: no panic, and the same verdict wherever the text is made of Rust's tokens.
+fn check(text: &str) -> bool {
+    let from_text = parse_text(text, &Limits::RUN_TIME);
+    if let Err(diagnostics) = &from_text {
+        assert!(!diagnostics.list.is_empty());
+        for one in &diagnostics.list {
+            assert!(
+                one.line >= 1 && one.column >= 1 && !one.message.is_empty(),
+                "{text}"
+            );
+        }
+    }
+    let Ok(tokens) = text.parse() else {
+        return from_text.is_ok();
+    };
+    match (parse_tokens(tokens, &Limits::RUN_TIME), &from_text) {
+        (Ok(tokens), Ok(text)) => assert_eq!(tokens.scene, text.scene),
+        (Err(_), Err(_)) => {}
+        (tokens, from_text) => panic!("{text}\n{tokens:?}\n{from_text:?}"),
+    }
+    from_text.is_ok()
+}
+
+#[test]
+fn the_text_is_valid_to_begin_with() {
+    assert!(check(VALID));
+}
+
+#[test]
+fn no_mutation_panics() {
+    let mut random = Random(2021);
+    let mut valid = 0;
+    for _ in 0..10_000 {
+        let mut text: Vec<char> = VALID.chars().collect();
+        for _ in 0..=random.below(6) {
+            mutate(&mut text, &mut random);
+        }
+        valid += usize::from(check(&text.iter().collect::<String>()));
+    }
+    // Some mutations touch comments or digits only: the test would be blind were there none.
+    assert!((100..9_000).contains(&valid), "{valid}");
+}
+
+#[test]
+fn no_heap_of_pieces_panics() {
+    let mut random = Random(5);
+    for _ in 0..10_000 {
+        let count = random.below(40);
+        let text: String = (0..count)
+            .flat_map(|_| [PIECES[random.below(PIECES.len())], " "])
+            .collect();
+        check(&text);
+        check(&format!("struct S {{ {text} }}"));
+    }
+}
+
+#[test]
+fn every_beginning_of_a_text_is_told_what_it_lacks() {
+    for (end, _) in VALID.char_indices() {
+        assert!(!check(&VALID[..end]), "{end}");
+    }
+}
+
+#[test]
+fn depth_and_length_are_bounded() {
+    for sign in [
+        "(",
+        "[",
+        "{",
+        "-",
+        "masses: {",
+        "/*",
+        "#",
+        "a: 1,",
+        "'",
+        "1 + (",
+    ] {
+        let heap = sign.repeat(200_000);
+        assert!(parse_text(&heap, &Limits::RUN_TIME).is_err());
+        let inside = format!("struct S {{ masses: {{ a: {heap} 1");
+        assert!(parse_text(&inside, &Limits::RUN_TIME).is_err());
+    }
+}

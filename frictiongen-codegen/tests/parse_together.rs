@@ -1,0 +1,180 @@
+//! That one mistake hides no other, that none is told twice, and what a macro can still make of a
+//! faulty description.
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    reason = "a test may fail"
+)]
+
+use frictiongen_codegen::{Failure, Limits, parse_text, parse_tokens};
+use frictiongen_model::scene::Precision;
+use quote::ToTokens;
+
+fn errors(text: &str) -> Vec<String> {
+    let diagnostics = parse_text(text, &Limits::MACRO).expect_err("the text is faulty");
+    // What is printed is what is listed, a line for each.
+    let printed: Vec<_> = diagnostics.to_string().lines().map(str::to_owned).collect();
+    let listed: Vec<_> = diagnostics.list.iter().map(ToString::to_string).collect();
+    assert_eq!(printed, listed);
+    printed
+}
+
+fn failure(text: &str) -> Failure {
+    let tokens = text.parse().expect("the text is made of tokens");
+    parse_tokens(tokens, &Limits::MACRO).expect_err("the text is faulty")
+}
+
+const FAULTY: &str = "struct Frame {
+    masses: { lower: 0, upper: 3,25, roof: 1.0 kg, },
+    sprngs: { base - lower: 1190.0, lower - uper: 1323.0 upper - roof: 1/0, roof - roof: 1 },
+    contact: upper - upper,
+    excitation: wall,
+    damping: modal[0.01, -0.01, x, 0.01],
+    stiction: 0.5
+    scalar: f16,
+    provide: [limits, moton],
+    colour: red,
+}";
+
+#[test]
+fn every_error_is_told_at_once() {
+    let errors = errors(FAULTY);
+    let expected = [
+        "2:22: the mass `lower` is 0.0",
+        "2:34: a mass has a name before its value",
+        "2:48: `kg` does not belong",
+        "3:5: a scene has no field `sprngs`; did you mean `springs`?",
+        "3:58: a comma is missing before `upper`",
+        "3:73: this divides by zero",
+        "3:84: this spring joins `roof` to itself",
+        "4:22: the contact rubs `upper` on itself",
+        "5:17: a wall never moves",
+        "6:26: a modal damping ratio is -0.01",
+        "6:33: `x` is not a number",
+        "7:15: the stiction μ is 0.5",
+        "8:5: a comma is missing before `scalar`",
+        "8:13: the scalar is",
+        "9:23: `moton` cannot be provided; did you mean `motion`?",
+        "10:5: a scene has no field `colour`",
+    ];
+    assert_eq!(errors.len(), expected.len(), "{errors:#?}");
+    for (error, place) in errors.iter().zip(expected) {
+        assert!(error.starts_with(place), "{error}\n{place}");
+    }
+}
+
+#[test]
+fn an_unreadable_part_gives_no_second_error() {
+    for (from, to) in [
+        // An unreadable list of masses: no name is then unknown, no mass unheld, no damping short.
+        ("{ a: 1, b: 2 }", "[1, 2]"),
+        ("b: 2 }", "(b): 2 }"),
+        // Unreadable springs: nothing floats, nothing is out of reach.
+        ("{ base - a: 1, a - b: 1 }", "1.0"),
+        ("a - b: 1", "a = b: 1"),
+        ("a - b: 1", "a - c: 1"),
+        ("a - b: 1", "a - b: kg"),
+        // An unreadable contact or excitation: nothing is out of reach.
+        ("b - wall", "b"),
+        ("b - wall", "x - wall"),
+        ("excitation: a", "excitation: x"),
+        // An unreadable range is a range.
+        ("stiction: 1", "accuracy: 1e-6, range: 0"),
+        ("stiction: 1", "accuracy: 1e-6, range: { r: 0, beta: 0..1 }"),
+        // Unreadable items leave the list empty, which is no error of its own.
+        ("stiction: 1", "provide: [limit]"),
+        ("stiction: 1", "provide: [motion(c)]"),
+        ("stiction: 1", "accuracy: good"),
+        ("stiction: 1", "stiction: one"),
+        ("modal[0.1, 0.2]", "modal[0.1, ]x"),
+        ("modal[0.1, 0.2]", "modal[0.1, x]"),
+        ("modal[0.1, 0.2]", "modal(x)"),
+        ("modal[0.1, 0.2]", "rayleigh(1, x)"),
+        ("masses", "maases"),
+    ] {
+        let text = "struct S { masses: { a: 1, b: 2 }, springs: { base - a: 1, a - b: 1 }, \
+            contact: b - wall, excitation: a, damping: modal[0.1, 0.2], stiction: 1 }";
+        assert!(text.contains(from), "{from}");
+        let expected = if to.ends_with("]x") { 2 } else { 1 };
+        let errors = errors(&text.replacen(from, to, 1));
+        assert_eq!(errors.len(), expected, "{to}: {errors:#?}");
+    }
+}
+
+#[test]
+fn each_error_of_a_macro_is_on_its_token() {
+    let places: Vec<_> = failure(FAULTY)
+        .errors
+        .into_iter()
+        .map(|error| {
+            let start = error.span().start();
+            format!("{}:{}: {error}", start.line, start.column + 1)
+        })
+        .collect();
+    assert_eq!(places, errors(FAULTY));
+}
+
+#[test]
+fn a_failure_keeps_what_a_macro_can_use() {
+    let partial = failure(
+        "/// Doc.
+        pub(crate) struct Frame {
+            masses: { lower: 0, type: 1, lower: 2, contact: 1, upper: },
+            scalar: f32,
+            crate: ::other,
+        }",
+    )
+    .partial;
+    assert_eq!(partial.name.expect("it has a name"), "Frame");
+    assert_eq!(partial.mass_names, ["lower", "upper"]);
+    assert_eq!(partial.precision, Precision::F32);
+    assert_eq!(partial.facade.to_token_stream().to_string(), ":: other");
+    assert_eq!(
+        partial.visibility.to_token_stream().to_string(),
+        "pub (crate)"
+    );
+    assert_eq!(partial.attributes.len(), 1);
+
+    let partial = failure("struct type").partial;
+    assert!(partial.name.is_none() && partial.mass_names.is_empty());
+    assert_eq!(
+        partial.facade.to_token_stream().to_string(),
+        ":: frictiongen"
+    );
+
+    let deep = format!(
+        "struct Deep {{ stiction: {}1{} }}",
+        "(".repeat(70),
+        ")".repeat(70)
+    );
+    let failure = failure(&deep);
+    assert_eq!(failure.partial.name.expect("it has a name"), "Deep");
+    assert_eq!(failure.errors.into_iter().count(), 1);
+}
+
+#[test]
+fn groups_without_brackets_are_read_as_a_macro_means_them() {
+    use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+    let group = |text: &str| -> TokenStream {
+        let inner: TokenStream = text.parse().expect("tokens");
+        TokenTree::from(Group::new(Delimiter::None, inner)).into()
+    };
+    let (visibility, name, sum) = (group("pub(crate)"), group("a"), group("1 + 2"));
+    let (nothing, negative) = (group(""), proc_macro2::Literal::f64_unsuffixed(-1.0));
+    let tokens = quote::quote! {
+        #nothing #visibility struct S {
+            masses: { #name: #sum * 2 },
+            springs: { base - #name: 4 - #negative },
+            contact: #name - wall,
+            excitation: #name,
+        }
+    };
+    let description = parse_tokens(tokens, &Limits::MACRO).expect("the tokens are sound");
+    assert_eq!(description.scene.masses[0].value, 6.0);
+    assert_eq!(description.scene.springs[0].stiffness, 5.0);
+    assert!(matches!(
+        description.visibility,
+        syn::Visibility::Restricted(_)
+    ));
+}

@@ -1,0 +1,68 @@
+//! The few complex operations that the formulas need, on any [`Scalar`].
+//!
+//! num-complex's own operators ask for traits that symbolic scalars cannot have.  Without damping
+//! every imaginary part is the constant 0: `damped` says so, and the imaginary half is then not
+//! computed.
+
+use crate::scalar::Scalar;
+pub use num_complex::Complex;
+
+/// `re` + 0i.
+#[inline(always)]
+pub fn real<S: Scalar>(re: S) -> Complex<S> {
+    Complex::new(re, S::constant(0.0))
+}
+
+/// a + b.
+#[inline(always)]
+pub fn add<S: Scalar>(a: Complex<S>, b: Complex<S>) -> Complex<S> {
+    Complex::new(a.re + b.re, a.im + b.im)
+}
+
+/// k·a for a real k.
+#[inline(always)]
+pub fn scale<S: Scalar>(a: Complex<S>, k: S) -> Complex<S> {
+    Complex::new(a.re * k, a.im * k)
+}
+
+/// a·b.
+#[inline(always)]
+pub fn mul<S: Scalar>(a: Complex<S>, b: Complex<S>, damped: bool) -> Complex<S> {
+    if damped {
+        Complex::new(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re)
+    } else {
+        real(a.re * b.re)
+    }
+}
+
+/// 1/a for a ≠ 0 of any size.
+#[inline(always)]
+pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
+    let one = S::constant(1.0);
+    if !damped {
+        return real(one / a.re);
+    }
+    let inverse = one / (a.re.abs() + a.im.abs());
+    let (re, im) = (a.re * inverse, a.im * inverse);
+    let k = inverse / (re * re + im * im);
+    Complex::new(re * k, -(im * k))
+}
+
+/// 1/a, where |Re| + |Im| = 1.
+#[inline(always)]
+pub fn reciprocal_of_unit<S: Scalar>(a: Complex<S>) -> Complex<S> {
+    let inverse = S::constant(1.0) / (a.re * a.re + a.im * a.im);
+    Complex::new(a.re * inverse, -(a.im * inverse))
+}
+
+/// |a| for a of any size.
+#[inline(always)]
+pub fn modulus<S: Scalar>(a: Complex<S>, damped: bool) -> S {
+    if !damped {
+        return a.re.abs();
+    }
+    let (re, im) = (a.re.abs(), a.im.abs());
+    let large = re.max(im);
+    let ratio = re.min(im) / S::select(large.is_zero(), S::constant(1.0), large);
+    large * (S::constant(1.0) + ratio * ratio).sqrt()
+}

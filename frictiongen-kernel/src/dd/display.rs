@@ -1,0 +1,92 @@
+//! Decimal digits of a double-double.
+
+use core::fmt;
+
+use super::Dd;
+
+/// Digits are made one more than asked for, then rounded; beyond 32 they carry no information.
+const MOST: usize = 39;
+
+/// The number between 1 and 10 (of which the digits are read), and the power of ten taken out.
+fn mantissa(value: Dd) -> (Dd, i32) {
+    let (mut value, mut exponent) = (value, 0);
+    for power in [256, 128, 64, 32, 16, 8, 4, 2, 1] {
+        let factor = ten_to(power);
+        if value >= factor {
+            value = value / factor;
+            exponent += power;
+        }
+        // Up to just below 10: the last step, with power 1, leaves at least 1.
+        if value < Dd::from(10.0) / factor {
+            value = value * factor;
+            exponent -= power;
+        }
+    }
+    // A rounding in the divisions may leave it just outside.
+    if value >= Dd::from(10.0) {
+        (value / Dd::from(10.0), exponent + 1)
+    } else if value < Dd::ONE {
+        (value * Dd::from(10.0), exponent - 1)
+    } else {
+        (value, exponent)
+    }
+}
+
+fn ten_to(power: i32) -> Dd {
+    let (mut result, mut base, mut left) = (Dd::ONE, Dd::from(10.0), power);
+    while left > 0 {
+        if left & 1 == 1 {
+            result = result * base;
+        }
+        left >>= 1;
+        if left > 0 {
+            base = base * base;
+        }
+    }
+    result
+}
+
+pub(super) fn write(value: Dd, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    if !value.hi.is_finite() || value.is_zero() {
+        return write!(f, "{:e}", value.hi);
+    }
+    let decimals = f.precision().unwrap_or(31).min(MOST - 2);
+    let mut digits = [0_u8; MOST];
+    let (mut rest, mut exponent) = mantissa(value.abs());
+    for digit in &mut digits {
+        *digit = rest.hi as u8;
+        rest = rest - Dd::from(f64::from(*digit));
+        if rest < Dd::ZERO {
+            *digit = digit.saturating_sub(1);
+            rest = rest + Dd::ONE;
+        }
+        rest = rest * Dd::from(10.0);
+    }
+    let mut carry = digits
+        .iter()
+        .skip(decimals + 1)
+        .take(1)
+        .any(|digit| *digit >= 5);
+    for digit in digits.iter_mut().take(decimals + 1).rev() {
+        if carry {
+            carry = *digit >= 9;
+            *digit = if carry { 0 } else { *digit + 1 };
+        }
+    }
+    if carry {
+        exponent += 1;
+        if let Some(first) = digits.first_mut() {
+            *first = 1;
+        }
+    }
+    if value.hi < 0.0 {
+        f.write_str("-")?;
+    }
+    for (place, digit) in digits.iter().take(decimals + 1).enumerate() {
+        if place == 1 {
+            f.write_str(".")?;
+        }
+        write!(f, "{digit}")?;
+    }
+    write!(f, "e{exponent}")
+}

@@ -1,0 +1,240 @@
+//! The free motion of one mode in time, in closed forms that meet where their neighbours end.
+//!
+//! With p = e^{−ζxτ}·sin(qxτ)/(qx), the free displacement that starts from rest with unit speed,
+//! everything that a mode does in a half period is made of p, its slope, and three differences
+//! that vanish together with it or at the mode's resonance, and are formed without cancellation.
+
+use crate::mode::{Kind, Mode};
+use crate::scalar::Float;
+use crate::special::{exp_m1_minus, versine_pi};
+use core::f64::consts::PI;
+
+/// An instant of the half period: τ = πt.
+#[derive(Clone, Copy, Debug)]
+pub struct Instant<S> {
+    /// t = τ/π.
+    pub t: S,
+    /// τ.
+    pub tau: S,
+    /// sin τ.
+    pub sine: S,
+    /// cos τ.
+    pub cosine: S,
+}
+
+impl<S: Float> Instant<S> {
+    /// The instant τ = πt.
+    #[inline]
+    pub fn new(t: S) -> Self {
+        let (sine, cosine) = t.sin_cos_pi();
+        Self { t, tau: t * S::constant(PI), sine, cosine }
+    }
+}
+
+/// One mode's functions at one instant.
+#[derive(Clone, Copy, Debug)]
+pub struct Basis<S> {
+    /// p = e^{−ζxτ} sin(qxτ)/(qx).
+    pub free: S,
+    /// p′.
+    pub slope: S,
+    /// sin τ − p.
+    pub swing: S,
+    /// cos τ − p′.
+    pub swing_slope: S,
+    /// (1 − d)/x², d = p′ + 2ζx·p: the return from rest at distance 1.
+    pub rise: S,
+}
+
+/// How the modes of a scene decay: a type, so that undamped scenes carry no exponentials.
+pub trait Decay<S: Float>: Copy {
+    /// Taken from a mode's constants.
+    fn of(mode: &Mode<S>) -> Self;
+    /// ζ.
+    fn zeta(&self) -> S;
+    /// The mode's functions at one instant, with x = 1/R.
+    fn basis(&self, x: S, at: &Instant<S>) -> Basis<S>;
+}
+
+/// No damping.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Undamped;
+
+/// Any damping, none included.
+#[derive(Clone, Copy, Debug)]
+pub struct Damped<S> {
+    kind: Kind,
+    zeta: S,
+    q: S,
+    q_defect: S,
+}
+
+/// x·sin τ − sin xτ and cos τ − cos xτ.  Beside x = 1 both are differences of nearly equal terms,
+/// multiplied by the large damping functions of a resonance: there they are written as products.
+#[inline]
+fn differences<S: Float>(x: S, sine_x: S, cosine_x: S, at: &Instant<S>) -> (S, S) {
+    let one = S::constant(1.0);
+    let half = S::constant(0.5);
+    let y = x - one;
+    if y.abs() < half {
+        let (s, _) = (y * at.t * half).sin_cos_pi();
+        let (sum_sine, sum_cosine) = ((x + one) * half * at.t).sin_cos_pi();
+        let two_s = s + s;
+        (y * at.sine - two_s * sum_cosine, two_s * sum_sine)
+    } else {
+        (x * at.sine - sine_x, at.cosine - cosine_x)
+    }
+}
+
+impl<S: Float> Decay<S> for Undamped {
+    #[inline(always)]
+    fn of(_: &Mode<S>) -> Self {
+        Self
+    }
+    #[inline(always)]
+    fn zeta(&self) -> S {
+        S::constant(0.0)
+    }
+    #[inline]
+    fn basis(&self, x: S, at: &Instant<S>) -> Basis<S> {
+        let half_turns = x * at.t;
+        let (sine, cosine) = half_turns.sin_cos_pi();
+        let (swing, swing_slope) = differences(x, sine, cosine, at);
+        Basis {
+            free: sine / x,
+            slope: cosine,
+            swing: swing / x,
+            swing_slope,
+            rise: versine_pi(half_turns) / (x * x),
+        }
+    }
+}
+
+impl<S: Float> Decay<S> for Damped<S> {
+    #[inline(always)]
+    fn of(mode: &Mode<S>) -> Self {
+        Self { kind: mode.kind, zeta: mode.zeta, q: mode.q, q_defect: mode.q_defect }
+    }
+    #[inline(always)]
+    fn zeta(&self) -> S {
+        self.zeta
+    }
+    #[inline]
+    fn basis(&self, x: S, at: &Instant<S>) -> Basis<S> {
+        match self.kind {
+            Kind::Undamped => Undamped.basis(x, at),
+            Kind::Light => self.light(x, at),
+            Kind::Heavy => self.heavy(x, at),
+            Kind::Critical => Self::critical(x, at),
+            Kind::Over => self.overdamped(x, at),
+        }
+    }
+}
+
+/// (1 − d)/x² from its parts, all of one sign: e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)].
+#[inline]
+fn rise<S: Float>(decay: S, kept: S, direct: S, versine: S, sinc_defect: S, x: S) -> S {
+    let one_minus_d = if decay < S::constant(1.0) {
+        kept * (exp_m1_minus(decay) + versine + decay * sinc_defect)
+    } else {
+        direct
+    };
+    one_minus_d / (x * x)
+}
+
+impl<S: Float> Damped<S> {
+    fn light(&self, x: S, at: &Instant<S>) -> Basis<S> {
+        let (one, half) = (S::constant(1.0), S::constant(0.5));
+        let decay = self.zeta * x * at.tau;
+        let lost = -(-decay).exp_m1();
+        let kept = one - lost;
+        let turns = x * at.t;
+        let defect = turns * self.q_defect;
+        let (s, c) = turns.sin_cos_pi_minus(defect);
+        let (sq, zq) = (s / self.q, self.zeta / self.q * s);
+        let damped_turns = turns * self.q;
+        let direct = one - kept * (c + zq);
+        let mut basis = Basis {
+            free: kept * sq / x,
+            slope: kept * (c - zq),
+            swing: at.sine - kept * sq / x,
+            swing_slope: at.cosine - kept * (c - zq),
+            rise: rise(decay, kept, direct, versine_pi(damped_turns), damped_turns.one_minus_sinc_pi(), x),
+        };
+        if (x - one).abs() < half {
+            // The undamped differences plus what damping changes, each without cancellation.
+            let (s0, c0) = turns.sin_cos_pi();
+            let (swing, swing_slope) = differences(x, s0, c0, at);
+            let (half_s, _) = (defect * half).sin_cos_pi();
+            let (mid_s, mid_c) = turns.sin_cos_pi_minus(defect * half);
+            let two = S::constant(2.0);
+            let sine_change = (two * mid_c * half_s - self.q_defect * s0) / self.q;
+            let cosine_change = -(two * mid_s * half_s);
+            basis.swing = (swing + lost * s0 + kept * sine_change) / x;
+            basis.swing_slope = swing_slope + lost * c0 + kept * (cosine_change + zq);
+        }
+        basis
+    }
+
+    fn heavy(&self, x: S, at: &Instant<S>) -> Basis<S> {
+        let one = S::constant(1.0);
+        let decay = self.zeta * x * at.tau;
+        let kept = (-decay).exp();
+        let turns = self.q * x * at.t;
+        let (s, c) = turns.sin_cos_pi();
+        let (sq, zq) = (s / self.q, self.zeta / self.q * s);
+        let (free, slope) = (kept * sq / x, kept * (c - zq));
+        let direct = one - kept * (c + zq);
+        Basis {
+            free,
+            slope,
+            swing: at.sine - free,
+            swing_slope: at.cosine - slope,
+            rise: rise(decay, kept, direct, versine_pi(turns), turns.one_minus_sinc_pi(), x),
+        }
+    }
+
+    fn critical(x: S, at: &Instant<S>) -> Basis<S> {
+        let one = S::constant(1.0);
+        let zero = S::constant(0.0);
+        let decay = x * at.tau;
+        let kept = (-decay).exp();
+        let (free, slope) = (kept * at.tau, kept * (one - decay));
+        Basis {
+            free,
+            slope,
+            swing: at.sine - free,
+            swing_slope: at.cosine - slope,
+            rise: rise(decay, kept, one - kept * (one + decay), zero, zero, x),
+        }
+    }
+
+    fn overdamped(&self, x: S, at: &Instant<S>) -> Basis<S> {
+        let (one, half) = (S::constant(1.0), S::constant(0.5));
+        let sum = self.zeta + self.q;
+        let time = x * at.tau;
+        let slow = (-(time / sum)).exp();
+        let fast = (-(time * sum)).exp();
+        let spread = (self.q + self.q) * time;
+        let sinh = -(-spread).exp_m1() * slow * half / self.q;
+        let cosh = (slow + fast) * half;
+        let (free, slope) = (sinh / x, cosh - self.zeta * sinh);
+        let decay = self.zeta * time;
+        let one_minus_d = if decay < half {
+            // e^a − cosh b − (a/b) sinh b, by parts that start at the second order.
+            let b = self.q * time;
+            let (plus, minus) = (exp_m1_minus(b), exp_m1_minus(-b));
+            let sinh_ratio = if b > S::constant(0.0) { (plus - minus) * half / b } else { b };
+            (-decay).exp() * (exp_m1_minus(decay) - (plus + minus) * half - decay * sinh_ratio)
+        } else {
+            one - cosh - self.zeta * sinh
+        };
+        Basis {
+            free,
+            slope,
+            swing: at.sine - free,
+            swing_slope: at.cosine - slope,
+            rise: one_minus_d / (x * x),
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! Regimes, and what a question outside its domain is answered with.
+
+use core::fmt;
+
+/// How the contact moves in the steady state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Regime {
+    /// It slides all the time: the closed form holds.
+    Continuous,
+    /// Between the two limits.
+    StickSlip,
+    /// It never slides.
+    Stuck,
+}
+
+/// An argument that is NaN or negative, or infinite where that has no meaning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OutOfDomain {
+    /// Which argument: "r", "beta".
+    pub argument: &'static str,
+}
+
+/// Why there is no continuous motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotContinuous {
+    /// β lies between the limits: the contact stops and slides in turn.
+    StickSlip,
+    /// β is at or beyond the sliding limit: the contact never slides.
+    Stuck,
+    /// On an undamped resonance, with too little friction to bound the amplitude.
+    Unbounded,
+    /// β is NaN, negative or infinite.
+    OutOfDomain(OutOfDomain),
+}
+
+/// On an undamped resonance of the chain whose contact is stuck.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StuckResonance;
+
+/// Any error of a solver, so that one function can use `?` on all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// See [`OutOfDomain`].
+    OutOfDomain(OutOfDomain),
+    /// See [`NotContinuous`].
+    NotContinuous(NotContinuous),
+    /// See [`StuckResonance`].
+    StuckResonance(StuckResonance),
+}
+
+impl fmt::Display for OutOfDomain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is outside the domain: it must be a number, not negative and not NaN", self.argument)
+    }
+}
+
+impl fmt::Display for NotContinuous {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::StickSlip => f.write_str("no continuous motion: the friction ratio lies between the limits, the contact sticks and slips"),
+            Self::Stuck => f.write_str("no continuous motion: the friction ratio is at or beyond the sliding limit, the contact is stuck"),
+            Self::Unbounded => f.write_str("no steady motion: on an undamped resonance this friction ratio does not bound the amplitude"),
+            Self::OutOfDomain(error) => error.fmt(f),
+        }
+    }
+}
+
+impl fmt::Display for StuckResonance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("no steady response: this is an undamped resonance of the chain with its contact stuck")
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfDomain(error) => error.fmt(f),
+            Self::NotContinuous(error) => error.fmt(f),
+            Self::StuckResonance(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for OutOfDomain {}
+impl core::error::Error for NotContinuous {}
+impl core::error::Error for StuckResonance {}
+impl core::error::Error for Error {}
+
+impl From<OutOfDomain> for Error {
+    fn from(error: OutOfDomain) -> Self {
+        Self::OutOfDomain(error)
+    }
+}
+
+impl From<OutOfDomain> for NotContinuous {
+    fn from(error: OutOfDomain) -> Self {
+        Self::OutOfDomain(error)
+    }
+}
+
+impl From<NotContinuous> for Error {
+    fn from(error: NotContinuous) -> Self {
+        Self::NotContinuous(error)
+    }
+}
+
+impl From<StuckResonance> for Error {
+    fn from(error: StuckResonance) -> Self {
+        Self::StuckResonance(error)
+    }
+}

@@ -1,0 +1,21 @@
+//! What generated friction solvers call.
+#![cfg_attr(not(any(test, feature = "std")), no_std)]
+
+pub mod chain;
+pub mod complex;
+pub mod dd;
+pub mod decay;
+pub mod errors;
+mod float;
+pub mod limits;
+pub mod mode;
+pub mod motion;
+pub mod scalar;
+pub mod search;
+pub mod special;
+pub mod steady;
+pub mod trig;
+pub mod wave;
+
+pub use num_complex::Complex;
+pub use scalar::{Float, Scalar};

@@ -1,0 +1,213 @@
+//! One mode of the chain: its constants, and its response and damping functions at a frequency.
+//!
+//! With x = √λ/r = 1/R every function of a single mode is written in x, which is rounded once, so
+//! that the response v, and the half-period damping functions u and g (7.11, 7.12) stay consistent
+//! beside their common pole x = 1.  Sums over modes are carried times the *scale* E, the smallest
+//! |x² − 1 + 2iζx| of the chain: everything is then finite on a resonance as well as beside it.
+
+use crate::complex::{self, Complex};
+use crate::scalar::Scalar;
+use core::f64::consts::{FRAC_PI_4, PI};
+
+/// How a mode decays; it decides which closed form its functions take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// ζ = 0.
+    Undamped,
+    /// 0 < ζ < 1/2: 1 − q is kept beside q, so that the pole at small ζ loses nothing.
+    Light,
+    /// 1/2 ≤ ζ < 1.
+    Heavy,
+    /// ζ = 1.
+    Critical,
+    /// ζ > 1: no oscillation.
+    Over,
+}
+
+/// The constants of one mode; they depend on the scene alone, not on r.
+#[derive(Clone, Copy, Debug)]
+pub struct Mode<S> {
+    /// Which closed form applies.
+    pub kind: Kind,
+    /// Whether the contact drives the mode: φᵀw ≠ 0.
+    pub in_contact: bool,
+    /// √λ: the frequency ratio r at which the mode resonates.
+    pub resonance: S,
+    /// Modal damping ratio ζ.
+    pub zeta: S,
+    /// √|1 − ζ²|.
+    pub q: S,
+    /// 1 − q, to full relative accuracy (used for [`Kind::Light`]).
+    pub q_defect: S,
+    /// φᵀp: how strongly the load drives the mode.
+    pub load: S,
+    /// φᵀw: how strongly the contact drives the mode.
+    pub contact: S,
+    /// (φᵀw)(φᵀp), the residue load → contact times λ.
+    pub residue: S,
+    /// (φᵀw)²: the mode's share c of the contact mobility.
+    pub mobility: S,
+    /// (φᵀw)(φᵀp)/λ, the static residue load → contact.
+    pub static_residue: S,
+}
+
+/// Stands for an exact zero of x² − 1, which it is far below in any precision.
+const NEXT_TO_POLE: f64 = 1.0 / (1u64 << 60) as f64;
+
+/// The functions of one mode at one frequency, each free of the pole at x = 1.
+#[derive(Clone, Copy, Debug)]
+pub struct ModeResponse<S> {
+    /// x = √λ/r = 1/R.
+    pub x: S,
+    /// x² − 1 + 2iζx = x²/v.
+    pub denominator: Complex<S>,
+    /// |Re| + |Im| of the denominator.
+    pub size: S,
+    /// (u R²) times `size`.
+    pub u: S,
+    /// g times `size`; 0 without damping.
+    pub g: S,
+    /// (g + 2ζRu) times `size`; 0 without damping.
+    pub reversal: S,
+}
+
+impl<S: Scalar> ModeResponse<S> {
+    /// All zero: what an array of modes starts from.
+    #[must_use]
+    pub fn zero() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            x: zero,
+            denominator: complex::real(zero),
+            size: zero,
+            u: zero,
+            g: zero,
+            reversal: zero,
+        }
+    }
+}
+
+impl<S: Scalar> Mode<S> {
+    /// The functions of the mode at r = 1/`inverse_r`; `index` only names values in emitted code.
+    #[inline]
+    pub fn response(&self, inverse_r: S, index: usize) -> ModeResponse<S> {
+        let at = Some(index);
+        let x = (self.resonance * inverse_r).named("frequency", at);
+        match self.kind {
+            Kind::Undamped => undamped(x, at),
+            Kind::Light | Kind::Heavy => self.oscillating(x, at),
+            Kind::Critical => self.critical(x, at),
+            Kind::Over => self.overdamped(x, at),
+        }
+    }
+
+    /// x² − 1 + 2iζx and its size.
+    #[inline]
+    fn denominator(&self, x: S, at: Option<usize>) -> (Complex<S>, S) {
+        let one = S::constant(1.0);
+        let re = ((x - one) * (x + one)).named("detuning", at);
+        let im = (S::constant(2.0) * self.zeta * x).named("loss", at);
+        (Complex::new(re, im), (re.abs() + im).named("size", at))
+    }
+
+    /// 0 < ζ < 1, section 3 of the derivation with 1 + e^{−πx(ζ−iq)} written about its zeros:
+    /// (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2) − i m sin(θ/2), θ = πqx.
+    #[inline]
+    fn oscillating(&self, x: S, at: Option<usize>) -> ModeResponse<S> {
+        let (one, half) = (S::constant(1.0), S::constant(0.5));
+        let (denominator, size) = self.denominator(x, at);
+        let decay = (S::constant(PI) * self.zeta * x).named("half_period_decay", at);
+        let m = (-(-decay).exp_m1()).named("lost_share", at);
+        let e = (one - m).named("kept_share", at);
+        let turns = (self.q * x).named("half_turns", at);
+        let (s, c) = if self.kind == Kind::Light {
+            (x * half).sin_cos_pi_minus(x * (self.q_defect * half))
+        } else {
+            (turns * half).sin_cos_pi()
+        };
+        let (s, c) = (s.named("sine", at), c.named("cosine", at));
+        let (re, im) = ((one + e) * c, m * s);
+        let inverse = (one / (re.abs() + im.abs())).named("inverse_nearness", at);
+        let (re, im) = (re * inverse, im * inverse);
+        let k = (size * inverse / (re * re + im * im)).named("pole_weight", at);
+        let b = (S::constant(4.0) * e * (s / self.q) * (c * inverse) * k).named("swing", at);
+        let a = (one + e) * (m * inverse) * k;
+        let defect =
+            decay.scaled_sinh_defect() + S::constant(2.0) * e * decay * turns.one_minus_sinc_pi();
+        ModeResponse {
+            x,
+            denominator,
+            size,
+            u: (b / x).named("u", at),
+            g: (defect * inverse * k).named("g", at),
+            reversal: (a + self.zeta * b).named("reversal", at),
+        }
+    }
+
+    /// ζ = 1: the limit q → 0 of both neighbours.
+    #[inline]
+    fn critical(&self, x: S, at: Option<usize>) -> ModeResponse<S> {
+        let one = S::constant(1.0);
+        let (denominator, size) = self.denominator(x, at);
+        let decay = (S::constant(PI) * x).named("half_period_decay", at);
+        let m = (-(-decay).exp_m1()).named("lost_share", at);
+        let e = (one - m).named("kept_share", at);
+        let k = (size / ((one + e) * (one + e))).named("pole_weight", at);
+        let b_over_x = S::constant(2.0 * PI) * e * k;
+        ModeResponse {
+            x,
+            denominator,
+            size,
+            u: b_over_x.named("u", at),
+            g: (decay.scaled_sinh_defect() * k).named("g", at),
+            reversal: ((one + e) * m * k + b_over_x * x).named("reversal", at),
+        }
+    }
+
+    /// ζ > 1: two real decays, e^{−πx(ζ∓q)}, combined before they can overflow.
+    #[inline]
+    fn overdamped(&self, x: S, at: Option<usize>) -> ModeResponse<S> {
+        let one = S::constant(1.0);
+        let pi = S::constant(PI);
+        let (denominator, size) = self.denominator(x, at);
+        let fast = pi * (self.zeta + self.q) * x;
+        let slow = pi / (self.zeta + self.q) * x;
+        let spread = (S::constant(2.0) * pi * self.q * x).named("spread", at);
+        let (e_slow, e_fast) = ((-slow).exp(), (-fast).exp());
+        let k = (size / ((one + e_slow) * (one + e_fast))).named("pole_weight", at);
+        let b = (-(-spread).exp_m1() * e_slow / self.q * k).named("swing", at);
+        let a = -(-(S::constant(2.0) * pi * self.zeta * x)).exp_m1() * k;
+        let defect = (pi * self.zeta * x).scaled_sinh_defect()
+            - self.zeta / self.q * e_slow * (pi * self.q * x).scaled_sinh_defect();
+        ModeResponse {
+            x,
+            denominator,
+            size,
+            u: (b / x).named("u", at),
+            g: (defect * k).named("g", at),
+            reversal: (a + self.zeta * b).named("reversal", at),
+        }
+    }
+}
+
+/// ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0.  The exact zeros (x = 1, where v and u share
+/// the pole, and the odd x, where u has one of its own) are replaced by a distance far below the
+/// precision, in the ratio that both have beside x = 1: no quotient is then 0/0.
+#[inline]
+fn undamped<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
+    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    let (s, c) = (x * S::constant(0.5)).sin_cos_pi();
+    let s = s.named("sine", at);
+    let re = (x - one) * (x + one);
+    let re = S::select(re.is_zero(), S::constant(NEXT_TO_POLE), re).named("detuning", at);
+    let c = S::select(c.is_zero(), S::constant(-FRAC_PI_4 * NEXT_TO_POLE), c).named("cosine", at);
+    let size = re.abs().named("size", at);
+    ModeResponse {
+        x,
+        denominator: complex::real(re),
+        size,
+        u: (s * size / (x * c)).named("u", at),
+        g: zero,
+        reversal: zero,
+    }
+}

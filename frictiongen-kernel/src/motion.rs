@@ -1,0 +1,198 @@
+//! The continuous motion at one friction ratio: coefficients of the exact response (section 4).
+//!
+//! The response of mode i, V-part and friction together, has a pole wherever the mode resonates,
+//! which the two parts share and which cancels in part.  Written with ν = p v/V and
+//! κ = (p v U − w u V)/V, where U and V are taken without mode i (its own terms cancel), nothing
+//! is left to cancel: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 + g)(1 − d) − g +
+//! uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).
+
+use crate::chain::{Chain, ContactAt, ModeAt, Others};
+use crate::complex::{self, Complex};
+use crate::mode::Mode;
+use crate::scalar::Scalar;
+use core::f64::consts::PI;
+
+/// What a friction ratio adds to the contact's sums.
+#[derive(Clone, Copy, Debug)]
+pub struct Friction<S> {
+    /// β.
+    pub beta: S,
+    /// Q = √(|V|² − (βU)²), times r²E.
+    pub root: S,
+    /// Z, the amplitude of the contact's relative motion.
+    pub amplitude: S,
+    /// φ, the lag of the contact's relative motion behind the excitation, in (−π, π].
+    pub phase: S,
+    /// 1/(r²E), by which sums become displacements.
+    pub unscale: S,
+}
+
+/// Coefficients of a motion that all modes share.
+#[derive(Clone, Copy, Debug)]
+pub struct Carrier<S> {
+    /// The constant term.
+    pub constant: S,
+    /// Of cos τ.
+    pub cosine: S,
+    /// Of sin τ.
+    pub sine: S,
+    /// V_k, the complex response with friction left out.
+    pub response: Complex<S>,
+}
+
+/// A mode's coefficients in a motion.
+#[derive(Clone, Copy, Debug)]
+pub struct Share<S> {
+    /// Of (1 − d)/R², the mode's return from rest.
+    pub rise: S,
+    /// Of sin τ − R q̃, the mode's lag behind the excitation.
+    pub swing: S,
+    /// φ_k(φᵀw)/r², the residue contact → mass, for the harmonics.
+    pub gain: S,
+}
+
+/// The angle moved by a turn into (−π, π], from within a turn of it.
+#[inline]
+fn wrapped<S: Scalar>(angle: S) -> S {
+    let (pi, turn) = (S::constant(PI), S::constant(2.0 * PI));
+    let angle = S::select(pi.lt(angle), angle - turn, angle).named("phase", None);
+    S::select((-pi).lt(angle), angle, angle + turn)
+}
+
+impl<S: Scalar> Chain<S> {
+    /// Amplitude and phase of the contact's relative motion (2.21, 5.35, 5.38, 7.20, 7.21).
+    #[inline]
+    pub fn friction(&self, contact: &ContactAt<S>, inverse_r: S, beta: S) -> Friction<S> {
+        let excitation = complex::modulus(contact.v, self.damped).named("excitation", None);
+        let velocity_part = (beta * contact.u).named("friction_quadrature", None);
+        // As a product: the difference of squares would lose what is left beside a limit.
+        let root = ((excitation - velocity_part) * (excitation + velocity_part))
+            .max(S::constant(0.0))
+            .sqrt()
+            .named("in_phase", None);
+        let unscale = (inverse_r * inverse_r / contact.scale).named("unscale", None);
+        let amplitude = if self.damped { root - beta * contact.g } else { root };
+        let direction = if self.damped {
+            contact.v.im.atan2(contact.v.re)
+        } else {
+            let zero = S::constant(0.0);
+            S::select(contact.v.re.lt(zero), S::constant(PI), zero)
+        };
+        let lag = (-velocity_part).atan2(root) - direction;
+        Friction {
+            beta,
+            root,
+            amplitude: (amplitude * unscale).named("amplitude", None),
+            phase: wrapped(lag.named("lag", None)),
+            unscale,
+        }
+    }
+
+    /// The contact's own coefficients: of the carrier only Q is left.
+    #[inline]
+    pub fn contact_carrier(&self, contact: &ContactAt<S>, friction: &Friction<S>) -> Carrier<S> {
+        let weight = friction.beta * friction.unscale;
+        let zero = S::constant(0.0);
+        Carrier {
+            constant: if self.damped { -(weight * contact.g) } else { zero },
+            cosine: friction.root * friction.unscale,
+            sine: zero,
+            response: complex::scale(contact.v, friction.unscale),
+        }
+    }
+
+    /// A mode's coefficients in a motion; `residue` is φ_k(φᵀw), or (φᵀw)² for the contact.
+    #[inline]
+    pub fn share(
+        &self,
+        at: &ModeAt<S>,
+        residue: S,
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+        index: usize,
+    ) -> Share<S> {
+        let force = (friction.beta * friction.unscale * residue).named("friction_force", Some(index));
+        let release = if self.damped { contact.scale + at.g } else { contact.scale };
+        Share {
+            rise: (force * release).named("rise", Some(index)),
+            swing: (force * at.u).named("swing", Some(index)),
+            gain: residue * inverse_r * inverse_r,
+        }
+    }
+
+    /// The carrier of mass k, whose mode shape components are `shape`.
+    pub fn carrier(
+        &self,
+        shape: &[S],
+        modes: &[Mode<S>],
+        at: &[ModeAt<S>],
+        others: &[Others<S>],
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+    ) -> Carrier<S> {
+        let zero = S::constant(0.0);
+        let mut ratio = complex::real(zero);
+        let mut mismatch = complex::real(zero);
+        let mut constant = zero;
+        for (((component, mode), at), others) in shape.iter().zip(modes).zip(at).zip(others) {
+            let driven = complex::scale(at.response, *component * mode.load);
+            let rubbed = *component * mode.contact;
+            let difference = complex::scale(driven, others.u);
+            let back = complex::scale(others.v, -(rubbed * at.u));
+            ratio = self.sum(ratio, driven);
+            mismatch = self.sum(mismatch, self.sum(difference, back));
+            if self.damped {
+                constant = constant - rubbed * (at.g / (at.x * at.x));
+            }
+        }
+        let inverse_v = complex::reciprocal(contact.v, self.damped);
+        let response = complex::scale(ratio, friction.unscale);
+        let ratio = complex::mul(ratio, inverse_v, self.damped);
+        let mismatch = complex::mul(mismatch, inverse_v, self.damped);
+        let Friction { beta, root, unscale, .. } = *friction;
+        if self.damped {
+            Carrier {
+                constant: constant * (beta * unscale),
+                cosine: (root * ratio.re + beta * mismatch.im) * unscale,
+                sine: (beta * mismatch.re - root * ratio.im) * unscale,
+                response,
+            }
+        } else {
+            Carrier {
+                constant,
+                cosine: root * ratio.re * unscale,
+                sine: beta * mismatch.re * unscale,
+                response,
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn sum(&self, a: Complex<S>, b: Complex<S>) -> Complex<S> {
+        if self.damped { complex::add(a, b) } else { complex::real(a.re + b.re) }
+    }
+
+    /// x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck, without
+    /// the modes' own terms, which cancel.
+    pub fn stuck(
+        &self,
+        shape: &[S],
+        modes: &[Mode<S>],
+        at: &[ModeAt<S>],
+        others: &[Others<S>],
+        contact: &ContactAt<S>,
+        inverse_r: S,
+    ) -> Complex<S> {
+        let mut sum = complex::real(S::constant(0.0));
+        for (((component, mode), at), others) in shape.iter().zip(modes).zip(at).zip(others) {
+            let free = complex::scale(others.h, mode.load);
+            let held = complex::scale(others.v, -mode.contact);
+            let force = complex::scale(self.sum(free, held), *component);
+            sum = self.sum(sum, complex::mul(at.response, force, self.damped));
+        }
+        let inverse_h = complex::reciprocal(contact.h, self.damped);
+        let unscale = inverse_r * inverse_r / contact.scale;
+        complex::scale(complex::mul(sum, inverse_h, self.damped), unscale)
+    }
+}

@@ -1,0 +1,400 @@
+//! The largest value of a modal sum over a half period, with a guarantee.
+//!
+//! The search walks from left to right.  At each instant it knows the sum, its slope and what its
+//! curvature cannot exceed from there on, hence a distance within which the best value so far
+//! cannot be beaten; it steps that far.  Where the best is beaten it climbs, to convergence, and
+//! walks on from where it stood with the raised level: a climb may therefore be careless, the walk
+//! is not.  Nothing larger than the answer times 1 + tolerance remains anywhere.
+
+use crate::decay::{Decay, Instant};
+use crate::scalar::Float;
+use crate::wave::{Local, Sum, Tail};
+use core::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
+
+/// No search evaluates its sum more often than this.  The worst of 10⁴ random scenes needs a few
+/// hundred; a search that would need more ends with the best value it has found.
+pub const MAX_EVALUATIONS: u32 = 20_000;
+
+/// By what the sum is divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weight {
+    /// By nothing.
+    One,
+    /// By sin τ, as in the velocity constraint.
+    Sine,
+}
+
+/// What to search.
+#[derive(Clone, Copy, Debug)]
+pub struct Question<S> {
+    /// By what the sum is divided.
+    pub weight: Weight,
+    /// Whether the negative of the sum counts as well.
+    pub both_signs: bool,
+    /// Where to stop: π, or π/2 for a sum that is odd about it.
+    pub end: S,
+    /// Values up to this one are of no interest.
+    pub floor: S,
+    /// Relative amount by which a larger value may be missed.
+    pub tolerance: S,
+}
+
+/// A place where the largest value is taken.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<S> {
+    /// τ.
+    pub tau: S,
+    /// Whether the negative of the sum is the largest there.
+    pub negative: bool,
+}
+
+/// The answer.
+#[derive(Clone, Copy, Debug)]
+pub struct Peak<S> {
+    /// The largest value, or the floor if nothing exceeds it.
+    pub value: S,
+    /// Where it is taken; none if nothing exceeds the floor.  Up to four equal ones.
+    pub places: [Option<Place<S>>; 4],
+    /// How often the sum was evaluated.
+    pub evaluations: u32,
+}
+
+struct Search<'a, S, D> {
+    sum: Sum<'a, S, D>,
+    question: Question<S>,
+    peak: Peak<S>,
+    tail: Option<Tail<S>>,
+}
+
+/// The largest value of `sum` over (0, end], divided by the weight.
+pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, question: Question<S>) -> Peak<S> {
+    let mut search = Search {
+        sum,
+        question,
+        peak: Peak { value: question.floor, places: [None; 4], evaluations: 0 },
+        tail: None,
+    };
+    search.walk();
+    search.peak
+}
+
+/// The same, knowing a place from which to climb first.
+pub fn largest_from<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, question: Question<S>, guess: S) -> Peak<S> {
+    let mut search = Search {
+        sum,
+        question,
+        peak: Peak { value: question.floor, places: [None; 4], evaluations: 0 },
+        tail: None,
+    };
+    let local = search.local(guess).0;
+    search.climb(guess, local, local.value < S::constant(0.0));
+    search.walk();
+    search.peak
+}
+
+impl<S: Float, D: Decay<S>> Search<'_, S, D> {
+    fn local(&mut self, tau: S) -> (Local<S>, Option<Local<S>>) {
+        self.peak.evaluations += 1;
+        let at = Instant::new(tau * S::constant(FRAC_1_PI));
+        self.sum.local(&at, self.tail.as_ref())
+    }
+
+    /// ±sum − level·weight about an instant.
+    fn excess(&self, local: &Local<S>, tau: S, negative: bool, level: S) -> Local<S> {
+        let mut excess = *local;
+        if negative {
+            excess.value = -excess.value;
+            excess.slope = -excess.slope;
+            excess.curvature = -excess.curvature;
+        }
+        match self.question.weight {
+            Weight::One => excess.value = excess.value - level,
+            Weight::Sine => {
+                let (sine, cosine) = (tau * S::constant(FRAC_1_PI)).sin_cos_pi();
+                excess.value = excess.value - level * sine;
+                excess.slope = excess.slope - level * cosine;
+                excess.curvature = excess.curvature + level * sine;
+                excess.curvature_bound = excess.curvature_bound + level;
+                excess.third_bound = excess.third_bound + level;
+            }
+        }
+        excess
+    }
+
+    fn level(&self) -> S {
+        self.peak.value * (S::constant(1.0) + self.question.tolerance)
+    }
+
+    fn walk(&mut self) {
+        let zero = S::constant(0.0);
+        let signs: &[bool] = if self.question.both_signs { &[false, true] } else { &[false] };
+        let mut end = self.question.end;
+        let mut tau = zero;
+        self.choose_tail();
+        if self.question.weight == Weight::Sine {
+            tau = self.start(signs);
+            end = self.last(signs);
+        }
+        let mut skipped = false;
+        while tau < end && self.peak.evaluations < MAX_EVALUATIONS {
+            if self.question.weight == Weight::Sine && !skipped {
+                // Away from the ends sin τ alone keeps the quotient below the level.
+                let edge = S::constant(FRAC_PI_2) * self.sum.amplitude_bound() / self.level();
+                if edge < tau {
+                    skipped = true;
+                    tau = tau.max(S::constant(PI) - edge);
+                    continue;
+                }
+            }
+            let tail = self.tail;
+            let (local, slow) = self.local(tau);
+            for &negative in signs {
+                if zero < self.excess(&local, tau, negative, self.level()).value {
+                    self.climb(tau, local, negative);
+                }
+            }
+            let mut step = end;
+            let mut ahead = None;
+            for &negative in signs {
+                let level = self.level();
+                let excess = self.excess(&local, tau, negative, level);
+                let mut reach = safe_step(&excess);
+                if let (Some(slow), Some(tail)) = (slow, &tail) {
+                    let mut slow = self.excess(&slow, tau, negative, level);
+                    slow.value = slow.value + tail.amplitude;
+                    if slow.value < zero {
+                        reach = reach.max(safe_step(&slow));
+                    }
+                }
+                if zero < excess.slope && excess.curvature < zero {
+                    let summit = -(excess.slope / excess.curvature);
+                    if reach < summit + summit {
+                        ahead = Some((summit, negative, excess.third_bound));
+                    }
+                }
+                step = step.min(reach);
+            }
+            tau = match ahead {
+                Some((summit, negative, third)) => {
+                    self.over_summit(tau, summit, step, (negative, third), signs)
+                }
+                None => tau + step.max(tau * S::constant(S::EPSILON)),
+            };
+        }
+    }
+
+    /// A summit not far ahead would be approached by ever smaller steps: look at it instead.  If
+    /// the sum is concave about it, from here to as far beyond, it is settled in one evaluation.
+    fn over_summit(&mut self, tau: S, summit: S, step: S, (negative, third): (bool, S), signs: &[bool]) -> S {
+        let zero = S::constant(0.0);
+        let half = S::constant(0.5);
+        let stepped = tau + step.max(tau * S::constant(S::EPSILON));
+        let top = tau + summit;
+        if !(top < self.question.end) {
+            return stepped;
+        }
+        // `third` bounds the third derivative from `tau` on, so about the summit too.
+        let (local, _) = self.local(top);
+        for &negative in signs {
+            if zero < self.excess(&local, top, negative, self.level()).value {
+                self.climb(top, local, negative);
+                return tau;
+            }
+        }
+        self.note_tie(top, &local, negative);
+        let excess = self.excess(&local, top, negative, self.level());
+        let radius = -(excess.curvature) / third * half;
+        let rise = excess.slope * excess.slope / -excess.curvature;
+        let settled = zero < radius && excess.value + rise <= zero && summit <= radius;
+        // The other sign must be out of reach over the same stretch.
+        let other = signs.len() == 1 || {
+            let opposite = self.excess(&local, top, !negative, self.level());
+            let swing = opposite.slope.abs() * radius + opposite.curvature_bound.max(third) * radius * radius;
+            opposite.value + swing < zero
+        };
+        if settled && other { stepped.max(top + radius) } else { stepped }
+    }
+
+    /// The beginning of the walk for a quotient by sin τ, which both vanish at 0: by their
+    /// derivatives there.
+    fn start(&mut self, signs: &[bool]) -> S {
+        let zero = S::constant(0.0);
+        let (local, _) = self.local(zero);
+        let mut reach = self.question.end;
+        for &negative in signs {
+            let mut excess = self.excess(&local, zero, negative, self.level());
+            if zero < excess.curvature {
+                // It rises from the start: climb from within the rise.
+                let tau = (excess.curvature / excess.third_bound).min(self.question.end);
+                let (local, _) = self.local(tau);
+                if zero < self.excess(&local, tau, negative, self.level()).value {
+                    self.climb(tau, local, negative);
+                }
+                excess = self.excess(&local, zero, negative, self.level());
+            }
+            excess.value = zero;
+            let mut step = safe_step(&excess);
+            if excess.curvature <= zero && excess.slope <= zero {
+                let (third, fourth) = self.third_at_start(negative);
+                // slope·τ + curvature·τ²/2 + third·τ³/6 + fourth·τ⁴/24 ≤ 0.
+                let (a, b, c) =
+                    (fourth / S::constant(24.0), third / S::constant(6.0), excess.curvature * S::constant(0.5));
+                let root = (b * b - S::constant(4.0) * a * c).max(zero).sqrt();
+                step = step.max((root - b) / (a + a));
+            }
+            reach = reach.min(step);
+        }
+        reach
+    }
+
+    /// The excess's third derivative at τ = 0 and a bound on the fourth.
+    fn third_at_start(&self, negative: bool) -> (S, S) {
+        let one = S::constant(1.0);
+        let two = S::constant(2.0);
+        let level = self.level();
+        let mut third = S::constant(0.0);
+        let mut fourth = level;
+        for wave in self.sum.waves {
+            let x = wave.x;
+            let two_zeta = two * wave.decay.zeta();
+            let rate = x * (one + two_zeta);
+            // p′ = 1, p″ = −2ζx, p‴ = −x²(1 − 4ζ²), p⁗ = 4ζx³(1 − 2ζ²) at τ = 0.
+            let p3 = -(x * x * (one - two_zeta * two_zeta));
+            let p4 = two_zeta * x * x * x * (two - two_zeta * two_zeta);
+            third = third + wave.free * p3 - wave.swing_slope * p4;
+            fourth = fourth
+                + wave.free.abs() * rate * rate * rate
+                + wave.swing_slope.abs() * (one + rate * rate * rate * rate);
+        }
+        if negative { (level - third, fourth) } else { (third + level, fourth) }
+    }
+
+    /// The end of the walk: before π, where sum and sine vanish again, by the slope there.
+    fn last(&mut self, signs: &[bool]) -> S {
+        let zero = S::constant(0.0);
+        let end = self.question.end;
+        if end < S::constant(PI * 0.75) {
+            return end;
+        }
+        let (at_end, _) = self.local(end);
+        // Bounds from the start on hold over the last stretch.
+        let (at_start, _) = self.local(zero);
+        let mut stretch = end;
+        for &negative in signs {
+            let slope = self.excess(&at_end, end, negative, self.level()).slope;
+            let bound = self.excess(&at_start, zero, negative, self.level()).curvature_bound;
+            stretch = stretch.min(slope.max(zero) * S::constant(2.0) / bound);
+        }
+        end - stretch
+    }
+
+    fn choose_tail(&mut self) {
+        self.tail = self.sum.tail(self.peak.value * S::constant(0.125));
+    }
+
+    /// Newton's method on the quotient's derivative, never downhill.
+    fn climb(&mut self, tau: S, local: Local<S>, negative: bool) {
+        let zero = S::constant(0.0);
+        let half = S::constant(0.5);
+        let (mut tau, mut local) = (tau, local);
+        let mut best = self.quotient(&local, tau, negative);
+        let mut trust = S::constant(0.25);
+        for _ in 0..60 {
+            let (slope, curvature) = self.ascent(&local, tau, negative);
+            let newton = if curvature < zero { -(slope / curvature) } else { trust.copysign(slope) };
+            let step = newton.max(-trust).min(trust);
+            let next = (tau + step).max(zero).min(self.question.end);
+            if next == tau || slope == zero {
+                break;
+            }
+            let (at_next, _) = self.local(next);
+            let value = self.quotient(&at_next, next, negative);
+            // So near a maximum the values no longer tell, while Newton's method still converges.
+            let near = curvature < zero && step.abs() < S::constant(1e-3);
+            if value < best && !near {
+                trust = step.abs() * half;
+                continue;
+            }
+            (tau, local) = (next, at_next);
+            best = best.max(value);
+            if near && step.abs() < S::constant(4.0 * S::EPSILON) {
+                break;
+            }
+        }
+        let equal = self.peak.value * S::constant(1.0 - 64.0 * S::EPSILON);
+        if self.peak.value < best {
+            let place = Place { tau, negative };
+            if self.peak.value < best * S::constant(1.0 - 64.0 * S::EPSILON) || best < equal {
+                self.peak.places = [None; 4];
+            }
+            self.peak.value = best;
+            self.note(place);
+            self.choose_tail();
+        }
+    }
+
+    /// Keeps an equal maximum elsewhere.
+    fn note_tie(&mut self, tau: S, local: &Local<S>, negative: bool) {
+        let value = self.quotient(local, tau, negative);
+        if self.peak.value * S::constant(1.0 - 64.0 * S::EPSILON) < value {
+            self.note(Place { tau, negative });
+        }
+    }
+
+    fn note(&mut self, place: Place<S>) {
+        let near = S::constant(1e-3);
+        for slot in &mut self.peak.places {
+            match slot {
+                Some(known) if known.negative == place.negative && (known.tau - place.tau).abs() < near => {
+                    return;
+                }
+                Some(_) => {}
+                None => {
+                    *slot = Some(place);
+                    return;
+                }
+            }
+        }
+    }
+
+    fn quotient(&self, local: &Local<S>, tau: S, negative: bool) -> S {
+        let value = if negative { -local.value } else { local.value };
+        match self.question.weight {
+            Weight::One => value,
+            Weight::Sine => {
+                let sine = (tau * S::constant(FRAC_1_PI)).sin_pi();
+                if S::constant(0.0) < sine { value / sine } else { self.question.floor }
+            }
+        }
+    }
+
+    /// The quotient's derivative and its own, times a positive factor.
+    fn ascent(&self, local: &Local<S>, tau: S, negative: bool) -> (S, S) {
+        let (slope, curvature) = match self.question.weight {
+            Weight::One => (local.slope, local.curvature),
+            Weight::Sine => {
+                let (sine, cosine) = (tau * S::constant(FRAC_1_PI)).sin_cos_pi();
+                (local.slope * sine - local.value * cosine, (local.curvature + local.value) * sine)
+            }
+        };
+        if negative { (-slope, -curvature) } else { (slope, curvature) }
+    }
+}
+
+/// How far value + slope·h + bound·h²/2 ≤ 0 holds, or the part of it over which the sum falls.
+fn safe_step<S: Float>(excess: &Local<S>) -> S {
+    let zero = S::constant(0.0);
+    let two = S::constant(2.0);
+    let Local { value, slope, curvature, curvature_bound, third_bound } = *excess;
+    let value = value.min(zero);
+    if !(zero < curvature_bound) {
+        return S::constant(PI);
+    }
+    let root = (slope * slope - two * curvature_bound * value).sqrt();
+    let step = if zero < slope { -(two * value) / (slope + root) } else { (root - slope) / curvature_bound };
+    if slope <= zero && curvature < zero && zero < third_bound {
+        let root = (curvature * curvature - two * third_bound * slope).sqrt();
+        return step.max((root - curvature) / third_bound);
+    }
+    step
+}

@@ -1,0 +1,229 @@
+//! A sum of modal motions over the half period, with bounds on what it can still do.
+
+use crate::decay::{Basis, Decay, Instant};
+use crate::mode::Mode;
+use crate::scalar::Float;
+use core::f64::consts::PI;
+
+/// One mode's part: coefficients of the functions of [`Basis`].
+#[derive(Clone, Copy, Debug)]
+pub struct Wave<S, D> {
+    /// x = 1/R.
+    pub x: S,
+    /// How it decays.
+    pub decay: D,
+    /// Of p, the free displacement.
+    pub free: S,
+    /// Of cos τ − p′.
+    pub swing_slope: S,
+    /// Of sin τ − p.
+    pub swing: S,
+    /// Of (1 − d)/x².
+    pub rise: S,
+    /// φ_k(φᵀw)/r², the residue contact → mass; harmonics alone use it.
+    pub gain: S,
+}
+
+impl<S: Float, D: Decay<S>> Wave<S, D> {
+    /// No motion at all.
+    pub fn rest(x: S, decay: D) -> Self {
+        let zero = S::constant(0.0);
+        Self { x, decay, free: zero, swing_slope: zero, swing: zero, rise: zero, gain: zero }
+    }
+
+    /// No motion yet, in a mode's place.
+    pub fn idle(mode: &Mode<S>) -> Self {
+        Self::rest(S::constant(0.0), D::of(mode))
+    }
+
+    /// The value at an instant, from the mode's functions there.
+    #[inline]
+    pub fn value(&self, basis: &Basis<S>) -> S {
+        self.free * basis.free
+            + self.swing_slope * basis.swing_slope
+            + self.swing * basis.swing
+            + self.rise * basis.rise
+    }
+}
+
+/// Σ waves + constant + cosine·cos τ + sine·sin τ.
+#[derive(Clone, Copy, Debug)]
+pub struct Sum<'a, S, D> {
+    /// The modes, slowest first.
+    pub waves: &'a [Wave<S, D>],
+    /// The constant term.
+    pub constant: S,
+    /// Of cos τ.
+    pub cosine: S,
+    /// Of sin τ.
+    pub sine: S,
+}
+
+/// A function about one instant: value, two derivatives, and what the second and the third cannot
+/// exceed from there to the end of the half period.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Local<S> {
+    pub value: S,
+    pub slope: S,
+    pub curvature: S,
+    pub curvature_bound: S,
+    pub third_bound: S,
+}
+
+/// The fast modes, for steps over several of their turns: what they amount to at most, and their
+/// parts that turn with the excitation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tail<S> {
+    pub from: usize,
+    pub amplitude: S,
+    constant: S,
+    cosine: S,
+    sine: S,
+}
+
+impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
+    /// The value at an instant.
+    pub fn value(&self, at: &Instant<S>) -> S {
+        let mut sum = self.constant + self.cosine * at.cosine + self.sine * at.sine;
+        for wave in self.waves {
+            sum = sum + wave.value(&wave.decay.basis(wave.x, at));
+        }
+        sum
+    }
+
+    /// The derivative with respect to τ at an instant.
+    pub fn slope(&self, at: &Instant<S>) -> S {
+        let mut sum = self.sine * at.cosine - self.cosine * at.sine;
+        for wave in self.waves {
+            let basis = wave.decay.basis(wave.x, at);
+            let (curve, _) = curves(wave, &basis);
+            sum = sum
+                + wave.free * basis.slope
+                + wave.swing_slope * (-at.sine - curve)
+                + wave.swing * basis.swing_slope
+                + wave.rise * basis.free;
+        }
+        sum
+    }
+
+    /// The largest that waves and carriers together can be.
+    pub fn amplitude_bound(&self) -> S {
+        let one = S::constant(1.0);
+        let mut sum = self.constant.abs() + self.cosine.abs() + self.sine.abs();
+        for wave in self.waves {
+            let Wave { x, free, swing_slope, swing, rise, .. } = *wave;
+            let pi = S::constant(PI);
+            // |p| ≤ min(1/x, π), |p′| ≤ 1, 0 ≤ (1 − d)/x² ≤ min((2 + 2ζ)/x², π²/2).
+            let p = (one / x).min(pi);
+            let r = (S::constant(2.0) * (one + wave.decay.zeta()) / (x * x)).min(pi * pi);
+            sum = sum + free.abs() * p;
+            sum = sum + swing_slope.abs() * S::constant(2.0);
+            sum = sum + swing.abs() * (one + p) + rise.abs() * r;
+        }
+        sum
+    }
+
+    /// The largest tail of fast modes that stays below `amplitude`, if there is one worth it.
+    pub(crate) fn tail(&self, amplitude: S) -> Option<Tail<S>> {
+        let zero = S::constant(0.0);
+        let one = S::constant(1.0);
+        let two = S::constant(2.0);
+        let mut tail =
+            Tail { from: self.waves.len(), amplitude: zero, constant: zero, cosine: zero, sine: zero };
+        for (index, wave) in self.waves.iter().enumerate().rev() {
+            let Wave { x, free, swing_slope, swing, rise, .. } = *wave;
+            let turn = (one + two * wave.decay.zeta()) * rise.abs() / (x * x);
+            let total = tail.amplitude + (free.abs() + swing.abs()) / x + swing_slope.abs() + turn;
+            if x < two || amplitude < total {
+                break;
+            }
+            tail = Tail {
+                from: index,
+                amplitude: total,
+                constant: tail.constant + rise / (x * x),
+                cosine: tail.cosine + swing_slope,
+                sine: tail.sine + swing,
+            };
+        }
+        (tail.from < self.waves.len()).then_some(tail)
+    }
+
+    /// Everything a guaranteed step needs: the whole sum, and the sum with its tail reduced to
+    /// what turns with the excitation.
+    pub(crate) fn local(&self, at: &Instant<S>, tail: Option<&Tail<S>>) -> (Local<S>, Option<Local<S>>) {
+        let Instant { sine, cosine, .. } = *at;
+        let mut local = carrier(self.constant, self.cosine, self.sine, sine, cosine);
+        let mut slow = None;
+        for (index, wave) in self.waves.iter().enumerate() {
+            if let Some(tail) = tail.filter(|tail| tail.from == index) {
+                slow = Some(plus(&local, &carrier(tail.constant, tail.cosine, tail.sine, sine, cosine)));
+            }
+            local = plus(&local, &wave_local(wave, at));
+        }
+        (local, slow)
+    }
+}
+
+fn plus<S: Float>(a: &Local<S>, b: &Local<S>) -> Local<S> {
+    Local {
+        value: a.value + b.value,
+        slope: a.slope + b.slope,
+        curvature: a.curvature + b.curvature,
+        curvature_bound: a.curvature_bound + b.curvature_bound,
+        third_bound: a.third_bound + b.third_bound,
+    }
+}
+
+fn carrier<S: Float>(constant: S, c: S, s: S, sine: S, cosine: S) -> Local<S> {
+    let turning = c * cosine + s * sine;
+    let bound = c.abs() + s.abs();
+    Local {
+        value: constant + turning,
+        slope: s * cosine - c * sine,
+        curvature: -turning,
+        curvature_bound: bound,
+        third_bound: bound,
+    }
+}
+
+/// p″ and p‴, from the mode's equation p″ + 2ζx p′ + x²p = 0.
+#[inline]
+fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) {
+    let x = wave.x;
+    let two_zeta = wave.decay.zeta() + wave.decay.zeta();
+    let curve = -(x * (x * basis.free + two_zeta * basis.slope));
+    (curve, -(x * (x * basis.slope + two_zeta * curve)))
+}
+
+/// A wave about an instant.  Its bounds rest on the energy (xp)² + p′², which never grows.
+fn wave_local<S: Float, D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> Local<S> {
+    let one = S::constant(1.0);
+    let two = S::constant(2.0);
+    let Wave { x, free, swing_slope, swing, rise, .. } = *wave;
+    let zeta = wave.decay.zeta();
+    let basis = wave.decay.basis(x, at);
+    let (p2, p3) = curves(wave, &basis);
+    let xp = x * basis.free;
+    let energy = (xp * xp + basis.slope * basis.slope).sqrt();
+    let rate = x * (one + two * zeta);
+    // Beside x = 1 the differences from sin τ and cos τ move far less than their terms do.
+    let apart = (x - one).abs();
+    let away = (S::constant(PI) * (apart + S::constant(3.0) * zeta * x)).min(two);
+    let (n1, n2) = (energy * rate, energy * rate * rate);
+    let drift = away + apart + two * zeta * x;
+    let pull = (x * x - one).abs() * energy + two * zeta * x * n1;
+    let d1 = (one + n1).min(drift);
+    let d2 = (one + n2).min(away + pull);
+    let d3 = (one + n2 * rate).min(drift + pull * rate);
+    let (a, b, c, e) = (free.abs(), swing_slope.abs(), swing.abs(), rise.abs());
+    Local {
+        value: wave.value(&basis),
+        slope: free * basis.slope
+            + swing_slope * (-at.sine - p2)
+            + swing * basis.swing_slope
+            + rise * basis.free,
+        curvature: free * p2 + swing_slope * (-at.cosine - p3) + swing * (-at.sine - p2) + rise * basis.slope,
+        curvature_bound: a * n1 + b * d2 + c * d1 + e * energy,
+        third_bound: a * n2 + b * d3 + c * d2 + e * n1,
+    }
+}

@@ -1,0 +1,90 @@
+//! One-sided Jacobi: singular values and right singular vectors, in double-double.
+//!
+//! The natural frequencies are the singular values of G = diag(√κ)·E·diag(1/√γ).  Jacobi on the
+//! columns of G keeps all of them to full relative accuracy however far masses and stiffnesses
+//! spread, which forming K̄ = GᵀG and calling an eigensolver does not.
+
+use frictiongen_kernel::dd::Dd;
+
+/// A matrix by columns.
+pub type Columns = Vec<Vec<Dd>>;
+
+/// Two columns count as orthogonal when their cosine is below this.
+const ORTHOGONAL: f64 = 1e-30;
+/// Quadratic convergence ends long before; the bound only guards against an endless loop.
+const MAX_SWEEPS: usize = 60;
+
+/// Sum of products.
+pub fn dot(a: &[Dd], b: &[Dd]) -> Dd {
+    a.iter().zip(b).fold(Dd::from(0.0), |sum, (a, b)| sum + *a * *b)
+}
+
+/// Singular values in ascending order and the right singular vectors, one a column.
+pub fn singular(mut g: Columns) -> (Vec<Dd>, Columns) {
+    let n = g.len();
+    let (zero, one) = (Dd::from(0.0), Dd::from(1.0));
+    let mut v: Columns = (0..n)
+        .map(|i| (0..n).map(|j| if i == j { one } else { zero }).collect())
+        .collect();
+    // Large columns first: the rotations then stay small where the small values live.
+    let mut norms: Vec<Dd> = g.iter().map(|column| dot(column, column)).collect();
+    sort(&mut g, &mut v, &mut norms, |a, b| b < a);
+    for _ in 0..MAX_SWEEPS {
+        let mut rotated = false;
+        for right in 1..n {
+            for left in 0..right {
+                rotated |= rotate(&mut g, &mut v, left, right);
+            }
+        }
+        if !rotated {
+            break;
+        }
+    }
+    norms = g.iter().map(|column| dot(column, column).sqrt()).collect();
+    sort(&mut g, &mut v, &mut norms, |a, b| a < b);
+    (norms, v)
+}
+
+/// Makes two columns orthogonal; false if they are already.
+fn rotate(g: &mut Columns, v: &mut Columns, left: usize, right: usize) -> bool {
+    let (Some(a), Some(b)) = (g.get(left), g.get(right)) else { return false };
+    let (aa, bb, ab) = (dot(a, a), dot(b, b), dot(a, b));
+    let limit = (aa * bb).sqrt() * Dd::from(ORTHOGONAL);
+    if ab.abs() <= limit {
+        return false;
+    }
+    let one = Dd::from(1.0);
+    let zeta = (bb - aa) / (ab + ab);
+    let magnitude = one / (zeta.abs() + (one + zeta * zeta).sqrt());
+    let t = if zeta < Dd::from(0.0) { -magnitude } else { magnitude };
+    let c = one / (one + t * t).sqrt();
+    let s = c * t;
+    turn(g, left, right, c, s);
+    turn(v, left, right, c, s);
+    true
+}
+
+fn turn(columns: &mut Columns, left: usize, right: usize, c: Dd, s: Dd) {
+    let (head, tail) = columns.split_at_mut(right);
+    if let (Some(a), Some(b)) = (head.get_mut(left), tail.first_mut()) {
+        for (a, b) in a.iter_mut().zip(b) {
+            (*a, *b) = (c * *a - s * *b, s * *a + c * *b);
+        }
+    }
+}
+
+/// Stable insertion sort of the columns by their norms.
+fn sort(g: &mut Columns, v: &mut Columns, norms: &mut [Dd], before: impl Fn(Dd, Dd) -> bool) {
+    for end in 1..norms.len() {
+        let mut at = end;
+        while let (Some(here), Some(previous)) = (norms.get(at).copied(), at.checked_sub(1).and_then(|p| norms.get(p).copied())) {
+            if !before(here, previous) {
+                break;
+            }
+            norms.swap(at, at - 1);
+            g.swap(at, at - 1);
+            v.swap(at, at - 1);
+            at -= 1;
+        }
+    }
+}

@@ -1,0 +1,350 @@
+//! The modal data of a scene: everything that needs linear algebra, done once, in double-double.
+
+use crate::jacobi::{self, Columns, dot};
+use crate::scene::{Contact, Damping, Excitation, Node, Scene};
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::chain::Chain;
+use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::mode::{Kind, Mode};
+
+/// Below this share of the largest that it could be, a residue is rounding noise: exactly zero.
+const NOISE: f64 = 1e-26;
+
+/// A scene in modal coordinates (section 2), to about 30 digits.
+#[derive(Clone, Debug)]
+pub struct Modal {
+    /// √λ_i, ascending: the frequency ratios of the undamped resonances.
+    pub resonances: Vec<Dd>,
+    /// ζ_i.
+    pub damping_ratios: Vec<Dd>,
+    /// φ, by mode and mass, with φᵀΓφ = 1.
+    pub shapes: Vec<Vec<Dd>>,
+    /// φᵀp for each mode.
+    pub loads: Vec<Dd>,
+    /// φᵀw for each mode.
+    pub contacts: Vec<Dd>,
+    /// m* = wᵀΓ⁻¹w.
+    pub mobility: Dd,
+    /// wᵀΓ⁻¹p.
+    pub inertial_load: Dd,
+    /// wᵀK̄⁻¹p − s, the static relative motion.
+    pub static_motion: Dd,
+    /// wᵀK̄⁻¹w.
+    pub static_receptance: Dd,
+    /// Whether the contact rubs on the moving base (s = 1).
+    pub on_moving_base: bool,
+    /// √(k₁/m₁), rad/s in the scene's own units.
+    pub reference: Dd,
+    /// μ.
+    pub stiction: Dd,
+    /// The contact's two masses (A < B), or its one.
+    pub contact: (usize, Option<usize>),
+}
+
+/// The end of a scene's sums that a solver needs in its own scalar.
+#[derive(Clone, Debug)]
+pub struct Reduced<S> {
+    /// The modes that the load or the contact drives, ascending.
+    pub modes: Vec<Mode<S>>,
+    /// Mode shape components of those modes: for each mass, one a mode.
+    pub shapes: Vec<Vec<S>>,
+    /// What the scene says beyond its modes.
+    pub chain: Chain<S>,
+    /// The limits at the ends of the frequency range.
+    pub ends: Ends<S>,
+}
+
+/// The limits at r = 0 and r = ∞ (6.4, 6.28 and the high-frequency limits of section 6).
+#[derive(Clone, Copy, Debug)]
+pub struct Ends<S> {
+    /// β*_lim at r = 0; β_lim is 0 there.
+    pub sliding_at_rest: S,
+    /// β_∞, the continuous limit for r → ∞.
+    pub continuous_at_infinity: S,
+    /// β*_∞, the sliding limit for r → ∞.
+    pub sliding_at_infinity: S,
+}
+
+fn dd(value: f64) -> Dd {
+    Dd::from(value)
+}
+
+/// The contact's direction w as (mass, sign) pairs, the earlier mass of two with the minus sign.
+fn direction(contact: Contact) -> Vec<(usize, f64)> {
+    match (contact.from, contact.to) {
+        (Node::Mass(a), Node::Mass(b)) => vec![(a.min(b), -1.0), (a.max(b), 1.0)],
+        (Node::Mass(j), _) | (_, Node::Mass(j)) => vec![(j, 1.0)],
+        _ => Vec::new(),
+    }
+}
+
+impl Modal {
+    /// The modal analysis of a valid scene.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let n = scene.masses.len();
+        let m1 = dd(scene.masses.first().map_or(1.0, |mass| mass.value));
+        let k1 = dd(scene.springs.first().map_or(1.0, |spring| spring.stiffness));
+        let root_gamma: Vec<Dd> =
+            scene.masses.iter().map(|mass| (dd(mass.value) / m1).sqrt()).collect();
+        let kappa: Vec<Dd> =
+            scene.springs.iter().map(|spring| dd(spring.stiffness) / k1).collect();
+
+        let mut g: Columns = vec![vec![dd(0.0); kappa.len()]; n];
+        let mut p = vec![dd(0.0); n];
+        for (row, (spring, kappa)) in scene.springs.iter().zip(&kappa).enumerate() {
+            let root = kappa.sqrt();
+            for (node, sign) in [(spring.from, -1.0), (spring.to, 1.0)] {
+                if let Node::Mass(mass) = node
+                    && let (Some(root_gamma), Some(entry)) =
+                        (root_gamma.get(mass), g.get_mut(mass).and_then(|c| c.get_mut(row)))
+                {
+                    *entry = dd(sign) * root / *root_gamma;
+                }
+            }
+            let joined = match (spring.from, spring.to) {
+                (Node::Base, Node::Mass(mass)) | (Node::Mass(mass), Node::Base) => Some(mass),
+                _ => None,
+            };
+            if let (Excitation::Base, Some(p)) =
+                (scene.excitation, joined.and_then(|mass| p.get_mut(mass)))
+            {
+                *p = *p + *kappa;
+            }
+        }
+        if let Excitation::Force(mass) = scene.excitation
+            && let Some(p) = p.get_mut(mass)
+        {
+            *p = dd(1.0);
+        }
+        let mut w = vec![dd(0.0); n];
+        for (mass, sign) in direction(scene.contact) {
+            if let Some(w) = w.get_mut(mass) {
+                *w = dd(sign);
+            }
+        }
+
+        let (resonances, vectors) = jacobi::singular(g);
+        // In coordinates scaled by √γ the mode shapes are orthonormal.
+        let scaled = |vector: &[Dd]| -> Vec<Dd> {
+            vector.iter().zip(&root_gamma).map(|(value, root)| *value / *root).collect()
+        };
+        let (p_scaled, w_scaled) = (scaled(&p), scaled(&w));
+        let mut shapes = Vec::with_capacity(n);
+        let (mut loads, mut contacts) = (Vec::with_capacity(n), Vec::with_capacity(n));
+        for vector in &vectors {
+            let mut shape = scaled(vector);
+            let largest = shape.iter().fold(dd(0.0), |most, value| most.max(value.abs()));
+            for value in &mut shape {
+                if value.abs() < largest * dd(NOISE) {
+                    *value = dd(0.0);
+                }
+            }
+            let leading = shape.iter().find(|value| largest * dd(1e-10) < value.abs());
+            let sign = if leading.is_some_and(|value| *value < dd(0.0)) { dd(-1.0) } else { dd(1.0) };
+            shapes.push(shape.iter().map(|value| *value * sign).collect::<Vec<_>>());
+            loads.push(projected(vector, &p_scaled) * sign);
+            contacts.push(projected(vector, &w_scaled) * sign);
+        }
+
+        let reference = (k1 / m1).sqrt();
+        let damping_ratios = damping_ratios(&scene.damping, &resonances, reference);
+        let on_moving_base = matches!(scene.excitation, Excitation::Base)
+            && (scene.contact.from == Node::Base || scene.contact.to == Node::Base);
+        let share = if on_moving_base { dd(1.0) } else { dd(0.0) };
+        let (mut static_motion, mut static_size) = (-share, share);
+        let mut static_receptance = dd(0.0);
+        for ((resonance, load), contact) in resonances.iter().zip(&loads).zip(&contacts) {
+            let lambda = *resonance * *resonance;
+            let term = *contact * *load / lambda;
+            static_motion = static_motion + term;
+            static_size = static_size + term.abs();
+            static_receptance = static_receptance + *contact * *contact / lambda;
+        }
+        let products = || w_scaled.iter().zip(&p_scaled).map(|(w, p)| *w * *p);
+        let inertial_load = cleaned(
+            products().fold(dd(0.0), |sum, term| sum + term),
+            products().fold(dd(0.0), |sum, term| sum + term.abs()),
+        );
+        let sides: Vec<usize> = direction(scene.contact).into_iter().map(|(mass, _)| mass).collect();
+        Self {
+            resonances,
+            damping_ratios,
+            shapes,
+            loads,
+            contacts,
+            mobility: dot(&w_scaled, &w_scaled),
+            inertial_load,
+            static_motion: cleaned(static_motion, static_size),
+            static_receptance,
+            on_moving_base,
+            reference,
+            stiction: dd(scene.stiction),
+            contact: (sides.first().copied().unwrap_or(0), sides.get(1).copied()),
+        }
+    }
+
+    /// ω_i, rad/s in the scene's own units.
+    #[must_use]
+    pub fn natural_frequencies(&self) -> Vec<Dd> {
+        self.resonances.iter().map(|resonance| *resonance * self.reference).collect()
+    }
+
+    /// The modal data in a scalar, rounded once from double-double by `to`.
+    #[must_use]
+    pub fn reduced<S: Scalar>(&self, to: impl Fn(Dd) -> S) -> Reduced<S> {
+        let one = dd(1.0);
+        let driven: Vec<usize> = (0..self.resonances.len())
+            .filter(|i| {
+                let nonzero = |of: &[Dd]| of.get(*i).is_some_and(|value| *value != dd(0.0));
+                nonzero(&self.loads) || nonzero(&self.contacts)
+            })
+            .collect();
+        let pick = |of: &[Dd], i: usize| of.get(i).copied().unwrap_or_default();
+        let modes = driven
+            .iter()
+            .map(|&i| {
+                let resonance = pick(&self.resonances, i);
+                let zeta = pick(&self.damping_ratios, i);
+                let (load, contact) = (pick(&self.loads, i), pick(&self.contacts, i));
+                let q = ((one - zeta) * (one + zeta)).abs().sqrt();
+                Mode {
+                    kind: kind(zeta),
+                    in_contact: contact != dd(0.0),
+                    resonance: to(resonance),
+                    zeta: to(zeta),
+                    q: to(q),
+                    q_defect: to(zeta * zeta / (one + q)),
+                    load: to(load),
+                    contact: to(contact),
+                    residue: to(contact * load),
+                    mobility: to(contact * contact),
+                    static_residue: to(contact * load / (resonance * resonance)),
+                }
+            })
+            .collect();
+        let masses = self.shapes.first().map_or(0, Vec::len);
+        let shapes = (0..masses)
+            .map(|mass| {
+                driven
+                    .iter()
+                    .map(|&i| to(self.shapes.get(i).map_or(dd(0.0), |shape| pick(shape, mass))))
+                    .collect()
+            })
+            .collect();
+        let chain = Chain {
+            damped: self.is_damped(),
+            on_moving_base: self.on_moving_base.then(|| to(self.static_motion)),
+            mobility: to(self.mobility),
+            stiction: to(self.stiction),
+        };
+        let ends = self.ends();
+        Reduced {
+            modes,
+            shapes,
+            chain,
+            ends: Ends {
+                sliding_at_rest: to(ends.sliding_at_rest),
+                continuous_at_infinity: to(ends.continuous_at_infinity),
+                sliding_at_infinity: to(ends.sliding_at_infinity),
+            },
+        }
+    }
+
+    /// The undamped resonances that the load drives: there the continuous motion is unbounded.  Of
+    /// `invisible` modes, which the contact does not touch, even the motion with a stuck contact.
+    #[must_use]
+    pub fn unbounded(&self, invisible: bool) -> Vec<Dd> {
+        let zero = dd(0.0);
+        let modes = self.resonances.iter().zip(&self.damping_ratios).zip(&self.loads).zip(&self.contacts);
+        modes
+            .filter(|(((_, zeta), load), contact)| {
+                **zeta == zero && **load != zero && (!invisible || **contact == zero)
+            })
+            .map(|(((resonance, _), _), _)| *resonance)
+            .collect()
+    }
+
+    /// Whether any mode is damped.
+    #[must_use]
+    pub fn is_damped(&self) -> bool {
+        self.damping_ratios.iter().any(|zeta| dd(0.0) < *zeta)
+    }
+
+    /// The limits at r = 0 and r = ∞.
+    #[must_use]
+    pub fn ends(&self) -> Ends<Dd> {
+        let mu = self.stiction;
+        let rest = self.static_motion.abs() / (mu * self.static_receptance);
+        if self.on_moving_base {
+            let infinity = dd(f64::INFINITY);
+            return Ends {
+                sliding_at_rest: rest,
+                continuous_at_infinity: infinity,
+                sliding_at_infinity: infinity,
+            };
+        }
+        let ratio = self.inertial_load.abs() / self.mobility;
+        let root = (dd(4.0) * mu * mu + Dd::PI * Dd::PI).sqrt();
+        Ends {
+            sliding_at_rest: rest,
+            continuous_at_infinity: ratio * dd(2.0) / root,
+            sliding_at_infinity: ratio / mu,
+        }
+    }
+
+    /// β_n,i: the friction ratio below which an undamped resonance is unbounded (6.2, 6.26), or
+    /// none for a mode that the contact does not drive.
+    #[must_use]
+    pub fn resonance_thresholds(&self) -> Vec<Option<Dd>> {
+        self.loads
+            .iter()
+            .zip(&self.contacts)
+            .map(|(load, contact)| {
+                (*contact != dd(0.0)).then(|| Dd::PI * dd(0.25) * (*load / *contact).abs())
+            })
+            .collect()
+    }
+}
+
+/// A projection on a unit vector, exactly zero where only noise is left of it.
+fn projected(vector: &[Dd], on: &[Dd]) -> Dd {
+    cleaned(dot(vector, on), dot(on, on).sqrt())
+}
+
+fn cleaned(value: Dd, size: Dd) -> Dd {
+    if value.abs() <= size * dd(NOISE) { dd(0.0) } else { value }
+}
+
+fn kind(zeta: Dd) -> Kind {
+    // By the value that is rounded to, so that the form and the constant agree.
+    let zeta = zeta.to_f64();
+    if zeta == 0.0 {
+        Kind::Undamped
+    } else if zeta < 0.5 {
+        Kind::Light
+    } else if zeta < 1.0 {
+        Kind::Heavy
+    } else if zeta == 1.0 {
+        Kind::Critical
+    } else {
+        Kind::Over
+    }
+}
+
+fn damping_ratios(damping: &Damping, resonances: &[Dd], reference: Dd) -> Vec<Dd> {
+    match damping {
+        Damping::None => vec![dd(0.0); resonances.len()],
+        Damping::Uniform(zeta) => vec![dd(*zeta); resonances.len()],
+        Damping::Modal(list) => {
+            (0..resonances.len()).map(|i| dd(list.get(i).copied().unwrap_or(0.0))).collect()
+        }
+        Damping::Rayleigh { mass, stiffness } => resonances
+            .iter()
+            .map(|resonance| {
+                let omega = *resonance * reference;
+                (dd(*mass) / omega + dd(*stiffness) * omega) * dd(0.5)
+            })
+            .collect(),
+    }
+}

@@ -1,0 +1,157 @@
+//! A scene: what a description says, in its own units, before anything is computed from it.
+
+/// One end of a spring, or the far side of a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// A mass, by its zero-based place in [`Scene::masses`].
+    Mass(usize),
+    /// The support that moves when the excitation is base motion.
+    Base,
+    /// A support that never moves.
+    Wall,
+}
+
+/// A point mass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mass {
+    /// Its name, a Rust identifier.
+    pub name: String,
+    /// Its mass, in the scene's own units (kg in SI); the first mass is the reference m₁.
+    pub value: f64,
+}
+
+/// A linear spring between two nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spring {
+    /// Where it starts, as written.
+    pub from: Node,
+    /// Where it ends, as written.
+    pub to: Node,
+    /// Its stiffness, in the scene's own units (N/m in SI); the first spring is the reference k₁.
+    pub stiffness: f64,
+}
+
+/// The one Coulomb contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Contact {
+    /// The side written first.
+    pub from: Node,
+    /// The side written second.
+    pub to: Node,
+}
+
+/// The harmonic excitation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Excitation {
+    /// A force P cos ωt on a mass.
+    Force(usize),
+    /// A motion Y cos ωt of the base.
+    Base,
+}
+
+/// Viscous damping.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub enum Damping {
+    /// None.
+    #[default]
+    None,
+    /// The same modal damping ratio in every mode.
+    Uniform(f64),
+    /// A modal damping ratio for each mode, in ascending order of natural frequency.
+    Modal(Vec<f64>),
+    /// C = aM + bK, in the scene's own units.
+    Rayleigh {
+        /// The factor of the mass matrix.
+        mass: f64,
+        /// The factor of the stiffness matrix.
+        stiffness: f64,
+    },
+}
+
+/// The precision of the emitted code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Precision {
+    /// `f64`.
+    #[default]
+    F64,
+    /// `f32`, without a single `f64`.
+    F32,
+}
+
+/// What is to be emitted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Provide {
+    /// Both limits and the regime.
+    Limits,
+    /// The motion in the continuous regime of every mass, or of those named; the contact's always.
+    Motion(Option<Vec<usize>>),
+    /// The response while the contact is stuck.
+    Stuck,
+    /// Periodic orbits (not built yet).
+    Orbit,
+    /// Event-driven simulation (not built yet).
+    Simulation,
+    /// A fixed-step real-time stepper (not built yet).
+    Stepper,
+}
+
+/// How exact the emitted code has to be.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub enum Accuracy {
+    /// Every formula exact.
+    #[default]
+    Exact,
+    /// Within this relative error, over the scene's `range`.
+    Relative(f64),
+}
+
+/// The values of r and β for which an accuracy is asked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Smallest and largest frequency ratio.
+    pub r: (f64, f64),
+    /// Smallest and largest friction ratio.
+    pub beta: (f64, f64),
+}
+
+/// A whole description.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// The name of the type.
+    pub name: String,
+    /// The masses; the first is the reference.
+    pub masses: Vec<Mass>,
+    /// The springs; the first is the reference.
+    pub springs: Vec<Spring>,
+    /// The contact.
+    pub contact: Contact,
+    /// The excitation.
+    pub excitation: Excitation,
+    /// The damping.
+    pub damping: Damping,
+    /// μ = static over kinetic friction force, at least 1.
+    pub stiction: f64,
+    /// The scalar of the emitted code.
+    pub precision: Precision,
+    /// What to emit.
+    pub provide: Vec<Provide>,
+    /// How exact.
+    pub accuracy: Accuracy,
+    /// Over which range, if it is not exact.
+    pub range: Option<Range>,
+}
+
+impl Scene {
+    /// What a node is called in the description; `?` for a mass that does not exist.
+    #[must_use]
+    pub fn node_name(&self, node: Node) -> &str {
+        match node {
+            Node::Mass(index) => self
+                .masses
+                .get(index)
+                .map_or("?", |mass| mass.name.as_str()),
+            Node::Base => "base",
+            Node::Wall => "wall",
+        }
+    }
+}

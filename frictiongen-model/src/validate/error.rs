@@ -1,0 +1,218 @@
+//! The messages: what is wrong, in the engineer's words, and what to write instead.
+
+use super::Path;
+
+/// One thing that keeps a scene from making physical sense.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(
+    missing_docs,
+    reason = "each message says what its variant and fields mean"
+)]
+pub enum SceneError {
+    #[error("a scene needs at least one mass: write, for example, `m1: 1.0`")]
+    NoMasses { path: Path },
+    #[error(
+        "the scene has {count} masses, but {limit} are the most there can be here; lump neighbouring masses together"
+    )]
+    TooManyMasses {
+        path: Path,
+        count: usize,
+        limit: usize,
+    },
+    #[error(
+        "`r#{plain}` cannot name a mass: leave the `r#` out, and choose a name that is not a keyword of Rust"
+    )]
+    RawName { path: Path, plain: String },
+    #[error("`{name}` is a keyword of Rust and cannot name a mass; write, for example, `{name}_1`")]
+    Keyword { path: Path, name: String },
+    #[error(
+        "`{name}` already means something else in a scene or in its results and cannot name a mass; write, for example, `{name}_1`"
+    )]
+    Reserved { path: Path, name: String },
+    #[error(
+        "`{name}` cannot name a mass: a name is made of letters, digits and `_`, and does not begin with a digit"
+    )]
+    NotAName { path: Path, name: String },
+    #[error("two masses are called `{name}`; give this one a name of its own")]
+    DuplicateName { path: Path, name: String },
+    #[error("{what} is {value}, which is not a finite number; write a finite one")]
+    NotFinite {
+        path: Path,
+        what: String,
+        value: f64,
+    },
+    #[error(
+        "the mass `{name}` is {value:?}: a mass must be greater than zero; write a positive number, or leave the mass out"
+    )]
+    MassNotPositive {
+        path: Path,
+        name: String,
+        value: f64,
+    },
+    #[error(
+        "{what} is {value:?}, too far from one for double precision; choose units that bring it between 1e-60 and 1e60"
+    )]
+    OutOfScale {
+        path: Path,
+        what: String,
+        value: f64,
+    },
+    #[error(
+        "a scene needs at least one spring to hold its masses: write, for example, `base - m1: 1.0`"
+    )]
+    NoSprings { path: Path },
+    #[error("there is no mass number {index}: the scene has {count}, counted from 0")]
+    NoSuchMass {
+        path: Path,
+        index: usize,
+        count: usize,
+    },
+    #[error(
+        "this spring joins `{name}` to itself and never stretches; join it to another mass, to `base` or to `wall`"
+    )]
+    SpringToItself { path: Path, name: String },
+    #[error(
+        "this spring joins two supports and touches no mass; leave it out, or join one of its ends to a mass"
+    )]
+    SpringWithoutMass { path: Path },
+    #[error(
+        "there is already a spring between `{from}` and `{to}`; springs side by side act as one, so add them up and write a single spring{sum}"
+    )]
+    ParallelSprings {
+        path: Path,
+        from: String,
+        to: String,
+        sum: String,
+    },
+    #[error(
+        "the spring `{from} - {to}` has the stiffness {value:?}: a stiffness must be greater than zero; where there is no spring, leave it out"
+    )]
+    StiffnessNotPositive {
+        path: Path,
+        from: String,
+        to: String,
+        value: f64,
+    },
+    #[error(
+        "nothing holds the mass `{name}`: no springs lead from it to `base` or `wall`, so it would drift away; add, for example, `base - {name}: 1.0`"
+    )]
+    NotHeld { path: Path, name: String },
+    #[error(
+        "nothing holds the mass `{name}` and those joined to it ({others}): no springs lead from them to `base` or `wall`, so they would drift away; add, for example, `base - {name}: 1.0`"
+    )]
+    GroupNotHeld {
+        path: Path,
+        name: String,
+        others: String,
+    },
+    #[error(
+        "the contact rubs `{name}` on itself; name two different sides, for example `{name} - wall`"
+    )]
+    ContactWithItself { path: Path, name: String },
+    #[error("the contact lies between two supports; one of its sides must be a mass")]
+    ContactWithoutMass { path: Path },
+    #[error(
+        "the base moves, but no spring joins a mass to it, so nothing is excited; join a spring to `base`, or put a force on a mass"
+    )]
+    IdleBase { path: Path },
+    #[error(
+        "the contact `{contact}` can never slide: no springs lead to it from {load} except through a support; join them by a spring, or move the contact or the excitation"
+    )]
+    NeverSlides {
+        path: Path,
+        load: String,
+        contact: String,
+    },
+    #[error(
+        "a damping list holds one ratio for each mode, here {masses}, not {found}; or write `modal(0.01)` for the same in every mode"
+    )]
+    DampingCount {
+        path: Path,
+        found: usize,
+        masses: usize,
+    },
+    #[error("{what} is {value:?}: negative damping would feed energy in; write zero or more")]
+    DampingNegative {
+        path: Path,
+        what: String,
+        value: f64,
+    },
+    #[error(
+        "the stiction μ is {value:?}, but static friction is never smaller than kinetic; write 1 or more"
+    )]
+    StictionBelowOne { path: Path, value: f64 },
+    #[error("an empty list provides nothing; write, for example, `[limits, motion]`")]
+    NothingProvided { path: Path },
+    #[error("`{item}` is asked for twice; name it once")]
+    ProvidedTwice { path: Path, item: String },
+    #[error(
+        "`motion()` names no mass; write `motion` for all masses, or name some in the parentheses"
+    )]
+    MotionOfNothing { path: Path },
+    #[error(
+        "an accuracy is a relative error between 0 and 1, and {value:?} is not; write, for example, `1e-6`, or `exact`"
+    )]
+    AccuracyOutOfRange { path: Path, value: f64 },
+    #[error(
+        "an accuracy holds over a range of r and β: add, for example, `range: {{ r: 0.1..3.0, beta: 0.0..2.0 }}`, or write `exact`"
+    )]
+    AccuracyWithoutRange { path: Path },
+    #[error("{what} is never negative, but its range begins at {value:?}; begin at 0 or above")]
+    RangeNegative {
+        path: Path,
+        what: String,
+        value: f64,
+    },
+    #[error("this range runs backwards; write `{end:?}..{start:?}`")]
+    RangeReversed { path: Path, start: f64, end: f64 },
+    #[error(
+        "the range of {what} begins and ends at {start:?} and holds nothing; write a larger end"
+    )]
+    RangeEmpty {
+        path: Path,
+        what: String,
+        start: f64,
+    },
+}
+
+impl SceneError {
+    /// The part of the scene that the error is about.
+    #[must_use]
+    pub fn path(&self) -> Path {
+        match self {
+            Self::NoMasses { path }
+            | Self::TooManyMasses { path, .. }
+            | Self::RawName { path, .. }
+            | Self::Keyword { path, .. }
+            | Self::Reserved { path, .. }
+            | Self::NotAName { path, .. }
+            | Self::DuplicateName { path, .. }
+            | Self::NotFinite { path, .. }
+            | Self::MassNotPositive { path, .. }
+            | Self::OutOfScale { path, .. }
+            | Self::NoSprings { path }
+            | Self::NoSuchMass { path, .. }
+            | Self::SpringToItself { path, .. }
+            | Self::SpringWithoutMass { path }
+            | Self::ParallelSprings { path, .. }
+            | Self::StiffnessNotPositive { path, .. }
+            | Self::NotHeld { path, .. }
+            | Self::GroupNotHeld { path, .. }
+            | Self::ContactWithItself { path, .. }
+            | Self::ContactWithoutMass { path }
+            | Self::IdleBase { path }
+            | Self::NeverSlides { path, .. }
+            | Self::DampingCount { path, .. }
+            | Self::DampingNegative { path, .. }
+            | Self::StictionBelowOne { path, .. }
+            | Self::NothingProvided { path }
+            | Self::ProvidedTwice { path, .. }
+            | Self::MotionOfNothing { path }
+            | Self::AccuracyOutOfRange { path, .. }
+            | Self::AccuracyWithoutRange { path }
+            | Self::RangeNegative { path, .. }
+            | Self::RangeReversed { path, .. }
+            | Self::RangeEmpty { path, .. } => *path,
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Checks on the graph of springs: what holds each mass, and whether the load reaches the contact.
+//!
+//! Supports pass nothing on, so the graph falls into parts where it touches them: masses joined to
+//! each other by springs that lead through masses only.
+
+use std::collections::{BTreeMap, HashSet};
+
+use super::names::may_name;
+use super::{Checks, Path, SceneError};
+use crate::scene::{Excitation, Node, Scene};
+
+/// Checks that every mass is held and that the contact can slide.
+pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
+    if !checks.springs || scene.springs.is_empty() || scene.masses.is_empty() {
+        return;
+    }
+    let parts = Parts::new(scene);
+    let held = check_held(scene, &parts, errors);
+    if held && checks.excitation && checks.contact && is_sound(scene) {
+        check_slides(scene, &parts, errors);
+    }
+}
+
+/// Each mass, by the smallest mass of its part.
+struct Parts(Vec<usize>);
+
+impl Parts {
+    fn new(scene: &Scene) -> Self {
+        let mut parent: Vec<usize> = (0..scene.masses.len()).collect();
+        for spring in &scene.springs {
+            if let (Node::Mass(from), Node::Mass(to)) = (spring.from, spring.to) {
+                let (from, to) = (root(&mut parent, from), root(&mut parent, to));
+                if let Some(above) = parent.get_mut(from.max(to)) {
+                    *above = from.min(to);
+                }
+            }
+        }
+        for mass in 0..parent.len() {
+            root(&mut parent, mass);
+        }
+        Self(parent)
+    }
+
+    fn of(&self, mass: usize) -> usize {
+        self.0.get(mass).copied().unwrap_or(mass)
+    }
+}
+
+/// The smallest mass of the part that `mass` belongs to; what was passed on the way then points
+/// straight at it, so that long chains stay cheap.
+fn root(parent: &mut [usize], mass: usize) -> usize {
+    let mut top = mass;
+    while let Some(&above) = parent.get(top)
+        && above != top
+    {
+        top = above;
+    }
+    let mut next = mass;
+    while let Some(above) = parent.get_mut(next)
+        && *above != top
+    {
+        next = core::mem::replace(above, top);
+    }
+    top
+}
+
+/// The parts that have a spring to a support of the given kind.
+fn joined(scene: &Scene, parts: &Parts, support: impl Fn(Node) -> bool) -> HashSet<usize> {
+    scene
+        .springs
+        .iter()
+        .filter_map(|spring| match (spring.from, spring.to) {
+            (Node::Mass(mass), other) | (other, Node::Mass(mass)) if support(other) => {
+                Some(parts.of(mass))
+            }
+            _ => None,
+        })
+        .collect()
+}
+
+/// Whether contact and excitation mean something, so that "never slides" is not a mere echo of an
+/// error already reported.
+fn is_sound(scene: &Scene) -> bool {
+    let exists = |node| !matches!(node, Node::Mass(index) if index >= scene.masses.len());
+    let (from, to) = (scene.contact.from, scene.contact.to);
+    let is_mass = |node| matches!(node, Node::Mass(_));
+    let driven = match scene.excitation {
+        Excitation::Force(mass) => Node::Mass(mass),
+        Excitation::Base => Node::Base,
+    };
+    from != to && (is_mass(from) || is_mass(to)) && [from, to, driven].into_iter().all(exists)
+}
+
+/// Reports every part that floats; whether there is none, and no name in doubt.
+fn check_held(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) -> bool {
+    let held = joined(scene, parts, |node| !matches!(node, Node::Mass(_)));
+    let mut floating: BTreeMap<usize, Vec<String>> = BTreeMap::new();
+    let mut names = HashSet::new();
+    let mut sound = true;
+    for (index, mass) in scene.masses.iter().enumerate() {
+        let part = parts.of(index);
+        if !may_name(&mass.name) || !names.insert(mass.name.as_str()) {
+            // Springs may be unable to say that they mean this mass; its name is the error.
+            sound = false;
+        } else if !held.contains(&part) {
+            floating.entry(part).or_default().push(mass.name.clone());
+        }
+    }
+    sound &= floating.is_empty();
+    for (part, mut names) in floating {
+        let path = Path::MassName(part);
+        let name = names.remove(0);
+        errors.push(if names.is_empty() {
+            SceneError::NotHeld { path, name }
+        } else {
+            let shown: Vec<_> = names
+                .iter()
+                .take(8)
+                .map(|name| format!("`{name}`"))
+                .collect();
+            let more = if names.len() > shown.len() {
+                ", …"
+            } else {
+                ""
+            };
+            SceneError::GroupNotHeld {
+                path,
+                name,
+                others: shown.join(", ") + more,
+            }
+        });
+    }
+    sound
+}
+
+fn check_slides(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) {
+    let (from, to) = (scene.contact.from, scene.contact.to);
+    let driven = match scene.excitation {
+        Excitation::Force(mass) => HashSet::from([parts.of(mass)]),
+        // The base itself is one side of the contact and moves whatever the springs do.
+        Excitation::Base if from == Node::Base || to == Node::Base => return,
+        Excitation::Base => {
+            let driven = joined(scene, parts, |node| node == Node::Base);
+            if driven.is_empty() {
+                errors.push(SceneError::IdleBase {
+                    path: Path::Excitation,
+                });
+                return;
+            }
+            driven
+        }
+    };
+    let moves = |node| matches!(node, Node::Mass(mass) if driven.contains(&parts.of(mass)));
+    if moves(from) || moves(to) {
+        return;
+    }
+    let load = match scene.excitation {
+        Excitation::Force(mass) => {
+            format!(
+                "the mass `{}`, where the force acts,",
+                scene.node_name(Node::Mass(mass))
+            )
+        }
+        Excitation::Base => "the moving base".to_owned(),
+    };
+    errors.push(SceneError::NeverSlides {
+        path: Path::Contact,
+        load,
+        contact: format!("{} - {}", scene.node_name(from), scene.node_name(to)),
+    });
+}

@@ -1,0 +1,194 @@
+//! What only a scene built without a text can get wrong, and the graph. The rest is tested with
+//! the parser, where each message has a line and a column.
+
+use super::*;
+use crate::scene::{Accuracy, Contact, Damping, Mass, Precision, Provide, Range, Spring};
+
+fn mass(name: &str, value: f64) -> Mass {
+    Mass {
+        name: name.to_owned(),
+        value,
+    }
+}
+
+fn spring(from: Node, to: Node) -> Spring {
+    Spring {
+        from,
+        to,
+        stiffness: 1.0,
+    }
+}
+
+fn chain(count: usize) -> Scene {
+    let mut springs = vec![spring(Node::Base, Node::Mass(0))];
+    springs.extend((1..count).map(|index| spring(Node::Mass(index - 1), Node::Mass(index))));
+    Scene {
+        name: "Chain".to_owned(),
+        masses: (0..count)
+            .map(|index| mass(&format!("m{index}"), 1.0))
+            .collect(),
+        springs,
+        contact: Contact {
+            from: Node::Mass(count - 1),
+            to: Node::Wall,
+        },
+        excitation: Excitation::Force(0),
+        damping: Damping::None,
+        stiction: 1.0,
+        precision: Precision::F64,
+        provide: vec![Provide::Limits],
+        accuracy: Accuracy::Exact,
+        range: None,
+    }
+}
+
+fn messages(scene: &Scene) -> Vec<(Path, String)> {
+    let errors = validate(scene).expect_err("the scene is faulty");
+    errors
+        .iter()
+        .map(|error| (error.path(), error.to_string()))
+        .collect()
+}
+
+#[test]
+fn the_longest_chain_passes_and_a_longer_one_does_not() {
+    assert_eq!(validate(&chain(MOST_MASSES)), Ok(()));
+    let errors = validate(&chain(MOST_MASSES + 1)).expect_err("one too many");
+    let path = Path::MassName(MOST_MASSES);
+    assert_eq!(
+        errors,
+        [SceneError::TooManyMasses {
+            path,
+            count: 1001,
+            limit: 1000
+        }]
+    );
+}
+
+#[test]
+fn masses_that_do_not_exist_are_told_wherever_they_are_named() {
+    let mut scene = chain(2);
+    scene
+        .springs
+        .push(spring(Node::Mass(2), Node::Mass(usize::MAX)));
+    scene.contact = Contact {
+        from: Node::Wall,
+        to: Node::Mass(5),
+    };
+    scene.excitation = Excitation::Force(6);
+    scene.provide.push(Provide::Motion(Some(vec![0, 7])));
+    let paths: Vec<_> = messages(&scene).into_iter().map(|(path, _)| path).collect();
+    assert_eq!(
+        paths,
+        [
+            Path::SpringFrom(2),
+            Path::SpringTo(2),
+            Path::ContactTo,
+            Path::Excitation,
+            Path::Provide(Some(1))
+        ]
+    );
+    let (_, message) = messages(&scene).swap_remove(3);
+    assert_eq!(
+        message,
+        "there is no mass number 6: the scene has 2, counted from 0"
+    );
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_told_wherever_they_stand() {
+    let mut scene = chain(1);
+    scene.masses = vec![mass("upper floor", f64::NAN)];
+    scene.springs = vec![Spring {
+        from: Node::Base,
+        to: Node::Mass(0),
+        stiffness: f64::INFINITY,
+    }];
+    scene.damping = Damping::Rayleigh {
+        mass: f64::NAN,
+        stiffness: f64::NEG_INFINITY,
+    };
+    scene.stiction = f64::NAN;
+    scene.accuracy = Accuracy::Relative(f64::NAN);
+    scene.range = Some(Range {
+        r: (0.0, f64::INFINITY),
+        beta: (f64::NAN, 1.0),
+    });
+    let paths: Vec<_> = messages(&scene).into_iter().map(|(path, _)| path).collect();
+    assert_eq!(
+        paths,
+        [
+            Path::MassName(0),
+            Path::Mass(0),
+            Path::Spring(0),
+            Path::Damping(Some(0)),
+            Path::Damping(Some(1)),
+            Path::Stiction,
+            Path::Accuracy,
+            Path::RangeR,
+            Path::RangeBeta
+        ]
+    );
+    assert_eq!(
+        messages(&scene)[0].1,
+        "`upper floor` cannot name a mass: a name is made of letters, digits and `_`, and does not begin with a digit"
+    );
+    assert_eq!(
+        messages(&scene)[1].1,
+        "the mass `upper floor` is NaN, which is not a finite number; write a finite one"
+    );
+}
+
+#[test]
+fn the_load_reaches_a_contact_through_masses_but_not_through_supports() {
+    let mut scene = chain(3);
+    scene.springs[1] = spring(Node::Mass(1), Node::Wall);
+    assert_eq!(messages(&scene)[0].0, Path::Contact);
+    scene.contact = Contact {
+        from: Node::Mass(0),
+        to: Node::Mass(2),
+    };
+    assert_eq!(validate(&scene), Ok(()));
+    // Springs to the base in the part of the contact alone.
+    scene.contact = Contact {
+        from: Node::Mass(2),
+        to: Node::Wall,
+    };
+    scene.excitation = Excitation::Base;
+    assert_eq!(messages(&scene)[0].0, Path::Contact);
+    scene.contact.to = Node::Base;
+    assert_eq!(validate(&scene), Ok(()));
+    scene.springs.push(spring(Node::Base, Node::Mass(1)));
+    scene.contact.to = Node::Wall;
+    assert_eq!(validate(&scene), Ok(()));
+}
+
+#[test]
+fn every_part_that_floats_is_told_once() {
+    let mut scene = chain(14);
+    scene.springs.remove(4);
+    let told = messages(&scene);
+    assert_eq!(told.len(), 1);
+    assert_eq!(told[0].0, Path::MassName(4));
+    assert!(
+        told[0]
+            .1
+            .contains("(`m5`, `m6`, `m7`, `m8`, `m9`, `m10`, `m11`, `m12`, …)")
+    );
+}
+
+#[test]
+fn words_of_the_language_and_of_the_results_are_no_names() {
+    for word in ["self", "gen", "_", "type"] {
+        assert!(is_keyword(word), "{word}");
+    }
+    for word in ["contact", "at", "amplitude", "limits_into"] {
+        assert!(is_reserved(word), "{word}");
+    }
+    for word in ["m1", "_x", "étage", "上"] {
+        assert!(is_name(word), "{word}");
+    }
+    for word in ["", "1m", "a b", "a-b", "a'"] {
+        assert!(!is_name(word), "{word}");
+    }
+}

@@ -1,0 +1,152 @@
+//! What emitted solvers and the run-time `System` have in common, so that a sweep, a map or a fit
+//! is written once.
+
+use crate::{Complex, NotContinuous, OutOfDomain, Regime};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::decay::Decay;
+use frictiongen_kernel::steady::Motion;
+use frictiongen_kernel::wave::Wave;
+
+/// A scene that answers at any frequency ratio.
+///
+/// ```
+/// use frictiongen::{FrictionSystem, LimitsAt, friction_system};
+///
+/// friction_system! {
+///     struct Block {
+///         masses: { block: 1.0 },
+///         springs: { base - block: 1.0 },
+///         contact: block - wall,
+///         excitation: block,
+///     }
+/// }
+///
+/// /// The smallest β_lim over a sweep, of any system.
+/// fn narrowest<F: FrictionSystem<Scalar = f64>>(system: &F, ratios: &[f64]) -> f64 {
+///     ratios
+///         .iter()
+///         .filter_map(|r| system.at(*r).ok())
+///         .map(|at| at.continuous_limit())
+///         .fold(f64::INFINITY, f64::min)
+/// }
+///
+/// assert!(narrowest(&Block, &[0.8, 1.0, 2.0]) > 0.5);
+/// ```
+pub trait FrictionSystem {
+    /// The scene's scalar.
+    type Scalar: Float;
+    /// The scene at one frequency ratio.
+    type At<'a>: LimitsAt<Scalar = Self::Scalar>
+    where
+        Self: 'a;
+
+    /// The frequency ratios of the undamped resonances, ascending.
+    fn resonances(&self) -> &[Self::Scalar];
+    /// How many masses there are.
+    fn masses(&self) -> usize;
+    /// The name of a mass, by its place in the description.
+    fn mass_name(&self, index: usize) -> Option<&str>;
+    /// The scene at the frequency ratio r = ω√(m₁/k₁).
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    fn at(&self, r: Self::Scalar) -> Result<Self::At<'_>, OutOfDomain>;
+}
+
+/// The boundaries of the regimes at one frequency ratio.
+pub trait LimitsAt {
+    /// The scene's scalar.
+    type Scalar: Float;
+
+    /// β_lim, the exact boundary of continuous motion (5.65, 5.80, 5.96, 7.49).
+    fn continuous_limit(&self) -> Self::Scalar;
+    /// β_lim with S replaced by its limit for τ → 0 (5.64).
+    fn continuous_limit_without_search(&self) -> Self::Scalar;
+    /// β_lim with S as the sum of each mode's own maximum (5.55, 7.37), as the thesis prints it.
+    fn continuous_limit_per_mode(&self) -> Self::Scalar;
+    /// β*_lim, beyond which the contact never slides (6.11, 6.27, 6.33).
+    fn sliding_limit(&self) -> Self::Scalar;
+    /// The regime at β = F/P.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β.
+    fn regime(&self, beta: Self::Scalar) -> Result<Regime, OutOfDomain>;
+    /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β.
+    fn margin(&self, beta: Self::Scalar) -> Result<Self::Scalar, OutOfDomain>;
+}
+
+/// A scene at one frequency ratio that also gives motions.
+pub trait MotionAt: LimitsAt {
+    /// The motion at one friction ratio.
+    type Motion: ContinuousMotion<Scalar = Self::Scalar>;
+
+    /// The exact continuous motion at β = F/P.
+    ///
+    /// # Errors
+    /// [`NotContinuous`] says which regime it is instead.
+    fn motion(&self, beta: Self::Scalar) -> Result<Self::Motion, NotContinuous>;
+}
+
+/// Which motion is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Of {
+    /// The relative motion in the contact.
+    Contact,
+    /// A mass, by its place in the description.
+    Mass(usize),
+}
+
+/// The exact continuous motion at one frequency ratio and one friction ratio.
+pub trait ContinuousMotion {
+    /// The scene's scalar.
+    type Scalar: Float;
+
+    /// Puts a question to the contact's or a mass's motion; `None` if the scene does not provide
+    /// that one.
+    fn ask<T>(&self, of: Of, question: impl FnOnce(&dyn Steady<Scalar = Self::Scalar>) -> T) -> Option<T>;
+}
+
+/// The steady motion of the contact or of a mass.
+pub trait Steady {
+    /// The scene's scalar.
+    type Scalar: Float;
+
+    /// The exact maximum of |x̄|.
+    fn amplitude(&self) -> Self::Scalar;
+    /// The estimate 5.50, 7.33.
+    fn amplitude_monoharmonic(&self) -> Self::Scalar;
+    /// Lag of its maximum behind the excitation's, rad, in (−π, π].
+    fn phase(&self) -> Self::Scalar;
+    /// x̄ at τ, from a maximum of the contact's relative motion.
+    fn displacement(&self, tau: Self::Scalar) -> Self::Scalar;
+    /// dx̄/dτ at τ, from a maximum of the contact's relative motion.
+    fn velocity(&self, tau: Self::Scalar) -> Self::Scalar;
+    /// X_n with x̄ = Re Σ X_n e^{inτ_e}, τ_e from a maximum of the excitation.
+    fn harmonic(&self, n: u32) -> Complex<Self::Scalar>;
+}
+
+impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Steady for Motion<S, D, W> {
+    type Scalar = S;
+
+    fn amplitude(&self) -> S {
+        Motion::amplitude(self)
+    }
+    fn amplitude_monoharmonic(&self) -> S {
+        Motion::amplitude_monoharmonic(self)
+    }
+    fn phase(&self) -> S {
+        Motion::phase(self)
+    }
+    fn displacement(&self, tau: S) -> S {
+        Motion::displacement(self, tau)
+    }
+    fn velocity(&self, tau: S) -> S {
+        Motion::velocity(self, tau)
+    }
+    fn harmonic(&self, n: u32) -> Complex<S> {
+        Motion::harmonic(self, n)
+    }
+}
