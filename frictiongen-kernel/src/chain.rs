@@ -35,7 +35,12 @@ impl<S: Scalar> ModeAt<S> {
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
-        Self { x: zero, response: complex::real(zero), u: zero, g: zero }
+        Self {
+            x: zero,
+            response: complex::real(zero),
+            u: zero,
+            g: zero,
+        }
     }
 }
 
@@ -90,20 +95,46 @@ impl<S: Scalar> Chain<S> {
     /// Second pass: a mode's functions times the scale.  With a single mode, which is then the
     /// scale itself, the quotient is a sign.
     #[inline]
-    pub fn scaled(&self, mode: &ModeResponse<S>, scale: S, single: bool, index: usize) -> ModeAt<S> {
+    pub fn scaled(
+        &self,
+        mode: &ModeResponse<S>,
+        scale: S,
+        single: bool,
+        index: usize,
+    ) -> ModeAt<S> {
         let at = Some(index);
         let one = S::constant(1.0);
-        let ModeResponse { x, denominator, size, u, g, reversal: _ } = *mode;
+        let ModeResponse {
+            x,
+            denominator,
+            size,
+            u,
+            g,
+            reversal: _,
+        } = *mode;
         if !self.damped {
             if single {
-                return ModeAt { x, response: complex::real(one.copysign(denominator.re)), u, g };
+                return ModeAt {
+                    x,
+                    response: complex::real(one.copysign(denominator.re)),
+                    u,
+                    g,
+                };
             }
             let response = (scale / denominator.re).named("response", at);
             let share = response.abs();
-            return ModeAt { x, response: complex::real(response), u: (u * share).named("u_scaled", at), g };
+            return ModeAt {
+                x,
+                response: complex::real(response),
+                u: (u * share).named("u_scaled", at),
+                g,
+            };
         }
-        let inverse = one / size;
-        let unit = Complex::new(denominator.re * inverse, denominator.im * inverse);
+        let inverse = (one / size).named("inverse_size", at);
+        let unit = Complex::new(
+            (denominator.re * inverse).named("unit_re", at),
+            (denominator.im * inverse).named("unit_im", at),
+        );
         let reciprocal = complex::reciprocal_of_unit(unit);
         if single {
             let response = Complex::new(
@@ -159,7 +190,11 @@ impl<S: Scalar> Chain<S> {
         sum.h = self.plus(sum.h, complex::scale(at.response, mode.mobility));
         sum.u = sum.u + mode.mobility * at.u;
         if self.damped {
-            let share = if single { S::constant(1.0) } else { sum.scale / response.size };
+            let share = if single {
+                S::constant(1.0)
+            } else {
+                sum.scale / response.size
+            };
             sum.g = sum.g + mode.mobility * (at.g / (at.x * at.x));
             sum.reversal = sum.reversal + mode.mobility * (response.reversal * share);
         }
@@ -184,7 +219,11 @@ impl<S: Scalar> Chain<S> {
 
     #[inline(always)]
     fn plus(&self, a: Complex<S>, b: Complex<S>) -> Complex<S> {
-        if self.damped { complex::add(a, b) } else { complex::real(a.re + b.re) }
+        if self.damped {
+            complex::add(a, b)
+        } else {
+            complex::real(a.re + b.re)
+        }
     }
 
     /// A mode's term of V.  On a moving base the relative motion is what counts, and v − 1 =
@@ -195,7 +234,10 @@ impl<S: Scalar> Chain<S> {
             return complex::scale(at.response, mode.residue);
         }
         let lag = Complex::new(S::constant(1.0), -(S::constant(2.0) * mode.zeta * at.x));
-        complex::scale(complex::mul(at.response, lag, self.damped), mode.static_residue)
+        complex::scale(
+            complex::mul(at.response, lag, self.damped),
+            mode.static_residue,
+        )
     }
 
     /// For each mode, V and H without that mode's own term, as needed where the own terms cancel:
@@ -229,12 +271,16 @@ impl<S: Scalar> Chain<S> {
         Others {
             v: self.load_term(mode, at),
             h: complex::scale(at.response, mode.mobility),
-            u: mode.mobility * at.u,
+            u: (mode.mobility * at.u).named("velocity_share", None),
         }
     }
 
     fn joined(&self, a: Others<S>, b: Others<S>) -> Others<S> {
-        Others { v: self.plus(a.v, b.v), h: self.plus(a.h, b.h), u: a.u + b.u }
+        Others {
+            v: self.plus(a.v, b.v),
+            h: self.plus(a.h, b.h),
+            u: a.u + b.u,
+        }
     }
 }
 
@@ -254,6 +300,10 @@ impl<S: Scalar> Others<S> {
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
-        Self { v: complex::real(zero), h: complex::real(zero), u: zero }
+        Self {
+            v: complex::real(zero),
+            h: complex::real(zero),
+            u: zero,
+        }
     }
 }

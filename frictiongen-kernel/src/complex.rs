@@ -42,16 +42,22 @@ pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
     if !damped {
         return real(one / a.re);
     }
-    let inverse = one / (a.re.abs() + a.im.abs());
-    let (re, im) = (a.re * inverse, a.im * inverse);
-    let k = inverse / (re * re + im * im);
-    Complex::new(re * k, -(im * k))
+    let inverse = (one / (a.re.abs() + a.im.abs())).named("inverse_size", None);
+    let (re, im) = (
+        (a.re * inverse).named("unit_re", None),
+        (a.im * inverse).named("unit_im", None),
+    );
+    let k = (inverse / (re * re + im * im)).named("inverse_modulus", None);
+    Complex::new(
+        (re * k).named("inverse_re", None),
+        (-(im * k)).named("inverse_im", None),
+    )
 }
 
 /// 1/a, where |Re| + |Im| = 1.
 #[inline(always)]
 pub fn reciprocal_of_unit<S: Scalar>(a: Complex<S>) -> Complex<S> {
-    let inverse = S::constant(1.0) / (a.re * a.re + a.im * a.im);
+    let inverse = (S::constant(1.0) / (a.re * a.re + a.im * a.im)).named("inverse_modulus", None);
     Complex::new(a.re * inverse, -(a.im * inverse))
 }
 
@@ -61,8 +67,10 @@ pub fn modulus<S: Scalar>(a: Complex<S>, damped: bool) -> S {
     if !damped {
         return a.re.abs();
     }
-    let (re, im) = (a.re.abs(), a.im.abs());
-    let large = re.max(im);
-    let ratio = re.min(im) / S::select(large.is_zero(), S::constant(1.0), large);
+    let re = a.re.abs().named("abs_re", None);
+    let im = a.im.abs().named("abs_im", None);
+    let large = re.max(im).named("larger", None);
+    let divisor = S::select(large.is_zero(), S::constant(1.0), large);
+    let ratio = (re.min(im) / divisor).named("smaller_share", None);
     large * (S::constant(1.0) + ratio * ratio).sqrt()
 }

@@ -27,7 +27,12 @@ impl<S: Float> Instant<S> {
     #[inline]
     pub fn new(t: S) -> Self {
         let (sine, cosine) = t.sin_cos_pi();
-        Self { t, tau: t * S::constant(PI), sine, cosine }
+        Self {
+            t,
+            tau: t * S::constant(PI),
+            sine,
+            cosine,
+        }
     }
 }
 
@@ -113,7 +118,12 @@ impl<S: Float> Decay<S> for Undamped {
 impl<S: Float> Decay<S> for Damped<S> {
     #[inline(always)]
     fn of(mode: &Mode<S>) -> Self {
-        Self { kind: mode.kind, zeta: mode.zeta, q: mode.q, q_defect: mode.q_defect }
+        Self {
+            kind: mode.kind,
+            zeta: mode.zeta,
+            q: mode.q,
+            q_defect: mode.q_defect,
+        }
     }
     #[inline(always)]
     fn zeta(&self) -> S {
@@ -159,7 +169,14 @@ impl<S: Float> Damped<S> {
             slope: kept * (c - zq),
             swing: at.sine - kept * sq / x,
             swing_slope: at.cosine - kept * (c - zq),
-            rise: rise(decay, kept, direct, versine_pi(damped_turns), damped_turns.one_minus_sinc_pi(), x),
+            rise: rise(
+                decay,
+                kept,
+                direct,
+                versine_pi(damped_turns),
+                damped_turns.one_minus_sinc_pi(),
+                x,
+            ),
         };
         if (x - one).abs() < half {
             // The undamped differences plus what damping changes, each without cancellation.
@@ -190,7 +207,14 @@ impl<S: Float> Damped<S> {
             slope,
             swing: at.sine - free,
             swing_slope: at.cosine - slope,
-            rise: rise(decay, kept, direct, versine_pi(turns), turns.one_minus_sinc_pi(), x),
+            rise: rise(
+                decay,
+                kept,
+                direct,
+                versine_pi(turns),
+                turns.one_minus_sinc_pi(),
+                x,
+            ),
         }
     }
 
@@ -224,7 +248,11 @@ impl<S: Float> Damped<S> {
             // e^a − cosh b − (a/b) sinh b, by parts that start at the second order.
             let b = self.q * time;
             let (plus, minus) = (exp_m1_minus(b), exp_m1_minus(-b));
-            let sinh_ratio = if b > S::constant(0.0) { (plus - minus) * half / b } else { b };
+            let sinh_ratio = if b > S::constant(0.0) {
+                (plus - minus) * half / b
+            } else {
+                b
+            };
             (-decay).exp() * (exp_m1_minus(decay) - (plus + minus) * half - decay * sinh_ratio)
         } else {
             one - cosh - self.zeta * sinh

@@ -50,7 +50,11 @@ pub enum Error {
 
 impl fmt::Display for OutOfDomain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} is outside the domain: it must be a number, not negative and not NaN", self.argument)
+        write!(
+            f,
+            "{} is outside the domain: it must be a number, not negative and not NaN",
+            self.argument
+        )
     }
 }
 
@@ -67,7 +71,9 @@ impl fmt::Display for NotContinuous {
 
 impl fmt::Display for StuckResonance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("no steady response: this is an undamped resonance of the chain with its contact stuck")
+        f.write_str(
+            "no steady response: this is an undamped resonance of the chain with its contact stuck",
+        )
     }
 }
 

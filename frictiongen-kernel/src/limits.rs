@@ -20,7 +20,11 @@ impl<S: Scalar> Chain<S> {
     #[inline]
     pub fn break_away(&self, contact: &ContactAt<S>) -> S {
         let mobility = self.stiction * self.mobility * contact.scale;
-        let constraint = if self.damped { contact.reversal + mobility } else { mobility };
+        let constraint = if self.damped {
+            contact.reversal + mobility
+        } else {
+            mobility
+        };
         constraint.named("break_away", None)
     }
 

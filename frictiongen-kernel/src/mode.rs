@@ -117,7 +117,7 @@ impl<S: Scalar> Mode<S> {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         let (denominator, size) = self.denominator(x, at);
         let decay = (S::constant(PI) * self.zeta * x).named("half_period_decay", at);
-        let m = (-(-decay).exp_m1()).named("lost_share", at);
+        let m = (-(-decay).exp_m1().named("negative_lost_share", at)).named("lost_share", at);
         let e = (one - m).named("kept_share", at);
         let turns = (self.q * x).named("half_turns", at);
         let (s, c) = if self.kind == Kind::Light {
@@ -126,9 +126,11 @@ impl<S: Scalar> Mode<S> {
             (turns * half).sin_cos_pi()
         };
         let (s, c) = (s.named("sine", at), c.named("cosine", at));
-        let (re, im) = ((one + e) * c, m * s);
+        let re = ((one + e).named("one_and_kept", at) * c).named("nearness_re", at);
+        let im = (m * s).named("nearness_im", at);
         let inverse = (one / (re.abs() + im.abs())).named("inverse_nearness", at);
-        let (re, im) = (re * inverse, im * inverse);
+        let re = (re * inverse).named("unit_nearness_re", at);
+        let im = (im * inverse).named("unit_nearness_im", at);
         let k = (size * inverse / (re * re + im * im)).named("pole_weight", at);
         let b = (S::constant(4.0) * e * (s / self.q) * (c * inverse) * k).named("swing", at);
         let a = (one + e) * (m * inverse) * k;
@@ -150,7 +152,7 @@ impl<S: Scalar> Mode<S> {
         let one = S::constant(1.0);
         let (denominator, size) = self.denominator(x, at);
         let decay = (S::constant(PI) * x).named("half_period_decay", at);
-        let m = (-(-decay).exp_m1()).named("lost_share", at);
+        let m = (-(-decay).exp_m1().named("negative_lost_share", at)).named("lost_share", at);
         let e = (one - m).named("kept_share", at);
         let k = (size / ((one + e) * (one + e))).named("pole_weight", at);
         let b_over_x = S::constant(2.0 * PI) * e * k;
@@ -198,8 +200,9 @@ fn undamped<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let (s, c) = (x * S::constant(0.5)).sin_cos_pi();
     let s = s.named("sine", at);
-    let re = (x - one) * (x + one);
+    let re = ((x - one) * (x + one)).named("plain_detuning", at);
     let re = S::select(re.is_zero(), S::constant(NEXT_TO_POLE), re).named("detuning", at);
+    let c = c.named("plain_cosine", at);
     let c = S::select(c.is_zero(), S::constant(-FRAC_PI_4 * NEXT_TO_POLE), c).named("cosine", at);
     let size = re.abs().named("size", at);
     ModeResponse {

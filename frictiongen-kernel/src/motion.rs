@@ -59,6 +59,17 @@ fn wrapped<S: Scalar>(angle: S) -> S {
     S::select((-pi).lt(angle), angle, angle + turn)
 }
 
+/// A complex value under its names in emitted code.
+#[inline(always)]
+fn named<S: Scalar>(
+    value: Complex<S>,
+    names: [&'static str; 2],
+    mode: Option<usize>,
+) -> Complex<S> {
+    let [re, im] = names;
+    Complex::new(value.re.named(re, mode), value.im.named(im, mode))
+}
+
 impl<S: Scalar> Chain<S> {
     /// Amplitude and phase of the contact's relative motion (2.21, 5.35, 5.38, 7.20, 7.21).
     #[inline]
@@ -71,7 +82,11 @@ impl<S: Scalar> Chain<S> {
             .sqrt()
             .named("in_phase", None);
         let unscale = (inverse_r * inverse_r / contact.scale).named("unscale", None);
-        let amplitude = if self.damped { root - beta * contact.g } else { root };
+        let amplitude = if self.damped {
+            root - beta * contact.g
+        } else {
+            root
+        };
         let direction = if self.damped {
             contact.v.im.atan2(contact.v.re)
         } else {
@@ -91,10 +106,14 @@ impl<S: Scalar> Chain<S> {
     /// The contact's own coefficients: of the carrier only Q is left.
     #[inline]
     pub fn contact_carrier(&self, contact: &ContactAt<S>, friction: &Friction<S>) -> Carrier<S> {
-        let weight = friction.beta * friction.unscale;
+        let weight = (friction.beta * friction.unscale).named("friction_weight", None);
         let zero = S::constant(0.0);
         Carrier {
-            constant: if self.damped { -(weight * contact.g) } else { zero },
+            constant: if self.damped {
+                -(weight * contact.g)
+            } else {
+                zero
+            },
             cosine: friction.root * friction.unscale,
             sine: zero,
             response: complex::scale(contact.v, friction.unscale),
@@ -112,8 +131,13 @@ impl<S: Scalar> Chain<S> {
         inverse_r: S,
         index: usize,
     ) -> Share<S> {
-        let force = (friction.beta * friction.unscale * residue).named("friction_force", Some(index));
-        let release = if self.damped { contact.scale + at.g } else { contact.scale };
+        let force =
+            (friction.beta * friction.unscale * residue).named("friction_force", Some(index));
+        let release = if self.damped {
+            contact.scale + at.g
+        } else {
+            contact.scale
+        };
         Share {
             rise: (force * release).named("rise", Some(index)),
             swing: (force * at.u).named("swing", Some(index)),
@@ -135,25 +159,36 @@ impl<S: Scalar> Chain<S> {
         let mut ratio = complex::real(zero);
         let mut mismatch = complex::real(zero);
         let mut constant = zero;
-        for (((component, mode), at), others) in shape.iter().zip(modes).zip(at).zip(others) {
+        for (index, (((component, mode), at), others)) in
+            shape.iter().zip(modes).zip(at).zip(others).enumerate()
+        {
             let driven = complex::scale(at.response, *component * mode.load);
+            let driven = named(driven, ["driven_re", "driven_im"], Some(index));
             let rubbed = *component * mode.contact;
             let difference = complex::scale(driven, others.u);
-            let back = complex::scale(others.v, -(rubbed * at.u));
+            let back = (-(rubbed * at.u)).named("rubbed_back", Some(index));
+            let back = complex::scale(others.v, back);
             ratio = self.sum(ratio, driven);
             mismatch = self.sum(mismatch, self.sum(difference, back));
             if self.damped {
                 constant = constant - rubbed * (at.g / (at.x * at.x));
             }
         }
+        let ratio = named(ratio, ["response_re", "response_im"], None);
+        let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
         let inverse_v = complex::reciprocal(contact.v, self.damped);
         let response = complex::scale(ratio, friction.unscale);
         let ratio = complex::mul(ratio, inverse_v, self.damped);
         let mismatch = complex::mul(mismatch, inverse_v, self.damped);
-        let Friction { beta, root, unscale, .. } = *friction;
+        let Friction {
+            beta,
+            root,
+            unscale,
+            ..
+        } = *friction;
         if self.damped {
             Carrier {
-                constant: constant * (beta * unscale),
+                constant: constant * (beta * unscale).named("friction_weight", None),
                 cosine: (root * ratio.re + beta * mismatch.im) * unscale,
                 sine: (beta * mismatch.re - root * ratio.im) * unscale,
                 response,
@@ -170,7 +205,11 @@ impl<S: Scalar> Chain<S> {
 
     #[inline(always)]
     fn sum(&self, a: Complex<S>, b: Complex<S>) -> Complex<S> {
-        if self.damped { complex::add(a, b) } else { complex::real(a.re + b.re) }
+        if self.damped {
+            complex::add(a, b)
+        } else {
+            complex::real(a.re + b.re)
+        }
     }
 
     /// x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck, without
@@ -185,14 +224,18 @@ impl<S: Scalar> Chain<S> {
         inverse_r: S,
     ) -> Complex<S> {
         let mut sum = complex::real(S::constant(0.0));
-        for (((component, mode), at), others) in shape.iter().zip(modes).zip(at).zip(others) {
+        for (index, (((component, mode), at), others)) in
+            shape.iter().zip(modes).zip(at).zip(others).enumerate()
+        {
             let free = complex::scale(others.h, mode.load);
             let held = complex::scale(others.v, -mode.contact);
             let force = complex::scale(self.sum(free, held), *component);
+            let force = named(force, ["force_re", "force_im"], Some(index));
             sum = self.sum(sum, complex::mul(at.response, force, self.damped));
         }
+        let sum = named(sum, ["held_re", "held_im"], None);
         let inverse_h = complex::reciprocal(contact.h, self.damped);
-        let unscale = inverse_r * inverse_r / contact.scale;
+        let unscale = (inverse_r * inverse_r / contact.scale).named("unscale", None);
         complex::scale(complex::mul(sum, inverse_h, self.damped), unscale)
     }
 }

@@ -15,6 +15,12 @@ use core::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 /// hundred; a search that would need more ends with the best value it has found.
 pub const MAX_EVALUATIONS: u32 = 20_000;
 
+/// Maxima closer than this many roundings count as equal.
+const EQUAL: f64 = 64.0;
+/// Places closer than this belong to the same maximum: about it the sum falls by the square of the
+/// distance, far more than maxima may differ that count as equal.
+const APART: f64 = 0.05;
+
 /// By what the sum is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
@@ -71,7 +77,11 @@ pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, question: Question<S>)
     let mut search = Search {
         sum,
         question,
-        peak: Peak { value: question.floor, places: [None; 4], evaluations: 0 },
+        peak: Peak {
+            value: question.floor,
+            places: [None; 4],
+            evaluations: 0,
+        },
         tail: None,
     };
     search.walk();
@@ -79,11 +89,19 @@ pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, question: Question<S>)
 }
 
 /// The same, knowing a place from which to climb first.
-pub fn largest_from<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, question: Question<S>, guess: S) -> Peak<S> {
+pub fn largest_from<S: Float, D: Decay<S>>(
+    sum: Sum<'_, S, D>,
+    question: Question<S>,
+    guess: S,
+) -> Peak<S> {
     let mut search = Search {
         sum,
         question,
-        peak: Peak { value: question.floor, places: [None; 4], evaluations: 0 },
+        peak: Peak {
+            value: question.floor,
+            places: [None; 4],
+            evaluations: 0,
+        },
         tail: None,
     };
     let local = search.local(guess).0;
@@ -127,7 +145,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     fn walk(&mut self) {
         let zero = S::constant(0.0);
-        let signs: &[bool] = if self.question.both_signs { &[false, true] } else { &[false] };
+        let signs: &[bool] = if self.question.both_signs {
+            &[false, true]
+        } else {
+            &[false]
+        };
         let mut end = self.question.end;
         let mut tau = zero;
         self.choose_tail();
@@ -185,7 +207,14 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// A summit not far ahead would be approached by ever smaller steps: look at it instead.  If
     /// the sum is concave about it, from here to as far beyond, it is settled in one evaluation.
-    fn over_summit(&mut self, tau: S, summit: S, step: S, (negative, third): (bool, S), signs: &[bool]) -> S {
+    fn over_summit(
+        &mut self,
+        tau: S,
+        summit: S,
+        step: S,
+        (negative, third): (bool, S),
+        signs: &[bool],
+    ) -> S {
         let zero = S::constant(0.0);
         let half = S::constant(0.5);
         let stepped = tau + step.max(tau * S::constant(S::EPSILON));
@@ -201,7 +230,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 return tau;
             }
         }
-        self.note_tie(top, &local, negative);
+        self.note_tie(top, local, negative);
         let excess = self.excess(&local, top, negative, self.level());
         let radius = -(excess.curvature) / third * half;
         let rise = excess.slope * excess.slope / -excess.curvature;
@@ -209,10 +238,15 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         // The other sign must be out of reach over the same stretch.
         let other = signs.len() == 1 || {
             let opposite = self.excess(&local, top, !negative, self.level());
-            let swing = opposite.slope.abs() * radius + opposite.curvature_bound.max(third) * radius * radius;
+            let swing = opposite.slope.abs() * radius
+                + opposite.curvature_bound.max(third) * radius * radius;
             opposite.value + swing < zero
         };
-        if settled && other { stepped.max(top + radius) } else { stepped }
+        if settled && other {
+            stepped.max(top + radius)
+        } else {
+            stepped
+        }
     }
 
     /// The beginning of the walk for a quotient by sin τ, which both vanish at 0: by their
@@ -237,8 +271,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             if excess.curvature <= zero && excess.slope <= zero {
                 let (third, fourth) = self.third_at_start(negative);
                 // slope·τ + curvature·τ²/2 + third·τ³/6 + fourth·τ⁴/24 ≤ 0.
-                let (a, b, c) =
-                    (fourth / S::constant(24.0), third / S::constant(6.0), excess.curvature * S::constant(0.5));
+                let (a, b, c) = (
+                    fourth / S::constant(24.0),
+                    third / S::constant(6.0),
+                    excess.curvature * S::constant(0.5),
+                );
                 let root = (b * b - S::constant(4.0) * a * c).max(zero).sqrt();
                 step = step.max((root - b) / (a + a));
             }
@@ -266,7 +303,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 + wave.free.abs() * rate * rate * rate
                 + wave.swing_slope.abs() * (one + rate * rate * rate * rate);
         }
-        if negative { (level - third, fourth) } else { (third + level, fourth) }
+        if negative {
+            (level - third, fourth)
+        } else {
+            (third + level, fourth)
+        }
     }
 
     /// The end of the walk: before π, where sum and sine vanish again, by the slope there.
@@ -282,7 +323,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let mut stretch = end;
         for &negative in signs {
             let slope = self.excess(&at_end, end, negative, self.level()).slope;
-            let bound = self.excess(&at_start, zero, negative, self.level()).curvature_bound;
+            let bound = self
+                .excess(&at_start, zero, negative, self.level())
+                .curvature_bound;
             stretch = stretch.min(slope.max(zero) * S::constant(2.0) / bound);
         }
         end - stretch
@@ -296,56 +339,79 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     fn climb(&mut self, tau: S, local: Local<S>, negative: bool) {
         let zero = S::constant(0.0);
         let half = S::constant(0.5);
-        let (mut tau, mut local) = (tau, local);
+        let (mut tau, mut local, mut negative) = (tau, local, negative);
         let mut best = self.quotient(&local, tau, negative);
         let mut trust = S::constant(0.25);
         for _ in 0..60 {
             let (slope, curvature) = self.ascent(&local, tau, negative);
-            let newton = if curvature < zero { -(slope / curvature) } else { trust.copysign(slope) };
+            let newton = if curvature < zero {
+                -(slope / curvature)
+            } else {
+                trust.copysign(slope)
+            };
             let step = newton.max(-trust).min(trust);
-            let next = (tau + step).max(zero).min(self.question.end);
+            let (next, flipped) = self.moved(tau + step);
             if next == tau || slope == zero {
                 break;
             }
             let (at_next, _) = self.local(next);
-            let value = self.quotient(&at_next, next, negative);
+            let value = self.quotient(&at_next, next, negative != flipped);
             // So near a maximum the values no longer tell, while Newton's method still converges.
             let near = curvature < zero && step.abs() < S::constant(1e-3);
             if value < best && !near {
                 trust = step.abs() * half;
                 continue;
             }
-            (tau, local) = (next, at_next);
+            (tau, local, negative) = (next, at_next, negative != flipped);
             best = best.max(value);
             if near && step.abs() < S::constant(4.0 * S::EPSILON) {
                 break;
             }
         }
-        let equal = self.peak.value * S::constant(1.0 - 64.0 * S::EPSILON);
+        let share = S::constant(1.0 - EQUAL * S::EPSILON);
+        let place = Place { tau, negative };
         if self.peak.value < best {
-            let place = Place { tau, negative };
-            if self.peak.value < best * S::constant(1.0 - 64.0 * S::EPSILON) || best < equal {
+            if self.peak.value < best * share {
                 self.peak.places = [None; 4];
             }
             self.peak.value = best;
             self.note(place);
             self.choose_tail();
+        } else if self.peak.value * share <= best {
+            self.note(place);
         }
     }
 
-    /// Keeps an equal maximum elsewhere.
-    fn note_tie(&mut self, tau: S, local: &Local<S>, negative: bool) {
-        let value = self.quotient(local, tau, negative);
-        if self.peak.value * S::constant(1.0 - 64.0 * S::EPSILON) < value {
-            self.note(Place { tau, negative });
+    /// A climber's next place, and whether it is in a half period of the other sign: the motion
+    /// goes on there, while the velocity constraint has no meaning beyond its ends.
+    fn moved(&self, tau: S) -> (S, bool) {
+        let (zero, end) = (S::constant(0.0), self.question.end);
+        match self.question.weight {
+            Weight::One if tau < zero => (tau + end, true),
+            Weight::One if end < tau => (tau - end, true),
+            Weight::One | Weight::Sine => (tau.max(zero).min(end), false),
+        }
+    }
+
+    /// Keeps an equal maximum elsewhere, for the phase.
+    fn note_tie(&mut self, tau: S, local: Local<S>, negative: bool) {
+        let value = self.quotient(&local, tau, negative);
+        let equal = self.peak.value * S::constant(1.0 - EQUAL * S::EPSILON);
+        let known = |place: &Place<S>| {
+            place.negative == negative && (place.tau - tau).abs() < S::constant(APART)
+        };
+        if equal < value && !self.peak.places.iter().flatten().any(known) {
+            self.climb(tau, local, negative);
         }
     }
 
     fn note(&mut self, place: Place<S>) {
-        let near = S::constant(1e-3);
+        let near = S::constant(APART);
         for slot in &mut self.peak.places {
             match slot {
-                Some(known) if known.negative == place.negative && (known.tau - place.tau).abs() < near => {
+                Some(known)
+                    if known.negative == place.negative && (known.tau - place.tau).abs() < near =>
+                {
                     return;
                 }
                 Some(_) => {}
@@ -363,7 +429,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             Weight::One => value,
             Weight::Sine => {
                 let sine = (tau * S::constant(FRAC_1_PI)).sin_pi();
-                if S::constant(0.0) < sine { value / sine } else { self.question.floor }
+                if S::constant(0.0) < sine {
+                    value / sine
+                } else {
+                    self.question.floor
+                }
             }
         }
     }
@@ -374,10 +444,17 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             Weight::One => (local.slope, local.curvature),
             Weight::Sine => {
                 let (sine, cosine) = (tau * S::constant(FRAC_1_PI)).sin_cos_pi();
-                (local.slope * sine - local.value * cosine, (local.curvature + local.value) * sine)
+                (
+                    local.slope * sine - local.value * cosine,
+                    (local.curvature + local.value) * sine,
+                )
             }
         };
-        if negative { (-slope, -curvature) } else { (slope, curvature) }
+        if negative {
+            (-slope, -curvature)
+        } else {
+            (slope, curvature)
+        }
     }
 }
 
@@ -385,13 +462,23 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 fn safe_step<S: Float>(excess: &Local<S>) -> S {
     let zero = S::constant(0.0);
     let two = S::constant(2.0);
-    let Local { value, slope, curvature, curvature_bound, third_bound } = *excess;
+    let Local {
+        value,
+        slope,
+        curvature,
+        curvature_bound,
+        third_bound,
+    } = *excess;
     let value = value.min(zero);
     if !(zero < curvature_bound) {
         return S::constant(PI);
     }
     let root = (slope * slope - two * curvature_bound * value).sqrt();
-    let step = if zero < slope { -(two * value) / (slope + root) } else { (root - slope) / curvature_bound };
+    let step = if zero < slope {
+        -(two * value) / (slope + root)
+    } else {
+        (root - slope) / curvature_bound
+    };
     if slope <= zero && curvature < zero && zero < third_bound {
         let root = (curvature * curvature - two * third_bound * slope).sqrt();
         return step.max((root - curvature) / third_bound);

@@ -16,7 +16,11 @@ use core::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 /// r, checked: NaN and negative values are out of the domain, 0 and ∞ are not.
 #[inline]
 pub fn check_ratio<S: Float>(value: S, argument: &'static str) -> Result<S, OutOfDomain> {
-    if value >= S::constant(0.0) { Ok(value) } else { Err(OutOfDomain { argument }) }
+    if value >= S::constant(0.0) {
+        Ok(value)
+    } else {
+        Err(OutOfDomain { argument })
+    }
 }
 
 /// β, checked: NaN, negative and infinite values are out of the domain.
@@ -45,7 +49,11 @@ pub fn regime<S: Float>(beta: S, continuous: S, sliding: S) -> Regime {
 #[inline]
 pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {
     let limit = continuous.min(sliding);
-    if beta == limit { S::constant(0.0) } else { beta / limit - S::constant(1.0) }
+    if beta == limit {
+        S::constant(0.0)
+    } else {
+        beta / limit - S::constant(1.0)
+    }
 }
 
 /// A limit with its values at r = 0 and r = ∞, where the sums themselves have none.
@@ -87,10 +95,19 @@ impl<S: Float> Chain<S> {
     ) -> Peak<S> {
         // Undamped and with every R ≥ 1/2 the start of the half period decides.
         if !self.damped && at.iter().all(|at| at.x <= S::constant(2.0)) {
-            return Peak { value: floor, places: [None; 4], evaluations: 0 };
+            return Peak {
+                value: floor,
+                places: [None; 4],
+                evaluations: 0,
+            };
         }
         let zero = S::constant(0.0);
-        let sum = Sum { waves, constant: zero, cosine: zero, sine: zero };
+        let sum = Sum {
+            waves,
+            constant: zero,
+            cosine: zero,
+            sine: zero,
+        };
         // β_lim knows S by U² + S²: where U is the larger, S is needed to fewer digits.
         let ratio = contact.u / floor;
         let tolerance = S::constant(4.0 * S::EPSILON) * (S::constant(1.0) + ratio * ratio);
@@ -123,7 +140,9 @@ impl<S: Float> Chain<S> {
                 let floor = contact.scale + at.g + two_zeta * at.u * at.x;
                 sum = sum
                     + mode.mobility
-                        * self.constraint_above(contact, core::slice::from_ref(at), &[wave], floor).value;
+                        * self
+                            .constraint_above(contact, core::slice::from_ref(at), &[wave], floor)
+                            .value;
             }
         }
         sum.max(self.break_away(contact))
@@ -207,7 +226,10 @@ impl<S: Float> Chain<S> {
 
     /// The waves of a motion, for an array of modes; `residue` takes a mode and the component of
     /// its shape.
-    #[allow(clippy::too_many_arguments, reason = "everything that one motion rests on")]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "everything that one motion rests on"
+    )]
     pub fn waves<D: Decay<S>, const N: usize>(
         &self,
         residue: impl Fn(&Mode<S>, S) -> S,
@@ -222,7 +244,14 @@ impl<S: Float> Chain<S> {
         for (((wave, mode), at), component) in waves.iter_mut().zip(modes).zip(at).zip(shape) {
             wave.x = at.x;
             if mode.in_contact {
-                let share = self.share(at, residue(mode, *component), contact, friction, inverse_r, 0);
+                let share = self.share(
+                    at,
+                    residue(mode, *component),
+                    contact,
+                    friction,
+                    inverse_r,
+                    0,
+                );
                 *wave = motion_wave(at.x, wave.decay, share);
             }
         }
@@ -286,12 +315,24 @@ pub fn motion_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: Share<S>) -> Wa
 impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     /// The relative motion in the contact.
     pub fn of_contact(friction: Friction<S>, carrier: Carrier<S>, waves: W) -> Self {
-        Self { friction, carrier, waves, is_contact: true, decay: core::marker::PhantomData }
+        Self {
+            friction,
+            carrier,
+            waves,
+            is_contact: true,
+            decay: core::marker::PhantomData,
+        }
     }
 
     /// The motion of a mass.
     pub fn of_mass(friction: Friction<S>, carrier: Carrier<S>, waves: W) -> Self {
-        Self { friction, carrier, waves, is_contact: false, decay: core::marker::PhantomData }
+        Self {
+            friction,
+            carrier,
+            waves,
+            is_contact: false,
+            decay: core::marker::PhantomData,
+        }
     }
 
     fn sum(&self) -> Sum<'_, S, D> {
@@ -305,7 +346,11 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
 
     /// The exact maximum of |x̄| over the period (P/k₁; for base motion Y).
     pub fn amplitude(&self) -> S {
-        if self.is_contact { self.friction.amplitude } else { self.peak().value }
+        if self.is_contact {
+            self.friction.amplitude
+        } else {
+            self.peak().value
+        }
     }
 
     /// √(x̄₀² + x̄₀′²), the estimate 5.50, 7.33 from the start of the half period.
@@ -324,7 +369,10 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
 
     /// x̄ and x̄′ at τ = 0, where the modes are at rest with the contact.
     fn start(&self) -> (S, S) {
-        (self.carrier.constant + self.carrier.cosine, self.carrier.sine)
+        (
+            self.carrier.constant + self.carrier.cosine,
+            self.carrier.sine,
+        )
     }
 
     /// The search for the exact maximum of |x̄|.
@@ -332,7 +380,11 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         let zero = S::constant(0.0);
         let (c, s) = self.start();
         let guess = s.atan2(c);
-        let guess = if guess < zero { guess + S::constant(PI) } else { guess };
+        let guess = if guess < zero {
+            guess + S::constant(PI)
+        } else {
+            guess
+        };
         search::largest_from(
             self.sum(),
             Question {
@@ -354,7 +406,11 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
         let mut best: Option<S> = None;
         for place in self.peak().places.into_iter().flatten() {
-            let shift = if place.negative { S::constant(PI) } else { S::constant(0.0) };
+            let shift = if place.negative {
+                S::constant(PI)
+            } else {
+                S::constant(0.0)
+            };
             let lag = wrap(self.friction.phase + place.tau + shift);
             best = Some(match best {
                 Some(known) if known.abs() < lag.abs() => known,
@@ -436,4 +492,3 @@ fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
     let odd = (whole * S::constant(0.5)).floor() * S::constant(2.0) != whole;
     (Instant::new(half_turns - whole), odd)
 }
-

@@ -28,7 +28,15 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     /// No motion at all.
     pub fn rest(x: S, decay: D) -> Self {
         let zero = S::constant(0.0);
-        Self { x, decay, free: zero, swing_slope: zero, swing: zero, rise: zero, gain: zero }
+        Self {
+            x,
+            decay,
+            free: zero,
+            swing_slope: zero,
+            swing: zero,
+            rise: zero,
+            gain: zero,
+        }
     }
 
     /// No motion yet, in a mode's place.
@@ -111,7 +119,14 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         let one = S::constant(1.0);
         let mut sum = self.constant.abs() + self.cosine.abs() + self.sine.abs();
         for wave in self.waves {
-            let Wave { x, free, swing_slope, swing, rise, .. } = *wave;
+            let Wave {
+                x,
+                free,
+                swing_slope,
+                swing,
+                rise,
+                ..
+            } = *wave;
             let pi = S::constant(PI);
             // |p| ≤ min(1/x, π), |p′| ≤ 1, 0 ≤ (1 − d)/x² ≤ min((2 + 2ζ)/x², π²/2).
             let p = (one / x).min(pi);
@@ -128,10 +143,22 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         let zero = S::constant(0.0);
         let one = S::constant(1.0);
         let two = S::constant(2.0);
-        let mut tail =
-            Tail { from: self.waves.len(), amplitude: zero, constant: zero, cosine: zero, sine: zero };
+        let mut tail = Tail {
+            from: self.waves.len(),
+            amplitude: zero,
+            constant: zero,
+            cosine: zero,
+            sine: zero,
+        };
         for (index, wave) in self.waves.iter().enumerate().rev() {
-            let Wave { x, free, swing_slope, swing, rise, .. } = *wave;
+            let Wave {
+                x,
+                free,
+                swing_slope,
+                swing,
+                rise,
+                ..
+            } = *wave;
             let turn = (one + two * wave.decay.zeta()) * rise.abs() / (x * x);
             let total = tail.amplitude + (free.abs() + swing.abs()) / x + swing_slope.abs() + turn;
             if x < two || amplitude < total {
@@ -150,13 +177,20 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
 
     /// Everything a guaranteed step needs: the whole sum, and the sum with its tail reduced to
     /// what turns with the excitation.
-    pub(crate) fn local(&self, at: &Instant<S>, tail: Option<&Tail<S>>) -> (Local<S>, Option<Local<S>>) {
+    pub(crate) fn local(
+        &self,
+        at: &Instant<S>,
+        tail: Option<&Tail<S>>,
+    ) -> (Local<S>, Option<Local<S>>) {
         let Instant { sine, cosine, .. } = *at;
         let mut local = carrier(self.constant, self.cosine, self.sine, sine, cosine);
         let mut slow = None;
         for (index, wave) in self.waves.iter().enumerate() {
             if let Some(tail) = tail.filter(|tail| tail.from == index) {
-                slow = Some(plus(&local, &carrier(tail.constant, tail.cosine, tail.sine, sine, cosine)));
+                slow = Some(plus(
+                    &local,
+                    &carrier(tail.constant, tail.cosine, tail.sine, sine, cosine),
+                ));
             }
             local = plus(&local, &wave_local(wave, at));
         }
@@ -199,7 +233,14 @@ fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) 
 fn wave_local<S: Float, D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> Local<S> {
     let one = S::constant(1.0);
     let two = S::constant(2.0);
-    let Wave { x, free, swing_slope, swing, rise, .. } = *wave;
+    let Wave {
+        x,
+        free,
+        swing_slope,
+        swing,
+        rise,
+        ..
+    } = *wave;
     let zeta = wave.decay.zeta();
     let basis = wave.decay.basis(x, at);
     let (p2, p3) = curves(wave, &basis);
@@ -222,7 +263,10 @@ fn wave_local<S: Float, D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> Loca
             + swing_slope * (-at.sine - p2)
             + swing * basis.swing_slope
             + rise * basis.free,
-        curvature: free * p2 + swing_slope * (-at.cosine - p3) + swing * (-at.sine - p2) + rise * basis.slope,
+        curvature: free * p2
+            + swing_slope * (-at.cosine - p3)
+            + swing * (-at.sine - p2)
+            + rise * basis.slope,
         curvature_bound: a * n1 + b * d2 + c * d1 + e * energy,
         third_bound: a * n2 + b * d3 + c * d2 + e * n1,
     }

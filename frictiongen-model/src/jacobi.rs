@@ -16,7 +16,9 @@ const MAX_SWEEPS: usize = 60;
 
 /// Sum of products.
 pub fn dot(a: &[Dd], b: &[Dd]) -> Dd {
-    a.iter().zip(b).fold(Dd::from(0.0), |sum, (a, b)| sum + *a * *b)
+    a.iter()
+        .zip(b)
+        .fold(Dd::from(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
 /// Singular values in ascending order and the right singular vectors, one a column.
@@ -47,7 +49,9 @@ pub fn singular(mut g: Columns) -> (Vec<Dd>, Columns) {
 
 /// Makes two columns orthogonal; false if they are already.
 fn rotate(g: &mut Columns, v: &mut Columns, left: usize, right: usize) -> bool {
-    let (Some(a), Some(b)) = (g.get(left), g.get(right)) else { return false };
+    let (Some(a), Some(b)) = (g.get(left), g.get(right)) else {
+        return false;
+    };
     let (aa, bb, ab) = (dot(a, a), dot(b, b), dot(a, b));
     let limit = (aa * bb).sqrt() * Dd::from(ORTHOGONAL);
     if ab.abs() <= limit {
@@ -56,7 +60,11 @@ fn rotate(g: &mut Columns, v: &mut Columns, left: usize, right: usize) -> bool {
     let one = Dd::from(1.0);
     let zeta = (bb - aa) / (ab + ab);
     let magnitude = one / (zeta.abs() + (one + zeta * zeta).sqrt());
-    let t = if zeta < Dd::from(0.0) { -magnitude } else { magnitude };
+    let t = if zeta < Dd::from(0.0) {
+        -magnitude
+    } else {
+        magnitude
+    };
     let c = one / (one + t * t).sqrt();
     let s = c * t;
     turn(g, left, right, c, s);
@@ -77,7 +85,10 @@ fn turn(columns: &mut Columns, left: usize, right: usize, c: Dd, s: Dd) {
 fn sort(g: &mut Columns, v: &mut Columns, norms: &mut [Dd], before: impl Fn(Dd, Dd) -> bool) {
     for end in 1..norms.len() {
         let mut at = end;
-        while let (Some(here), Some(previous)) = (norms.get(at).copied(), at.checked_sub(1).and_then(|p| norms.get(p).copied())) {
+        while let (Some(here), Some(previous)) = (
+            norms.get(at).copied(),
+            at.checked_sub(1).and_then(|p| norms.get(p).copied()),
+        ) {
             if !before(here, previous) {
                 break;
             }

@@ -85,10 +85,16 @@ impl Modal {
         let n = scene.masses.len();
         let m1 = dd(scene.masses.first().map_or(1.0, |mass| mass.value));
         let k1 = dd(scene.springs.first().map_or(1.0, |spring| spring.stiffness));
-        let root_gamma: Vec<Dd> =
-            scene.masses.iter().map(|mass| (dd(mass.value) / m1).sqrt()).collect();
-        let kappa: Vec<Dd> =
-            scene.springs.iter().map(|spring| dd(spring.stiffness) / k1).collect();
+        let root_gamma: Vec<Dd> = scene
+            .masses
+            .iter()
+            .map(|mass| (dd(mass.value) / m1).sqrt())
+            .collect();
+        let kappa: Vec<Dd> = scene
+            .springs
+            .iter()
+            .map(|spring| dd(spring.stiffness) / k1)
+            .collect();
 
         let mut g: Columns = vec![vec![dd(0.0); kappa.len()]; n];
         let mut p = vec![dd(0.0); n];
@@ -96,8 +102,10 @@ impl Modal {
             let root = kappa.sqrt();
             for (node, sign) in [(spring.from, -1.0), (spring.to, 1.0)] {
                 if let Node::Mass(mass) = node
-                    && let (Some(root_gamma), Some(entry)) =
-                        (root_gamma.get(mass), g.get_mut(mass).and_then(|c| c.get_mut(row)))
+                    && let (Some(root_gamma), Some(entry)) = (
+                        root_gamma.get(mass),
+                        g.get_mut(mass).and_then(|c| c.get_mut(row)),
+                    )
                 {
                     *entry = dd(sign) * root / *root_gamma;
                 }
@@ -127,21 +135,31 @@ impl Modal {
         let (resonances, vectors) = jacobi::singular(g);
         // In coordinates scaled by √γ the mode shapes are orthonormal.
         let scaled = |vector: &[Dd]| -> Vec<Dd> {
-            vector.iter().zip(&root_gamma).map(|(value, root)| *value / *root).collect()
+            vector
+                .iter()
+                .zip(&root_gamma)
+                .map(|(value, root)| *value / *root)
+                .collect()
         };
         let (p_scaled, w_scaled) = (scaled(&p), scaled(&w));
         let mut shapes = Vec::with_capacity(n);
         let (mut loads, mut contacts) = (Vec::with_capacity(n), Vec::with_capacity(n));
         for vector in &vectors {
             let mut shape = scaled(vector);
-            let largest = shape.iter().fold(dd(0.0), |most, value| most.max(value.abs()));
+            let largest = shape
+                .iter()
+                .fold(dd(0.0), |most, value| most.max(value.abs()));
             for value in &mut shape {
                 if value.abs() < largest * dd(NOISE) {
                     *value = dd(0.0);
                 }
             }
             let leading = shape.iter().find(|value| largest * dd(1e-10) < value.abs());
-            let sign = if leading.is_some_and(|value| *value < dd(0.0)) { dd(-1.0) } else { dd(1.0) };
+            let sign = if leading.is_some_and(|value| *value < dd(0.0)) {
+                dd(-1.0)
+            } else {
+                dd(1.0)
+            };
             shapes.push(shape.iter().map(|value| *value * sign).collect::<Vec<_>>());
             loads.push(projected(vector, &p_scaled) * sign);
             contacts.push(projected(vector, &w_scaled) * sign);
@@ -166,7 +184,10 @@ impl Modal {
             products().fold(dd(0.0), |sum, term| sum + term),
             products().fold(dd(0.0), |sum, term| sum + term.abs()),
         );
-        let sides: Vec<usize> = direction(scene.contact).into_iter().map(|(mass, _)| mass).collect();
+        let sides: Vec<usize> = direction(scene.contact)
+            .into_iter()
+            .map(|(mass, _)| mass)
+            .collect();
         Self {
             resonances,
             damping_ratios,
@@ -187,7 +208,10 @@ impl Modal {
     /// ω_i, rad/s in the scene's own units.
     #[must_use]
     pub fn natural_frequencies(&self) -> Vec<Dd> {
-        self.resonances.iter().map(|resonance| *resonance * self.reference).collect()
+        self.resonances
+            .iter()
+            .map(|resonance| *resonance * self.reference)
+            .collect()
     }
 
     /// The modal data in a scalar, rounded once from double-double by `to`.
@@ -228,7 +252,12 @@ impl Modal {
             .map(|mass| {
                 driven
                     .iter()
-                    .map(|&i| to(self.shapes.get(i).map_or(dd(0.0), |shape| pick(shape, mass))))
+                    .map(|&i| {
+                        to(self
+                            .shapes
+                            .get(i)
+                            .map_or(dd(0.0), |shape| pick(shape, mass)))
+                    })
                     .collect()
             })
             .collect();
@@ -256,7 +285,12 @@ impl Modal {
     #[must_use]
     pub fn unbounded(&self, invisible: bool) -> Vec<Dd> {
         let zero = dd(0.0);
-        let modes = self.resonances.iter().zip(&self.damping_ratios).zip(&self.loads).zip(&self.contacts);
+        let modes = self
+            .resonances
+            .iter()
+            .zip(&self.damping_ratios)
+            .zip(&self.loads)
+            .zip(&self.contacts);
         modes
             .filter(|(((_, zeta), load), contact)| {
                 **zeta == zero && **load != zero && (!invisible || **contact == zero)
@@ -313,7 +347,11 @@ fn projected(vector: &[Dd], on: &[Dd]) -> Dd {
 }
 
 fn cleaned(value: Dd, size: Dd) -> Dd {
-    if value.abs() <= size * dd(NOISE) { dd(0.0) } else { value }
+    if value.abs() <= size * dd(NOISE) {
+        dd(0.0)
+    } else {
+        value
+    }
 }
 
 fn kind(zeta: Dd) -> Kind {
@@ -336,9 +374,9 @@ fn damping_ratios(damping: &Damping, resonances: &[Dd], reference: Dd) -> Vec<Dd
     match damping {
         Damping::None => vec![dd(0.0); resonances.len()],
         Damping::Uniform(zeta) => vec![dd(*zeta); resonances.len()],
-        Damping::Modal(list) => {
-            (0..resonances.len()).map(|i| dd(list.get(i).copied().unwrap_or(0.0))).collect()
-        }
+        Damping::Modal(list) => (0..resonances.len())
+            .map(|i| dd(list.get(i).copied().unwrap_or(0.0)))
+            .collect(),
         Damping::Rayleigh { mass, stiffness } => resonances
             .iter()
             .map(|resonance| {

@@ -9,9 +9,9 @@ pub mod system;
 pub mod study;
 
 pub use frictiongen_kernel as kernel;
-pub use frictiongen_kernel::errors::{Error, NotContinuous, OutOfDomain, Regime, StuckResonance};
 pub use frictiongen_kernel::Complex;
+pub use frictiongen_kernel::errors::{Error, NotContinuous, OutOfDomain, Regime, StuckResonance};
 pub use frictiongen_macros::friction_system;
 #[cfg(feature = "study")]
 pub use study::System;
-pub use system::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady};
+pub use system::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady, StuckAt};

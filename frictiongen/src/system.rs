@@ -1,7 +1,7 @@
 //! What emitted solvers and the run-time `System` have in common, so that a sweep, a map or a fit
 //! is written once.
 
-use crate::{Complex, NotContinuous, OutOfDomain, Regime};
+use crate::{Complex, NotContinuous, OutOfDomain, Regime, StuckResonance};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::decay::Decay;
 use frictiongen_kernel::steady::Motion;
@@ -90,6 +90,16 @@ pub trait MotionAt: LimitsAt {
     fn motion(&self, beta: Self::Scalar) -> Result<Self::Motion, NotContinuous>;
 }
 
+/// A scene at one frequency ratio that also gives the response while the contact is stuck.
+pub trait StuckAt: LimitsAt {
+    /// x̄* = V_k − H_kV/H, the complex amplitude of a mass, by its place in the description; none
+    /// if there is no such mass.
+    ///
+    /// # Errors
+    /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
+    fn stuck_mass(&self, index: usize) -> Result<Option<Complex<Self::Scalar>>, StuckResonance>;
+}
+
 /// Which motion is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Of {
@@ -106,7 +116,11 @@ pub trait ContinuousMotion {
 
     /// Puts a question to the contact's or a mass's motion; `None` if the scene does not provide
     /// that one.
-    fn ask<T>(&self, of: Of, question: impl FnOnce(&dyn Steady<Scalar = Self::Scalar>) -> T) -> Option<T>;
+    fn ask<T>(
+        &self,
+        of: Of,
+        question: impl FnOnce(&dyn Steady<Scalar = Self::Scalar>) -> T,
+    ) -> Option<T>;
 }
 
 /// The steady motion of the contact or of a mass.

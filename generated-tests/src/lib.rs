@@ -1,1 +1,5 @@
-//! Scenes whose emitted code is compiled here, compared with its snapshot, and run.
+//! Scenes whose emitted code is compiled here, compared with its snapshot, and run; and the
+//! reference values that emitted solvers and the run-time system are checked against.
+
+pub mod reference;
+pub mod scenes;

@@ -22,11 +22,20 @@ fn smoke() {
     let at = Frame::at(0.9).unwrap();
     println!("{} {}", at.continuous_limit(), at.sliding_limit());
     let m = at.motion(0.1).unwrap();
-    println!("{} {} {:?}", m.contact().amplitude(), m.lower().amplitude(), at.stuck().unwrap().lower());
+    println!(
+        "{} {} {:?}",
+        m.contact().amplitude(),
+        m.lower().amplitude(),
+        at.stuck().unwrap().lower()
+    );
     let at = Block::at(0.9).unwrap();
     println!("{} {}", at.continuous_limit(), at.sliding_limit());
     println!("{}", at.motion(0.2).unwrap().block().displacement(1.0));
     let at = Five::at(0.9).unwrap();
     println!("{} {}", at.continuous_limit(), at.sliding_limit());
-    println!("{} {:?}", at.motion(0.1).unwrap().c().amplitude(), at.stuck().unwrap().c());
+    println!(
+        "{} {:?}",
+        at.motion(0.1).unwrap().c().amplitude(),
+        at.stuck().unwrap().c()
+    );
 }

@@ -3,15 +3,24 @@
 use super::{Emission, Part, derives, rounded};
 use frictiongen_kernel::mode::{Kind, Mode};
 use frictiongen_model::scene::Scene;
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
-    let Emission { description, scene, modal, precision, scalar, name, facade, .. } = emission;
+    let Emission {
+        description,
+        scene,
+        modal,
+        precision,
+        scalar,
+        name,
+        facade,
+        ..
+    } = emission;
     let attributes = &description.attributes;
     let visibility = &description.visibility;
     let derives = derives();
     let header = format!(
-        "Emitted by frictiongen {} from scene {:016x}.",
+        " Emitted by frictiongen {} from scene {:016x}.",
         env!("CARGO_PKG_VERSION"),
         fingerprint(scene)
     );
@@ -23,14 +32,21 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         #visibility struct #name;
     };
 
-    let masses = scene.masses.len();
+    let masses = Literal::usize_unsuffixed(scene.masses.len());
     let round = |value| rounded(value, *precision);
     let frequencies = emission.list(modal.natural_frequencies().into_iter().map(round));
     let resonances = emission.list(modal.resonances.iter().map(|value| round(*value)));
-    let shapes = modal.shapes.iter().map(|shape| emission.list(shape.iter().map(|value| round(*value))));
+    let shapes = modal
+        .shapes
+        .iter()
+        .map(|shape| emission.list(shape.iter().map(|value| round(*value))));
     let reference = emission.literal(round(modal.reference));
-    let mode_count = emission.modes();
-    let modes = emission.reduced.modes.iter().map(|mode| mode_constant(emission, mode));
+    let mode_count = Literal::usize_unsuffixed(emission.modes());
+    let modes = emission
+        .reduced
+        .modes
+        .iter()
+        .map(|mode| mode_constant(emission, mode));
     let chain = chain(emission);
     let ends = emission.reduced.ends;
     let sliding_at_rest = emission.literal(ends.sliding_at_rest);
@@ -97,7 +113,9 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
 }
 
 fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>) -> TokenStream {
-    let Mode { kind, in_contact, .. } = mode;
+    let Mode {
+        kind, in_contact, ..
+    } = mode;
     let kind = match kind {
         Kind::Undamped => code!(Undamped),
         Kind::Light => code!(Light),

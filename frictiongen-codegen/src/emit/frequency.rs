@@ -1,21 +1,28 @@
 //! The frequency stage: a scene at one r.
 
 use super::trace::{Tracer, contact_outputs, mode_outputs};
-use super::{Emission, Part, derives};
+use super::{Emission, Part, derives, field};
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::chain::ContactAt;
-use frictiongen_kernel::mode::{Kind, Mode, ModeResponse};
 use frictiongen_kernel::complex::Complex;
-use proc_macro2::TokenStream;
+use frictiongen_kernel::mode::{Kind, Mode, ModeResponse};
+use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
-    let Emission { description, scalar, name, at, .. } = emission;
+    let Emission {
+        description,
+        scalar,
+        name,
+        at,
+        ..
+    } = emission;
     let visibility = &description.visibility;
     let derives = derives();
-    let modes = emission.modes();
+    let modes = Literal::usize_unsuffixed(emission.modes());
     let facade = emission.facade;
-    let about = format!("[`{name}`] at one frequency ratio: what both limits and every motion share.");
+    let about =
+        format!(" [`{name}`] at one frequency ratio: what both limits and every motion share.");
     let types = code! {
         #[doc = #about]
         #derives
@@ -36,7 +43,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         frictiongen_model::scene::Precision::F32 => range::<f32>(),
     };
     let (low, high) = (emission.literal(low), emission.literal(high));
-    let operations = format!("Operations: {operations}.");
+    let operations = format!(" Operations: {operations}.");
     let items = code! {
         impl #name {
             /// The scene at the frequency ratio r = ω√(m₁/k₁): the response and damping functions
@@ -77,7 +84,11 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
     for at in &at {
         outputs.extend(mode_outputs(at));
     }
-    let (printed, count) = tracer.print(&outputs, emission.precision, &["r", "inverse_r", "contact", "modes"]);
+    let (printed, count) = tracer.print(
+        &outputs,
+        emission.precision,
+        &["r", "inverse_r", "contact", "modes"],
+    );
     let (contact, modes) = structures(&printed.outputs);
     let statements = printed.statements;
     let body = code! {
@@ -96,28 +107,37 @@ fn structures(outputs: &[TokenStream]) -> (TokenStream, Vec<TokenStream>) {
 }
 
 fn contact_structure(outputs: &[TokenStream]) -> TokenStream {
-    let [scale, v_re, v_im, u, g, reversal, h_re, h_im] = outputs else { return TokenStream::new() };
+    let [scale, v_re, v_im, u, g, reversal, h_re, h_im] = outputs else {
+        return TokenStream::new();
+    };
+    let (scale, u, g) = (field("scale", scale), field("u", u), field("g", g));
+    let reversal = field("reversal", reversal);
     code! {
         ContactAt {
-            scale: #scale,
+            #scale,
             v: Complex { re: #v_re, im: #v_im },
-            u: #u,
-            g: #g,
-            reversal: #reversal,
+            #u,
+            #g,
+            #reversal,
             h: Complex { re: #h_re, im: #h_im },
         }
     }
 }
 
 fn mode_structure(outputs: &[TokenStream]) -> TokenStream {
-    let [x, re, im, u, g] = outputs else { return TokenStream::new() };
-    code!(ModeAt { x: #x, response: Complex { re: #re, im: #im }, u: #u, g: #g })
+    let [x, re, im, u, g] = outputs else {
+        return TokenStream::new();
+    };
+    let (x, u, g) = (field("x", x), field("u", u), field("g", g));
+    code!(ModeAt { #x, response: Complex { re: #re, im: #im }, #u, #g })
 }
 
 /// The same in two passes over the array of modes, each with the formula of one mode as its body.
 fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
-    let Emission { precision, scalar, .. } = emission;
-    let modes = emission.modes();
+    let Emission {
+        precision, scalar, ..
+    } = emission;
+    let modes = Literal::usize_unsuffixed(emission.modes());
     let damped = emission.damped();
     let graph = Graph::new(1);
     let tracer = Tracer::new(&graph, &emission.modal, *precision);
@@ -125,7 +145,14 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
     let symbolic = symbolic_mode(&graph, kind);
 
     let first = symbolic.response(graph.input("inverse_r"), 0);
-    let ModeResponse { x, denominator, size, u, g, reversal } = first;
+    let ModeResponse {
+        x,
+        denominator,
+        size,
+        u,
+        g,
+        reversal,
+    } = first;
     let outputs = [x, denominator.re, denominator.im, size, u, g, reversal].map(Expr::operand);
     let taken = ["r", "inverse_r", "scale", "mode", "response", "responses"];
     let (first, first_count) = tracer.print(&outputs, *precision, &taken);
@@ -135,8 +162,11 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
     };
     let every_mode = emission.reduced.modes.iter().all(|mode| mode.in_contact);
     let smallest = code!(scale = Scalar::min(scale, response.size););
-    let smallest =
-        if every_mode { smallest } else { code!(if mode.in_contact { #smallest }) };
+    let smallest = if every_mode {
+        smallest
+    } else {
+        code!(if mode.in_contact { #smallest })
+    };
     let first_pass = code! {
         let mut responses = [ModeResponse::<#scalar>::zero(); #modes];
         let mut scale = ::core::#scalar::INFINITY;
@@ -159,9 +189,26 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
     let sum = symbolic_sum(&graph, damped);
     let joined = chain.joined_by(&sum, &symbolic, &response, &at, false);
     let mut outputs = mode_outputs(&at);
-    let sums = [joined.v.re, joined.v.im, joined.u, joined.g, joined.reversal, joined.h.re, joined.h.im];
+    let sums = [
+        joined.v.re,
+        joined.v.im,
+        joined.u,
+        joined.g,
+        joined.reversal,
+        joined.h.re,
+        joined.h.im,
+    ];
     outputs.extend(sums.map(Expr::operand));
-    let taken = ["r", "inverse_r", "sum", "mode", "response", "at", "contact", "modes"];
+    let taken = [
+        "r",
+        "inverse_r",
+        "sum",
+        "mode",
+        "response",
+        "at",
+        "contact",
+        "modes",
+    ];
     let (second, second_count) = tracer.print(&outputs, *precision, &taken);
     let statements = &second.statements;
     let (at, sums) = second.outputs.split_at(5);
@@ -199,13 +246,20 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
         #last_statements
         let contact = #contact;
     };
-    let count = first_count.and(&second_count).times(modes).and(&last_count);
+    let count = first_count
+        .and(&second_count)
+        .times(emission.modes())
+        .and(&last_count);
     (body, count.to_string())
 }
 
 fn symbolic_mode(graph: &Graph, kind: Kind) -> Mode<Expr<'_>> {
     let of = |field: &str| graph.input(format!("mode.{field}"));
-    let zeta = if kind == Kind::Undamped { Expr::Number(0.0) } else { of("zeta") };
+    let zeta = if kind == Kind::Undamped {
+        Expr::Number(0.0)
+    } else {
+        of("zeta")
+    };
     Mode {
         kind,
         in_contact: true,
@@ -223,7 +277,13 @@ fn symbolic_mode(graph: &Graph, kind: Kind) -> Mode<Expr<'_>> {
 
 fn symbolic_response(graph: &Graph, damped: bool) -> ModeResponse<Expr<'_>> {
     let of = |field: &str| graph.input(format!("response.{field}"));
-    let if_damped = |field: &str| if damped { of(field) } else { Expr::constant(0.0) };
+    let if_damped = |field: &str| {
+        if damped {
+            of(field)
+        } else {
+            Expr::constant(0.0)
+        }
+    };
     ModeResponse {
         x: of("x"),
         denominator: Complex::new(of("denominator.re"), if_damped("denominator.im")),
@@ -236,7 +296,13 @@ fn symbolic_response(graph: &Graph, damped: bool) -> ModeResponse<Expr<'_>> {
 
 fn symbolic_sum(graph: &Graph, damped: bool) -> ContactAt<Expr<'_>> {
     let of = |field: &str| graph.input(format!("sum.{field}"));
-    let if_damped = |field: &str| if damped { of(field) } else { Expr::constant(0.0) };
+    let if_damped = |field: &str| {
+        if damped {
+            of(field)
+        } else {
+            Expr::constant(0.0)
+        }
+    };
     ContactAt {
         scale: of("scale"),
         v: Complex::new(of("v.re"), if_damped("v.im")),

@@ -8,15 +8,27 @@ use crate::graph::print::Printed;
 use proc_macro2::TokenStream;
 
 pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
-    let Emission { scalar, name, at, facade, decay, .. } = emission;
+    let Emission {
+        scalar,
+        name,
+        at,
+        facade,
+        decay,
+        ..
+    } = emission;
     let graph = Graph::new(emission.modes());
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
     let chain = &tracer.reduced.chain;
     let contact = tracer.contact("contact");
     let formula = |output: crate::graph::Expr<'_>| -> (TokenStream, Count) {
         let taken = ["r", "contact", "modes", "constraint", "beta"];
-        let (Printed { statements, outputs }, count) =
-            tracer.print(&[output.operand()], emission.precision, &taken);
+        let (
+            Printed {
+                statements,
+                outputs,
+            },
+            count,
+        ) = tracer.print(&[output.operand()], emission.precision, &taken);
         (code!(#statements #(#outputs)*), count)
     };
     let (with_constraint, exact_count) =
@@ -24,9 +36,9 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
     let (without_search, without_count) =
         formula(chain.continuous_limit(&contact, chain.break_away(&contact)));
     let (sliding, sliding_count) = formula(chain.sliding_limit(&contact));
-    let exact_count = format!("Operations: {exact_count}, after the search.");
-    let without_count = format!("Operations: {without_count}.");
-    let sliding_count = format!("Operations: {sliding_count}.");
+    let exact_count = format!(" Operations: {exact_count}, after the search.");
+    let without_count = format!(" Operations: {without_count}.");
+    let sliding_count = format!(" Operations: {sliding_count}.");
     let every_mode_counts = if emission.damped() {
         code!()
     } else {

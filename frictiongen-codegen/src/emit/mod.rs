@@ -70,14 +70,26 @@ impl Emission<'_> {
     }
 
     fn wanted(&self) -> Wanted<'_> {
-        let mut wanted = Wanted { motion: None, stuck: false, unbuilt: Vec::new() };
-        let all = || self.description.mass_names.iter().enumerate().collect::<Vec<_>>();
+        let mut wanted = Wanted {
+            motion: None,
+            stuck: false,
+            unbuilt: Vec::new(),
+        };
+        let all = || {
+            self.description
+                .mass_names
+                .iter()
+                .enumerate()
+                .collect::<Vec<_>>()
+        };
         for item in &self.scene.provide {
             match item {
                 Provide::Limits => {}
                 Provide::Motion(None) => wanted.motion = Some(all()),
                 Provide::Motion(Some(masses)) => {
-                    let named = all().into_iter().filter(|(index, _)| masses.contains(index));
+                    let named = all()
+                        .into_iter()
+                        .filter(|(index, _)| masses.contains(index));
                     let known = wanted.motion.take().unwrap_or_default();
                     let mut merged: Vec<_> = known.into_iter().chain(named).collect();
                     merged.sort_by_key(|(index, _)| *index);
@@ -107,7 +119,11 @@ pub(crate) fn rounded(value: frictiongen_kernel::dd::Dd, precision: Precision) -
                 _ => value.hi,
             };
             let (plain, moved) = (value.hi as f32, moved as f32);
-            f64::from(if f64::from(plain) == value.hi { plain } else { moved })
+            f64::from(if f64::from(plain) == value.hi {
+                plain
+            } else {
+                moved
+            })
         }
     }
 }
@@ -120,7 +136,11 @@ pub fn emit(description: &Description) -> TokenStream {
     let precision = scene.precision;
     let reduced = modal.reduced(|value| rounded(value, precision));
     let scalar = scalar(precision);
-    let decay = if reduced.chain.damped { code!(Damped<#scalar>) } else { code!(Undamped) };
+    let decay = if reduced.chain.damped {
+        code!(Damped<#scalar>)
+    } else {
+        code!(Undamped)
+    };
     let name = &description.name;
     let emission = Emission {
         description,
@@ -146,7 +166,10 @@ pub fn emit(description: &Description) -> TokenStream {
     let constants = constants::emit(&emission);
     let frequency = frequency::emit(&emission);
     let limits = limits::emit(&emission);
-    let motion = wanted.motion.as_deref().map(|masses| motion::emit(&emission, masses));
+    let motion = wanted
+        .motion
+        .as_deref()
+        .map(|masses| motion::emit(&emission, masses));
     let stuck = wanted.stuck.then(|| stuck::emit(&emission));
     let mut types = constants.types;
     types.extend(frequency.types);
@@ -210,5 +233,15 @@ fn derives() -> TokenStream {
         #[::core::prelude::v1::derive(
             ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug
         )]
+    }
+}
+
+/// `field: value`, or `field` alone where the value has its name.
+fn field(name: &str, value: &TokenStream) -> TokenStream {
+    let ident = local(name);
+    if value.to_string() == name {
+        code!(#value)
+    } else {
+        code!(#ident: #value)
     }
 }

@@ -1,19 +1,39 @@
 //! The continuous motion: of the contact, and of the masses that the scene asks for.
 
 use super::trace::Tracer;
-use super::{Emission, Part, derives, local, rounded};
+use super::{Emission, Part, derives, field, local, rounded};
 use crate::graph::{Expr, Graph};
 use frictiongen_kernel::motion::{Carrier, Share};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 
-const TAKEN: [&str; 9] =
-    ["r", "inverse_r", "contact", "modes", "beta", "friction", "others", "carrier", "waves"];
+const TAKEN: [&str; 9] = [
+    "r",
+    "inverse_r",
+    "contact",
+    "modes",
+    "beta",
+    "friction",
+    "others",
+    "carrier",
+    "waves",
+];
 
 pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part {
-    let Emission { description, scalar, name, at, motion, facade, decay, .. } = emission;
+    let Emission {
+        description,
+        scalar,
+        name,
+        at,
+        motion,
+        facade,
+        decay,
+        ..
+    } = emission;
     let visibility = &description.visibility;
     let derives = derives();
-    let about = format!("The exact continuous motion of [`{name}`] at one frequency and one friction ratio.");
+    let about = format!(
+        " The exact continuous motion of [`{name}`] at one frequency and one friction ratio."
+    );
     let types = code! {
         #[doc = #about]
         #derives
@@ -22,15 +42,29 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
             friction: #facade::kernel::motion::Friction<#scalar>,
         }
     };
-    let friction = friction(emission);
+    let (friction, operations) = friction(emission);
+    let operations = format!(" Operations: {operations}, after both limits.");
     let contact = of_contact(emission);
-    let asked = masses.iter().map(|(index, name)| code!(#facade::Of::Mass(#index) => Some(question(&self.#name()))));
-    let methods = masses.iter().map(|(index, name)| of_mass(emission, *index, name));
-    let unbounded =
-        emission.list(emission.modal.unbounded(false).into_iter().map(|r| rounded(r, emission.precision)));
+    let asked = masses.iter().map(|(index, name)| {
+        let index = Literal::usize_unsuffixed(*index);
+        code!(#facade::Of::Mass(#index) => Some(question(&self.#name())))
+    });
+    let methods = masses
+        .iter()
+        .map(|(index, name)| of_mass(emission, *index, name));
+    let unbounded = emission.list(
+        emission
+            .modal
+            .unbounded(false)
+            .into_iter()
+            .map(|r| rounded(r, emission.precision)),
+    );
     let items = code! {
         impl #at {
-            /// The exact continuous motion at the friction ratio β = F/P.
+            /// The exact continuous motion at the friction ratio β = F/P: amplitude and phase of
+            /// the contact (5.35, 5.38, 7.20, 7.21) on the way.
+            ///
+            #[doc = #operations]
             ///
             /// # Errors
             /// `NotContinuous` says which regime it is instead, or that an undamped resonance is
@@ -87,26 +121,30 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
 }
 
 /// The friction stage: amplitude and phase of the contact.
-fn friction(emission: &Emission<'_>) -> TokenStream {
+fn friction(emission: &Emission<'_>) -> (TokenStream, String) {
     let graph = Graph::new(emission.modes());
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
     let contact = tracer.contact("contact");
     let stage =
-        tracer.reduced.chain.friction(&contact, graph.input("inverse_r"), graph.input("beta"));
+        tracer
+            .reduced
+            .chain
+            .friction(&contact, graph.input("inverse_r"), graph.input("beta"));
     let outputs = [stage.root, stage.amplitude, stage.phase, stage.unscale].map(Expr::operand);
     let (printed, count) = tracer.print(&outputs, emission.precision, &TAKEN);
     let statements = printed.statements;
     let [root, amplitude, phase, unscale] = printed.outputs.as_slice() else {
-        return TokenStream::new();
+        return (TokenStream::new(), String::new());
     };
-    let operations = format!(" Amplitude and phase (5.35, 5.38, 7.20, 7.21). Operations: {count}.");
-    code! {
-        #[doc = #operations]
+    let (root, amplitude) = (field("root", root), field("amplitude", amplitude));
+    let (phase, unscale) = (field("phase", phase), field("unscale", unscale));
+    let statements = code! {
         let friction = {
             #statements
-            Friction { beta, root: #root, amplitude: #amplitude, phase: #phase, unscale: #unscale }
+            Friction { beta, #root, #amplitude, #phase, #unscale }
         };
-    }
+    };
+    (statements, count.to_string())
 }
 
 /// What a motion's function begins with, and its modes by name.
@@ -120,7 +158,11 @@ fn opening(emission: &Emission<'_>, used: &[usize]) -> TokenStream {
             code!(_)
         }
     });
-    let modes = if emission.in_passes() { code!(modes) } else { code!(modes: [#(#names),*]) };
+    let modes = if emission.in_passes() {
+        code!(modes)
+    } else {
+        code!(modes: [#(#names),*])
+    };
     code! {
         let Self { at: #at { inverse_r, contact, #modes, .. }, friction } = *self;
     }
@@ -131,6 +173,7 @@ fn waves(emission: &Emission<'_>, used: &[usize], shares: &[TokenStream]) -> Tok
     let waves = used.iter().zip(shares.chunks(3)).map(|(index, share)| {
         let mode = local(&format!("mode_{}", index + 1));
         let decay = if emission.damped() {
+            let index = Literal::usize_unsuffixed(*index);
             code!(<Damped<#scalar> as steady::Decay<#scalar>>::of(&#name::MODES[#index]))
         } else {
             code!(Undamped)
@@ -142,7 +185,9 @@ fn waves(emission: &Emission<'_>, used: &[usize], shares: &[TokenStream]) -> Tok
 }
 
 fn carrier_structure(outputs: &[TokenStream]) -> TokenStream {
-    let [constant, cosine, sine, re, im] = outputs else { return TokenStream::new() };
+    let [constant, cosine, sine, re, im] = outputs else {
+        return TokenStream::new();
+    };
     code! {
         Carrier {
             constant: #constant,
@@ -154,7 +199,12 @@ fn carrier_structure(outputs: &[TokenStream]) -> TokenStream {
 }
 
 fn carrier_outputs<'g>(carrier: &Carrier<Expr<'g>>) -> [Expr<'g>; 5] {
-    let Carrier { constant, cosine, sine, response } = *carrier;
+    let Carrier {
+        constant,
+        cosine,
+        sine,
+        response,
+    } = *carrier;
     [constant, cosine, sine, response.re, response.im]
 }
 
@@ -164,24 +214,36 @@ fn share_outputs<'g>(share: &Share<Expr<'g>>) -> [Expr<'g>; 3] {
 
 fn returned(emission: &Emission<'_>, waves: usize) -> TokenStream {
     let Emission { scalar, decay, .. } = emission;
+    let waves = Literal::usize_unsuffixed(waves);
     code!(Motion<#scalar, #decay, [Wave<#scalar, #decay>; #waves]>)
 }
 
 fn of_contact(emission: &Emission<'_>) -> TokenStream {
-    let Emission { scalar, decay, name, .. } = emission;
+    let Emission { decay, name, .. } = emission;
     let used: Vec<usize> = driven(emission, |mode| mode.in_contact);
     let opening = opening(emission, &used);
-    let returned = returned(emission, if emission.in_passes() { emission.modes() } else { used.len() });
+    let returned = returned(
+        emission,
+        if emission.in_passes() {
+            emission.modes()
+        } else {
+            used.len()
+        },
+    );
     let graph = Graph::new(emission.modes());
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
     let contact = tracer.contact("contact");
-    let carrier = tracer.reduced.chain.contact_carrier(&contact, &tracer.friction());
+    let carrier = tracer
+        .reduced
+        .chain
+        .contact_carrier(&contact, &tracer.friction());
     let mut outputs = carrier_outputs(&carrier).to_vec();
     if !emission.in_passes() {
         let at = tracer.modes_at();
         for (index, (mode, at)) in tracer.reduced.modes.iter().zip(&at).enumerate() {
             if mode.in_contact {
-                let share = tracer.share(index, mode.mobility, at, &contact, graph.input("inverse_r"));
+                let share =
+                    tracer.share(index, mode.mobility, at, &contact, graph.input("inverse_r"));
                 outputs.extend(share_outputs(&share));
             }
         }
@@ -192,16 +254,17 @@ fn of_contact(emission: &Emission<'_>) -> TokenStream {
     let carrier = carrier_structure(carrier);
     let statements = printed.statements;
     let waves = if emission.in_passes() {
+        let modes = Literal::usize_unsuffixed(emission.modes());
         code! {
             #name::CHAIN.waves::<#decay, _>(
-                |mode, _| mode.mobility, &#name::MODES, &#name::MODES.map(|_| 0.0), &modes, &contact, &friction, inverse_r,
+                |mode, _| mode.mobility,
+                &#name::MODES, &[0.0; #modes], &modes, &contact, &friction, inverse_r,
             )
         }
     } else {
         waves(emission, &used, shares)
     };
-    let operations = format!("Operations: {count}.");
-    let _ = scalar;
+    let operations = format!(" Operations: {count}.");
     code! {
         /// The relative motion in the contact: x̄ of the mass, of the mass from the base, or of the
         /// later mass from the earlier.
@@ -218,17 +281,37 @@ fn of_contact(emission: &Emission<'_>) -> TokenStream {
     }
 }
 
-fn driven(emission: &Emission<'_>, wanted: impl Fn(&frictiongen_kernel::mode::Mode<f64>) -> bool) -> Vec<usize> {
+fn driven(
+    emission: &Emission<'_>,
+    wanted: impl Fn(&frictiongen_kernel::mode::Mode<f64>) -> bool,
+) -> Vec<usize> {
     let modes = emission.reduced.modes.iter().enumerate();
-    modes.filter(|(_, mode)| wanted(mode)).map(|(index, _)| index).collect()
+    modes
+        .filter(|(_, mode)| wanted(mode))
+        .map(|(index, _)| index)
+        .collect()
 }
 
 fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream {
-    let Emission { scalar, decay, name, modal, reduced, .. } = emission;
-    let about = format!("The motion of mass `{method}` (5.50 and its exact form, 7.29).");
+    let Emission {
+        scalar,
+        decay,
+        name,
+        modal,
+        reduced,
+        ..
+    } = emission;
+    let about = format!(" The motion of mass `{method}` (5.50 and its exact form, 7.29).");
     if reduced.chain.on_moving_base.is_none() && modal.contact == (mass, None) {
         let in_contact = driven(emission, |mode| mode.in_contact).len();
-        let returned = returned(emission, if emission.in_passes() { emission.modes() } else { in_contact });
+        let returned = returned(
+            emission,
+            if emission.in_passes() {
+                emission.modes()
+            } else {
+                in_contact
+            },
+        );
         return code! {
             #[doc = #about]
             ///
@@ -242,8 +325,8 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
     }
     let shape: Vec<f64> = reduced.shapes.get(mass).cloned().unwrap_or_default();
     if emission.in_passes() {
-        let modes = emission.modes();
-        let returned = returned(emission, modes);
+        let modes = Literal::usize_unsuffixed(emission.modes());
+        let returned = returned(emission, emission.modes());
         let opening = opening(emission, &[]);
         let shape = emission.list(shape);
         return code! {
@@ -263,7 +346,10 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
         };
     }
     let moves = |index: usize| shape.get(index).is_some_and(|component| *component != 0.0);
-    let rubbed: Vec<usize> = driven(emission, |mode| mode.in_contact).into_iter().filter(|index| moves(*index)).collect();
+    let rubbed: Vec<usize> = driven(emission, |mode| mode.in_contact)
+        .into_iter()
+        .filter(|index| moves(*index))
+        .collect();
     let graph = Graph::new(emission.modes());
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
     let chain = &tracer.reduced.chain;
@@ -272,13 +358,21 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
     let at = tracer.modes_at();
     let others = tracer.others(&at, contact.scale, inverse_r);
     let components = tracer.reduced.shapes.get(mass).cloned().unwrap_or_default();
-    let carrier =
-        chain.carrier(&components, &tracer.reduced.modes, &at, &others, &contact, &tracer.friction());
+    let carrier = chain.carrier(
+        &components,
+        &tracer.reduced.modes,
+        &at,
+        &others,
+        &contact,
+        &tracer.friction(),
+    );
     let mut outputs = carrier_outputs(&carrier).to_vec();
     for index in &rubbed {
-        if let (Some(component), Some(mode), Some(at)) =
-            (components.get(*index), tracer.reduced.modes.get(*index), at.get(*index))
-        {
+        if let (Some(component), Some(mode), Some(at)) = (
+            components.get(*index),
+            tracer.reduced.modes.get(*index),
+            at.get(*index),
+        ) {
             let share = tracer.share(*index, *component * mode.contact, at, &contact, inverse_r);
             outputs.extend(share_outputs(&share));
         }
@@ -292,7 +386,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
     let all: Vec<usize> = (0..emission.modes()).collect();
     let opening = opening(emission, &all);
     let returned = returned(emission, rubbed.len());
-    let operations = format!("Operations: {count}.");
+    let operations = format!(" Operations: {count}.");
     code! {
         #[doc = #about]
         ///

@@ -3,13 +3,22 @@
 use super::trace::Tracer;
 use super::{Emission, Part, derives, local, rounded};
 use crate::graph::Graph;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
-    let Emission { description, name, at, stuck, .. } = emission;
+    let Emission {
+        description,
+        name,
+        at,
+        stuck,
+        scalar,
+        facade,
+        ..
+    } = emission;
     let visibility = &description.visibility;
     let derives = derives();
-    let about = format!("The response of [`{name}`] at one frequency ratio while its contact is stuck.");
+    let about =
+        format!(" The response of [`{name}`] at one frequency ratio while its contact is stuck.");
     let types = code! {
         #[doc = #about]
         #derives
@@ -17,9 +26,26 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             at: #at,
         }
     };
-    let invisible =
-        emission.list(emission.modal.unbounded(true).into_iter().map(|r| rounded(r, emission.precision)));
-    let methods = description.mass_names.iter().enumerate().map(|(mass, method)| of_mass(emission, mass, method));
+    let invisible = emission.list(
+        emission
+            .modal
+            .unbounded(true)
+            .into_iter()
+            .map(|r| rounded(r, emission.precision)),
+    );
+    let methods = description
+        .mass_names
+        .iter()
+        .enumerate()
+        .map(|(mass, method)| of_mass(emission, mass, method));
+    let asked = description
+        .mass_names
+        .iter()
+        .enumerate()
+        .map(|(index, method)| {
+            let index = Literal::usize_unsuffixed(index);
+            code!(#index => Some(stuck.#method()))
+        });
     let items = code! {
         impl #at {
             /// The response while the contact is stuck, β ≥ β*_lim.
@@ -35,15 +61,32 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         impl #stuck {
             #(#methods)*
         }
+
+        impl #facade::StuckAt for #at {
+            fn stuck_mass(&self, index: ::core::primitive::usize) -> Result<Option<Complex<#scalar>>, StuckResonance> {
+                let stuck = self.stuck()?;
+                Ok(match index {
+                    #(#asked,)*
+                    _ => None,
+                })
+            }
+        }
     };
     Part { types, items }
 }
 
 fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream {
-    let Emission { scalar, name, at, reduced, .. } = emission;
-    let about = format!("x̄* = V_k − H_kV/H, the complex amplitude of mass `{method}` (6.11, 6.27, 6.33).");
+    let Emission {
+        scalar,
+        name,
+        at,
+        reduced,
+        ..
+    } = emission;
+    let about =
+        format!(" x̄* = V_k − H_kV/H, the complex amplitude of mass `{method}` (6.11, 6.27, 6.33).");
     if emission.in_passes() {
-        let modes = emission.modes();
+        let modes = Literal::usize_unsuffixed(emission.modes());
         let shape = emission.list(reduced.shapes.get(mass).cloned().unwrap_or_default());
         return code! {
             #[doc = #about]
@@ -72,12 +115,17 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
         inverse_r,
     );
     let outputs = [amplitude.re.operand(), amplitude.im.operand()];
-    let (printed, count) =
-        tracer.print(&outputs, emission.precision, &["inverse_r", "contact", "modes"]);
+    let (printed, count) = tracer.print(
+        &outputs,
+        emission.precision,
+        &["inverse_r", "contact", "modes"],
+    );
     let statements = printed.statements;
-    let [re, im] = printed.outputs.as_slice() else { return TokenStream::new() };
+    let [re, im] = printed.outputs.as_slice() else {
+        return TokenStream::new();
+    };
     let names = (1..=emission.modes()).map(|mode| local(&format!("mode_{mode}")));
-    let operations = format!("Operations: {count}.");
+    let operations = format!(" Operations: {count}.");
     code! {
         #[doc = #about]
         ///

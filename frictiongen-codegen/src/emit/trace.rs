@@ -19,7 +19,10 @@ pub(super) struct Tracer<'g> {
 
 impl<'g> Tracer<'g> {
     pub fn new(graph: &'g Graph, modal: &Modal, precision: Precision) -> Self {
-        Self { graph, reduced: modal.reduced(|value| Expr::Number(rounded(value, precision))) }
+        Self {
+            graph,
+            reduced: modal.reduced(|value| Expr::Number(rounded(value, precision))),
+        }
     }
 
     pub fn count(&self) -> usize {
@@ -40,7 +43,11 @@ impl<'g> Tracer<'g> {
     }
 
     fn if_damped(&self, text: String) -> Expr<'g> {
-        if self.damped() { self.graph.input(text) } else { Expr::Number(0.0) }
+        if self.damped() {
+            self.graph.input(text)
+        } else {
+            Expr::Number(0.0)
+        }
     }
 
     pub fn contact(&self, name: &str) -> ContactAt<Expr<'g>> {
@@ -64,7 +71,9 @@ impl<'g> Tracer<'g> {
     }
 
     pub fn modes_at(&self) -> Vec<ModeAt<Expr<'g>>> {
-        (1..=self.count()).map(|mode| self.mode_at(&format!("mode_{mode}"))).collect()
+        (1..=self.count())
+            .map(|mode| self.mode_at(&format!("mode_{mode}")))
+            .collect()
     }
 
     pub fn friction(&self) -> Friction<Expr<'g>> {
@@ -78,7 +87,12 @@ impl<'g> Tracer<'g> {
         }
     }
 
-    pub fn others(&self, at: &[ModeAt<Expr<'g>>], scale: Expr<'g>, inverse_r: Expr<'g>) -> Vec<Others<Expr<'g>>> {
+    pub fn others(
+        &self,
+        at: &[ModeAt<Expr<'g>>],
+        scale: Expr<'g>,
+        inverse_r: Expr<'g>,
+    ) -> Vec<Others<Expr<'g>>> {
         let Reduced { modes, chain, .. } = &self.reduced;
         let mut others = vec![Others::zero(); modes.len()];
         chain.without_each(modes, at, scale, inverse_r, &mut others);
@@ -103,24 +117,45 @@ impl<'g> Tracer<'g> {
         contact: &ContactAt<Expr<'g>>,
         inverse_r: Expr<'g>,
     ) -> Share<Expr<'g>> {
-        self.reduced.chain.share(at, residue, contact, &self.friction(), inverse_r, index)
+        self.reduced
+            .chain
+            .share(at, residue, contact, &self.friction(), inverse_r, index)
     }
 
     /// Prints `outputs` for a function body in which `taken` are in use.
-    pub fn print(&self, outputs: &[Operand], precision: Precision, taken: &[&str]) -> (Printed, Count) {
-        (print(self.graph, outputs, precision, taken), Count::of(self.graph, outputs))
+    pub fn print(
+        &self,
+        outputs: &[Operand],
+        precision: Precision,
+        taken: &[&str],
+    ) -> (Printed, Count) {
+        (
+            print(self.graph, outputs, precision, taken),
+            Count::of(self.graph, outputs),
+        )
     }
 }
 
 /// The outputs of a contact's sums, in the order in which they are emitted.
 pub(super) fn contact_outputs(contact: &ContactAt<Expr<'_>>) -> Vec<Operand> {
-    let ContactAt { scale, v, u, g, reversal, h } = contact;
-    [scale, &v.re, &v.im, u, g, reversal, &h.re, &h.im].map(|value| value.operand()).to_vec()
+    let ContactAt {
+        scale,
+        v,
+        u,
+        g,
+        reversal,
+        h,
+    } = contact;
+    [scale, &v.re, &v.im, u, g, reversal, &h.re, &h.im]
+        .map(|value| value.operand())
+        .to_vec()
 }
 
 /// The outputs of a mode at a frequency, in the order in which they are emitted.
 pub(super) fn mode_outputs(at: &ModeAt<Expr<'_>>) -> Vec<Operand> {
-    [at.x, at.response.re, at.response.im, at.u, at.g].map(Expr::operand).to_vec()
+    [at.x, at.response.re, at.response.im, at.u, at.g]
+        .map(Expr::operand)
+        .to_vec()
 }
 
 /// A numeric reading of a scene's traced functions, for comparing the recorded graph with the
@@ -140,18 +175,37 @@ pub fn traces<S: frictiongen_kernel::Float>(
     let limit = chain.continuous_limit(&contact, chain.break_away(&contact));
     let mut named: Vec<(String, Operand)> = Vec::new();
     named.push(("continuous_limit_without_search".into(), limit.operand()));
-    named.push(("sliding_limit".into(), chain.sliding_limit(&contact).operand()));
+    named.push((
+        "sliding_limit".into(),
+        chain.sliding_limit(&contact).operand(),
+    ));
     named.push(("amplitude".into(), friction.amplitude.operand()));
     named.push(("phase".into(), friction.phase.operand()));
     let others = tracer.others(&at, contact.scale, inverse);
     for (shape, mass) in tracer.reduced.shapes.iter().zip(&scene.masses) {
-        let carrier = chain.carrier(shape, &tracer.reduced.modes, &at, &others, &contact, &friction);
-        for (field, value) in
-            [("constant", carrier.constant), ("cosine", carrier.cosine), ("sine", carrier.sine)]
-        {
+        let carrier = chain.carrier(
+            shape,
+            &tracer.reduced.modes,
+            &at,
+            &others,
+            &contact,
+            &friction,
+        );
+        for (field, value) in [
+            ("constant", carrier.constant),
+            ("cosine", carrier.cosine),
+            ("sine", carrier.sine),
+        ] {
             named.push((format!("{}.{field}", mass.name), value.operand()));
         }
-        let stuck = chain.stuck(shape, &tracer.reduced.modes, &at, &others, &contact, inverse);
+        let stuck = chain.stuck(
+            shape,
+            &tracer.reduced.modes,
+            &at,
+            &others,
+            &contact,
+            inverse,
+        );
         named.push((format!("{}.stuck.re", mass.name), stuck.re.operand()));
         named.push((format!("{}.stuck.im", mass.name), stuck.im.operand()));
     }
@@ -161,5 +215,11 @@ pub fn traces<S: frictiongen_kernel::Float>(
         "beta" => Some(beta),
         _ => None,
     })?;
-    Some(named.into_iter().map(|(name, _)| name).zip(values).collect())
+    Some(
+        named
+            .into_iter()
+            .map(|(name, _)| name)
+            .zip(values)
+            .collect(),
+    )
 }

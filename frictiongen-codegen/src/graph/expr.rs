@@ -55,16 +55,19 @@ impl<'g> Expr<'g> {
     fn binary(self, op: Binary, other: Self, number: impl Fn(f64, f64) -> f64) -> Self {
         match (self, other, self.graph().or(other.graph())) {
             (Self::Number(a), Self::Number(b), _) => Self::Number(number(a, b)),
-            (a, b, Some(graph)) => {
-                Self::Node(graph, graph.record(Node::Binary(op, a.operand(), b.operand())))
-            }
+            (a, b, Some(graph)) => Self::Node(
+                graph,
+                graph.record(Node::Binary(op, a.operand(), b.operand())),
+            ),
             (a, _, None) => a,
         }
     }
 
     /// `-a` as the operation it is, so that a − (−b) can be told.
     fn negated(self) -> Option<Self> {
-        let Self::Node(graph, id) = self else { return None };
+        let Self::Node(graph, id) = self else {
+            return None;
+        };
         let inner = graph.inner.borrow();
         match inner.nodes.get(id.0) {
             Some(Node::Unary(Unary::Neg, Operand::Node(of))) => Some(Self::Node(graph, *of)),
@@ -82,7 +85,8 @@ impl<'g> Expr<'g> {
 impl Neg for Expr<'_> {
     type Output = Self;
     fn neg(self) -> Self {
-        self.negated().unwrap_or_else(|| self.unary(Unary::Neg, |a| -a))
+        self.negated()
+            .unwrap_or_else(|| self.unary(Unary::Neg, |a| -a))
     }
 }
 
@@ -184,9 +188,10 @@ impl<'g> Scalar for Expr<'g> {
             Condition::Known(true) => yes,
             Condition::Known(false) => no,
             Condition::Node(_, _) if yes.operand() == no.operand() => yes,
-            Condition::Node(graph, id) => {
-                Self::Node(graph, graph.record(Node::Select(id, yes.operand(), no.operand())))
-            }
+            Condition::Node(graph, id) => Self::Node(
+                graph,
+                graph.record(Node::Select(id, yes.operand(), no.operand())),
+            ),
         }
     }
 
@@ -230,9 +235,7 @@ impl<'g> Scalar for Expr<'g> {
                 (Self::Number(s), Self::Number(c))
             }
             (h, d, _) if d.is(0.0) => h.sin_cos_pi(),
-            (h, d, Some(graph)) => {
-                Self::pair(graph, Node::SinCosPiMinus(h.operand(), d.operand()))
-            }
+            (h, d, Some(graph)) => Self::pair(graph, Node::SinCosPiMinus(h.operand(), d.operand())),
             (h, d, None) => (h, d),
         }
     }

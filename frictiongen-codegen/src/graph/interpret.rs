@@ -23,7 +23,10 @@ pub fn interpret<S: Float>(
         let value = evaluate(&values, &node, &input)?;
         values.insert(id, value);
     }
-    outputs.iter().map(|operand| number(&values, operand)).collect()
+    outputs
+        .iter()
+        .map(|operand| number(&values, operand))
+        .collect()
 }
 
 fn number<S: Float>(values: &HashMap<Id, Value<S>>, operand: &Operand) -> Option<S> {

@@ -102,7 +102,10 @@ impl Graph {
     /// An empty graph for a scene of `modes` modes.
     #[must_use]
     pub fn new(modes: usize) -> Self {
-        Self { inner: RefCell::default(), numbered: modes > 1 }
+        Self {
+            inner: RefCell::default(),
+            numbered: modes > 1,
+        }
     }
 
     /// A value from outside, by the Rust expression that names it.
@@ -163,7 +166,11 @@ fn operand_id(operand: &Operand) -> Option<Id> {
 
 /// The recorded operands of an operation.
 pub(crate) fn operands(node: &Node) -> Vec<Id> {
-    let of = |list: &[&Operand]| list.iter().filter_map(|o| operand_id(o)).collect::<Vec<_>>();
+    let of = |list: &[&Operand]| {
+        list.iter()
+            .filter_map(|o| operand_id(o))
+            .collect::<Vec<_>>()
+    };
     match node {
         Node::Input(_) => Vec::new(),
         Node::Unary(_, a) | Node::SinCosPi(a) | Node::IsZero(a) => of(&[a]),

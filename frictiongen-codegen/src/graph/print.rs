@@ -36,13 +36,22 @@ pub fn literal(value: f64, precision: Precision) -> TokenStream {
     #[allow(clippy::cast_possible_truncation, reason = "the scene's scalar is f32")]
     let (text, negative) = match precision {
         Precision::F64 => (format!("{:?}", value.abs()), value.is_sign_negative()),
-        Precision::F32 => (format!("{:?}", (value as f32).abs()), value.is_sign_negative()),
+        Precision::F32 => (
+            format!("{:?}", (value as f32).abs()),
+            value.is_sign_negative(),
+        ),
     };
     let scalar = scalar(precision);
     if text == "inf" {
-        return if negative { code!(#scalar::NEG_INFINITY) } else { code!(#scalar::INFINITY) };
+        return if negative {
+            code!(#scalar::NEG_INFINITY)
+        } else {
+            code!(#scalar::INFINITY)
+        };
     }
-    let number = text.parse::<Literal>().map_or_else(|_| code!(#scalar::NAN), |number| code!(#number));
+    let number = text
+        .parse::<Literal>()
+        .map_or_else(|_| code!(#scalar::NAN), |number| code!(#number));
     if negative { code!(-#number) } else { number }
 }
 
@@ -80,16 +89,34 @@ pub fn print(graph: &Graph, outputs: &[Operand], precision: Precision, taken: &[
     for (id, node, _) in &nodes {
         if let Node::Part(pair, second) = node {
             let parts = printer.pairs.entry(*pair).or_default();
-            if *second { parts.1 = Some(*id) } else { parts.0 = Some(*id) }
+            if *second {
+                parts.1 = Some(*id)
+            } else {
+                parts.0 = Some(*id)
+            }
         }
     }
-    let names: BTreeMap<Id, String> =
-        nodes.iter().filter_map(|(id, _, name)| Some((*id, name.clone()?))).collect();
+    let names: BTreeMap<Id, String> = nodes
+        .iter()
+        .filter_map(|(id, _, name)| Some((*id, name.clone()?)))
+        .collect();
     for (id, node, name) in &nodes {
-        printer.visit(*id, node, name.as_deref(), uses.get(id).copied().unwrap_or(0), &names);
+        printer.visit(
+            *id,
+            node,
+            name.as_deref(),
+            uses.get(id).copied().unwrap_or(0),
+            &names,
+        );
     }
-    let outputs = outputs.iter().map(|output| printer.text(output).tokens).collect();
-    Printed { statements: printer.statements, outputs }
+    let outputs = outputs
+        .iter()
+        .map(|output| printer.text(output).tokens)
+        .collect();
+    Printed {
+        statements: printer.statements,
+        outputs,
+    }
 }
 
 struct Printer {
@@ -101,7 +128,14 @@ struct Printer {
 }
 
 impl Printer {
-    fn visit(&mut self, id: Id, node: &Node, name: Option<&str>, uses: usize, names: &BTreeMap<Id, String>) {
+    fn visit(
+        &mut self,
+        id: Id,
+        node: &Node,
+        name: Option<&str>,
+        uses: usize,
+        names: &BTreeMap<Id, String>,
+    ) {
         match node {
             Node::Part(..) => return,
             Node::SinCosPi(_) | Node::SinCosPiMinus(..) => {
@@ -117,7 +151,8 @@ impl Printer {
                     }
                 };
                 let (first, second) = (bind(first, "sine"), bind(second, "cosine"));
-                self.statements.extend(code!(let (#first, #second) = #value;));
+                self.statements
+                    .extend(code!(let (#first, #second) = #value;));
                 return;
             }
             _ => {}
@@ -149,12 +184,21 @@ impl Printer {
         match operand {
             Operand::Number(bits) => {
                 let value = f64::from_bits(*bits);
-                let binds = if value.is_sign_negative() { Binds::Unary } else { Binds::Atom };
-                Text { tokens: literal(value, self.precision), binds }
+                let binds = if value.is_sign_negative() {
+                    Binds::Unary
+                } else {
+                    Binds::Atom
+                };
+                Text {
+                    tokens: literal(value, self.precision),
+                    binds,
+                }
             }
-            Operand::Node(id) => {
-                self.texts.get(id).cloned().unwrap_or_else(|| atom(TokenStream::new()))
-            }
+            Operand::Node(id) => self
+                .texts
+                .get(id)
+                .cloned()
+                .unwrap_or_else(|| atom(TokenStream::new())),
         }
     }
 
@@ -162,7 +206,11 @@ impl Printer {
     fn within(&self, operand: &Operand, least: Binds) -> TokenStream {
         let text = self.text(operand);
         let tokens = text.tokens;
-        if text.binds >= least { tokens } else { code!((#tokens)) }
+        if text.binds >= least {
+            tokens
+        } else {
+            code!((#tokens))
+        }
     }
 
     fn expression(&self, node: &Node) -> Text {
@@ -171,7 +219,10 @@ impl Printer {
             Node::Input(text) => atom(mixed(text.parse().unwrap_or_default())),
             Node::Unary(Unary::Neg, a) => {
                 let a = self.within(a, Binds::Unary);
-                Text { tokens: code!(-#a), binds: Binds::Unary }
+                Text {
+                    tokens: code!(-#a),
+                    binds: Binds::Unary,
+                }
             }
             Node::Unary(op, a) => {
                 let function = Ident::new(unary_name(*op), Span::mixed_site());
@@ -190,23 +241,38 @@ impl Printer {
             Node::Part(..) => atom(TokenStream::new()),
             Node::Less(a, b) => {
                 let (a, b) = (self.within(a, Binds::Sum), self.within(b, Binds::Sum));
-                Text { tokens: code!(#a < #b), binds: Binds::Compare }
+                Text {
+                    tokens: code!(#a < #b),
+                    binds: Binds::Compare,
+                }
             }
             Node::IsZero(a) => {
                 let a = self.within(a, Binds::Sum);
-                Text { tokens: code!(#a == 0.0), binds: Binds::Compare }
+                Text {
+                    tokens: code!(#a == 0.0),
+                    binds: Binds::Compare,
+                }
             }
             Node::Select(condition, yes, no) => {
                 let condition = self.text(&Operand::Node(*condition)).tokens;
                 let (yes, no) = (plain(yes), plain(no));
-                Text { tokens: code!(if #condition { #yes } else { #no }), binds: Binds::Branch }
+                Text {
+                    tokens: code!(if #condition { #yes } else { #no }),
+                    binds: Binds::Branch,
+                }
             }
         }
     }
 
     fn binary(&self, op: Binary, a: &Operand, b: &Operand) -> Text {
-        let sum = |tokens| Text { tokens, binds: Binds::Sum };
-        let product = |tokens| Text { tokens, binds: Binds::Product };
+        let sum = |tokens| Text {
+            tokens,
+            binds: Binds::Sum,
+        };
+        let product = |tokens| Text {
+            tokens,
+            binds: Binds::Product,
+        };
         match op {
             Binary::Add => {
                 let (a, b) = (self.within(a, Binds::Sum), self.within(b, Binds::Product));
@@ -239,7 +305,10 @@ impl Printer {
 }
 
 fn atom(tokens: TokenStream) -> Text {
-    Text { tokens, binds: Binds::Atom }
+    Text {
+        tokens,
+        binds: Binds::Atom,
+    }
 }
 
 fn unary_name(op: Unary) -> &'static str {

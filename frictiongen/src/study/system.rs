@@ -1,6 +1,6 @@
 //! The run-time system: the same closed forms, over vectors instead of arrays.
 
-use crate::system::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady};
+use crate::system::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady, StuckAt};
 use crate::{Complex, Error, NotContinuous, OutOfDomain, Regime, StuckResonance};
 use frictiongen_codegen::{Diagnostics, Limits, parse_text};
 use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt, Others};
@@ -54,7 +54,12 @@ pub struct UnknownMass {
 
 impl std::fmt::Display for UnknownMass {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "there is no mass `{}`; the masses are {}", self.name, self.known.join(", "))
+        write!(
+            f,
+            "there is no mass `{}`; the masses are {}",
+            self.name,
+            self.known.join(", ")
+        )
     }
 }
 
@@ -83,10 +88,21 @@ impl<S: Float> System<S> {
     pub fn from_scene(scene: Scene) -> Self {
         let modal = Modal::of(&scene);
         let reduced = modal.reduced(rounded::<S>);
-        let resonances: Vec<S> = modal.resonances.iter().map(|value| rounded(*value)).collect();
+        let resonances: Vec<S> = modal
+            .resonances
+            .iter()
+            .map(|value| rounded(*value))
+            .collect();
         let unbounded = modal.unbounded(false).into_iter().map(rounded).collect();
         let invisible = modal.unbounded(true).into_iter().map(rounded).collect();
-        Self { scene, modal, reduced, resonances, unbounded, invisible }
+        Self {
+            scene,
+            modal,
+            reduced,
+            resonances,
+            unbounded,
+            invisible,
+        }
     }
 
     /// The scene as it was described.
@@ -104,7 +120,11 @@ impl<S: Float> System<S> {
     /// ω_i, rad/s in the scene's own units, ascending.
     #[must_use]
     pub fn natural_frequencies(&self) -> Vec<S> {
-        self.modal.natural_frequencies().into_iter().map(rounded).collect()
+        self.modal
+            .natural_frequencies()
+            .into_iter()
+            .map(rounded)
+            .collect()
     }
 
     /// √λ_i: the frequency ratios of the undamped resonances, ascending.
@@ -117,7 +137,9 @@ impl<S: Float> System<S> {
     #[must_use]
     pub fn mode_shapes(&self) -> Vec<Vec<S>> {
         let shapes = self.modal.shapes.iter();
-        shapes.map(|shape| shape.iter().map(|value| rounded(*value)).collect()).collect()
+        shapes
+            .map(|shape| shape.iter().map(|value| rounded(*value)).collect())
+            .collect()
     }
 
     /// rad/s → r = ω√(m₁/k₁).
@@ -145,21 +167,44 @@ impl<S: Float> System<S> {
         let scale = Chain::responses(modes, inverse_r, &mut responses);
         let mut modes_at = vec![ModeAt::zero(); modes.len()];
         let contact = chain.contact(modes, &responses, scale, inverse_r, &mut modes_at);
-        Ok(SystemAt { system: self, r, inverse_r, contact, modes: modes_at })
+        Ok(SystemAt {
+            system: self,
+            r,
+            inverse_r,
+            contact,
+            modes: modes_at,
+        })
     }
 
     /// β_n,i: the friction ratio below which the i-th undamped resonance is unbounded (6.2, 6.26);
     /// none for a mode that the contact does not drive.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<S>> {
-        self.modal.resonance_thresholds().into_iter().map(|value| value.map(rounded)).collect()
+        self.modal
+            .resonance_thresholds()
+            .into_iter()
+            .map(|value| value.map(rounded))
+            .collect()
     }
 
     fn mass_index(&self, name: &str) -> Result<usize, UnknownMass> {
-        self.scene.masses.iter().position(|mass| mass.name == name).ok_or_else(|| UnknownMass {
+        self.scene
+            .masses
+            .iter()
+            .position(|mass| mass.name == name)
+            .ok_or_else(|| self.unknown(name))
+    }
+
+    fn unknown(&self, name: &str) -> UnknownMass {
+        UnknownMass {
             name: name.to_owned(),
-            known: self.scene.masses.iter().map(|mass| mass.name.clone()).collect(),
-        })
+            known: self
+                .scene
+                .masses
+                .iter()
+                .map(|mass| mass.name.clone())
+                .collect(),
+        }
     }
 }
 
@@ -176,7 +221,8 @@ pub struct SystemAt<'a, S = f64> {
 impl<'a, S: Float> SystemAt<'a, S> {
     fn waves(&self) -> Vec<Wave<S, Damped<S>>> {
         let zip = self.system.reduced.modes.iter().zip(&self.modes);
-        zip.map(|(mode, at)| Wave::rest(at.x, Damped::of(mode))).collect()
+        zip.map(|(mode, at)| Wave::rest(at.x, Damped::of(mode)))
+            .collect()
     }
 
     fn continuous(&self, constraint: S) -> S {
@@ -217,7 +263,12 @@ impl<'a, S: Float> SystemAt<'a, S> {
     pub fn sliding_limit(&self) -> S {
         let Reduced { chain, ends, .. } = &self.system.reduced;
         let limit = chain.sliding_limit(&self.contact);
-        steady::with_ends(self.r, limit, ends.sliding_at_rest, ends.sliding_at_infinity)
+        steady::with_ends(
+            self.r,
+            limit,
+            ends.sliding_at_rest,
+            ends.sliding_at_infinity,
+        )
     }
 
     /// The regime at β = F/P.
@@ -226,7 +277,11 @@ impl<'a, S: Float> SystemAt<'a, S> {
     /// [`OutOfDomain`] for NaN, negative and infinite β.
     pub fn regime(&self, beta: S) -> Result<Regime, OutOfDomain> {
         let beta = steady::check_beta(beta)?;
-        Ok(steady::regime(beta, self.continuous_limit(), self.sliding_limit()))
+        Ok(steady::regime(
+            beta,
+            self.continuous_limit(),
+            self.sliding_limit(),
+        ))
     }
 
     /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime.
@@ -235,13 +290,23 @@ impl<'a, S: Float> SystemAt<'a, S> {
     /// [`OutOfDomain`] for NaN, negative and infinite β.
     pub fn margin(&self, beta: S) -> Result<S, OutOfDomain> {
         let beta = steady::check_beta(beta)?;
-        Ok(steady::margin(beta, self.continuous_limit(), self.sliding_limit()))
+        Ok(steady::margin(
+            beta,
+            self.continuous_limit(),
+            self.sliding_limit(),
+        ))
     }
 
     fn others(&self) -> Vec<Others<S>> {
         let Reduced { modes, chain, .. } = &self.system.reduced;
         let mut others = vec![Others::zero(); modes.len()];
-        chain.without_each(modes, &self.modes, self.contact.scale, self.inverse_r, &mut others);
+        chain.without_each(
+            modes,
+            &self.modes,
+            self.contact.scale,
+            self.inverse_r,
+            &mut others,
+        );
         others
     }
 
@@ -250,8 +315,18 @@ impl<'a, S: Float> SystemAt<'a, S> {
     /// # Errors
     /// [`NotContinuous`] says which regime it is instead.
     pub fn motion(&self, beta: S) -> Result<SystemMotion<'a, S>, NotContinuous> {
-        let Self { system, r, contact, modes, .. } = self;
-        let Reduced { modes: constants, chain, .. } = &system.reduced;
+        let Self {
+            system,
+            r,
+            contact,
+            modes,
+            ..
+        } = self;
+        let Reduced {
+            modes: constants,
+            chain,
+            ..
+        } = &system.reduced;
         let beta = chain.admitted(
             *r,
             beta,
@@ -274,9 +349,17 @@ impl<'a, S: Float> SystemAt<'a, S> {
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
     pub fn stuck(&self) -> Result<SystemStuck<'a, S>, StuckResonance> {
-        let Self { system, r, contact, .. } = self;
-        system.reduced.chain.stuck_admitted(*r, contact, &system.invisible)?;
-        Ok(SystemStuck { at: self.clone(), others: self.others() })
+        let Self {
+            system, r, contact, ..
+        } = self;
+        system
+            .reduced
+            .chain
+            .stuck_admitted(*r, contact, &system.invisible)?;
+        Ok(SystemStuck {
+            at: self.clone(),
+            others: self.others(),
+        })
     }
 }
 
@@ -295,8 +378,13 @@ impl<S: Float> SystemMotion<'_, S> {
     /// The relative motion in the contact.
     #[must_use]
     pub fn contact(&self) -> SystemSteady<S> {
-        let SystemAt { system, contact, .. } = &self.at;
-        let carrier = system.reduced.chain.contact_carrier(contact, &self.friction);
+        let SystemAt {
+            system, contact, ..
+        } = &self.at;
+        let carrier = system
+            .reduced
+            .chain
+            .contact_carrier(contact, &self.friction);
         Motion::of_contact(self.friction, carrier, self.waves(|mode, _| mode.mobility))
     }
 
@@ -306,32 +394,66 @@ impl<S: Float> SystemMotion<'_, S> {
     /// [`UnknownMass`] if there is none of this name.
     pub fn mass(&self, name: &str) -> Result<SystemSteady<S>, UnknownMass> {
         let index = self.at.system.mass_index(name)?;
-        Ok(self.mass_at(index).unwrap_or_else(|| self.contact()))
+        self.mass_at(index)
+            .ok_or_else(|| self.at.system.unknown(name))
     }
 
     /// The motion of a mass, by its place in the description.
     #[must_use]
     pub fn mass_at(&self, index: usize) -> Option<SystemSteady<S>> {
-        let SystemAt { system, contact, modes, .. } = &self.at;
-        let Reduced { modes: constants, chain, shapes, .. } = &system.reduced;
+        let SystemAt {
+            system,
+            contact,
+            modes,
+            ..
+        } = &self.at;
+        let Reduced {
+            modes: constants,
+            chain,
+            shapes,
+            ..
+        } = &system.reduced;
         let shape = shapes.get(index)?;
         if chain.on_moving_base.is_none() && system.modal.contact == (index, None) {
             return Some(self.contact());
         }
-        let carrier = chain.carrier(shape, constants, modes, &self.others, contact, &self.friction);
+        let carrier = chain.carrier(
+            shape,
+            constants,
+            modes,
+            &self.others,
+            contact,
+            &self.friction,
+        );
         let residue = |mode: &Mode<S>, component: S| component * mode.contact;
         let waves = self.waves(|mode, i| residue(mode, shape.get(i).copied().unwrap_or(mode.zeta)));
         Some(Motion::of_mass(self.friction, carrier, waves))
     }
 
     fn waves(&self, residue: impl Fn(&Mode<S>, usize) -> S) -> Vec<Wave<S, Damped<S>>> {
-        let SystemAt { system, contact, modes, inverse_r, .. } = &self.at;
-        let Reduced { modes: constants, chain, .. } = &system.reduced;
+        let SystemAt {
+            system,
+            contact,
+            modes,
+            inverse_r,
+            ..
+        } = &self.at;
+        let Reduced {
+            modes: constants,
+            chain,
+            ..
+        } = &system.reduced;
         let mut waves = Vec::with_capacity(modes.len());
         for (index, (mode, at)) in constants.iter().zip(modes).enumerate() {
             if mode.in_contact {
-                let share =
-                    chain.share(at, residue(mode, index), contact, &self.friction, *inverse_r, index);
+                let share = chain.share(
+                    at,
+                    residue(mode, index),
+                    contact,
+                    &self.friction,
+                    *inverse_r,
+                    index,
+                );
                 waves.push(motion_wave(at.x, Damped::of(mode), share));
             }
         }
@@ -352,14 +474,35 @@ impl<S: Float> SystemStuck<'_, S> {
     /// # Errors
     /// [`UnknownMass`] if there is none of this name.
     pub fn mass(&self, name: &str) -> Result<Complex<S>, UnknownMass> {
-        Ok(self.of(self.at.system.mass_index(name)?))
+        let index = self.at.system.mass_index(name)?;
+        self.mass_at(index)
+            .ok_or_else(|| self.at.system.unknown(name))
     }
 
-    fn of(&self, mass: usize) -> Complex<S> {
-        let SystemAt { system, contact, modes, inverse_r, .. } = &self.at;
-        let Reduced { modes: constants, chain, shapes, .. } = &system.reduced;
-        let shape = shapes.get(mass).map_or(&[][..], Vec::as_slice);
-        chain.stuck(shape, constants, modes, &self.others, contact, *inverse_r)
+    /// The complex amplitude of a mass, by its place in the description.
+    #[must_use]
+    pub fn mass_at(&self, index: usize) -> Option<Complex<S>> {
+        let SystemAt {
+            system,
+            contact,
+            modes,
+            inverse_r,
+            ..
+        } = &self.at;
+        let Reduced {
+            modes: constants,
+            chain,
+            shapes,
+            ..
+        } = &system.reduced;
+        let shape = shapes.get(index)?;
+        Some(chain.stuck(shape, constants, modes, &self.others, contact, *inverse_r))
+    }
+}
+
+impl<S: Float> StuckAt for SystemAt<'_, S> {
+    fn stuck_mass(&self, index: usize) -> Result<Option<Complex<S>>, StuckResonance> {
+        Ok(self.stuck()?.mass_at(index))
     }
 }
 

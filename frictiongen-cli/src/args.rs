@@ -1,0 +1,118 @@
+//! What can be typed.
+
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+
+const GRIDS: &str = "\
+Grids:
+  A grid is a number, a range a:step:b (b included), or a comma-separated list of those:
+  0.9   0.2:0.01:2.5   0,0.5,1:0.1:2,inf
+  A frequency ratio may be 0 and inf; a friction ratio is finite. At most 10 million points.
+
+Exit status:
+  0, or 2 with one line on standard error for each thing that is wrong.";
+
+const RESPONSES: &str = "\
+Regimes:
+  continuous  the contact slides all the time: exact amplitudes, phases and harmonics
+  stick-slip  the contact stops and slides in turn: no motion is given (empty cells, null)
+  stuck       the contact never slides: amplitude and phase of each mass
+  unbounded   on an undamped resonance: the margin says whether the contact slides (negative)
+              or is stuck
+
+Quantities:
+  margin      beta/min(beta_lim, beta*_lim) - 1, negative in the continuous regime
+  amplitude   largest displacement of the cycle over P/k1, for base motion over Y
+  phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]
+  X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad
+
+";
+
+/// Exact solutions of mass-spring chains with one Coulomb friction contact.
+#[derive(Debug, Parser)]
+#[command(name = "frictiongen", version, max_term_width = 100)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// The limits of continuous motion and of sliding over frequency
+    #[command(after_help = GRIDS)]
+    Limits(LimitsArguments),
+    /// Regime, amplitudes, phases and harmonics over frequency and friction
+    #[command(after_help = format!("{RESPONSES}{GRIDS}"))]
+    Response(ResponseArguments),
+    /// The Rust that the macro emits for a description
+    Expand(ExpandArguments),
+}
+
+/// Which description.
+#[derive(Debug, Args)]
+pub struct FileArgument {
+    /// The description; standard input if it is - or left out
+    pub file: Option<PathBuf>,
+}
+
+/// In which format numbers are printed; a table unless one is chosen.
+#[derive(Debug, Args)]
+#[group(multiple = false)]
+pub struct FormatArguments {
+    /// Print JSON: {scene, natural_frequencies, resonances, points}; infinity is the string "inf"
+    #[arg(long)]
+    pub json: bool,
+    /// Print CSV: a header line, then every number with all its digits
+    #[arg(long)]
+    pub csv: bool,
+}
+
+/// Of `frictiongen limits`.
+#[derive(Debug, Args)]
+pub struct LimitsArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// Frequency ratios r = omega sqrt(m1/k1)
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    pub r: String,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
+}
+
+/// Of `frictiongen response`.
+#[derive(Debug, Args)]
+pub struct ResponseArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// Frequency ratios r = omega sqrt(m1/k1)
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    pub r: String,
+    /// Friction ratios beta = F/P, for base motion F/(k1 Y)
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    pub beta: String,
+    /// Only this mass; may be given more than once [default: every mass]
+    #[arg(long, value_name = "NAME")]
+    pub mass: Vec<String>,
+    /// Also the harmonics X_1, X_3, ... up to this one
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub harmonics: Option<String>,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
+}
+
+/// Of `frictiongen expand`.
+#[derive(Debug, Args)]
+pub struct ExpandArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+}

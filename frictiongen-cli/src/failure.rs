@@ -1,0 +1,48 @@
+//! Why a command ends early, and what its user is told.
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+/// Why a command ends early.
+#[derive(Debug)]
+pub enum Failure {
+    /// Lines that say what is wrong, as they are to be printed.
+    Lines(Vec<String>),
+    /// Whoever reads the output has enough.
+    Closed,
+}
+
+impl Failure {
+    /// One line that says what is wrong.
+    pub fn new(message: impl std::fmt::Display) -> Self {
+        Self::Lines(vec![format!("frictiongen: {message}")])
+    }
+
+    /// Of writing to standard output.
+    pub fn output(error: &io::Error) -> Self {
+        if error.kind() == io::ErrorKind::BrokenPipe {
+            Self::Closed
+        } else {
+            Self::new(format_args!("cannot write the output: {error}"))
+        }
+    }
+
+    /// Tells the user, and gives the exit status.
+    pub fn report(self) -> ExitCode {
+        let Self::Lines(lines) = self else {
+            return ExitCode::SUCCESS;
+        };
+        let mut stderr = io::stderr().lock();
+        for line in lines {
+            // Nowhere is left to report to if this fails.
+            let _ = writeln!(stderr, "{line}");
+        }
+        ExitCode::from(2)
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::output(&error)
+    }
+}

@@ -1,0 +1,184 @@
+//! Grids: `a:step:b`, a number, or a comma-separated list of those.
+
+use std::fmt;
+
+/// The most points of a grid, and of two grids together.
+pub const MOST_POINTS: usize = 10_000_000;
+
+/// What a grid is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// r: 0 and infinity are values like any other.
+    FrequencyRatio,
+    /// β: finite.
+    FrictionRatio,
+}
+
+impl Quantity {
+    fn option(self) -> &'static str {
+        match self {
+            Self::FrequencyRatio => "--r",
+            Self::FrictionRatio => "--beta",
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::FrequencyRatio => "frequency ratio",
+            Self::FrictionRatio => "friction ratio",
+        }
+    }
+}
+
+/// What is wrong with a grid.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GridError {
+    option: &'static str,
+    entry: String,
+    problem: String,
+}
+
+impl fmt::Display for GridError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} `{}`: {}", self.option, self.entry, self.problem)
+    }
+}
+
+/// The points of a grid, in the order written; at least one.
+pub fn parse(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
+    let mut points = Vec::new();
+    for entry in text.split(',').map(str::trim) {
+        extend(&mut points, entry, quantity).map_err(|problem| GridError {
+            option: quantity.option(),
+            entry: entry.to_owned(),
+            problem,
+        })?;
+    }
+    Ok(points)
+}
+
+/// Adds the points of one entry of the list.
+fn extend(points: &mut Vec<f64>, entry: &str, quantity: Quantity) -> Result<(), String> {
+    let mut parts = entry.split(':');
+    match (parts.next(), parts.next(), parts.next(), parts.next()) {
+        (Some(value), None, ..) => {
+            let value = number(value)?;
+            admit(value, quantity)?;
+            room(points.len(), 1.0)?;
+            points.push(value);
+        }
+        (Some(first), Some(step), Some(last), None) => {
+            let range = Range::new(number(first)?, number(step)?, number(last)?, quantity)?;
+            let count = room(points.len(), range.steps + 1.0)?;
+            points.extend((0..count).map(|index| range.point(index)));
+        }
+        _ => return Err("a grid is a number, or a range a:step:b".to_owned()),
+    }
+    Ok(())
+}
+
+/// The number of points, if there is room for that many more.
+fn room(already: usize, more: f64) -> Result<usize, String> {
+    // Exact: both are whole, and far below 2^53 where the answer is yes.
+    #[allow(
+        clippy::cast_precision_loss,
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss
+    )]
+    if more <= MOST_POINTS.saturating_sub(already) as f64 {
+        Ok(more as usize)
+    } else {
+        Err(format!(
+            "more than {MOST_POINTS} points, the most there may be"
+        ))
+    }
+}
+
+/// A range with its number of steps.
+struct Range {
+    first: f64,
+    step: f64,
+    last: f64,
+    steps: f64,
+    ends_at_last: bool,
+}
+
+impl Range {
+    fn new(first: f64, step: f64, last: f64, quantity: Quantity) -> Result<Self, String> {
+        if !(first.is_finite() && step.is_finite() && last.is_finite()) {
+            return Err("a range needs finite numbers".to_owned());
+        }
+        admit(first, quantity)?;
+        admit(last, quantity)?;
+        if step == 0.0 {
+            return Err("the step must not be 0".to_owned());
+        }
+        let ratio = (last - first) / step;
+        if ratio < 0.0 {
+            let sign = if step < 0.0 { "positive" } else { "negative" };
+            return Err(format!(
+                "from {first:?} to {last:?} the step must be {sign}"
+            ));
+        }
+        // By how much rounding of the three numbers can move the ratio.
+        let blur = 4.0 * f64::EPSILON * ((first.abs() + last.abs()) / step.abs() + ratio);
+        let whole = ratio.round();
+        let ends_at_last = (ratio - whole).abs() <= blur;
+        let steps = if ends_at_last { whole } else { ratio.floor() };
+        Ok(Self {
+            first,
+            step,
+            last,
+            steps,
+            ends_at_last,
+        })
+    }
+
+    fn point(&self, index: usize) -> f64 {
+        #[allow(
+            clippy::cast_precision_loss,
+            reason = "an index is at most ten million"
+        )]
+        let index = index as f64;
+        if self.ends_at_last && index == self.steps {
+            // The same within rounding, and what was asked for.
+            self.last
+        } else {
+            self.first + index * self.step
+        }
+    }
+}
+
+/// A number, with −0 taken for 0.
+fn number(text: &str) -> Result<f64, String> {
+    let text = text.trim();
+    let value: f64 = text.parse().map_err(|_| {
+        if text.is_empty() {
+            "a number is missing".to_owned()
+        } else {
+            format!("`{text}` is not a number")
+        }
+    })?;
+    if value.is_nan() {
+        return Err("NaN is not a number to compute with".to_owned());
+    }
+    if value.is_infinite() && text.contains(|letter: char| letter.is_ascii_digit()) {
+        return Err(format!("`{text}` is too large; write inf if it is meant"));
+    }
+    Ok(value + 0.0)
+}
+
+/// Nothing, if a quantity can have this value.
+fn admit(value: f64, quantity: Quantity) -> Result<(), String> {
+    let name = quantity.name();
+    if value < 0.0 {
+        Err(format!("a {name} is not negative"))
+    } else if value.is_infinite() && quantity == Quantity::FrictionRatio {
+        Err(format!("a {name} is finite"))
+    } else {
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,51 @@
+//! Writes JSON: one object, whose points are written as they are computed, each on its own line.
+
+use crate::number::Value;
+use crate::summary::Summary;
+use serde_json::Value as Json;
+use std::io::{self, Write};
+
+/// Writes the object.
+pub struct Writer<'a> {
+    out: &'a mut dyn Write,
+    empty: bool,
+}
+
+impl<'a> Writer<'a> {
+    /// Writes everything before the points.
+    pub fn begin(out: &'a mut dyn Write, summary: &Summary) -> io::Result<Self> {
+        let list = |values: &[f64]| numbers(values.iter().copied());
+        writeln!(out, "{{")?;
+        writeln!(out, "\"scene\": {},", Json::from(summary.scene.as_str()))?;
+        let frequencies = list(&summary.natural_frequencies);
+        writeln!(out, "\"natural_frequencies\": {frequencies},")?;
+        writeln!(out, "\"resonances\": {},", list(&summary.resonances))?;
+        write!(out, "\"points\": [")?;
+        Ok(Self { out, empty: true })
+    }
+
+    /// Writes a point.
+    pub fn point(&mut self, point: &Json) -> io::Result<()> {
+        let comma = if self.empty { "" } else { "," };
+        self.empty = false;
+        write!(self.out, "{comma}\n{point}")
+    }
+
+    /// Writes everything after the points.
+    pub fn end(self) -> io::Result<()> {
+        writeln!(self.out, "\n]\n}}")
+    }
+}
+
+/// A list of numbers.
+fn numbers(values: impl Iterator<Item = f64>) -> Json {
+    values.map(|value| Value::from(value).json()).collect()
+}
+
+/// An object, whose fields serde_json sorts by name.
+pub fn object<const N: usize>(fields: [(&str, Json); N]) -> serde_json::Map<String, Json> {
+    fields
+        .into_iter()
+        .map(|(name, value)| (name.to_owned(), value))
+        .collect()
+}

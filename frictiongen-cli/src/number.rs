@@ -1,0 +1,133 @@
+//! How values are written.
+
+use std::borrow::Cow;
+
+/// One value of a row.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value<'a> {
+    /// A number, never NaN and never −0.
+    Number(f64),
+    /// A word.
+    Text(&'a str),
+    /// Nothing to say: an empty cell.
+    Missing,
+}
+
+impl From<f64> for Value<'_> {
+    fn from(value: f64) -> Self {
+        if value.is_nan() {
+            Self::Missing
+        } else {
+            Self::Number(value + 0.0)
+        }
+    }
+}
+
+impl From<Option<f64>> for Value<'_> {
+    fn from(value: Option<f64>) -> Self {
+        value.map_or(Self::Missing, Self::from)
+    }
+}
+
+impl<'a> From<&'a str> for Value<'a> {
+    fn from(value: &'a str) -> Self {
+        Self::Text(value)
+    }
+}
+
+impl Value<'_> {
+    /// With every digit, as few as read back as the same number.
+    pub fn exact(&self) -> Cow<'_, str> {
+        match self {
+            Self::Number(value) => Cow::Owned(format!("{value:?}")),
+            Self::Text(text) => Cow::Borrowed(text),
+            Self::Missing => Cow::Borrowed(""),
+        }
+    }
+
+    /// As JSON, which has no infinity: the string "inf" stands for it.
+    pub fn json(&self) -> serde_json::Value {
+        match self {
+            Self::Number(value) if value.is_infinite() => {
+                if *value < 0.0 { "-inf" } else { "inf" }.into()
+            }
+            Self::Number(value) => (*value).into(),
+            Self::Text(text) => (*text).into(),
+            Self::Missing => serde_json::Value::Null,
+        }
+    }
+}
+
+/// A number computed, for people: six decimals, or six digits where those say little.
+pub fn computed(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        "0".to_owned()
+    } else if size.is_infinite() || (0.01..99_999.0).contains(&size) {
+        format!("{value:.6}")
+    } else {
+        format!("{value:.5e}")
+    }
+}
+
+/// The most decimals of a number given.
+const MOST_DECIMALS: usize = 9;
+
+/// A number given by the user, for people, with the decimals that its whole grid needs.
+pub fn given(value: f64, decimals: usize) -> String {
+    let size = value.abs();
+    if size == 0.0 || size.is_infinite() || (1e-6..1e9).contains(&size) {
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:?}")
+    }
+}
+
+/// The decimals that a number needs, without what rounding left in it.
+pub fn decimals(value: f64) -> usize {
+    let text = given(value, MOST_DECIMALS);
+    match text.split_once('.') {
+        Some((_, decimals)) if !text.contains('e') => decimals.trim_end_matches('0').len(),
+        _ => 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Value, computed, decimals, given};
+
+    #[test]
+    fn for_people() {
+        let cases = [
+            (0.0, "0"),
+            (f64::INFINITY, "inf"),
+            (0.25 * std::f64::consts::PI, "0.785398"),
+            (-123.456_789_1, "-123.456789"),
+            (0.001_234_567_8, "1.23457e-3"),
+            (1e22, "1.00000e22"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(computed(value), text);
+        }
+        assert_eq!(decimals(0.1 + 0.2), 1);
+        assert_eq!(decimals(1e-30), 0);
+        assert_eq!(decimals(20.0), 0);
+        assert_eq!(decimals(f64::INFINITY), 0);
+        assert_eq!(decimals(1.0 / 3.0), 9);
+        assert_eq!(given(0.1 + 0.2, 2), "0.30");
+        assert_eq!(given(1e-30, 2), "1e-30");
+    }
+
+    #[test]
+    fn for_programs() {
+        assert_eq!(Value::from(0.1).exact(), "0.1");
+        assert_eq!(Value::from(-0.0).exact(), "0.0");
+        assert_eq!(Value::from(1e300).exact(), "1e300");
+        assert_eq!(Value::from(f64::INFINITY).exact(), "inf");
+        assert_eq!(Value::from(f64::NAN), Value::Missing);
+        assert_eq!(Value::from(None::<f64>).exact(), "");
+        assert_eq!(Value::from(f64::INFINITY).json(), "inf");
+        assert_eq!(Value::from(f64::NEG_INFINITY).json(), "-inf");
+        assert_eq!(Value::Missing.json(), serde_json::Value::Null);
+    }
+}
