@@ -12,6 +12,15 @@ Grids:
 Exit status:
   0, or 2 with one line on standard error for each thing that is wrong.";
 
+const LIMITS: &str = "\
+Quantities:
+  continuous limit  beta_lim, exact: below both limits the contact slides all the time
+  without search    beta_lim with the velocity constraint taken at the reversal alone: not smaller
+  per mode          beta_lim with each mode's own maximum of the constraint: not larger
+  sliding limit     beta*_lim: at it and beyond it the contact never slides
+
+";
+
 const RESPONSES: &str = "\
 Regimes:
   continuous  the contact slides all the time: exact amplitudes, phases and harmonics
@@ -30,7 +39,7 @@ Quantities:
 
 /// Exact solutions of mass-spring chains with one Coulomb friction contact.
 #[derive(Debug, Parser)]
-#[command(name = "frictiongen", version, max_term_width = 100)]
+#[command(name = "frictiongen", version)]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
@@ -41,7 +50,7 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// The limits of continuous motion and of sliding over frequency
-    #[command(after_help = GRIDS)]
+    #[command(after_help = format!("{LIMITS}{GRIDS}"))]
     Limits(LimitsArguments),
     /// Regime, amplitudes, phases and harmonics over frequency and friction
     #[command(after_help = format!("{RESPONSES}{GRIDS}"))]
@@ -61,10 +70,10 @@ pub struct FileArgument {
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 pub struct FormatArguments {
-    /// Print JSON: {scene, natural_frequencies, resonances, points}; infinity is the string "inf"
+    /// Print JSON; infinity is the string "inf"
     #[arg(long)]
     pub json: bool,
-    /// Print CSV: a header line, then every number with all its digits
+    /// Print CSV, every number with all its digits
     #[arg(long)]
     pub csv: bool,
 }

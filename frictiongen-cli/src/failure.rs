@@ -23,7 +23,7 @@ impl Failure {
         if error.kind() == io::ErrorKind::BrokenPipe {
             Self::Closed
         } else {
-            Self::new(format_args!("cannot write the output: {error}"))
+            Self::new(format_args!("cannot write the output: {}", reason(error)))
         }
     }
 
@@ -38,6 +38,17 @@ impl Failure {
             let _ = writeln!(stderr, "{line}");
         }
         ExitCode::from(2)
+    }
+}
+
+/// Why a file cannot be read or written, the commonest reasons in the same words everywhere.
+pub fn reason(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),
+        io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
+        io::ErrorKind::PermissionDenied => "permission is denied".to_owned(),
+        io::ErrorKind::StorageFull => "no space is left".to_owned(),
+        _ => error.to_string(),
     }
 }
 

@@ -79,12 +79,7 @@ fn extend(points: &mut Vec<f64>, entry: &str, quantity: Quantity) -> Result<(), 
 
 /// The number of points, if there is room for that many more.
 fn room(already: usize, more: f64) -> Result<usize, String> {
-    // Exact: both are whole, and far below 2^53 where the answer is yes.
-    #[allow(
-        clippy::cast_precision_loss,
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss
-    )]
+    // The conversions are exact: both are whole, and small where the answer is yes.
     if more <= MOST_POINTS.saturating_sub(already) as f64 {
         Ok(more as usize)
     } else {
@@ -135,10 +130,6 @@ impl Range {
     }
 
     fn point(&self, index: usize) -> f64 {
-        #[allow(
-            clippy::cast_precision_loss,
-            reason = "an index is at most ten million"
-        )]
         let index = index as f64;
         if self.ends_at_last && index == self.steps {
             // The same within rounding, and what was asked for.

@@ -1,7 +1,7 @@
 //! Reads descriptions.
 
 use crate::args::FileArgument;
-use crate::failure::Failure;
+use crate::failure::{Failure, reason};
 use frictiongen_codegen::{Description, Limits, parse_text};
 use std::fs::File;
 use std::io::{self, Read};
@@ -29,8 +29,9 @@ impl FileArgument {
             None => read(io::stdin().lock()),
         };
         let name = self.name();
-        let bytes =
-            bytes.map_err(|error| Failure::new(format_args!("cannot read {name}: {error}")))?;
+        let bytes = bytes.map_err(|error| {
+            Failure::new(format_args!("cannot read {name}: {}", reason(&error)))
+        })?;
         if bytes.len() > MOST_BYTES {
             return Err(Failure::new(format_args!(
                 "{name} is no description: it is longer than 16 MiB"
@@ -57,8 +58,6 @@ impl FileArgument {
 /// Everything, or one byte more than is taken.
 fn read(source: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    source
-        .take(MOST_BYTES as u64 + 1)
-        .read_to_end(&mut bytes)?;
+    source.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }

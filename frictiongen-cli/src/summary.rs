@@ -2,7 +2,7 @@
 
 use crate::number::computed;
 use frictiongen::System;
-use frictiongen::study::Scene;
+use frictiongen_model::scene::{Damping, Excitation, Scene};
 use std::io::{self, Write};
 
 /// The most natural frequencies in the preamble of a table.
@@ -17,6 +17,89 @@ pub struct Summary {
     pub natural_frequencies: Vec<f64>,
     /// The frequency ratios of those.
     pub resonances: Vec<f64>,
-    contact: String,
-    load: Load,
+    /// The contact, the excitation, the damping and the stiction, in words.
+    description: String,
+    /// Whether the excitation is base motion.
+    base_motion: bool,
+}
+
+impl Summary {
+    /// Of a system.
+    pub fn of(system: &System) -> Self {
+        let scene = system.scene();
+        Self {
+            scene: scene.name.clone(),
+            natural_frequencies: system.natural_frequencies(),
+            resonances: system.resonances().to_vec(),
+            description: description(scene),
+            base_motion: scene.excitation == Excitation::Base,
+        }
+    }
+
+    /// What β is.
+    pub fn friction_ratio(&self) -> &'static str {
+        if self.base_motion { "F/(k1 Y)" } else { "F/P" }
+    }
+
+    /// What a displacement is counted in.
+    pub fn amplitude(&self) -> &'static str {
+        if self.base_motion {
+            "(of Y)"
+        } else {
+            "(of P/k1)"
+        }
+    }
+
+    /// The preamble of a table.
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        writeln!(out, "{}: {}", self.scene, self.description)?;
+        writeln!(out)?;
+        let frequencies = row(&self.natural_frequencies);
+        let ratios = row(&self.resonances);
+        writeln!(out, "natural frequencies (rad/s)  {frequencies}")?;
+        writeln!(out, "resonances r                 {ratios}")?;
+        writeln!(
+            out,
+            "groups                       r = omega sqrt(m1/k1), beta = {}",
+            self.friction_ratio()
+        )?;
+        writeln!(out)
+    }
+}
+
+/// The first of the numbers, each in a column, and how many are left out.
+fn row(values: &[f64]) -> String {
+    let mut cells: Vec<String> = values
+        .iter()
+        .take(MOST_SHOWN)
+        .map(|value| format!("{:>12}", computed(*value)))
+        .collect();
+    if values.len() > MOST_SHOWN {
+        cells.push(format!("... ({} in all)", values.len()));
+    }
+    cells.join("  ")
+}
+
+/// A scene in a few words.
+fn description(scene: &Scene) -> String {
+    let masses = match scene.masses.len() {
+        1 => "1 mass".to_owned(),
+        count => format!("{count} masses"),
+    };
+    let from = scene.node_name(scene.contact.from);
+    let to = scene.node_name(scene.contact.to);
+    let excitation = match scene.excitation {
+        Excitation::Base => "base motion".to_owned(),
+        Excitation::Force(index) => {
+            let mass = scene.masses.get(index).map_or("?", |mass| &mass.name);
+            format!("force on {mass}")
+        }
+    };
+    let damping = match &scene.damping {
+        Damping::None => "undamped",
+        Damping::Uniform(_) | Damping::Modal(_) => "modal damping",
+        Damping::Rayleigh { .. } => "Rayleigh damping",
+    };
+    let stiction = scene.stiction;
+    format!("{masses}, contact {from} - {to}, {excitation}, {damping}, stiction {stiction:?}")
 }

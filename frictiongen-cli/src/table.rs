@@ -87,7 +87,10 @@ pub fn header(out: &mut dyn Write, columns: &[Column]) -> io::Result<()> {
 /// A line of values.
 pub fn row(out: &mut dyn Write, columns: &[Column], values: &[Value<'_>]) -> io::Result<()> {
     let cells = columns.iter().zip(values);
-    write_line(out, cells.map(|(column, value)| column.pad(&column.text(value))))
+    write_line(
+        out,
+        cells.map(|(column, value)| column.pad(&column.text(value))),
+    )
 }
 
 fn write_line(out: &mut dyn Write, cells: impl Iterator<Item = String>) -> io::Result<()> {

@@ -66,7 +66,12 @@ fn ranges_do_not_go_beyond_their_end() {
 fn as_many_points_as_there_may_be() {
     assert_eq!(ratios("1:1:10000000").len(), MOST_POINTS);
     let most = "more than 10000000 points, the most there may be";
-    for text in ["0:1:10000000", "0:1e-300:1e300", "0:1e-320:1", "0:5e-324:1e308"] {
+    for text in [
+        "0:1:10000000",
+        "0:1e-300:1e300",
+        "0:1e-320:1",
+        "0:5e-324:1e308",
+    ] {
         assert_eq!(
             error(text, Quantity::FrequencyRatio),
             format!("--r `{text}`: {most}")

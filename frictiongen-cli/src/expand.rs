@@ -1,0 +1,46 @@
+//! `frictiongen expand`: the Rust that the macro emits.
+
+use crate::args::ExpandArguments;
+use crate::failure::{Failure, reason};
+use frictiongen_codegen::{Limits, pretty};
+use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Runs the command.
+pub fn run(arguments: &ExpandArguments) -> Result<(), Failure> {
+    // What a macro would refuse is refused here too.
+    let description = arguments.file.description(&Limits::MACRO)?;
+    let source = pretty(&description).map_err(|error| {
+        Failure::new(format_args!(
+            "a defect of frictiongen: it emitted what is not Rust: {error}"
+        ))
+    })?;
+    match arguments.output.as_deref() {
+        Some(path) => write_file(path, arguments.file.path(), &source),
+        None => {
+            let mut out = io::stdout().lock();
+            out.write_all(source.as_bytes())?;
+            Ok(out.flush()?)
+        }
+    }
+}
+
+/// Writes the source to a file, which must not be the description.
+fn write_file(path: &Path, description: Option<&Path>, source: &str) -> Result<(), Failure> {
+    let shown = path.display();
+    if description.is_some_and(|description| is_same(description, path)) {
+        return Err(Failure::new(format_args!(
+            "cannot write {shown}: it is the description itself"
+        )));
+    }
+    fs::write(path, source)
+        .map_err(|error| Failure::new(format_args!("cannot write {shown}: {}", reason(&error))))
+}
+
+fn is_same(one: &Path, other: &Path) -> bool {
+    match (fs::canonicalize(one), fs::canonicalize(other)) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => false,
+    }
+}

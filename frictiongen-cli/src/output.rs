@@ -1,0 +1,71 @@
+//! Writes what a command computes, point by point, in the format asked for.
+
+use crate::args::FormatArguments;
+use crate::failure::Failure;
+use crate::number::Value;
+use crate::progress::Progress;
+use crate::summary::Summary;
+use crate::table::Column;
+use crate::{csv, json, table};
+use std::io::{self, BufWriter, Write};
+
+/// What a command computes, and how a point of it is written.
+pub trait Report {
+    /// A point.
+    type Point;
+
+    /// How many points there are.
+    fn len(&self) -> usize;
+    /// Computes the points, in order, until the visitor fails.
+    fn each(&self, visit: Visitor<'_, Self::Point>) -> Result<(), Failure>;
+    /// The columns of the table.
+    fn columns(&self, summary: &Summary) -> Vec<Column>;
+    /// A point's lines in the table.
+    fn rows<'a>(&'a self, point: &'a Self::Point) -> Vec<Vec<Value<'a>>>;
+    /// The names of the CSV columns.
+    fn names(&self) -> Vec<String>;
+    /// A point's line in the CSV.
+    fn record<'a>(&'a self, point: &'a Self::Point) -> Vec<Value<'a>>;
+    /// A point in the JSON.
+    fn json(&self, point: &Self::Point) -> serde_json::Value;
+}
+
+/// What takes the points.
+pub type Visitor<'a, P> = &'a mut dyn FnMut(&P) -> Result<(), Failure>;
+
+/// Writes a report to standard output.
+pub fn print<R: Report>(
+    report: &R,
+    summary: &Summary,
+    format: &FormatArguments,
+) -> Result<(), Failure> {
+    let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+    let mut progress = Progress::new(report.len());
+    if format.json {
+        let mut writer = json::Writer::begin(&mut out, summary)?;
+        report.each(&mut |point| {
+            progress.step();
+            Ok(writer.point(&report.json(point))?)
+        })?;
+        writer.end()?;
+    } else if format.csv {
+        csv::header(&mut out, &report.names())?;
+        report.each(&mut |point| {
+            progress.step();
+            Ok(csv::row(&mut out, &report.record(point))?)
+        })?;
+    } else {
+        summary.write(&mut out)?;
+        let columns = report.columns(summary);
+        table::header(&mut out, &columns)?;
+        report.each(&mut |point| {
+            progress.step();
+            for row in report.rows(point) {
+                table::row(&mut out, &columns, &row)?;
+            }
+            Ok(())
+        })?;
+    }
+    drop(progress);
+    Ok(out.flush()?)
+}

@@ -1,0 +1,293 @@
+//! Natural frequencies and mode shapes against two general eigensolvers.
+//!
+//! nalgebra and faer get Γ^−½ K̄ Γ^−½, built here from the same numbers with which the scene's text
+//! is formatted.  The coefficients stay within two decades: beyond that it is the general solvers
+//! that lose the slow modes, not the project.
+
+use frictiongen::study::System;
+use std::fmt::Write as _;
+
+/// A node that is no mass.
+const BASE: usize = usize::MAX;
+const WALL: usize = usize::MAX - 1;
+
+struct Case {
+    masses: &'static [f64],
+    springs: &'static [(usize, usize, f64)],
+}
+
+/// Chains, trees and loops, held at one, two or many places.
+const CASES: [Case; 7] = [
+    // A shear frame.
+    Case {
+        masses: &[3.27, 3.25],
+        springs: &[(BASE, 0, 1190.0), (0, 1, 1323.0)],
+    },
+    // Held at both ends; the first mass and spring are neither the largest nor 1.
+    Case {
+        masses: &[0.4, 7.5, 2.2],
+        springs: &[(BASE, 0, 35.0), (0, 1, 410.0), (1, 2, 96.0), (2, WALL, 8.5)],
+    },
+    // A ring of four, one of them on the wall.
+    Case {
+        masses: &[1.1, 2.3, 0.9, 4.7],
+        springs: &[
+            (0, WALL, 12.0),
+            (0, 1, 7.0),
+            (1, 2, 31.0),
+            (2, 3, 5.5),
+            (0, 3, 19.0),
+        ],
+    },
+    // A star about the middle mass, every arm also on a support.
+    Case {
+        masses: &[5.0, 1.3, 2.9, 0.7, 3.1],
+        springs: &[
+            (0, 1, 21.0),
+            (2, 0, 3.0),
+            (0, 3, 40.0),
+            (4, 0, 11.0),
+            (BASE, 1, 2.0),
+            (WALL, 2, 17.0),
+            (3, BASE, 60.0),
+            (4, WALL, 0.9),
+        ],
+    },
+    // A long chain, free at its end, whose reference spring is not its first link.
+    Case {
+        masses: &[2.0, 0.5, 9.0, 1.0, 30.0, 4.0, 0.8],
+        springs: &[
+            (3, 2, 150.0),
+            (BASE, 0, 90.0),
+            (0, 1, 12.0),
+            (1, 2, 700.0),
+            (3, 4, 55.0),
+            (4, 5, 310.0),
+            (5, 6, 26.0),
+        ],
+    },
+    // All four joined with each other, one of them held: a full K̄.
+    Case {
+        masses: &[1.0, 1.7, 0.6, 2.4],
+        springs: &[
+            (BASE, 2, 1.0),
+            (0, 1, 2.5),
+            (0, 2, 0.4),
+            (0, 3, 1.9),
+            (1, 2, 3.3),
+            (1, 3, 0.7),
+            (2, 3, 5.1),
+        ],
+    },
+    // A ladder of ten, held at one corner by the base and at the other by the wall.
+    Case {
+        masses: &[1.0, 1.3, 0.7, 2.1, 5.2, 0.3, 1.9, 8.8, 3.4, 0.9],
+        springs: &[
+            (BASE, 0, 4.0),
+            (0, 1, 9.0),
+            (1, 2, 2.2),
+            (2, 3, 14.0),
+            (3, 4, 6.1),
+            (5, 6, 0.8),
+            (6, 7, 33.0),
+            (7, 8, 5.0),
+            (8, 9, 1.6),
+            (0, 5, 3.0),
+            (1, 6, 7.7),
+            (2, 7, 0.5),
+            (3, 8, 12.0),
+            (4, 9, 2.9),
+            (9, WALL, 20.0),
+        ],
+    },
+];
+
+impl Case {
+    fn system(&self) -> System {
+        let mut text = String::from("struct Case { masses: { ");
+        for (i, mass) in self.masses.iter().enumerate() {
+            write!(text, "m{i}: {mass:?}, ").unwrap();
+        }
+        text.push_str("}, springs: { ");
+        let name = |node: usize| match node {
+            BASE => String::from("base"),
+            WALL => String::from("wall"),
+            mass => format!("m{mass}"),
+        };
+        for (from, to, stiffness) in self.springs {
+            write!(text, "{} - {}: {stiffness:?}, ", name(*from), name(*to)).unwrap();
+        }
+        text.push_str("}, contact: m0 - wall, excitation: m1 }");
+        text.parse()
+            .unwrap_or_else(|error| panic!("{error}\n{text}"))
+    }
+
+    /// K̄, row by row.
+    fn stiffness(&self) -> Vec<Vec<f64>> {
+        let n = self.masses.len();
+        let mut k = vec![vec![0.0; n]; n];
+        for &(from, to, stiffness) in self.springs {
+            let kappa = stiffness / self.springs[0].2;
+            for node in [from, to] {
+                if node < n {
+                    k[node][node] += kappa;
+                }
+            }
+            if from < n && to < n {
+                k[from][to] -= kappa;
+                k[to][from] -= kappa;
+            }
+        }
+        k
+    }
+
+    fn gamma(&self) -> Vec<f64> {
+        self.masses
+            .iter()
+            .map(|mass| mass / self.masses[0])
+            .collect()
+    }
+
+    fn scaled(&self) -> Vec<Vec<f64>> {
+        let (gamma, mut k) = (self.gamma(), self.stiffness());
+        for (i, row) in k.iter_mut().enumerate() {
+            for (j, value) in row.iter_mut().enumerate() {
+                *value /= (gamma[i] * gamma[j]).sqrt();
+            }
+        }
+        k
+    }
+}
+
+/// Eigenvalues ascending, with their unit vectors.
+type Pairs = Vec<(f64, Vec<f64>)>;
+
+fn sorted(mut pairs: Pairs) -> Pairs {
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    pairs
+}
+
+fn by_nalgebra(a: &[Vec<f64>]) -> Pairs {
+    let n = a.len();
+    let eigen = nalgebra::SymmetricEigen::new(nalgebra::DMatrix::from_fn(n, n, |i, j| a[i][j]));
+    let column = |i| eigen.eigenvectors.column(i).iter().copied().collect();
+    sorted((0..n).map(|i| (eigen.eigenvalues[i], column(i))).collect())
+}
+
+fn by_faer(a: &[Vec<f64>]) -> Pairs {
+    let n = a.len();
+    let matrix = faer::Mat::from_fn(n, n, |i, j| a[i][j]);
+    let eigen = matrix.self_adjoint_eigen(faer::Side::Lower).unwrap();
+    let (values, vectors) = (eigen.S().column_vector(), eigen.U());
+    sorted(
+        (0..n)
+            .map(|i| (values[i], (0..n).map(|k| vectors[(k, i)]).collect()))
+            .collect(),
+    )
+}
+
+fn compare(case: &Case, label: &str, pairs: &Pairs) {
+    let system = case.system();
+    let gamma = case.gamma();
+    let n = gamma.len();
+    let shapes = system.mode_shapes();
+    let reference = (case.springs[0].2 / case.masses[0]).sqrt();
+    assert_eq!((system.resonances().len(), shapes.len()), (n, n));
+    let largest = pairs[n - 1].0;
+    for (i, (lambda, vector)) in pairs.iter().enumerate() {
+        // A backward stable solver moves every eigenvalue by a few units of ε‖A‖: half of that,
+        // over λ, in the frequency.  1e-12 holds for all cases whose λ spread over < 10³.
+        let backward = 4.0 * n as f64 * f64::EPSILON * largest;
+        let tolerance = (0.5 * backward / lambda).max(1e-13);
+        assert!(
+            tolerance < 1e-12,
+            "{label}: mode {i} is too slow for this comparison: {tolerance:e}"
+        );
+        let resonance = lambda.sqrt();
+        let error = system.resonances()[i] / resonance - 1.0;
+        assert!(
+            error.abs() < tolerance,
+            "{label}: resonance {i} {resonance} off by {error:e}"
+        );
+        let error = system.natural_frequencies()[i] / (resonance * reference) - 1.0;
+        assert!(
+            error.abs() < tolerance,
+            "{label}: frequency {i} off by {error:e}"
+        );
+
+        // A vector turns by the same backward error over its gap: 1e-10 has two digits to spare.
+        let gap = pairs
+            .iter()
+            .enumerate()
+            .filter(|(j, _)| *j != i)
+            .fold(f64::INFINITY, |gap, (_, pair)| {
+                gap.min((pair.0 - lambda).abs())
+            });
+        assert!(backward / gap < 1e-11, "{label}: mode {i} is not separated");
+        let shape: Vec<f64> = vector
+            .iter()
+            .zip(&gamma)
+            .map(|(q, gamma)| q / gamma.sqrt())
+            .collect();
+        let along: f64 = (0..n).map(|k| shape[k] * gamma[k] * shapes[i][k]).sum();
+        for k in 0..n {
+            let error = shapes[i][k] - shape[k].copysign(shape[k] * along);
+            assert!(
+                error.abs() < 1e-10,
+                "{label}: shape {i} of mass {k} off by {error:e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn nalgebra_agrees() {
+    for (index, case) in CASES.iter().enumerate() {
+        compare(case, &format!("case {index}"), &by_nalgebra(&case.scaled()));
+    }
+}
+
+#[test]
+fn faer_agrees() {
+    for (index, case) in CASES.iter().enumerate() {
+        compare(case, &format!("case {index}"), &by_faer(&case.scaled()));
+    }
+}
+
+/// What no other solver's rounding blurs: K̄φ = λΓφ and φᵀΓφ = 1, to a few roundings.
+#[test]
+fn modes_satisfy_their_equation() {
+    for (index, case) in CASES.iter().enumerate() {
+        let (system, gamma, k) = (case.system(), case.gamma(), case.stiffness());
+        let shapes = system.mode_shapes();
+        for (i, shape) in shapes.iter().enumerate() {
+            let lambda = system.resonances()[i] * system.resonances()[i];
+            for (row, gamma) in k
+                .iter()
+                .zip(&gamma)
+                .zip(shape)
+                .map(|((row, gamma), phi)| (row, gamma * phi))
+            {
+                let size: f64 = row.iter().zip(shape).map(|(k, phi)| (k * phi).abs()).sum();
+                let residual: f64 =
+                    row.iter().zip(shape).map(|(k, phi)| k * phi).sum::<f64>() - lambda * gamma;
+                // K̄'s own entries are rounded here, once per spring.
+                let tolerance = 16.0 * f64::EPSILON * (size + lambda * gamma.abs());
+                assert!(
+                    residual.abs() <= tolerance,
+                    "case {index}, mode {i}: {residual:e} > {tolerance:e}"
+                );
+            }
+            for (j, other) in shapes.iter().enumerate() {
+                let product: f64 = (0..gamma.len())
+                    .map(|m| shape[m] * gamma[m] * other[m])
+                    .sum();
+                let expected = if i == j { 1.0 } else { 0.0 };
+                assert!(
+                    (product - expected).abs() < 1e-14,
+                    "case {index}, modes {i} and {j}: {product}"
+                );
+            }
+        }
+    }
+}

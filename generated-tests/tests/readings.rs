@@ -1,0 +1,230 @@
+//! One formula, several readings: the recorded graph interpreted in numbers, the compiled code that
+//! it was printed as, and the run-time system.
+
+use frictiongen::{
+    ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady, StuckAt, System,
+};
+use frictiongen_codegen::{Limits, parse_text, traces};
+use frictiongen_kernel::Float;
+use generated_tests::shown;
+
+const RATIOS: [f64; 7] = [0.0371, 0.3, 0.61, 0.97, 1.3, 2.2, 9.0];
+
+/// Compares every reading at several points, bit for bit and within 1e-13.
+fn check<S, F>(name: &str, emitted: &F, roundings: f64)
+where
+    S: Float,
+    F: FrictionSystem<Scalar = S>,
+    for<'a> F::At<'a>: LimitsAt<Scalar = S>,
+{
+    let (_, text) = shown::SCENES
+        .iter()
+        .find(|(known, _)| *known == name)
+        .expect("a scene");
+    let scene = parse_text(text, &Limits::MACRO)
+        .expect("a valid scene")
+        .scene;
+    let system: System<S> = text.parse().expect("a valid scene");
+    for r in RATIOS {
+        let r = S::constant(r);
+        let interpreted =
+            traces(&scene, S::constant(1.0) / r, S::constant(0.0)).expect("all inputs");
+        let of = |wanted: &str| {
+            interpreted
+                .iter()
+                .find(|(name, _)| name == wanted)
+                .expect("a traced output")
+                .1
+        };
+        let (at, run_time) = (
+            emitted.at(r).expect("in the domain"),
+            system.at(r).expect("in the domain"),
+        );
+        let pairs = [
+            (
+                "continuous_limit_without_search",
+                at.continuous_limit_without_search(),
+                run_time.continuous_limit_without_search(),
+            ),
+            (
+                "sliding_limit",
+                at.sliding_limit(),
+                run_time.sliding_limit(),
+            ),
+        ];
+        for (what, compiled, run_time) in pairs {
+            same_bits(of(what), compiled, &format!("{name} {what} at r = {r:?}"));
+            close(
+                run_time,
+                compiled,
+                compiled,
+                roundings,
+                &format!("{name} {what} at r = {r:?}"),
+            );
+        }
+        let (exact, run_time) = (at.continuous_limit(), run_time.continuous_limit());
+        close(
+            run_time,
+            exact,
+            exact,
+            roundings,
+            &format!("{name} continuous_limit at r = {r:?}"),
+        );
+    }
+}
+
+/// The same for motions and stuck responses.
+fn check_motion<S, F>(name: &str, emitted: &F, roundings: f64)
+where
+    S: Float,
+    F: FrictionSystem<Scalar = S>,
+    for<'a> F::At<'a>: MotionAt<Scalar = S>,
+{
+    let (_, text) = shown::SCENES
+        .iter()
+        .find(|(known, _)| *known == name)
+        .expect("a scene");
+    let scene = parse_text(text, &Limits::MACRO)
+        .expect("a valid scene")
+        .scene;
+    let system: System<S> = text.parse().expect("a valid scene");
+    let mut compared = 0;
+    for r in RATIOS {
+        let r = S::constant(r);
+        let (at, run_time) = (
+            emitted.at(r).expect("in the domain"),
+            system.at(r).expect("in the domain"),
+        );
+        let beta = at.continuous_limit().min(at.sliding_limit()) * S::constant(0.6);
+        let place = format!("{name} at r = {r:?}, beta = {beta:?}");
+        let motion = at.motion(beta).expect("continuous");
+        let reference = run_time.motion(beta).expect("continuous");
+        let interpreted = traces(&scene, S::constant(1.0) / r, beta).expect("all inputs");
+        let of = |wanted: &str| {
+            interpreted
+                .iter()
+                .find(|(name, _)| name == wanted)
+                .expect("a traced output")
+                .1
+        };
+        let contact = |steady: &dyn Steady<Scalar = S>| (steady.amplitude(), steady.phase());
+        let (amplitude, phase) = motion.ask(Of::Contact, contact).expect("the contact");
+        same_bits(of("amplitude"), amplitude, &format!("{place}: amplitude"));
+        same_bits(of("phase"), phase, &format!("{place}: phase"));
+        for mass in 0..system.masses() {
+            let ask = |steady: &dyn Steady<Scalar = S>| {
+                let tau = S::constant(1.3);
+                let x1 = steady.harmonic(1);
+                [
+                    steady.amplitude(),
+                    steady.displacement(tau),
+                    steady.velocity(tau),
+                    x1.re,
+                    x1.im,
+                ]
+            };
+            let Some(compiled) = motion.ask(Of::Mass(mass), ask) else {
+                continue;
+            };
+            let run_time = reference.ask(Of::Mass(mass), ask).expect("a mass");
+            for (compiled_value, run_time_value) in compiled.into_iter().zip(run_time) {
+                let scale = compiled[0].max(amplitude);
+                close(
+                    run_time_value,
+                    compiled_value,
+                    scale,
+                    roundings,
+                    &format!("{place}, mass {mass}"),
+                );
+            }
+            compared += 1;
+        }
+    }
+    assert!(compared > 0, "{name} has no motion to compare");
+}
+
+fn same_bits<S: Float>(interpreted: S, compiled: S, place: &str) {
+    assert!(
+        interpreted.to_f64().to_bits() == compiled.to_f64().to_bits(),
+        "{place}: interpreted {interpreted:?}, compiled {compiled:?}"
+    );
+}
+
+/// Within so many roundings of `scale`.  1e-13 is 450 of them; single precision takes the same.
+fn close<S: Float>(a: S, b: S, scale: S, roundings: f64, place: &str) {
+    let bound = scale.to_f64().abs() * roundings * S::EPSILON;
+    let difference = (a.to_f64() - b.to_f64()).abs();
+    assert!(
+        difference <= bound,
+        "{place}: {a:?} against {b:?}, {difference:e} apart, bound {bound:e}"
+    );
+}
+
+const ROUNDINGS: f64 = 450.0;
+
+macro_rules! check_all {
+    ($check:ident: $($scene:ident),*) => {
+        $($check(stringify!($scene), &shown::$scene, ROUNDINGS);)*
+    };
+}
+
+#[test]
+fn limits_agree() {
+    check_all!(check: SdofWall, SdofBase, SdofDamped, SdofOverdamped, PairWall, PairBase,
+        PairMasses, Thesis, Five, Single, Braced, Symmetric, LimitsOnly, OneMotion);
+}
+
+#[test]
+fn motions_agree() {
+    check_all!(check_motion: SdofWall, SdofBase, SdofDamped, SdofOverdamped, PairWall, PairBase,
+        PairMasses, Thesis, Five, Single, Braced, Symmetric, OneMotion);
+}
+
+#[test]
+fn stuck_responses_agree() {
+    fn stuck(
+        name: &str,
+        emitted: &impl for<'a> FrictionSystem<Scalar = f64, At<'a>: StuckAt>,
+        _: f64,
+    ) {
+        let (_, text) = shown::SCENES
+            .iter()
+            .find(|(known, _)| *known == name)
+            .expect("a scene");
+        let scene = parse_text(text, &Limits::MACRO)
+            .expect("a valid scene")
+            .scene;
+        for r in RATIOS {
+            let interpreted = traces(&scene, 1.0 / r, 0.0).expect("all inputs");
+            let at = emitted.at(r).expect("in the domain");
+            for (index, mass) in scene.masses.iter().enumerate() {
+                let compiled = at.stuck_mass(index).expect("no resonance").expect("a mass");
+                for (part, compiled) in [("re", compiled.re), ("im", compiled.im)] {
+                    let wanted = format!("{}.stuck.{part}", mass.name);
+                    let found = interpreted.iter().find(|(name, _)| *name == wanted);
+                    // An imaginary zero has no sign of its own.
+                    let value = found.expect("a traced output").1 + 0.0;
+                    same_bits(
+                        value,
+                        compiled + 0.0,
+                        &format!("{name} {wanted} at r = {r}"),
+                    );
+                }
+            }
+        }
+    }
+    check_all!(stuck: PairMasses, Five, Symmetric);
+}
+
+/// Half of the points of a sweep are reached by a slice, the others one by one.
+#[test]
+fn slices_are_single_points() {
+    let (mut continuous, mut sliding) = ([0.0; 7], [0.0; 7]);
+    shown::Thesis::limits_into(&RATIOS, &mut continuous, &mut sliding).expect("in the domain");
+    for ((r, continuous), sliding) in RATIOS.into_iter().zip(continuous).zip(sliding) {
+        let at = shown::Thesis::at(r).expect("in the domain");
+        same_bits(continuous, at.continuous_limit(), "a slice");
+        same_bits(sliding, at.sliding_limit(), "a slice");
+    }
+    assert!(shown::Thesis::limits_into(&[1.0, f64::NAN], &mut [0.0; 2], &mut [0.0; 2]).is_err());
+}

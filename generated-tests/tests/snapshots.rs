@@ -1,0 +1,65 @@
+//! The emitted source of the scenes in `generated_tests::shown`, as reviewers see it.
+
+use frictiongen_codegen::{Limits, parse_text, pretty};
+use generated_tests::shown::SCENES;
+
+#[test]
+fn emitted_source() {
+    assert!(SCENES.len() >= 12);
+    for (name, text) in SCENES {
+        let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
+        let source = pretty(&description).expect("emitted Rust");
+        insta::with_settings!({ description => *text, omit_expression => true }, {
+            insta::assert_snapshot!(*name, source);
+        });
+    }
+}
+
+/// The same text gives the same bytes, whatever its layout.
+#[test]
+fn emission_is_deterministic() {
+    for (_, text) in SCENES {
+        let read = |text: &str| {
+            pretty(&parse_text(text, &Limits::MACRO).expect("a valid scene")).expect("emitted Rust")
+        };
+        let (documentation, scene) = text.split_at(text.find("pub struct").expect("a struct"));
+        let spread = scene.replace(',', " ,\n ").replace('{', "\n{ ");
+        let spread = format!("{documentation}{spread}");
+        assert_eq!(read(text), read(&spread));
+    }
+}
+
+/// What a specialisation leaves out is not in the source.
+#[test]
+fn specialised_away() {
+    let source = |wanted: &str| {
+        let (_, text) = SCENES
+            .iter()
+            .find(|(name, _)| *name == wanted)
+            .expect("a scene");
+        pretty(&parse_text(text, &Limits::MACRO).expect("a valid scene")).expect("emitted Rust")
+    };
+    for undamped in [
+        "SdofWall",
+        "SdofBase",
+        "PairWall",
+        "PairMasses",
+        "Thesis",
+        "Single",
+    ] {
+        let source = source(undamped);
+        assert!(!source.contains("exp"), "{undamped} has exponentials");
+        assert!(!source.contains(".im *"), "{undamped} has imaginary parts");
+    }
+    for single in ["Single", "LimitsOnly"] {
+        assert!(!source(single).contains("f64"), "{single} names f64");
+    }
+    let limits = source("LimitsOnly");
+    assert!(!limits.contains("fn motion") && !limits.contains("fn stuck"));
+    let one = source("OneMotion");
+    assert!(one.contains("fn m3(") && !one.contains("fn m1(") && !one.contains("fn stuck"));
+    // Three masses, two driven modes.
+    let symmetric = source("Symmetric");
+    assert!(symmetric.contains("MODES: [Mode<f64>; 2]") && !symmetric.contains("mode_3"));
+    assert!(symmetric.contains("RESONANCES: [f64; 3]"));
+}
