@@ -3,6 +3,7 @@
 
 pub mod chain;
 pub mod complex;
+pub mod constraint;
 pub mod dd;
 pub mod decay;
 pub mod errors;
@@ -10,6 +11,7 @@ mod float;
 pub mod limits;
 pub mod mode;
 pub mod motion;
+pub mod regime;
 pub mod scalar;
 pub mod search;
 pub mod special;

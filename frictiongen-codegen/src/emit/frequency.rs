@@ -56,7 +56,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
             #[inline]
             pub fn at(r: #scalar) -> Result<#at, OutOfDomain> {
-                let r = steady::check_ratio(r, "r")?;
+                let r = regime::check_ratio(r, "r")?;
                 let inverse_r = Scalar::min(Scalar::max(1.0 / r, #low), #high);
                 #body
                 Ok(#at { r, inverse_r, contact, modes })

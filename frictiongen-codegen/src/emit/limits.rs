@@ -60,7 +60,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
                 let constraint =
                     #name::CHAIN.velocity_constraint(&contact, &#name::MODES, &modes, &mut waves).value;
                 let limit = { #with_constraint };
-                steady::with_ends(r, limit, 0.0, #name::CONTINUOUS_AT_INFINITY)
+                regime::with_ends(r, limit, 0.0, #name::CONTINUOUS_AT_INFINITY)
             }
 
             /// β_lim with S replaced by its limit for τ → 0 (5.64): an upper bound, exact wherever
@@ -72,7 +72,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
             pub fn continuous_limit_without_search(&self) -> #scalar {
                 let Self { r, contact, .. } = *self;
                 let limit = { #without_search };
-                steady::with_ends(r, limit, 0.0, #name::CONTINUOUS_AT_INFINITY)
+                regime::with_ends(r, limit, 0.0, #name::CONTINUOUS_AT_INFINITY)
             }
 
             /// β_lim with S as the sum of each mode's own maximum, as the thesis prints it (5.55,
@@ -85,7 +85,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
                 let constraint =
                     #name::CHAIN.constraint_per_mode::<#decay>(&contact, &#name::MODES, &modes);
                 let limit = { #with_constraint };
-                steady::with_ends(r, limit, 0.0, #name::CONTINUOUS_AT_INFINITY)
+                regime::with_ends(r, limit, 0.0, #name::CONTINUOUS_AT_INFINITY)
             }
 
             /// β*_lim = |V|/(μ|H|), from which on the contact never slides (6.11, 6.27, 6.33).
@@ -96,7 +96,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
             pub fn sliding_limit(&self) -> #scalar {
                 let Self { r, contact, .. } = *self;
                 let limit = { #sliding };
-                steady::with_ends(r, limit, #name::SLIDING_AT_REST, #name::SLIDING_AT_INFINITY)
+                regime::with_ends(r, limit, #name::SLIDING_AT_REST, #name::SLIDING_AT_INFINITY)
             }
 
             /// The regime at the friction ratio β = F/P.
@@ -104,8 +104,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
             /// # Errors
             /// `OutOfDomain` for NaN, negative and infinite β.
             pub fn regime(&self, beta: #scalar) -> Result<Regime, OutOfDomain> {
-                let beta = steady::check_beta(beta)?;
-                Ok(steady::regime(beta, self.continuous_limit(), self.sliding_limit()))
+                let beta = regime::check_beta(beta)?;
+                Ok(regime::regime(beta, self.continuous_limit(), self.sliding_limit()))
             }
 
             /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime.
@@ -113,8 +113,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
             /// # Errors
             /// `OutOfDomain` for NaN, negative and infinite β.
             pub fn margin(&self, beta: #scalar) -> Result<#scalar, OutOfDomain> {
-                let beta = steady::check_beta(beta)?;
-                Ok(steady::margin(beta, self.continuous_limit(), self.sliding_limit()))
+                let beta = regime::check_beta(beta)?;
+                Ok(regime::margin(beta, self.continuous_limit(), self.sliding_limit()))
             }
         }
 

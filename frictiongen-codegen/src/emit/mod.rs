@@ -195,12 +195,12 @@ pub fn emit(description: &Description) -> TokenStream {
         )]
         const _: () = {
             use #facade::kernel::chain::{Chain, ContactAt, ModeAt, Others};
-            use #facade::kernel::decay::{Damped, Undamped};
+            use #facade::kernel::decay::{Damped, Decay, Undamped};
             use #facade::kernel::mode::{Kind, Mode, ModeResponse};
             use #facade::kernel::motion::{Carrier, Friction, Share};
             use #facade::kernel::steady::{self, Motion};
             use #facade::kernel::wave::Wave;
-            use #facade::kernel::{Complex, Scalar};
+            use #facade::kernel::{Complex, Scalar, regime};
             use #facade::{NotContinuous, OutOfDomain, Regime, StuckResonance};
             use ::core::iter::{IntoIterator, Iterator};
             use ::core::option::Option::{self, None, Some};

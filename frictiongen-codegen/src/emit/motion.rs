@@ -174,7 +174,7 @@ fn waves(emission: &Emission<'_>, used: &[usize], shares: &[TokenStream]) -> Tok
         let mode = local(&format!("mode_{}", index + 1));
         let decay = if emission.damped() {
             let index = Literal::usize_unsuffixed(*index);
-            code!(<Damped<#scalar> as steady::Decay<#scalar>>::of(&#name::MODES[#index]))
+            code!(<Damped<#scalar> as Decay<#scalar>>::of(&#name::MODES[#index]))
         } else {
             code!(Undamped)
         };

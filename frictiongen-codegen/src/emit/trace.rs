@@ -173,14 +173,14 @@ pub fn traces<S: frictiongen_kernel::Float>(
     let chain = &tracer.reduced.chain;
     let friction = chain.friction(&contact, inverse, graph.input("beta"));
     let limit = chain.continuous_limit(&contact, chain.break_away(&contact));
-    let mut named: Vec<(String, Operand)> = Vec::new();
-    named.push(("continuous_limit_without_search".into(), limit.operand()));
-    named.push((
-        "sliding_limit".into(),
-        chain.sliding_limit(&contact).operand(),
-    ));
-    named.push(("amplitude".into(), friction.amplitude.operand()));
-    named.push(("phase".into(), friction.phase.operand()));
+    let mut named: Vec<(String, Operand)> = [
+        ("continuous_limit_without_search", limit),
+        ("sliding_limit", chain.sliding_limit(&contact)),
+        ("amplitude", friction.amplitude),
+        ("phase", friction.phase),
+    ]
+    .map(|(name, value)| (name.to_owned(), value.operand()))
+    .to_vec();
     let others = tracer.others(&at, contact.scale, inverse);
     for (shape, mass) in tracer.reduced.shapes.iter().zip(&scene.masses) {
         let carrier = chain.carrier(

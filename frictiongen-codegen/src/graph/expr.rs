@@ -90,6 +90,10 @@ impl Neg for Expr<'_> {
     }
 }
 
+#[allow(
+    clippy::suspicious_arithmetic_impl,
+    reason = "a + (−b) is recorded as a − b"
+)]
 impl Add for Expr<'_> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
@@ -106,6 +110,10 @@ impl Add for Expr<'_> {
     }
 }
 
+#[allow(
+    clippy::suspicious_arithmetic_impl,
+    reason = "a − (−b) is recorded as a + b"
+)]
 impl Sub for Expr<'_> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {

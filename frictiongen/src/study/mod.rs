@@ -1,7 +1,12 @@
-//! Design studies at run time.
+//! Design studies at run time: the same description, the same closed forms, with allocation.
 
+mod at;
+mod error;
+mod motion;
 mod system;
 
-pub use system::{
-    MAX_MASSES, StudyError, System, SystemAt, SystemMotion, SystemSteady, SystemStuck, UnknownMass,
-};
+pub use at::SystemAt;
+pub use error::{StudyError, UnknownMass};
+pub use frictiongen_codegen::{Diagnostic, Diagnostics};
+pub use motion::{SystemMotion, SystemSteady, SystemStuck};
+pub use system::{MAX_MASSES, System};

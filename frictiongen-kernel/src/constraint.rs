@@ -1,0 +1,188 @@
+//! The velocity constraint by a guaranteed search, and whether a motion is admitted.
+
+use crate::chain::{Chain, ContactAt, ModeAt};
+use crate::complex;
+use crate::decay::Decay;
+use crate::errors::{NotContinuous, StuckResonance};
+use crate::mode::Mode;
+use crate::regime::check_beta;
+use crate::scalar::Float;
+use crate::search::{self, Peak, Question, Weight};
+use crate::wave::{Sum, Wave};
+use core::f64::consts::{FRAC_PI_2, PI};
+
+impl<S: Float> Chain<S> {
+    /// r²E·max(S, H_c + μm*/r²): the velocity constraint by a guaranteed search over the half
+    /// period (5.54, 7.36, with the maximum of the sum), started at the break-away term.
+    /// `waves` is working space, one for each mode.
+    pub fn velocity_constraint<D: Decay<S>>(
+        &self,
+        contact: &ContactAt<S>,
+        modes: &[Mode<S>],
+        at: &[ModeAt<S>],
+        waves: &mut [Wave<S, D>],
+    ) -> Peak<S> {
+        for ((mode, at), wave) in modes.iter().zip(at).zip(waves.iter_mut()) {
+            *wave = constraint_wave(mode, at, contact, mode.mobility);
+        }
+        let floor = self.break_away(contact);
+        self.constraint_above(contact, at, waves, floor)
+    }
+
+    fn constraint_above<D: Decay<S>>(
+        &self,
+        contact: &ContactAt<S>,
+        at: &[ModeAt<S>],
+        waves: &[Wave<S, D>],
+        floor: S,
+    ) -> Peak<S> {
+        // Undamped and with every R ≥ 1/2 the start of the half period decides.
+        if !self.damped && at.iter().all(|at| at.x <= S::constant(2.0)) {
+            return Peak {
+                value: floor,
+                places: [None; 4],
+                evaluations: 0,
+            };
+        }
+        let zero = S::constant(0.0);
+        let sum = Sum {
+            waves,
+            constant: zero,
+            cosine: zero,
+            sine: zero,
+        };
+        // β_lim knows S by U² + S²: where U is the larger, S is needed to fewer digits.
+        let ratio = contact.u / floor;
+        let tolerance = S::constant(4.0 * S::EPSILON) * (S::constant(1.0) + ratio * ratio);
+        search::largest(
+            sum,
+            Question {
+                weight: Weight::Sine,
+                both_signs: !self.damped,
+                end: S::constant(if self.damped { PI } else { FRAC_PI_2 }),
+                floor,
+                tolerance: tolerance.min(S::constant(0.125)),
+            },
+        )
+    }
+
+    /// The same with the sum of each mode's own maximum in place of S (5.55, 7.37): an upper
+    /// bound on S, as the thesis prints it.
+    pub fn constraint_per_mode<D: Decay<S>>(
+        &self,
+        contact: &ContactAt<S>,
+        modes: &[Mode<S>],
+        at: &[ModeAt<S>],
+    ) -> S {
+        let mut sum = S::constant(0.0);
+        for (mode, at) in modes.iter().zip(at) {
+            if mode.in_contact {
+                let wave: Wave<S, D> = constraint_wave(mode, at, contact, S::constant(1.0));
+                let two_zeta = mode.zeta + mode.zeta;
+                // The mode's own 1 + g + 2ζRu, its quotient for τ → 0.
+                let floor = contact.scale + at.g + two_zeta * at.u * at.x;
+                sum = sum
+                    + mode.mobility
+                        * self
+                            .constraint_above(contact, core::slice::from_ref(at), &[wave], floor)
+                            .value;
+            }
+        }
+        sum.max(self.break_away(contact))
+    }
+
+    /// Whether β is below the exact continuous limit.  Most β are settled by a search that only
+    /// asks whether the constraint exceeds what β allows.
+    pub fn is_continuous<D: Decay<S>>(
+        &self,
+        beta: S,
+        contact: &ContactAt<S>,
+        modes: &[Mode<S>],
+        at: &[ModeAt<S>],
+        waves: &mut [Wave<S, D>],
+    ) -> bool {
+        if !(beta < self.continuous_limit(contact, self.break_away(contact))) {
+            return false;
+        }
+        for ((mode, at), wave) in modes.iter().zip(at).zip(waves.iter_mut()) {
+            *wave = constraint_wave(mode, at, contact, mode.mobility);
+        }
+        let break_away = self.break_away(contact);
+        let excitation = complex::modulus(contact.v, self.damped);
+        let quadrature = beta * contact.u;
+        let root = ((excitation - quadrature) * (excitation + quadrature)).sqrt();
+        let allowed = S::constant(1.0 - 1e-3) * root / beta;
+        if break_away < allowed && allowed.is_finite() {
+            let peak = self.constraint_above(contact, at, waves, allowed);
+            if peak.value <= allowed {
+                return true;
+            }
+        }
+        let constraint = self.constraint_above(contact, at, waves, break_away).value;
+        beta < self.continuous_limit(contact, constraint)
+    }
+}
+
+impl<S: Float> Chain<S> {
+    /// β, if the motion at it is continuous and bounded; else which regime it is instead.
+    /// `unbounded` are the undamped resonances that the load drives.
+    ///
+    /// # Errors
+    /// Every [`NotContinuous`].
+    #[allow(clippy::too_many_arguments, reason = "one question on one frequency")]
+    pub fn admitted<D: Decay<S>>(
+        &self,
+        r: S,
+        beta: S,
+        sliding: S,
+        unbounded: &[S],
+        contact: &ContactAt<S>,
+        modes: &[Mode<S>],
+        at: &[ModeAt<S>],
+        waves: &mut [Wave<S, D>],
+    ) -> Result<S, NotContinuous> {
+        let beta = check_beta(beta)?;
+        if !(beta < sliding) {
+            return Err(NotContinuous::Stuck);
+        }
+        if !(S::constant(0.0) < r && self.is_continuous(beta, contact, modes, at, waves)) {
+            return Err(NotContinuous::StickSlip);
+        }
+        if unbounded.contains(&r) {
+            return Err(NotContinuous::Unbounded);
+        }
+        Ok(beta)
+    }
+
+    /// Nothing, unless the chain with its contact stuck resonates at r.  `invisible` are the
+    /// undamped resonances that the load drives and the contact does not touch.
+    ///
+    /// # Errors
+    /// [`StuckResonance`].
+    pub fn stuck_admitted(
+        &self,
+        r: S,
+        contact: &ContactAt<S>,
+        invisible: &[S],
+    ) -> Result<(), StuckResonance> {
+        let zero = S::constant(0.0);
+        if (contact.h.re == zero && contact.h.im == zero) || invisible.contains(&r) {
+            return Err(StuckResonance);
+        }
+        Ok(())
+    }
+}
+
+fn constraint_wave<S: Float, D: Decay<S>>(
+    mode: &Mode<S>,
+    at: &ModeAt<S>,
+    contact: &ContactAt<S>,
+    mobility: S,
+) -> Wave<S, D> {
+    let mut wave = Wave::rest(at.x, D::of(mode));
+    if mode.in_contact {
+        wave.free = mobility * (contact.scale + at.g);
+        wave.swing_slope = mobility * at.u;
+    }
+    wave
+}

@@ -1,0 +1,131 @@
+//! Climbing to a maximum, and keeping those that are equal.
+
+use super::{APART, EQUAL, Place, Search, Weight};
+use crate::decay::Decay;
+use crate::scalar::Float;
+use crate::wave::Local;
+use core::f64::consts::FRAC_1_PI;
+
+impl<S: Float, D: Decay<S>> Search<'_, S, D> {
+    /// Newton's method on the quotient's derivative, never downhill.
+    pub(super) fn climb(&mut self, tau: S, local: Local<S>, negative: bool) {
+        let zero = S::constant(0.0);
+        let half = S::constant(0.5);
+        let (mut tau, mut local, mut negative) = (tau, local, negative);
+        let mut best = self.quotient(&local, tau, negative);
+        let mut trust = S::constant(0.25);
+        for _ in 0..60 {
+            let (slope, curvature) = self.ascent(&local, tau, negative);
+            let newton = if curvature < zero {
+                -(slope / curvature)
+            } else {
+                trust.copysign(slope)
+            };
+            let step = newton.max(-trust).min(trust);
+            let (next, flipped) = self.moved(tau + step);
+            if next == tau || slope == zero {
+                break;
+            }
+            let (at_next, _) = self.local(next);
+            let value = self.quotient(&at_next, next, negative != flipped);
+            // So near a maximum the values no longer tell, while Newton's method still converges.
+            let near = curvature < zero && step.abs() < S::constant(1e-3);
+            if value < best && !near {
+                trust = step.abs() * half;
+                continue;
+            }
+            (tau, local, negative) = (next, at_next, negative != flipped);
+            best = best.max(value);
+            if near && step.abs() < S::constant(4.0 * S::EPSILON) {
+                break;
+            }
+        }
+        let share = S::constant(1.0 - EQUAL * S::EPSILON);
+        let place = Place { tau, negative };
+        if self.peak.value < best {
+            if self.peak.value < best * share {
+                self.peak.places = [None; 4];
+            }
+            self.peak.value = best;
+            self.note(place);
+            self.choose_tail();
+        } else if self.peak.value * share <= best {
+            self.note(place);
+        }
+    }
+
+    /// A climber's next place, and whether it is in a half period of the other sign: the motion
+    /// goes on there, while the velocity constraint has no meaning beyond its ends.
+    fn moved(&self, tau: S) -> (S, bool) {
+        let (zero, end) = (S::constant(0.0), self.question.end);
+        match self.question.weight {
+            Weight::One if tau < zero => (tau + end, true),
+            Weight::One if end < tau => (tau - end, true),
+            Weight::One | Weight::Sine => (tau.max(zero).min(end), false),
+        }
+    }
+
+    /// Keeps an equal maximum elsewhere, for the phase.
+    pub(super) fn note_tie(&mut self, tau: S, local: Local<S>, negative: bool) {
+        let value = self.quotient(&local, tau, negative);
+        let equal = self.peak.value * S::constant(1.0 - EQUAL * S::EPSILON);
+        let known = |place: &Place<S>| {
+            place.negative == negative && (place.tau - tau).abs() < S::constant(APART)
+        };
+        if equal < value && !self.peak.places.iter().flatten().any(known) {
+            self.climb(tau, local, negative);
+        }
+    }
+
+    fn note(&mut self, place: Place<S>) {
+        let near = S::constant(APART);
+        for slot in &mut self.peak.places {
+            match slot {
+                Some(known)
+                    if known.negative == place.negative && (known.tau - place.tau).abs() < near =>
+                {
+                    return;
+                }
+                Some(_) => {}
+                None => {
+                    *slot = Some(place);
+                    return;
+                }
+            }
+        }
+    }
+
+    fn quotient(&self, local: &Local<S>, tau: S, negative: bool) -> S {
+        let value = if negative { -local.value } else { local.value };
+        match self.question.weight {
+            Weight::One => value,
+            Weight::Sine => {
+                let sine = (tau * S::constant(FRAC_1_PI)).sin_pi();
+                if S::constant(0.0) < sine {
+                    value / sine
+                } else {
+                    self.question.floor
+                }
+            }
+        }
+    }
+
+    /// The quotient's derivative and its own, times a positive factor.
+    fn ascent(&self, local: &Local<S>, tau: S, negative: bool) -> (S, S) {
+        let (slope, curvature) = match self.question.weight {
+            Weight::One => (local.slope, local.curvature),
+            Weight::Sine => {
+                let (sine, cosine) = (tau * S::constant(FRAC_1_PI)).sin_cos_pi();
+                (
+                    local.slope * sine - local.value * cosine,
+                    (local.curvature + local.value) * sine,
+                )
+            }
+        };
+        if negative {
+            (-slope, -curvature)
+        } else {
+            (slope, curvature)
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! What goes wrong at run time.
+
+use crate::{Error, NotContinuous, OutOfDomain, StuckResonance};
+use frictiongen_codegen::Diagnostics;
+
+/// No mass of this name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownMass {
+    /// What was asked for.
+    pub name: String,
+    /// What there is.
+    pub known: Vec<String>,
+}
+
+impl std::fmt::Display for UnknownMass {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "there is no mass `{}`; the masses are {}",
+            self.name,
+            self.known.join(", ")
+        )
+    }
+}
+
+impl std::error::Error for UnknownMass {}
+
+/// So that one function can use `?` on everything that a run-time system answers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StudyError {
+    /// The description does not make a scene.
+    Description(Diagnostics),
+    /// An answer that a solver refuses.
+    Solver(Error),
+    /// A mass that is not there.
+    UnknownMass(UnknownMass),
+}
+
+impl std::fmt::Display for StudyError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Description(error) => error.fmt(f),
+            Self::Solver(error) => error.fmt(f),
+            Self::UnknownMass(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for StudyError {}
+
+impl From<Diagnostics> for StudyError {
+    fn from(error: Diagnostics) -> Self {
+        Self::Description(error)
+    }
+}
+
+impl From<UnknownMass> for StudyError {
+    fn from(error: UnknownMass) -> Self {
+        Self::UnknownMass(error)
+    }
+}
+
+impl From<Error> for StudyError {
+    fn from(error: Error) -> Self {
+        Self::Solver(error)
+    }
+}
+
+impl From<OutOfDomain> for StudyError {
+    fn from(error: OutOfDomain) -> Self {
+        Self::Solver(error.into())
+    }
+}
+
+impl From<NotContinuous> for StudyError {
+    fn from(error: NotContinuous) -> Self {
+        Self::Solver(error.into())
+    }
+}
+
+impl From<StuckResonance> for StudyError {
+    fn from(error: StuckResonance) -> Self {
+        Self::Solver(error.into())
+    }
+}

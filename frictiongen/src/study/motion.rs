@@ -1,0 +1,168 @@
+//! The motions of a run-time system, continuous and stuck.
+
+use super::at::SystemAt;
+use super::error::UnknownMass;
+use crate::system::{ContinuousMotion, Of, Steady, StuckAt};
+use crate::{Complex, StuckResonance};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::chain::Others;
+use frictiongen_kernel::decay::{Damped, Decay};
+use frictiongen_kernel::mode::Mode;
+use frictiongen_kernel::motion::Friction;
+use frictiongen_kernel::steady::{Motion, motion_wave};
+use frictiongen_kernel::wave::Wave;
+use frictiongen_model::modal::Reduced;
+
+/// The exact continuous motion of a system.
+#[derive(Clone, Debug)]
+pub struct SystemMotion<'a, S = f64> {
+    pub(super) at: SystemAt<'a, S>,
+    pub(super) others: Vec<Others<S>>,
+    pub(super) friction: Friction<S>,
+}
+
+/// The motion of the contact or of a mass of a run-time system.
+pub type SystemSteady<S = f64> = Motion<S, Damped<S>, Vec<Wave<S, Damped<S>>>>;
+
+impl<S: Float> SystemMotion<'_, S> {
+    /// The relative motion in the contact.
+    #[must_use]
+    pub fn contact(&self) -> SystemSteady<S> {
+        let SystemAt {
+            system, contact, ..
+        } = &self.at;
+        let carrier = system
+            .reduced
+            .chain
+            .contact_carrier(contact, &self.friction);
+        Motion::of_contact(self.friction, carrier, self.waves(|mode, _| mode.mobility))
+    }
+
+    /// The motion of a mass.
+    ///
+    /// # Errors
+    /// [`UnknownMass`] if there is none of this name.
+    pub fn mass(&self, name: &str) -> Result<SystemSteady<S>, UnknownMass> {
+        let index = self.at.system.mass_index(name)?;
+        self.mass_at(index)
+            .ok_or_else(|| self.at.system.unknown(name))
+    }
+
+    /// The motion of a mass, by its place in the description.
+    #[must_use]
+    pub fn mass_at(&self, index: usize) -> Option<SystemSteady<S>> {
+        let SystemAt {
+            system,
+            contact,
+            modes,
+            ..
+        } = &self.at;
+        let Reduced {
+            modes: constants,
+            chain,
+            shapes,
+            ..
+        } = &system.reduced;
+        let shape = shapes.get(index)?;
+        if chain.on_moving_base.is_none() && system.modal.contact == (index, None) {
+            return Some(self.contact());
+        }
+        let carrier = chain.carrier(
+            shape,
+            constants,
+            modes,
+            &self.others,
+            contact,
+            &self.friction,
+        );
+        let residue = |mode: &Mode<S>, component: S| component * mode.contact;
+        let waves = self.waves(|mode, i| residue(mode, shape.get(i).copied().unwrap_or(mode.zeta)));
+        Some(Motion::of_mass(self.friction, carrier, waves))
+    }
+
+    fn waves(&self, residue: impl Fn(&Mode<S>, usize) -> S) -> Vec<Wave<S, Damped<S>>> {
+        let SystemAt {
+            system,
+            contact,
+            modes,
+            inverse_r,
+            ..
+        } = &self.at;
+        let Reduced {
+            modes: constants,
+            chain,
+            ..
+        } = &system.reduced;
+        let mut waves = Vec::with_capacity(modes.len());
+        for (index, (mode, at)) in constants.iter().zip(modes).enumerate() {
+            if mode.in_contact {
+                let share = chain.share(
+                    at,
+                    residue(mode, index),
+                    contact,
+                    &self.friction,
+                    *inverse_r,
+                    index,
+                );
+                waves.push(motion_wave(at.x, Damped::of(mode), share));
+            }
+        }
+        waves
+    }
+}
+
+/// The response of a system while its contact is stuck.
+#[derive(Clone, Debug)]
+pub struct SystemStuck<'a, S = f64> {
+    pub(super) at: SystemAt<'a, S>,
+    pub(super) others: Vec<Others<S>>,
+}
+
+impl<S: Float> SystemStuck<'_, S> {
+    /// The complex amplitude of a mass.
+    ///
+    /// # Errors
+    /// [`UnknownMass`] if there is none of this name.
+    pub fn mass(&self, name: &str) -> Result<Complex<S>, UnknownMass> {
+        let index = self.at.system.mass_index(name)?;
+        self.mass_at(index)
+            .ok_or_else(|| self.at.system.unknown(name))
+    }
+
+    /// The complex amplitude of a mass, by its place in the description.
+    #[must_use]
+    pub fn mass_at(&self, index: usize) -> Option<Complex<S>> {
+        let SystemAt {
+            system,
+            contact,
+            modes,
+            inverse_r,
+            ..
+        } = &self.at;
+        let Reduced {
+            modes: constants,
+            chain,
+            shapes,
+            ..
+        } = &system.reduced;
+        let shape = shapes.get(index)?;
+        Some(chain.stuck(shape, constants, modes, &self.others, contact, *inverse_r))
+    }
+}
+
+impl<S: Float> StuckAt for SystemAt<'_, S> {
+    fn stuck_mass(&self, index: usize) -> Result<Option<Complex<S>>, StuckResonance> {
+        Ok(self.stuck()?.mass_at(index))
+    }
+}
+
+impl<S: Float> ContinuousMotion for SystemMotion<'_, S> {
+    type Scalar = S;
+
+    fn ask<T>(&self, of: Of, question: impl FnOnce(&dyn Steady<Scalar = S>) -> T) -> Option<T> {
+        match of {
+            Of::Contact => Some(question(&self.contact())),
+            Of::Mass(index) => self.mass_at(index).map(|motion| question(&motion)),
+        }
+    }
+}
