@@ -14,7 +14,7 @@ use frictiongen_codegen::Limits;
 pub fn run(arguments: &LimitsArguments) -> Result<(), Failure> {
     let r = grid::parse(&arguments.r, Quantity::FrequencyRatio).map_err(Failure::new)?;
     let description = arguments.file.description(&Limits::RUN_TIME)?;
-    let system = System::from_scene(description.scene);
+    let system = System::try_from(description.scene).map_err(Failure::new)?;
     let summary = Summary::of(&system);
     output::print(&LimitsReport { system, r }, &summary, &arguments.format)
 }

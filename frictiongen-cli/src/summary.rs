@@ -2,7 +2,7 @@
 
 use crate::number::computed;
 use frictiongen::System;
-use frictiongen_model::scene::{Damping, Excitation, Scene};
+use frictiongen::study::scene::{Damping, Excitation, Scene};
 use std::io::{self, Write};
 
 /// The most natural frequencies in the preamble of a table.

@@ -22,8 +22,8 @@ pub struct Column {
     width: usize,
 }
 
-/// The width of most numbers computed: -12345.678901.
-const COMPUTED_WIDTH: usize = 10;
+/// The width of most numbers computed: -1234.567891, -1.23457e-10.
+const COMPUTED_WIDTH: usize = 12;
 
 impl Column {
     fn new(title: &[&str], style: Style, width: usize) -> Self {

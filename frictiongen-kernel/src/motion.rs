@@ -77,10 +77,16 @@ impl<S: Scalar> Chain<S> {
         let excitation = complex::modulus(contact.v, self.damped).named("excitation", None);
         let velocity_part = (beta * contact.u).named("friction_quadrature", None);
         // As a product: the difference of squares would lose what is left beside a limit.
-        let root = ((excitation - velocity_part) * (excitation + velocity_part))
-            .max(S::constant(0.0))
-            .sqrt()
-            .named("in_phase", None);
+        let zero = S::constant(0.0);
+        let less = (excitation - velocity_part).max(zero);
+        let more = (excitation + velocity_part).max(zero);
+        let root = if self.on_moving_base.is_some() {
+            // Both grow as r⁴ there, and their product would overflow at large r.
+            less.sqrt() * more.sqrt()
+        } else {
+            (less * more).sqrt()
+        };
+        let root = root.named("in_phase", None);
         let unscale = (inverse_r * inverse_r / contact.scale).named("unscale", None);
         let amplitude = if self.damped {
             root - beta * contact.g
@@ -90,7 +96,6 @@ impl<S: Scalar> Chain<S> {
         let direction = if self.damped {
             contact.v.im.atan2(contact.v.re)
         } else {
-            let zero = S::constant(0.0);
             S::select(contact.v.re.lt(zero), S::constant(PI), zero)
         };
         let lag = (-velocity_part).atan2(root) - direction;

@@ -205,6 +205,13 @@ impl Modal {
         }
     }
 
+    /// The motion of a mass that a stuck contact ties to a support: 0 on one at rest, 1 on the
+    /// moving base; none for other masses.
+    #[must_use]
+    pub fn held(&self, mass: usize) -> Option<f64> {
+        (self.contact == (mass, None)).then_some(if self.on_moving_base { 1.0 } else { 0.0 })
+    }
+
     /// ω_i, rad/s in the scene's own units.
     #[must_use]
     pub fn natural_frequencies(&self) -> Vec<Dd> {

@@ -202,8 +202,13 @@ fn stuck_responses_agree() {
                 for (part, compiled) in [("re", compiled.re), ("im", compiled.im)] {
                     let wanted = format!("{}.stuck.{part}", mass.name);
                     let found = interpreted.iter().find(|(name, _)| *name == wanted);
+                    // A mass that the contact ties to its support is not computed at all.
+                    let Some((_, value)) = found else {
+                        assert_eq!(compiled, 0.0);
+                        continue;
+                    };
                     // An imaginary zero has no sign of its own.
-                    let value = found.expect("a traced output").1 + 0.0;
+                    let value = value + 0.0;
                     same_bits(
                         value,
                         compiled + 0.0,

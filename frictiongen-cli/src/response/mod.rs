@@ -27,7 +27,7 @@ pub fn run(arguments: &ResponseArguments) -> Result<(), Failure> {
     }
     let orders = orders(arguments.harmonics.as_deref())?;
     let description = arguments.file.description(&Limits::RUN_TIME)?;
-    let system = System::from_scene(description.scene);
+    let system = System::try_from(description.scene).map_err(Failure::new)?;
     let masses = masses(&system, &arguments.mass)?;
     let summary = Summary::of(&system);
     let report = ResponseReport {

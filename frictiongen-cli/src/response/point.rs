@@ -3,7 +3,6 @@
 use super::report::Mass;
 use crate::failure::Failure;
 use crate::output::Visitor;
-use frictiongen::kernel::steady::margin;
 use frictiongen::study::{SystemAt, SystemMotion, SystemSteady};
 use frictiongen::{Complex, NotContinuous, OutOfDomain};
 use std::f64::consts::PI;
@@ -75,24 +74,18 @@ impl Question<'_> {
         (r, beta): (f64, &[f64]),
         visit: Visitor<'_, Point>,
     ) -> Result<(), Failure> {
-        let limits = (at.continuous_limit(), at.sliding_limit());
         for &beta in beta {
-            visit(&self.answer(at, limits, (r, beta)).map_err(Failure::new)?)?;
+            visit(&self.answer(at, r, beta).map_err(Failure::new)?)?;
         }
         Ok(())
     }
 
-    fn answer(
-        &self,
-        at: &SystemAt<'_>,
-        (continuous, sliding): (f64, f64),
-        (r, beta): (f64, f64),
-    ) -> Result<Point, OutOfDomain> {
+    fn answer(&self, at: &SystemAt<'_>, r: f64, beta: f64) -> Result<Point, OutOfDomain> {
         let mut point = Point {
             r,
             beta,
             regime: "",
-            margin: margin(beta, continuous, sliding),
+            margin: at.margin(beta)?,
             contact: Movement::default(),
             masses: vec![Movement::default(); self.masses.len()],
         };

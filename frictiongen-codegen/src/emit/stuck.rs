@@ -85,6 +85,19 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
     } = emission;
     let about =
         format!(" x̄* = V_k − H_kV/H, the complex amplitude of mass `{method}` (6.11, 6.27, 6.33).");
+    if let Some(held) = emission.modal.held(mass) {
+        let held = emission.literal(held);
+        return code! {
+            #[doc = #about]
+            ///
+            /// The contact ties it to its support.
+            #[inline]
+            #[must_use]
+            pub fn #method(&self) -> Complex<#scalar> {
+                Complex { re: #held, im: 0.0 }
+            }
+        };
+    }
     if emission.in_passes() {
         let modes = Literal::usize_unsuffixed(emission.modes());
         let shape = emission.list(reduced.shapes.get(mass).cloned().unwrap_or_default());

@@ -182,7 +182,7 @@ pub fn traces<S: frictiongen_kernel::Float>(
     .map(|(name, value)| (name.to_owned(), value.operand()))
     .to_vec();
     let others = tracer.others(&at, contact.scale, inverse);
-    for (shape, mass) in tracer.reduced.shapes.iter().zip(&scene.masses) {
+    for (index, (shape, mass)) in tracer.reduced.shapes.iter().zip(&scene.masses).enumerate() {
         let carrier = chain.carrier(
             shape,
             &tracer.reduced.modes,
@@ -197,6 +197,9 @@ pub fn traces<S: frictiongen_kernel::Float>(
             ("sine", carrier.sine),
         ] {
             named.push((format!("{}.{field}", mass.name), value.operand()));
+        }
+        if modal.held(index).is_some() {
+            continue;
         }
         let stuck = chain.stuck(
             shape,

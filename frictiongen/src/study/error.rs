@@ -2,6 +2,7 @@
 
 use crate::{Error, NotContinuous, OutOfDomain, StuckResonance};
 use frictiongen_codegen::Diagnostics;
+use frictiongen_model::validate::SceneError;
 
 /// No mass of this name.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,11 +26,34 @@ impl std::fmt::Display for UnknownMass {
 
 impl std::error::Error for UnknownMass {}
 
+/// A scene that was put together in code and makes no sense.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InvalidScene {
+    /// Everything that is wrong with it.
+    pub errors: Vec<SceneError>,
+}
+
+impl std::fmt::Display for InvalidScene {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for (index, error) in self.errors.iter().enumerate() {
+            if index > 0 {
+                writeln!(f)?;
+            }
+            write!(f, "{error}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for InvalidScene {}
+
 /// So that one function can use `?` on everything that a run-time system answers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StudyError {
     /// The description does not make a scene.
     Description(Diagnostics),
+    /// The scene makes no sense.
+    Scene(InvalidScene),
     /// An answer that a solver refuses.
     Solver(Error),
     /// A mass that is not there.
@@ -40,6 +64,7 @@ impl std::fmt::Display for StudyError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Description(error) => error.fmt(f),
+            Self::Scene(error) => error.fmt(f),
             Self::Solver(error) => error.fmt(f),
             Self::UnknownMass(error) => error.fmt(f),
         }
@@ -51,6 +76,12 @@ impl std::error::Error for StudyError {}
 impl From<Diagnostics> for StudyError {
     fn from(error: Diagnostics) -> Self {
         Self::Description(error)
+    }
+}
+
+impl From<InvalidScene> for StudyError {
+    fn from(error: InvalidScene) -> Self {
+        Self::Scene(error)
     }
 }
 

@@ -6,7 +6,11 @@ mod motion;
 mod system;
 
 pub use at::SystemAt;
-pub use error::{StudyError, UnknownMass};
+pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
-pub use system::{MAX_MASSES, System};
+pub use system::System;
+
+/// What a description says: masses, springs, contact, excitation, damping.
+pub use frictiongen_model::scene;
+pub use frictiongen_model::validate::SceneError;

@@ -1,7 +1,7 @@
 //! The run-time system: the same closed forms, over vectors instead of arrays.
 
 use super::at::SystemAt;
-use super::error::UnknownMass;
+use super::error::{InvalidScene, UnknownMass};
 use crate::OutOfDomain;
 use crate::system::FrictionSystem;
 use frictiongen_codegen::{Diagnostics, Limits, parse_text};
@@ -11,6 +11,7 @@ use frictiongen_kernel::mode::ModeResponse;
 use frictiongen_kernel::{Float, Scalar, regime};
 use frictiongen_model::modal::{Modal, Reduced};
 use frictiongen_model::scene::Scene;
+use frictiongen_model::validate::validate;
 
 /// A scene at run time.
 ///
@@ -41,15 +42,20 @@ pub struct System<S = f64> {
     pub(super) invisible: Vec<S>,
 }
 
-/// How many masses a run-time scene may have.
-pub const MAX_MASSES: usize = 1000;
-
 impl<S: Float> std::str::FromStr for System<S> {
     type Err = Diagnostics;
 
     fn from_str(text: &str) -> Result<Self, Diagnostics> {
-        let limits = Limits { masses: MAX_MASSES };
-        Ok(Self::from_scene(parse_text(text, &limits)?.scene))
+        Ok(Self::from_scene(parse_text(text, &Limits::RUN_TIME)?.scene))
+    }
+}
+
+impl<S: Float> TryFrom<Scene> for System<S> {
+    type Error = InvalidScene;
+
+    fn try_from(scene: Scene) -> Result<Self, InvalidScene> {
+        validate(&scene).map_err(|errors| InvalidScene { errors })?;
+        Ok(Self::from_scene(scene))
     }
 }
 
@@ -61,7 +67,7 @@ fn rounded<S: Scalar>(value: Dd) -> S {
 
 impl<S: Float> System<S> {
     /// The system of a scene that is known to be valid.
-    pub fn from_scene(scene: Scene) -> Self {
+    fn from_scene(scene: Scene) -> Self {
         let modal = Modal::of(&scene);
         let reduced = modal.reduced(rounded::<S>);
         let resonances: Vec<S> = modal

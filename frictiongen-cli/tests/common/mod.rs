@@ -1,0 +1,88 @@
+//! Runs the command line.
+#![allow(dead_code, reason = "each test uses its own part")]
+#![allow(clippy::expect_used, reason = "a test may fail")]
+
+use std::io::Write;
+use std::process::{Command, Output, Stdio};
+
+/// The two-storey frame.
+pub const FRAME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/frame.friction");
+
+/// One mass rubbing on a wall, undamped.
+pub const BLOCK: &str = "struct Block {
+    masses: { block: 1 },
+    springs: { base - block: 1 },
+    contact: block - wall,
+    excitation: block,
+}";
+
+/// What a run printed.
+#[derive(Debug)]
+pub struct Run {
+    /// On standard output.
+    pub out: String,
+    /// On standard error.
+    pub err: String,
+    /// The exit status.
+    pub status: Option<i32>,
+}
+
+/// Runs the command line with a text on its standard input.
+pub fn run_with(input: impl AsRef<[u8]>, arguments: &[&str]) -> Run {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_frictiongen"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the binary starts");
+    let mut stdin = child.stdin.take().expect("its standard input");
+    // A run that fails before it reads closes the pipe.
+    let _ = stdin.write_all(input.as_ref());
+    drop(stdin);
+    let Output {
+        status,
+        stdout,
+        stderr,
+    } = child.wait_with_output().expect("the binary ends");
+    Run {
+        out: String::from_utf8(stdout).expect("UTF-8"),
+        err: String::from_utf8(stderr).expect("UTF-8"),
+        status: status.code(),
+    }
+}
+
+/// What a successful run prints.
+pub fn output(input: &str, arguments: &[&str]) -> String {
+    let run = run_with(input, arguments);
+    assert_eq!(
+        (run.status, run.err.as_str()),
+        (Some(0), ""),
+        "{arguments:?}"
+    );
+    // Emitted code may well speak of NaN.
+    let numbers = arguments.first() != Some(&"expand");
+    assert!(!(numbers && run.out.contains("NaN")), "{}", run.out);
+    run.out
+}
+
+/// The lines that a failing run leaves on standard error, with nothing on standard output.
+pub fn failure(input: impl AsRef<[u8]>, arguments: &[&str]) -> Vec<String> {
+    let run = run_with(input, arguments);
+    assert_eq!(
+        (run.status, run.out.as_str()),
+        (Some(2), ""),
+        "{arguments:?}"
+    );
+    run.err.lines().map(str::to_owned).collect()
+}
+
+/// The cells of a CSV, by line.
+pub fn cells(csv: &str) -> Vec<Vec<&str>> {
+    csv.lines().map(|line| line.split(',').collect()).collect()
+}
+
+/// A JSON text.
+pub fn json(text: &str) -> serde_json::Value {
+    serde_json::from_str(text).expect("JSON")
+}
