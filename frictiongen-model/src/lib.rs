@@ -4,4 +4,5 @@
 pub mod jacobi;
 pub mod modal;
 pub mod scene;
+mod special;
 pub mod validate;

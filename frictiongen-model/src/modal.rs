@@ -333,19 +333,6 @@ impl Modal {
             sliding_at_infinity: ratio / mu,
         }
     }
-
-    /// β_n,i: the friction ratio below which an undamped resonance is unbounded (6.2, 6.26), or
-    /// none for a mode that the contact does not drive.
-    #[must_use]
-    pub fn resonance_thresholds(&self) -> Vec<Option<Dd>> {
-        self.loads
-            .iter()
-            .zip(&self.contacts)
-            .map(|(load, contact)| {
-                (*contact != dd(0.0)).then(|| Dd::PI * dd(0.25) * (*load / *contact).abs())
-            })
-            .collect()
-    }
 }
 
 /// A projection on a unit vector, exactly zero where only noise is left of it.

@@ -1,6 +1,73 @@
 //! Exact solvers for mass-spring chains with one Coulomb friction contact.
 //!
-//! TODO
+//! A description of masses, springs, one contact and an excitation becomes a solver: the exact
+//! steady response, and the boundaries between continuous, stick-slip and stuck motion.
+//!
+//! * [`friction_system!`] does the modal analysis at compile time and emits specialised Rust:
+//!   `no_std`, without allocation, without `unsafe`, everything of fixed size.
+//! * [`System`](study::System) (feature `study`) reads the same text at run time.
+//! * The command `frictiongen` reads it from a file.
+//!
+//! ```
+//! use frictiongen::{Regime, friction_system};
+//!
+//! friction_system! {
+//!     /// Two-storey shear frame; a brass disc rubs on the upper floor.
+//!     pub struct Frame {
+//!         masses: { lower: 3.27, upper: 3.25 },                     // kg; the first is m₁
+//!         springs: { base - lower: 1190.0, lower - upper: 1323.0 }, // N/m; the first is k₁
+//!         contact: upper - wall,
+//!         excitation: base,
+//!         damping: modal[0.010, 0.012],
+//!         stiction: 1.2,
+//!     }
+//! }
+//!
+//! fn main() -> Result<(), frictiongen::Error> {
+//!     let at = Frame::at(0.9)?;
+//!     assert_eq!(at.regime(0.3)?, Regime::Continuous);
+//!     let motion = at.motion(0.3)?;
+//!     println!("{} lags by {} rad", motion.upper().amplitude(), motion.upper().phase());
+//!     Ok(())
+//! }
+//! ```
+//!
+//! # What the macro gives
+//!
+//! For `struct Frame`, with S the scene's scalar, and N masses:
+//!
+//! | item | meaning |
+//! |---|---|
+//! | `Frame::NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES` | ω_i in rad/s, the ratios r of them, φ by mode and mass with φᵀΓφ = 1 |
+//! | `Frame::frequency_ratio(omega)`, `friction_ratio(friction, load)` | r = ω√(m₁/k₁), β = F/P |
+//! | `Frame::at(r)` | the scene at one frequency ratio, `FrameAt`, or [`OutOfDomain`] |
+//! | `at.continuous_limit()`, `.continuous_limit_without_search()`, `.continuous_limit_per_mode()` | β_lim exact; with S at τ → 0; as the thesis prints it |
+//! | `at.sliding_limit()` | β*_lim |
+//! | `at.regime(beta)`, `at.margin(beta)` | [`Regime`]; β/min(β_lim, β*_lim) − 1 |
+//! | `at.motion(beta)` | the exact continuous motion, `FrameMotion`, or [`NotContinuous`] |
+//! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::steady::Motion): `amplitude`, `amplitude_monoharmonic`, `phase`, `displacement`, `velocity`, `harmonic` |
+//! | `at.stuck()` | the response with the contact stuck, or [`StuckResonance`] |
+//! | `Frame::limits_into(&rs, &mut continuous, &mut sliding)` | both limits over a slice |
+//!
+//! # Fields of a description
+//!
+//! | field | forms | default |
+//! |---|---|---|
+//! | `masses` | `{ name: number, … }`, the first is m₁ | required |
+//! | `springs` | `{ node - node: number, … }`, node = a mass, `base` or `wall`; the first is k₁ | required |
+//! | `contact` | `mass - wall`, `mass - mass`, `mass - base` | required |
+//! | `excitation` | a mass, or `base` | required |
+//! | `damping` | `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)` | `none` |
+//! | `stiction` | μ = static over kinetic friction, at least 1 | 1 |
+//! | `scalar` | `f64`, `f32` | `f64` |
+//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck` | `[limits, motion]` |
+//! | `crate` | path of this crate, when it is renamed | `::frictiongen` |
+//!
+//! # Conventions
+//!
+//! x̄ = x/(P/k₁), for base motion x/Y; β = F/P, r = ω√(m₁/k₁), τ = ωt.  Phases are lags, in
+//! (−π, π].  Equation numbers are those of L. Marino, *Dynamic analysis of mechanical systems with
+//! Coulomb friction*, DPhil thesis, Oxford, 2021.
 #![cfg_attr(not(feature = "std"), no_std)]
 
 pub mod system;
@@ -11,6 +78,7 @@ pub mod study;
 pub use frictiongen_kernel as kernel;
 pub use frictiongen_kernel::Complex;
 pub use frictiongen_kernel::errors::{Error, NotContinuous, OutOfDomain, Regime, StuckResonance};
+/// Turns the description of a scene into its solver; see the [crate's documentation](crate).
 pub use frictiongen_macros::friction_system;
 #[cfg(feature = "study")]
 pub use study::System;

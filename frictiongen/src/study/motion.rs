@@ -4,13 +4,13 @@ use super::at::SystemAt;
 use super::error::UnknownMass;
 use crate::system::{ContinuousMotion, Of, Steady, StuckAt};
 use crate::{Complex, StuckResonance};
+use frictiongen_kernel::Float;
 use frictiongen_kernel::chain::Others;
 use frictiongen_kernel::decay::{Damped, Decay};
 use frictiongen_kernel::mode::Mode;
 use frictiongen_kernel::motion::Friction;
 use frictiongen_kernel::steady::{Motion, motion_wave};
 use frictiongen_kernel::wave::Wave;
-use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Reduced;
 
 /// The exact continuous motion of a system.

@@ -169,6 +169,46 @@ impl<S: Float> System<S> {
             .collect()
     }
 
+    /// x̄ of every mass for r → 0 at the friction ratio β (6.5); none where the contact is stuck at
+    /// r = 0.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let chain: frictiongen::System = "struct Chain {
+    ///     masses: { first: 1, second: 1, third: 1 },
+    ///     springs: { base - first: 1, first - second: 1, second - third: 1 },
+    ///     contact: second - wall,
+    ///     excitation: first,
+    /// }"
+    /// .parse()?;
+    /// let start = chain.quasi_static_start(0.3).ok_or("stuck")?;
+    /// assert!((start[0] - 0.7).abs() < 1e-15 && (start[2] - 0.4).abs() < 1e-15);
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn quasi_static_start(&self, beta: S) -> Option<Vec<S>> {
+        let start = self.modal.quasi_static_start(Dd::from(beta.to_f64()))?;
+        Some(start.into_iter().map(rounded).collect())
+    }
+
+    /// The peak of a mass at the i-th damped resonance, estimated for small ζ (7.60); both by
+    /// their place, modes in ascending order.  None for a mode without damping.
+    #[must_use]
+    pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: S) -> Option<S> {
+        let beta = Dd::from(beta.to_f64());
+        self.modal
+            .resonant_peak_estimate(mode, mass, beta)
+            .map(rounded)
+    }
+
+    /// β_∞ and β*_∞, the limits for r → ∞ (6.28); both infinite on a moving base.
+    #[must_use]
+    pub fn high_frequency_limits(&self) -> (S, S) {
+        let ends = &self.reduced.ends;
+        (ends.continuous_at_infinity, ends.sliding_at_infinity)
+    }
+
     pub(super) fn mass_index(&self, name: &str) -> Result<usize, UnknownMass> {
         self.scene
             .masses

@@ -1,0 +1,67 @@
+//! Special values in closed form (section 6): thresholds, starts, peaks.
+
+use crate::modal::Modal;
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::dd::Dd;
+
+fn dd(value: f64) -> Dd {
+    Dd::from(value)
+}
+
+impl Modal {
+    /// β_n,i: the friction ratio below which an undamped resonance is unbounded (6.2, 6.26), or
+    /// none for a mode that the contact does not drive.
+    #[must_use]
+    pub fn resonance_thresholds(&self) -> Vec<Option<Dd>> {
+        self.loads
+            .iter()
+            .zip(&self.contacts)
+            .map(|(load, contact)| {
+                (*contact != dd(0.0)).then(|| Dd::PI * dd(0.25) * (*load / *contact).abs())
+            })
+            .collect()
+    }
+
+    /// x̄ of every mass for r → 0 at the friction ratio β (6.5): the static displacement with the
+    /// friction force against it.  None where the contact is stuck at r = 0.
+    #[must_use]
+    pub fn quasi_static_start(&self, beta: Dd) -> Option<Vec<Dd>> {
+        if self.ends().sliding_at_rest <= beta {
+            return None;
+        }
+        let sign = if self.static_motion < dd(0.0) {
+            dd(-1.0)
+        } else {
+            dd(1.0)
+        };
+        let masses = self.shapes.first().map_or(0, Vec::len);
+        let start = |mass: usize| {
+            let mut sum = dd(0.0);
+            for (mode, shape) in self.shapes.iter().enumerate() {
+                let of = |list: &[Dd]| list.get(mode).copied().unwrap_or_default();
+                let lambda = of(&self.resonances) * of(&self.resonances);
+                let force = of(&self.loads) - beta * sign * of(&self.contacts);
+                sum = sum + shape.get(mass).copied().unwrap_or_default() * force / lambda;
+            }
+            sum
+        };
+        Some((0..masses).map(start).collect())
+    }
+
+    /// The peak of mass k at the i-th damped resonance, estimated for small ζ (7.60), with
+    /// sinh x/(cosh x − 1) = coth(x/2).  None for a mode without damping.
+    #[must_use]
+    pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: Dd) -> Option<Dd> {
+        let zeta = *self.damping_ratios.get(mode)?;
+        if !(dd(0.0) < zeta) {
+            return None;
+        }
+        let resonance = *self.resonances.get(mode)?;
+        let component = *self.shapes.get(mode)?.get(mass)? / (resonance * resonance);
+        let driven = (component * *self.loads.get(mode)?).abs() / (zeta + zeta);
+        let rubbed = (component * *self.contacts.get(mode)?).abs();
+        // coth(x/2) = (2 + m)/m with m = e^x − 1.
+        let m = (Dd::PI * zeta).exp_m1();
+        Some(driven - rubbed * (m + dd(2.0)) / m * beta)
+    }
+}
