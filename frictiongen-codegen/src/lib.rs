@@ -12,12 +12,14 @@ macro_rules! code {
 
 mod diagnostics;
 mod emit;
+mod expand;
 pub mod graph;
 mod lower;
 mod parse;
 
 pub use diagnostics::{Diagnostic, Diagnostics, Failure, Partial};
 pub use emit::{PASSES_FROM, emit, traces};
+pub use expand::expand;
 pub use lower::{Description, Limits, parse_text, parse_tokens};
 
 #[cfg(feature = "pretty")]

@@ -1,13 +1,11 @@
 //! The `friction_system!` macro; its documentation is that of `frictiongen`.
 
-use frictiongen_codegen::{Limits, emit, parse_tokens};
 use proc_macro::TokenStream;
 
-/// Turns the description of a scene into its solver.  See the documentation of `frictiongen`.
+/// Turns the description of a scene into its solver: `friction_system! { struct Name { … } }`, or
+/// `friction_system!("name.friction")` with the path of a file that holds one, from the folder of
+/// Cargo.toml.  See the documentation of `frictiongen`.
 #[proc_macro]
 pub fn friction_system(input: TokenStream) -> TokenStream {
-    match parse_tokens(input.into(), &Limits::MACRO) {
-        Ok(description) => emit(&description).into(),
-        Err(failure) => failure.errors.to_compile_error().into(),
-    }
+    frictiongen_codegen::expand(input.into()).into()
 }

@@ -5,7 +5,7 @@
 //!
 //! * [`friction_system!`] does the modal analysis at compile time and emits specialised Rust:
 //!   `no_std`, without allocation, without `unsafe`, everything of fixed size.
-//! * [`System`](study::System) (feature `study`) reads the same text at run time.
+//! * `System` (feature `study`) reads the same text at run time.
 //! * The command `frictiongen` reads it from a file.
 //!
 //! ```

@@ -2,7 +2,7 @@
 //!
 //! [`Expr`] is a scalar like any other.  Evaluating a formula with it records the operations;
 //! constants fold on the way, equal operations are recorded once.  A recorded [`Graph`] can be
-//! interpreted in numbers ([`interpret`]), counted ([`count`]) and printed as Rust ([`print`]).
+//! interpreted in numbers ([`interpret`]), counted ([`count`]) and printed as Rust ([`mod@print`]).
 
 pub mod count;
 pub mod expr;

@@ -1,0 +1,145 @@
+//! What the macro expands to: a description in place or in a file, and after errors something of
+//! the same shape, so that the rest of the user's crate does not drown in follow-up errors.
+
+use crate::diagnostics::{Failure, Partial};
+use crate::lower::{Description, Limits, parse_text, parse_tokens};
+use crate::{Diagnostics, emit};
+use frictiongen_model::scene::{
+    Accuracy, Contact, Damping, Excitation, Mass, Node, Provide, Scene, Spring,
+};
+use proc_macro2::{Ident, Span, TokenStream};
+use std::path::{Path, PathBuf};
+use syn::LitStr;
+
+/// The expansion of a macro call, whatever stands in it.
+#[must_use]
+pub fn expand(input: TokenStream) -> TokenStream {
+    match syn::parse2::<LitStr>(input.clone()) {
+        Ok(path) => expand_file(&path),
+        Err(_) => match parse_tokens(input, &Limits::MACRO) {
+            Ok(description) => emit(&description),
+            Err(failure) => emit_failure(failure),
+        },
+    }
+}
+
+/// `friction_system!("frame.friction")`: the file is named from the folder of Cargo.toml, and the
+/// call is expanded again when the file changes.
+fn expand_file(path: &LitStr) -> TokenStream {
+    let relative = path.value();
+    let folder = std::env::var_os("CARGO_MANIFEST_DIR")
+        .map(PathBuf::from)
+        .unwrap_or_default();
+    let full = folder.join(&relative);
+    let text = match std::fs::read_to_string(&full) {
+        Ok(text) => text,
+        Err(error) => {
+            let message = format!(
+                "cannot read `{relative}`: {error}; the path begins at the folder of Cargo.toml, {}",
+                folder.display()
+            );
+            return syn::Error::new(path.span(), message).to_compile_error();
+        }
+    };
+    let mut tokens = tracked(&relative);
+    match parse_text(&text, &Limits::MACRO) {
+        Ok(description) => tokens.extend(emit(&description)),
+        Err(diagnostics) => {
+            tokens.extend(file_errors(path, &relative, &diagnostics));
+            // What can be read of it all the same has the right names.
+            let partial = text.parse().ok().and_then(|tokens| {
+                parse_tokens(tokens, &Limits::MACRO)
+                    .err()
+                    .map(|failure| failure.partial)
+            });
+            tokens.extend(partial.and_then(stand_in));
+        }
+    }
+    tokens
+}
+
+/// Makes the compiler look at the file again when it changes.
+fn tracked(relative: &str) -> TokenStream {
+    if Path::new(relative).is_absolute() {
+        return code!(
+            const _: &[::core::primitive::u8] = ::core::include_bytes!(#relative);
+        );
+    }
+    let from_root = format!("/{relative}");
+    code! {
+        const _: &[::core::primitive::u8] = ::core::include_bytes!(
+            ::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), #from_root)
+        );
+    }
+}
+
+/// Each error of a file on the path, with its place in the text.
+fn file_errors(path: &LitStr, relative: &str, diagnostics: &Diagnostics) -> TokenStream {
+    let errors = diagnostics.list.iter().map(|diagnostic| {
+        syn::Error::new(path.span(), format!("{relative}:{diagnostic}")).to_compile_error()
+    });
+    errors.collect()
+}
+
+/// The errors, and something of the right shape.
+fn emit_failure(failure: Failure) -> TokenStream {
+    let mut tokens = failure.errors.to_compile_error();
+    tokens.extend(stand_in(failure.partial));
+    tokens
+}
+
+/// The solver of a plain chain with the names of a faulty description.  It never runs: the errors
+/// beside it end the build.
+fn stand_in(partial: Partial) -> Option<TokenStream> {
+    let Partial {
+        attributes,
+        visibility,
+        name,
+        facade,
+        mut mass_names,
+        precision,
+    } = partial;
+    let name = name?;
+    mass_names.truncate(Limits::MACRO.masses);
+    if mass_names.is_empty() {
+        mass_names.push(Ident::new("unnamed", Span::mixed_site()));
+    }
+    let masses: Vec<Mass> = mass_names
+        .iter()
+        .map(|name| Mass {
+            name: name.to_string(),
+            value: 1.0,
+        })
+        .collect();
+    let springs = (0..masses.len())
+        .map(|mass| Spring {
+            from: mass.checked_sub(1).map_or(Node::Base, Node::Mass),
+            to: Node::Mass(mass),
+            stiffness: 1.0,
+        })
+        .collect();
+    let scene = Scene {
+        name: name.to_string(),
+        masses,
+        springs,
+        contact: Contact {
+            from: Node::Mass(0),
+            to: Node::Wall,
+        },
+        excitation: Excitation::Force(0),
+        damping: Damping::None,
+        stiction: 1.0,
+        precision,
+        provide: vec![Provide::Limits, Provide::Motion(None), Provide::Stuck],
+        accuracy: Accuracy::Exact,
+        range: None,
+    };
+    Some(emit(&Description {
+        attributes,
+        visibility,
+        name,
+        facade,
+        scene,
+        mass_names,
+    }))
+}
