@@ -70,6 +70,7 @@
 //! Coulomb friction*, DPhil thesis, Oxford, 2021.
 #![cfg_attr(not(feature = "std"), no_std)]
 
+pub mod sweep;
 pub mod system;
 
 #[cfg(feature = "study")]

@@ -19,7 +19,10 @@ fn a_file_is_a_description() {
     let text = include_str!("../scenes/braced.friction");
     let system: System = text.parse().expect("a valid scene");
     let at = system.at(0.3).expect("in the domain");
-    assert_eq!(at.continuous_limit(), Braced::at(0.3).expect("in the domain").continuous_limit());
+    assert_eq!(
+        at.continuous_limit(),
+        Braced::at(0.3).expect("in the domain").continuous_limit()
+    );
 }
 
 #[test]

@@ -29,17 +29,27 @@ impl std::error::Error for UnknownMass {}
 /// A scene that was put together in code and makes no sense.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvalidScene {
-    /// Everything that is wrong with it.
+    /// Parts that are missing, and names that are not there.
+    pub unknown: Vec<String>,
+    /// Everything that makes no physical sense.
     pub errors: Vec<SceneError>,
 }
 
 impl std::fmt::Display for InvalidScene {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        for (index, error) in self.errors.iter().enumerate() {
+        let unknown = self
+            .unknown
+            .iter()
+            .map(|text| text as &dyn std::fmt::Display);
+        let errors = self
+            .errors
+            .iter()
+            .map(|error| error as &dyn std::fmt::Display);
+        for (index, line) in unknown.chain(errors).enumerate() {
             if index > 0 {
                 writeln!(f)?;
             }
-            write!(f, "{error}")?;
+            line.fmt(f)?;
         }
         Ok(())
     }

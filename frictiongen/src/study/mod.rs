@@ -1,16 +1,18 @@
 //! Design studies at run time: the same description, the same closed forms, with allocation.
 
 mod at;
+mod builder;
 mod error;
 mod motion;
 mod system;
 
 pub use at::SystemAt;
+pub use builder::Builder;
 pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
 pub use system::System;
 
 /// What a description says: masses, springs, contact, excitation, damping.
-pub use frictiongen_model::scene;
+pub use frictiongen_model::scene::{self, Damping};
 pub use frictiongen_model::validate::SceneError;

@@ -54,7 +54,10 @@ impl<S: Float> TryFrom<Scene> for System<S> {
     type Error = InvalidScene;
 
     fn try_from(scene: Scene) -> Result<Self, InvalidScene> {
-        validate(&scene).map_err(|errors| InvalidScene { errors })?;
+        validate(&scene).map_err(|errors| InvalidScene {
+            unknown: Vec::new(),
+            errors,
+        })?;
         Ok(Self::from_scene(scene))
     }
 }

@@ -1,0 +1,176 @@
+//! A scene put together in code.
+
+use super::error::InvalidScene;
+use super::system::System;
+use frictiongen_kernel::Float;
+use frictiongen_model::scene::{
+    Accuracy, Contact, Damping, Excitation, Mass, Node, Precision, Provide, Scene, Spring,
+};
+
+/// Puts a scene together; nodes are named as in a description: a mass, `base` or `wall`.
+///
+/// ```
+/// use frictiongen::study::{Damping, System};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let frame: System = System::builder("Frame")
+///     .mass("lower", 3.27)
+///     .mass("upper", 3.25)
+///     .spring("base", "lower", 1190.0)
+///     .spring("lower", "upper", 1323.0)
+///     .contact("upper", "wall")
+///     .excitation("base")
+///     .damping(Damping::Modal(vec![0.010, 0.012]))
+///     .stiction(1.2)
+///     .build()?;
+/// assert!((frame.at(0.9)?.continuous_limit() - 0.464135).abs() < 1e-6);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug)]
+#[must_use = "a builder makes a system by `build`"]
+pub struct Builder {
+    name: String,
+    masses: Vec<Mass>,
+    springs: Vec<(String, String, f64)>,
+    contact: Option<(String, String)>,
+    excitation: Option<String>,
+    damping: Damping,
+    stiction: f64,
+}
+
+impl System {
+    /// A scene put together in code.
+    pub fn builder(name: &str) -> Builder {
+        Builder {
+            name: name.to_owned(),
+            masses: Vec::new(),
+            springs: Vec::new(),
+            contact: None,
+            excitation: None,
+            damping: Damping::None,
+            stiction: 1.0,
+        }
+    }
+}
+
+impl Builder {
+    /// Adds a mass; the first is the reference m₁.
+    pub fn mass(mut self, name: &str, value: f64) -> Self {
+        self.masses.push(Mass {
+            name: name.to_owned(),
+            value,
+        });
+        self
+    }
+
+    /// Adds a spring; the first is the reference k₁.
+    pub fn spring(mut self, from: &str, to: &str, stiffness: f64) -> Self {
+        self.springs
+            .push((from.to_owned(), to.to_owned(), stiffness));
+        self
+    }
+
+    /// Says what rubs on what.
+    pub fn contact(mut self, from: &str, to: &str) -> Self {
+        self.contact = Some((from.to_owned(), to.to_owned()));
+        self
+    }
+
+    /// Says what is excited: a mass, by a force on it, or `base`.
+    pub fn excitation(mut self, node: &str) -> Self {
+        self.excitation = Some(node.to_owned());
+        self
+    }
+
+    /// Sets the damping; none unless it is set.
+    pub fn damping(mut self, damping: Damping) -> Self {
+        self.damping = damping;
+        self
+    }
+
+    /// Sets μ, the ratio of static to kinetic friction; 1 unless it is set.
+    pub fn stiction(mut self, stiction: f64) -> Self {
+        self.stiction = stiction;
+        self
+    }
+
+    /// The system.
+    ///
+    /// # Errors
+    /// [`InvalidScene`] with everything that is wrong: names that are not there, and whatever makes
+    /// no physical sense.
+    pub fn build<S: Float>(self) -> Result<System<S>, InvalidScene> {
+        let mut unknown = Vec::new();
+        let mut node = |name: &str, place: String| {
+            let mass = self.masses.iter().position(|mass| mass.name == name);
+            match (name, mass) {
+                ("base", _) => Node::Base,
+                ("wall", _) => Node::Wall,
+                (_, Some(mass)) => Node::Mass(mass),
+                (_, None) => {
+                    unknown.push(format!(
+                        "{place} names `{name}`, which is neither a mass nor `base` nor `wall`"
+                    ));
+                    Node::Wall
+                }
+            }
+        };
+        let mut springs = Vec::with_capacity(self.springs.len());
+        for (from, to, stiffness) in &self.springs {
+            let place = || format!("the spring `{from} - {to}`");
+            let (from, to) = (node(from, place()), node(to, place()));
+            springs.push(Spring {
+                from,
+                to,
+                stiffness: *stiffness,
+            });
+        }
+        let contact = self.contact.as_ref().map(|(from, to)| {
+            let place = || format!("the contact `{from} - {to}`");
+            Contact {
+                from: node(from, place()),
+                to: node(to, place()),
+            }
+        });
+        let excitation = self
+            .excitation
+            .as_ref()
+            .map(|name| node(name, "the excitation".to_owned()));
+        let excitation = match excitation {
+            Some(Node::Mass(mass)) => Some(Excitation::Force(mass)),
+            Some(Node::Base) => Some(Excitation::Base),
+            Some(Node::Wall) if self.excitation.as_deref() == Some("wall") => {
+                unknown.push("the excitation names `wall`, which never moves".to_owned());
+                None
+            }
+            Some(Node::Wall) | None => None,
+        };
+        if contact.is_none() {
+            unknown.push("there is no contact; add one by `contact`".to_owned());
+        }
+        if self.excitation.is_none() {
+            unknown.push("there is no excitation; add one by `excitation`".to_owned());
+        }
+        let (Some(contact), Some(excitation), true) = (contact, excitation, unknown.is_empty())
+        else {
+            return Err(InvalidScene {
+                unknown,
+                errors: Vec::new(),
+            });
+        };
+        System::try_from(Scene {
+            name: self.name,
+            masses: self.masses,
+            springs,
+            contact,
+            excitation,
+            damping: self.damping,
+            stiction: self.stiction,
+            precision: Precision::F64,
+            provide: vec![Provide::Limits, Provide::Motion(None)],
+            accuracy: Accuracy::Exact,
+            range: None,
+        })
+    }
+}

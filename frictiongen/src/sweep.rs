@@ -1,0 +1,162 @@
+//! Sweeps over r and β, for emitted and run-time systems alike: serial, without allocation, into
+//! slices of the caller's.
+//!
+//! ```
+//! use frictiongen::sweep::{self, LimitsPoint};
+//! use frictiongen::{Of, Regime, friction_system};
+//!
+//! friction_system! {
+//!     struct Block {
+//!         masses: { block: 1.0 },
+//!         springs: { base - block: 1.0 },
+//!         contact: block - wall,
+//!         excitation: block,
+//!     }
+//! }
+//!
+//! # fn main() -> Result<(), sweep::SweepError> {
+//! let ratios = [0.8, 1.0, 2.0];
+//! let mut limits = [LimitsPoint::default(); 3];
+//! sweep::limits(&Block, &ratios, &mut limits)?;
+//! assert!(limits[1].continuous > 0.78 && limits[1].sliding == 1.0);
+//!
+//! let mut map = [Regime::Stuck; 6];
+//! sweep::regimes(&Block, &ratios, &[0.3, 1.2], &mut map)?;
+//! assert_eq!(map[..2], [Regime::Continuous, Regime::Stuck]); // at r = 0.8
+//!
+//! let mut amplitudes = [None; 6];
+//! sweep::amplitudes(&Block, Of::Contact, &ratios, &[0.3, 1.2], &mut amplitudes)?;
+//! assert!(amplitudes[0].is_some_and(|amplitude| amplitude > 2.0) && amplitudes[1].is_none());
+//! # Ok(())
+//! # }
+//! ```
+
+use crate::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, OutOfDomain, Regime};
+use core::fmt;
+use frictiongen_kernel::regime;
+
+/// Both limits at one frequency ratio.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LimitsPoint<S> {
+    /// r.
+    pub r: S,
+    /// β_lim, exact.
+    pub continuous: S,
+    /// β*_lim.
+    pub sliding: S,
+}
+
+/// Why a sweep ends early.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SweepError {
+    /// A value of r or β; what came before it is filled in.
+    OutOfDomain(OutOfDomain),
+    /// The slice for the results does not hold one for each point.
+    Length {
+        /// How many points there are.
+        points: usize,
+        /// How many results the slice holds.
+        room: usize,
+    },
+}
+
+impl fmt::Display for SweepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfDomain(error) => error.fmt(f),
+            Self::Length { points, room } => {
+                write!(
+                    f,
+                    "the sweep has {points} points, but there is room for {room} results"
+                )
+            }
+        }
+    }
+}
+
+impl core::error::Error for SweepError {}
+
+impl From<OutOfDomain> for SweepError {
+    fn from(error: OutOfDomain) -> Self {
+        Self::OutOfDomain(error)
+    }
+}
+
+fn check_length(points: usize, room: usize) -> Result<(), SweepError> {
+    if points == room {
+        Ok(())
+    } else {
+        Err(SweepError::Length { points, room })
+    }
+}
+
+/// Both limits over frequency ratios.
+///
+/// # Errors
+/// [`SweepError`]: r out of the domain, or slices of different lengths.
+pub fn limits<F: FrictionSystem>(
+    system: &F,
+    ratios: &[F::Scalar],
+    out: &mut [LimitsPoint<F::Scalar>],
+) -> Result<(), SweepError> {
+    check_length(ratios.len(), out.len())?;
+    for (r, out) in ratios.iter().zip(out) {
+        let at = system.at(*r)?;
+        *out = LimitsPoint {
+            r: *r,
+            continuous: at.continuous_limit(),
+            sliding: at.sliding_limit(),
+        };
+    }
+    Ok(())
+}
+
+/// The regimes over frequency and friction ratios, all β of the first r first.  The limits are
+/// computed once for each r.
+///
+/// # Errors
+/// [`SweepError`]: r or β out of the domain, or not one result for each pair.
+pub fn regimes<F: FrictionSystem>(
+    system: &F,
+    ratios: &[F::Scalar],
+    betas: &[F::Scalar],
+    out: &mut [Regime],
+) -> Result<(), SweepError> {
+    check_length(ratios.len().saturating_mul(betas.len()), out.len())?;
+    for (r, row) in ratios.iter().zip(out.chunks_mut(betas.len().max(1))) {
+        let at = system.at(*r)?;
+        let (continuous, sliding) = (at.continuous_limit(), at.sliding_limit());
+        for (beta, out) in betas.iter().zip(row) {
+            *out = regime::regime(regime::check_beta(*beta)?, continuous, sliding);
+        }
+    }
+    Ok(())
+}
+
+/// Exact amplitudes over frequency and friction ratios, all β of the first r first; `None` outside
+/// the continuous regime, on an unbounded resonance, and for a motion that is not provided.
+///
+/// # Errors
+/// [`SweepError`]: r or β out of the domain, or not one result for each pair.
+pub fn amplitudes<F>(
+    system: &F,
+    of: Of,
+    ratios: &[F::Scalar],
+    betas: &[F::Scalar],
+    out: &mut [Option<F::Scalar>],
+) -> Result<(), SweepError>
+where
+    F: FrictionSystem,
+    for<'a> F::At<'a>: MotionAt,
+{
+    check_length(ratios.len().saturating_mul(betas.len()), out.len())?;
+    for (r, row) in ratios.iter().zip(out.chunks_mut(betas.len().max(1))) {
+        let at = system.at(*r)?;
+        for (beta, out) in betas.iter().zip(row) {
+            let beta = regime::check_beta(*beta)?;
+            let motion = at.motion(beta).ok();
+            *out = motion.and_then(|motion| motion.ask(of, |steady| steady.amplitude()));
+        }
+    }
+    Ok(())
+}
