@@ -78,10 +78,22 @@ fn direction(contact: Contact) -> Vec<(usize, f64)> {
     }
 }
 
-impl Modal {
-    /// The modal analysis of a valid scene.
-    #[must_use]
-    pub fn of(scene: &Scene) -> Self {
+/// The matrices of a scene before its modal analysis.
+struct Assembled {
+    /// √γ_i.
+    root_gamma: Vec<Dd>,
+    /// √(k₁/m₁).
+    reference: Dd,
+    /// G = diag(√κ)·E·diag(1/√γ), by columns, whose singular values are the √λ.
+    g: Columns,
+    /// The load vector p over √γ.
+    p_scaled: Vec<Dd>,
+    /// The contact direction w over √γ.
+    w_scaled: Vec<Dd>,
+}
+
+impl Assembled {
+    fn of(scene: &Scene) -> Self {
         let n = scene.masses.len();
         let m1 = dd(scene.masses.first().map_or(1.0, |mass| mass.value));
         let k1 = dd(scene.springs.first().map_or(1.0, |spring| spring.stiffness));
@@ -95,7 +107,6 @@ impl Modal {
             .iter()
             .map(|spring| dd(spring.stiffness) / k1)
             .collect();
-
         let mut g: Columns = vec![vec![dd(0.0); kappa.len()]; n];
         let mut p = vec![dd(0.0); n];
         for (row, (spring, kappa)) in scene.springs.iter().zip(&kappa).enumerate() {
@@ -131,26 +142,81 @@ impl Modal {
                 *w = dd(sign);
             }
         }
-
-        let (resonances, vectors) = jacobi::singular(g);
-        // In coordinates scaled by √γ the mode shapes are orthonormal.
-        let scaled = |vector: &[Dd]| -> Vec<Dd> {
+        let scaled = |vector: Vec<Dd>| -> Vec<Dd> {
             vector
                 .iter()
                 .zip(&root_gamma)
                 .map(|(value, root)| *value / *root)
                 .collect()
         };
-        let (p_scaled, w_scaled) = (scaled(&p), scaled(&w));
+        let (p_scaled, w_scaled) = (scaled(p), scaled(w));
+        Self {
+            reference: (k1 / m1).sqrt(),
+            root_gamma,
+            g,
+            p_scaled,
+            w_scaled,
+        }
+    }
+}
+
+impl Modal {
+    /// The modal analysis of a valid scene, in double-double.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let mut assembled = Assembled::of(scene);
+        let (resonances, vectors) = jacobi::singular(std::mem::take(&mut assembled.g));
+        Self::assembled(scene, &assembled, resonances, &vectors, NOISE)
+    }
+
+    /// The same from a solver of the caller's: it is given G by columns and answers with the
+    /// singular values, ascending, and the right singular vectors, one a column.  What is below
+    /// `noise` of the largest that it could be counts as zero.
+    #[must_use]
+    pub fn solved_by(
+        scene: &Scene,
+        noise: f64,
+        solver: impl FnOnce(&[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>),
+    ) -> Self {
+        let assembled = Assembled::of(scene);
+        let plain = |column: &Vec<Dd>| column.iter().map(|value| value.to_f64()).collect();
+        let g: Vec<Vec<f64>> = assembled.g.iter().map(plain).collect();
+        let (resonances, vectors) = solver(&g);
+        let exact = |column: Vec<f64>| column.into_iter().map(dd).collect::<Vec<_>>();
+        let vectors: Columns = vectors.into_iter().map(exact).collect();
+        Self::assembled(scene, &assembled, exact(resonances), &vectors, noise)
+    }
+
+    fn assembled(
+        scene: &Scene,
+        assembled: &Assembled,
+        resonances: Vec<Dd>,
+        vectors: &[Vec<Dd>],
+        noise: f64,
+    ) -> Self {
+        let Assembled {
+            root_gamma,
+            reference,
+            p_scaled,
+            w_scaled,
+            ..
+        } = assembled;
+        let reference = *reference;
+        // In coordinates scaled by √γ the mode shapes are orthonormal.
+        let n = vectors.len();
         let mut shapes = Vec::with_capacity(n);
         let (mut loads, mut contacts) = (Vec::with_capacity(n), Vec::with_capacity(n));
-        for vector in &vectors {
-            let mut shape = scaled(vector);
+        for vector in vectors {
+            let mut shape: Vec<Dd> = vector
+                .iter()
+                .zip(root_gamma)
+                .map(|(value, root)| *value / *root)
+                .collect();
             let largest = shape
                 .iter()
                 .fold(dd(0.0), |most, value| most.max(value.abs()));
             for value in &mut shape {
-                if value.abs() < largest * dd(NOISE) {
+                if value.abs() < largest * dd(noise) {
                     *value = dd(0.0);
                 }
             }
@@ -161,11 +227,10 @@ impl Modal {
                 dd(1.0)
             };
             shapes.push(shape.iter().map(|value| *value * sign).collect::<Vec<_>>());
-            loads.push(projected(vector, &p_scaled) * sign);
-            contacts.push(projected(vector, &w_scaled) * sign);
+            loads.push(projected(vector, p_scaled, noise) * sign);
+            contacts.push(projected(vector, w_scaled, noise) * sign);
         }
 
-        let reference = (k1 / m1).sqrt();
         let damping_ratios = damping_ratios(&scene.damping, &resonances, reference);
         let on_moving_base = matches!(scene.excitation, Excitation::Base)
             && (scene.contact.from == Node::Base || scene.contact.to == Node::Base);
@@ -179,10 +244,11 @@ impl Modal {
             static_size = static_size + term.abs();
             static_receptance = static_receptance + *contact * *contact / lambda;
         }
-        let products = || w_scaled.iter().zip(&p_scaled).map(|(w, p)| *w * *p);
+        let products = || w_scaled.iter().zip(p_scaled).map(|(w, p)| *w * *p);
         let inertial_load = cleaned(
             products().fold(dd(0.0), |sum, term| sum + term),
             products().fold(dd(0.0), |sum, term| sum + term.abs()),
+            NOISE,
         );
         let sides: Vec<usize> = direction(scene.contact)
             .into_iter()
@@ -194,9 +260,9 @@ impl Modal {
             shapes,
             loads,
             contacts,
-            mobility: dot(&w_scaled, &w_scaled),
+            mobility: dot(w_scaled, w_scaled),
             inertial_load,
-            static_motion: cleaned(static_motion, static_size),
+            static_motion: cleaned(static_motion, static_size, noise),
             static_receptance,
             on_moving_base,
             reference,
@@ -336,12 +402,12 @@ impl Modal {
 }
 
 /// A projection on a unit vector, exactly zero where only noise is left of it.
-fn projected(vector: &[Dd], on: &[Dd]) -> Dd {
-    cleaned(dot(vector, on), dot(on, on).sqrt())
+fn projected(vector: &[Dd], on: &[Dd], noise: f64) -> Dd {
+    cleaned(dot(vector, on), dot(on, on).sqrt(), noise)
 }
 
-fn cleaned(value: Dd, size: Dd) -> Dd {
-    if value.abs() <= size * dd(NOISE) {
+fn cleaned(value: Dd, size: Dd, noise: f64) -> Dd {
+    if value.abs() <= size * dd(noise) {
         dd(0.0)
     } else {
         value

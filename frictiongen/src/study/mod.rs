@@ -3,6 +3,7 @@
 mod at;
 mod builder;
 mod error;
+mod large;
 mod motion;
 mod system;
 

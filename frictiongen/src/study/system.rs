@@ -2,6 +2,7 @@
 
 use super::at::SystemAt;
 use super::error::{InvalidScene, UnknownMass};
+use super::large;
 use crate::OutOfDomain;
 use crate::system::FrictionSystem;
 use frictiongen_codegen::{Diagnostics, Limits, parse_text};
@@ -71,7 +72,7 @@ fn rounded<S: Scalar>(value: Dd) -> S {
 impl<S: Float> System<S> {
     /// The system of a scene that is known to be valid.
     fn from_scene(scene: Scene) -> Self {
-        let modal = Modal::of(&scene);
+        let modal = large::modal(&scene);
         let reduced = modal.reduced(rounded::<S>);
         let resonances: Vec<S> = modal
             .resonances
@@ -96,7 +97,9 @@ impl<S: Float> System<S> {
         &self.scene
     }
 
-    /// The modal analysis behind it, to about 30 digits.
+    /// The modal analysis behind it: to about 30 digits up to 64 masses; beyond, in double precision,
+    /// frequencies to 1e-13 and shapes to 1e-13 over the relative distance of neighbouring
+    /// frequencies.
     #[must_use]
     pub fn modal(&self) -> &Modal {
         &self.modal

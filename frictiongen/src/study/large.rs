@@ -1,0 +1,110 @@
+//! Modal analysis of large scenes: nalgebra's symmetric eigensolver, then Jacobi where it is due.
+//!
+//! The eigenvectors of Γ^−½K̄Γ^−½ make the columns of G·V orthogonal but for what forming K̄ has
+//! lost; one-sided Jacobi on them, in double precision, restores what a small frequency beside
+//! large ones has lost, in one or two sweeps.
+
+use frictiongen_model::modal::Modal;
+use frictiongen_model::scene::Scene;
+use nalgebra::DMatrix;
+
+/// Up to this many masses the analysis is done in double-double.
+pub(super) const LARGEST_EXACT: usize = 64;
+/// Residues below this share of the largest that they could be are rounding noise.
+const NOISE: f64 = 1e-13;
+/// Two columns count as orthogonal when their cosine is below this.
+const ORTHOGONAL: f64 = 1e-15;
+const MAX_SWEEPS: usize = 12;
+
+/// The modal analysis of a scene of any size.
+pub(super) fn modal(scene: &Scene) -> Modal {
+    if scene.masses.len() <= LARGEST_EXACT {
+        return Modal::of(scene);
+    }
+    Modal::solved_by(scene, NOISE, singular)
+}
+
+/// Singular values of G, given by columns, ascending, and its right singular vectors.
+fn singular(g: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
+    let n = g.len();
+    let rows = g.first().map_or(0, Vec::len);
+    let g = DMatrix::from_iterator(rows, n, g.iter().flatten().copied());
+    let eigen = (g.transpose() * &g).symmetric_eigen();
+    let vectors = eigen.eigenvectors;
+    let turned = &g * &vectors;
+    let columns = |matrix: &DMatrix<f64>| -> Vec<Vec<f64>> {
+        matrix
+            .column_iter()
+            .map(|column| column.iter().copied().collect())
+            .collect()
+    };
+    let (mut turned, mut vectors) = (columns(&turned), columns(&vectors));
+    for _ in 0..MAX_SWEEPS {
+        if !sweep(&mut turned, &mut vectors) {
+            break;
+        }
+    }
+    let mut pairs: Vec<(f64, Vec<f64>)> = turned
+        .iter()
+        .map(|column| dot(column, column).sqrt())
+        .zip(vectors)
+        .collect();
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    pairs.into_iter().unzip()
+}
+
+/// Makes every pair of columns orthogonal once; false if all were.
+fn sweep(turned: &mut [Vec<f64>], vectors: &mut [Vec<f64>]) -> bool {
+    let mut squares: Vec<f64> = turned.iter().map(|column| dot(column, column)).collect();
+    let mut rotated = false;
+    for right in 1..turned.len() {
+        let (left_turned, right_turned) = turned.split_at_mut(right);
+        let (left_vectors, right_vectors) = vectors.split_at_mut(right);
+        let (left_squares, right_squares) = squares.split_at_mut(right);
+        let (Some(b), Some(vb), Some(bb)) = (
+            right_turned.first_mut(),
+            right_vectors.first_mut(),
+            right_squares.first_mut(),
+        ) else {
+            return rotated;
+        };
+        for ((a, va), aa) in left_turned.iter_mut().zip(left_vectors).zip(left_squares) {
+            let ab = dot(a, b);
+            if ab.abs() <= (*aa * *bb).sqrt() * ORTHOGONAL {
+                continue;
+            }
+            rotated = true;
+            let zeta = (*bb - *aa) / (2.0 * ab);
+            let t = (1.0 / (zeta.abs() + zeta.hypot(1.0))).copysign(zeta);
+            let c = 1.0 / t.hypot(1.0);
+            turn(a, b, c, c * t);
+            turn(va, vb, c, c * t);
+            (*aa, *bb) = (dot(a, a), dot(b, b));
+        }
+    }
+    rotated
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    // Eight sums side by side: a single chain of additions would wait for each of them.
+    let mut sums = [0.0; 8];
+    let (chunks_a, chunks_b) = (a.chunks_exact(8), b.chunks_exact(8));
+    let rest = chunks_a
+        .remainder()
+        .iter()
+        .zip(chunks_b.remainder())
+        .map(|(a, b)| a * b)
+        .sum::<f64>();
+    for (a, b) in chunks_a.zip(chunks_b) {
+        for ((sum, a), b) in sums.iter_mut().zip(a).zip(b) {
+            *sum += a * b;
+        }
+    }
+    rest + sums.iter().sum::<f64>()
+}
+
+fn turn(a: &mut [f64], b: &mut [f64], c: f64, s: f64) {
+    for (a, b) in a.iter_mut().zip(b) {
+        (*a, *b) = (c * *a - s * *b, s * *a + c * *b);
+    }
+}
