@@ -7,6 +7,7 @@ mod error;
 mod masses;
 mod names;
 mod reach;
+mod scale;
 mod settings;
 mod springs;
 
@@ -27,6 +28,8 @@ pub const SMALLEST: f64 = 1e-60;
 /// The part of a scene that an error is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Path {
+    /// The scene as a whole.
+    Scene,
     /// The list of masses.
     Masses,
     /// The value of a mass.
@@ -119,6 +122,11 @@ pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneErr
     }
     reach::check(scene, checks, &mut errors);
     settings::check(scene, checks, &mut errors);
+    scale::check(scene, checks, &mut errors);
+    let complete = checks.masses && checks.springs && checks.contact && checks.excitation;
+    if errors.is_empty() && complete {
+        scale::check_modes(scene, &mut errors);
+    }
     if errors.is_empty() {
         Ok(())
     } else {

@@ -31,6 +31,7 @@ impl Places<'_> {
         let spring = |index: usize| self.springs.get(index);
         let range = fields.range.given();
         match path {
+            Path::Scene => None,
             Path::Masses => fields.masses.given().map(|masses| masses.place),
             Path::Mass(index) => mass(index).map(|mass| mass.value.place),
             Path::MassName(index) => mass(index).map(|mass| mass.name.place),

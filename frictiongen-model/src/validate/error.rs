@@ -58,6 +58,23 @@ pub enum SceneError {
         value: f64,
     },
     #[error(
+        "the masses span {ratio:.0e}, more than {limit:.0e}: no digit of the small ones would count; lump this mass with its neighbour, or leave it out"
+    )]
+    MassesSpan { path: Path, ratio: f64, limit: f64 },
+    #[error(
+        "the stiffnesses span {ratio:.0e}, more than {limit:.0e}: no digit of the soft ones would count; join the two ends of this spring into one mass, or leave the soft springs out"
+    )]
+    StiffnessesSpan { path: Path, ratio: f64, limit: f64 },
+    #[error(
+        "modes {first} and {second} differ by {gap:.0e} of their frequency: `f32` cannot tell them apart; write `scalar: f64`, or move a mass or a stiffness"
+    )]
+    ModesTooClose {
+        path: Path,
+        first: usize,
+        second: usize,
+        gap: f64,
+    },
+    #[error(
         "a scene needs at least one spring to hold its masses: write, for example, `base - m1: 1.0`"
     )]
     NoSprings { path: Path },
@@ -181,6 +198,9 @@ impl SceneError {
     pub fn path(&self) -> Path {
         match self {
             Self::NoMasses { path }
+            | Self::MassesSpan { path, .. }
+            | Self::StiffnessesSpan { path, .. }
+            | Self::ModesTooClose { path, .. }
             | Self::TooManyMasses { path, .. }
             | Self::RawName { path, .. }
             | Self::Keyword { path, .. }

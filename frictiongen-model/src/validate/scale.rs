@@ -1,0 +1,79 @@
+//! Scenes whose numbers lie so far apart, or whose modes so close, that no answer means anything.
+
+use super::{Checks, Path, SceneError};
+use crate::modal::Modal;
+use crate::scene::{Precision, Scene};
+
+/// Up to this many masses the modes are looked at; more are for run time, in double precision.
+const MOST_ANALYSED: usize = 64;
+/// Single precision tells frequencies apart that differ by a few of its roundings.
+const SINGLE_GAP: f64 = 1e-6;
+/// In double-double, modes closer than this are one frequency, not two.
+const SAME: f64 = 1e-28;
+
+/// How far masses, or stiffnesses, may span.
+fn most_span(precision: Precision) -> f64 {
+    match precision {
+        // The modal analysis has some 31 digits.
+        Precision::F64 => 1e28,
+        // Squares of the frequencies must stay within the exponents of single precision.
+        Precision::F32 => 1e16,
+    }
+}
+
+/// Checks the spans of masses and stiffnesses.
+pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
+    let span = |values: &mut dyn Iterator<Item = f64>| {
+        let (mut least, mut most) = ((f64::INFINITY, 0), (0.0, 0));
+        for (index, value) in values.enumerate() {
+            if value < least.0 {
+                least = (value, index);
+            }
+            if value > most.0 {
+                most = (value, index);
+            }
+        }
+        (most.0 / least.0, most.1)
+    };
+    let limit = most_span(scene.precision);
+    if checks.masses {
+        let (ratio, index) = span(&mut scene.masses.iter().map(|mass| mass.value));
+        if ratio > limit && ratio.is_finite() {
+            errors.push(SceneError::MassesSpan {
+                path: Path::Mass(index),
+                ratio,
+                limit,
+            });
+        }
+    }
+    if checks.springs {
+        let (ratio, index) = span(&mut scene.springs.iter().map(|spring| spring.stiffness));
+        if ratio > limit && ratio.is_finite() {
+            errors.push(SceneError::StiffnessesSpan {
+                path: Path::Spring(index),
+                ratio,
+                limit,
+            });
+        }
+    }
+}
+
+/// Checks that single precision can tell the modes apart; the scene is otherwise valid.
+pub(super) fn check_modes(scene: &Scene, errors: &mut Vec<SceneError>) {
+    if scene.precision != Precision::F32 || scene.masses.len() > MOST_ANALYSED {
+        return;
+    }
+    let modal = Modal::of(scene);
+    let pairs = modal.resonances.iter().zip(modal.resonances.iter().skip(1));
+    for (index, (lower, upper)) in pairs.enumerate() {
+        let gap = ((*upper - *lower) / *upper).to_f64();
+        if SAME < gap && gap < SINGLE_GAP {
+            errors.push(SceneError::ModesTooClose {
+                path: Path::Scene,
+                first: index + 1,
+                second: index + 2,
+                gap,
+            });
+        }
+    }
+}
