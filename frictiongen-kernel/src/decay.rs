@@ -20,6 +20,8 @@ pub struct Instant<S> {
     pub sine: S,
     /// cos τ.
     pub cosine: S,
+    /// 1 − cos τ.
+    pub versine: S,
 }
 
 impl<S: Float> Instant<S> {
@@ -32,6 +34,7 @@ impl<S: Float> Instant<S> {
             tau: t * S::constant(PI),
             sine,
             cosine,
+            versine: versine_pi(t),
         }
     }
 }
@@ -76,8 +79,9 @@ pub struct Damped<S> {
 
 /// x·sin τ − sin xτ and cos τ − cos xτ.  Beside x = 1 both are differences of nearly equal terms,
 /// multiplied by the large damping functions of a resonance: there they are written as products.
+/// The second is divided by sin τ in the velocity constraint, so it keeps its digits at τ → 0.
 #[inline]
-fn differences<S: Float>(x: S, sine_x: S, cosine_x: S, at: &Instant<S>) -> (S, S) {
+fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<S>) -> (S, S) {
     let one = S::constant(1.0);
     let half = S::constant(0.5);
     let y = x - one;
@@ -87,7 +91,7 @@ fn differences<S: Float>(x: S, sine_x: S, cosine_x: S, at: &Instant<S>) -> (S, S
         let two_s = s + s;
         (y * at.sine - two_s * sum_cosine, two_s * sum_sine)
     } else {
-        (x * at.sine - sine_x, at.cosine - cosine_x)
+        (x * at.sine - sine_x, versine_x - at.versine)
     }
 }
 
@@ -104,13 +108,14 @@ impl<S: Float> Decay<S> for Undamped {
     fn basis(&self, x: S, at: &Instant<S>) -> Basis<S> {
         let half_turns = x * at.t;
         let (sine, cosine) = half_turns.sin_cos_pi();
-        let (swing, swing_slope) = differences(x, sine, cosine, at);
+        let versine = versine_pi(half_turns);
+        let (swing, swing_slope) = differences(x, sine, versine, at);
         Basis {
             free: sine / x,
             slope: cosine,
             swing: swing / x,
             swing_slope,
-            rise: versine_pi(half_turns) / (x * x),
+            rise: versine / (x * x),
         }
     }
 }
@@ -141,15 +146,29 @@ impl<S: Float> Decay<S> for Damped<S> {
     }
 }
 
-/// (1 − d)/x² from its parts, all of one sign: e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)].
+/// 1 − d from its parts, all of one sign: e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)].
 #[inline]
-fn rise<S: Float>(decay: S, kept: S, direct: S, versine: S, sinc_defect: S, x: S) -> S {
-    let one_minus_d = if decay < S::constant(1.0) {
+fn one_minus_d<S: Float>(decay: S, kept: S, direct: S, versine: S, sinc_defect: S) -> S {
+    if decay < S::constant(1.0) {
         kept * (exp_m1_minus(decay) + versine + decay * sinc_defect)
     } else {
         direct
-    };
-    one_minus_d / (x * x)
+    }
+}
+
+impl<S: Float> Basis<S> {
+    /// All functions from p, p′ and 1 − d = 1 − p′ − 2ζx·p.  cos τ − p′ comes from 1 − d, whose
+    /// digits it keeps at τ → 0, where the velocity constraint divides by sin τ.
+    #[inline]
+    fn damped(x: S, zeta: S, free: S, slope: S, one_minus_d: S, at: &Instant<S>) -> Self {
+        Self {
+            free,
+            slope,
+            swing: at.sine - free,
+            swing_slope: one_minus_d + (zeta + zeta) * x * free - at.versine,
+            rise: one_minus_d / (x * x),
+        }
+    }
 }
 
 impl<S: Float> Damped<S> {
@@ -164,24 +183,15 @@ impl<S: Float> Damped<S> {
         let (sq, zq) = (s / self.q, self.zeta / self.q * s);
         let damped_turns = turns * self.q;
         let direct = one - kept * (c + zq);
-        let mut basis = Basis {
-            free: kept * sq / x,
-            slope: kept * (c - zq),
-            swing: at.sine - kept * sq / x,
-            swing_slope: at.cosine - kept * (c - zq),
-            rise: rise(
-                decay,
-                kept,
-                direct,
-                versine_pi(damped_turns),
-                damped_turns.one_minus_sinc_pi(),
-                x,
-            ),
-        };
+        let (free, slope) = (kept * sq / x, kept * (c - zq));
+        let versine = versine_pi(damped_turns);
+        let sinc_defect = damped_turns.one_minus_sinc_pi();
+        let one_minus_d = one_minus_d(decay, kept, direct, versine, sinc_defect);
+        let mut basis = Basis::damped(x, self.zeta, free, slope, one_minus_d, at);
         if (x - one).abs() < half {
             // The undamped differences plus what damping changes, each without cancellation.
             let (s0, c0) = turns.sin_cos_pi();
-            let (swing, swing_slope) = differences(x, s0, c0, at);
+            let (swing, swing_slope) = differences(x, s0, versine_pi(turns), at);
             let (half_s, _) = (defect * half).sin_cos_pi();
             let (mid_s, mid_c) = turns.sin_cos_pi_minus(defect * half);
             let two = S::constant(2.0);
@@ -202,20 +212,9 @@ impl<S: Float> Damped<S> {
         let (sq, zq) = (s / self.q, self.zeta / self.q * s);
         let (free, slope) = (kept * sq / x, kept * (c - zq));
         let direct = one - kept * (c + zq);
-        Basis {
-            free,
-            slope,
-            swing: at.sine - free,
-            swing_slope: at.cosine - slope,
-            rise: rise(
-                decay,
-                kept,
-                direct,
-                versine_pi(turns),
-                turns.one_minus_sinc_pi(),
-                x,
-            ),
-        }
+        let (versine, sinc_defect) = (versine_pi(turns), turns.one_minus_sinc_pi());
+        let one_minus_d = one_minus_d(decay, kept, direct, versine, sinc_defect);
+        Basis::damped(x, self.zeta, free, slope, one_minus_d, at)
     }
 
     fn critical(x: S, at: &Instant<S>) -> Basis<S> {
@@ -224,13 +223,8 @@ impl<S: Float> Damped<S> {
         let decay = x * at.tau;
         let kept = (-decay).exp();
         let (free, slope) = (kept * at.tau, kept * (one - decay));
-        Basis {
-            free,
-            slope,
-            swing: at.sine - free,
-            swing_slope: at.cosine - slope,
-            rise: rise(decay, kept, one - kept * (one + decay), zero, zero, x),
-        }
+        let one_minus_d = one_minus_d(decay, kept, one - kept * (one + decay), zero, zero);
+        Basis::damped(x, one, free, slope, one_minus_d, at)
     }
 
     fn overdamped(&self, x: S, at: &Instant<S>) -> Basis<S> {
@@ -257,12 +251,6 @@ impl<S: Float> Damped<S> {
         } else {
             one - cosh - self.zeta * sinh
         };
-        Basis {
-            free,
-            slope,
-            swing: at.sine - free,
-            swing_slope: at.cosine - slope,
-            rise: one_minus_d / (x * x),
-        }
+        Basis::damped(x, self.zeta, free, slope, one_minus_d, at)
     }
 }

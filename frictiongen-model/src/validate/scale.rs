@@ -1,6 +1,6 @@
 //! Scenes whose numbers lie so far apart, or whose modes so close, that no answer means anything.
 
-use super::{Checks, Path, SceneError};
+use super::{Checks, LARGEST, Path, SMALLEST, SceneError};
 use crate::modal::Modal;
 use crate::scene::{Precision, Scene};
 
@@ -33,12 +33,14 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
                 most = (value, index);
             }
         }
-        (most.0 / least.0, most.1)
+        // What is out of scale by itself has been told.
+        let told = most.0 > LARGEST || least.0 < SMALLEST;
+        (if told { 1.0 } else { most.0 / least.0 }, most.1)
     };
     let limit = most_span(scene.precision);
     if checks.masses {
         let (ratio, index) = span(&mut scene.masses.iter().map(|mass| mass.value));
-        if ratio > limit && ratio.is_finite() {
+        if ratio > limit {
             errors.push(SceneError::MassesSpan {
                 path: Path::Mass(index),
                 ratio,
@@ -48,7 +50,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
     if checks.springs {
         let (ratio, index) = span(&mut scene.springs.iter().map(|spring| spring.stiffness));
-        if ratio > limit && ratio.is_finite() {
+        if ratio > limit {
             errors.push(SceneError::StiffnessesSpan {
                 path: Path::Spring(index),
                 ratio,
