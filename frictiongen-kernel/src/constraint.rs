@@ -9,7 +9,6 @@ use crate::regime::check_beta;
 use crate::scalar::Float;
 use crate::search::{self, Peak, Question, Weight};
 use crate::wave::{Sum, Wave};
-use core::f64::consts::{FRAC_PI_2, PI};
 
 impl<S: Float> Chain<S> {
     /// r²E·max(S, H_c + μm*/r²): the velocity constraint by a guaranteed search over the half
@@ -59,7 +58,11 @@ impl<S: Float> Chain<S> {
             Question {
                 weight: Weight::Sine,
                 both_signs: !self.damped,
-                end: S::constant(if self.damped { PI } else { FRAC_PI_2 }),
+                end: if self.damped {
+                    S::pi()
+                } else {
+                    S::pi() * S::constant(0.5)
+                },
                 floor,
                 tolerance: tolerance.min(S::constant(0.125)),
             },

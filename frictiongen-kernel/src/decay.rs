@@ -7,7 +7,6 @@
 use crate::mode::{Kind, Mode};
 use crate::scalar::Float;
 use crate::special::{exp_m1_minus, versine_pi};
-use core::f64::consts::PI;
 
 /// An instant of the half period: τ = πt.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +30,7 @@ impl<S: Float> Instant<S> {
         let (sine, cosine) = t.sin_cos_pi();
         Self {
             t,
-            tau: t * S::constant(PI),
+            tau: t * S::pi(),
             sine,
             cosine,
             versine: versine_pi(t),

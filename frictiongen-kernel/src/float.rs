@@ -46,6 +46,14 @@ macro_rules! real {
                 value as Self
             }
             #[inline(always)]
+            fn pi() -> Self {
+                core::$float::consts::PI
+            }
+            #[inline(always)]
+            fn inverse_pi() -> Self {
+                core::$float::consts::FRAC_1_PI
+            }
+            #[inline(always)]
             fn lt(self, other: Self) -> bool {
                 self < other
             }

@@ -7,7 +7,7 @@
 
 use crate::complex::{self, Complex};
 use crate::scalar::Scalar;
-use core::f64::consts::{FRAC_PI_4, PI};
+use core::f64::consts::FRAC_PI_4;
 
 /// How a mode decays; it decides which closed form its functions take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -116,7 +116,7 @@ impl<S: Scalar> Mode<S> {
     fn oscillating(&self, x: S, at: Option<usize>) -> ModeResponse<S> {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         let (denominator, size) = self.denominator(x, at);
-        let decay = (S::constant(PI) * self.zeta * x).named("half_period_decay", at);
+        let decay = (S::pi() * self.zeta * x).named("half_period_decay", at);
         let m = (-(-decay).exp_m1().named("negative_lost_share", at)).named("lost_share", at);
         let e = (one - m).named("kept_share", at);
         let turns = (self.q * x).named("half_turns", at);
@@ -151,11 +151,11 @@ impl<S: Scalar> Mode<S> {
     fn critical(&self, x: S, at: Option<usize>) -> ModeResponse<S> {
         let one = S::constant(1.0);
         let (denominator, size) = self.denominator(x, at);
-        let decay = (S::constant(PI) * x).named("half_period_decay", at);
+        let decay = (S::pi() * x).named("half_period_decay", at);
         let m = (-(-decay).exp_m1().named("negative_lost_share", at)).named("lost_share", at);
         let e = (one - m).named("kept_share", at);
         let k = (size / ((one + e) * (one + e))).named("pole_weight", at);
-        let b_over_x = S::constant(2.0 * PI) * e * k;
+        let b_over_x = (S::pi() + S::pi()) * e * k;
         ModeResponse {
             x,
             denominator,
@@ -170,7 +170,7 @@ impl<S: Scalar> Mode<S> {
     #[inline]
     fn overdamped(&self, x: S, at: Option<usize>) -> ModeResponse<S> {
         let one = S::constant(1.0);
-        let pi = S::constant(PI);
+        let pi = S::pi();
         let (denominator, size) = self.denominator(x, at);
         let fast = pi * (self.zeta + self.q) * x;
         let slow = pi / (self.zeta + self.q) * x;

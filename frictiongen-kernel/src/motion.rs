@@ -10,7 +10,6 @@ use crate::chain::{Chain, ContactAt, ModeAt, Others};
 use crate::complex::{self, Complex};
 use crate::mode::Mode;
 use crate::scalar::Scalar;
-use core::f64::consts::PI;
 
 /// What a friction ratio adds to the contact's sums.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +53,7 @@ pub struct Share<S> {
 /// The angle moved by a turn into (−π, π], from within a turn of it.
 #[inline]
 fn wrapped<S: Scalar>(angle: S) -> S {
-    let (pi, turn) = (S::constant(PI), S::constant(2.0 * PI));
+    let (pi, turn) = (S::pi(), (S::pi() + S::pi()));
     let angle = S::select(pi.lt(angle), angle - turn, angle).named("phase", None);
     S::select((-pi).lt(angle), angle, angle + turn)
 }
@@ -96,7 +95,7 @@ impl<S: Scalar> Chain<S> {
         let direction = if self.damped {
             contact.v.im.atan2(contact.v.re)
         } else {
-            S::select(contact.v.re.lt(zero), S::constant(PI), zero)
+            S::select(contact.v.re.lt(zero), S::pi(), zero)
         };
         let lag = (-velocity_part).atan2(root) - direction;
         Friction {

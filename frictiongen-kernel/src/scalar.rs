@@ -21,6 +21,10 @@ pub trait Scalar:
 
     /// The nearest representable value to `value`.
     fn constant(value: f64) -> Self;
+    /// π.
+    fn pi() -> Self;
+    /// 1/π.
+    fn inverse_pi() -> Self;
     /// `self < other`.
     fn lt(self, other: Self) -> Self::Condition;
     /// `self == 0`.

@@ -9,7 +9,6 @@ use crate::motion::{Carrier, Friction, Share};
 use crate::scalar::Float;
 use crate::search::{self, Peak, Question, Weight};
 use crate::wave::{Sum, Wave};
-use core::f64::consts::{FRAC_1_PI, PI};
 
 /// The steady motion of one mass, or of the contact, in the continuous regime.
 ///
@@ -100,17 +99,13 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         let zero = S::constant(0.0);
         let (c, s) = self.start();
         let guess = s.atan2(c);
-        let guess = if guess < zero {
-            guess + S::constant(PI)
-        } else {
-            guess
-        };
+        let guess = if guess < zero { guess + S::pi() } else { guess };
         search::largest_from(
             self.sum(),
             Question {
                 weight: Weight::One,
                 both_signs: true,
-                end: S::constant(PI),
+                end: S::pi(),
                 floor: zero,
                 tolerance: S::constant(4.0 * S::EPSILON),
             },
@@ -127,7 +122,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         let mut best: Option<S> = None;
         for place in self.peak().places.into_iter().flatten() {
             let shift = if place.negative {
-                S::constant(PI)
+                S::pi()
             } else {
                 S::constant(0.0)
             };
@@ -176,8 +171,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
             sum = Complex::new(sum.re + weight * re, sum.im - weight * im);
         }
         // −(4iβ/πn) e^{−inφ}
-        let (sine, cosine) = (self.friction.phase * S::constant(FRAC_1_PI) * order).sin_cos_pi();
-        let k = S::constant(4.0 * FRAC_1_PI) * self.friction.beta / order;
+        let (sine, cosine) = (self.friction.phase * S::inverse_pi() * order).sin_cos_pi();
+        let k = S::constant(4.0) * S::inverse_pi() * self.friction.beta / order;
         let factor = Complex::new(-(k * sine), -(k * cosine));
         let mut harmonic = Complex::new(
             factor.re * sum.re - factor.im * sum.im,
@@ -195,7 +190,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
 
 /// An angle moved into (−π, π].
 fn wrap<S: Float>(mut angle: S) -> S {
-    let (pi, turn) = (S::constant(PI), S::constant(2.0 * PI));
+    let (pi, turn) = (S::pi(), (S::pi() + S::pi()));
     while pi < angle {
         angle = angle - turn;
     }
@@ -207,7 +202,7 @@ fn wrap<S: Float>(mut angle: S) -> S {
 
 /// τ as an instant of the half period, and whether the motion has the opposite sign there.
 fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
-    let half_turns = tau * S::constant(FRAC_1_PI);
+    let half_turns = tau * S::inverse_pi();
     let whole = half_turns.floor();
     let odd = (whole * S::constant(0.5)).floor() * S::constant(2.0) != whole;
     (Instant::new(half_turns - whole), odd)

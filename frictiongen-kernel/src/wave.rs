@@ -3,7 +3,6 @@
 use crate::decay::{Basis, Decay, Instant};
 use crate::mode::Mode;
 use crate::scalar::Float;
-use core::f64::consts::PI;
 
 /// One mode's part: coefficients of the functions of [`Basis`].
 #[derive(Clone, Copy, Debug)]
@@ -127,7 +126,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
                 rise,
                 ..
             } = *wave;
-            let pi = S::constant(PI);
+            let pi = S::pi();
             // |p| ≤ min(1/x, π), |p′| ≤ 1, 0 ≤ (1 − d)/x² ≤ min((2 + 2ζ)/x², π²/2).
             let p = (one / x).min(pi);
             let r = (S::constant(2.0) * (one + wave.decay.zeta()) / (x * x)).min(pi * pi);
@@ -249,7 +248,7 @@ fn wave_local<S: Float, D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> Loca
     let rate = x * (one + two * zeta);
     // Beside x = 1 the differences from sin τ and cos τ move far less than their terms do.
     let apart = (x - one).abs();
-    let away = (S::constant(PI) * (apart + S::constant(3.0) * zeta * x)).min(two);
+    let away = (S::pi() * (apart + S::constant(3.0) * zeta * x)).min(two);
     let (n1, n2) = (energy * rate, energy * rate * rate);
     let drift = away + apart + two * zeta * x;
     let pull = (x * x - one).abs() * energy + two * zeta * x * n1;

@@ -2,6 +2,7 @@
 
 use frictiongen::System;
 use frictiongen_codegen::{Limits, parse_text};
+use frictiongen_kernel::dd::Dd;
 use generated_tests::reference::{Worst, closed_form, compare};
 use generated_tests::scenes::{TEXTS, compare_double, compare_single};
 
@@ -34,6 +35,19 @@ fn run_time_system() {
     }
     println!("{worst}");
     assert_eq!(worst.beyond(double), Vec::<String>::new());
+}
+
+/// The same formulas read in double-double: what is left is the rounding of the comparison itself.
+#[test]
+fn read_in_double_double() {
+    let mut worst = Worst::default();
+    for reference in closed_form() {
+        let text = reference["description"].as_str().expect("a description");
+        let system: System<Dd> = text.parse().expect("a valid scene");
+        worst.join(compare(&system, &reference));
+    }
+    println!("{worst}");
+    assert_eq!(worst.beyond(|_| 1e-15), Vec::<String>::new());
 }
 
 #[test]

@@ -172,6 +172,14 @@ impl<'g> Scalar for Expr<'g> {
         Self::Number(value)
     }
 
+    fn pi() -> Self {
+        Self::Number(std::f64::consts::PI)
+    }
+
+    fn inverse_pi() -> Self {
+        Self::Number(std::f64::consts::FRAC_1_PI)
+    }
+
     fn lt(self, other: Self) -> Condition<'g> {
         match (self, other, self.graph().or(other.graph())) {
             (Self::Number(a), Self::Number(b), _) => Condition::Known(a < b),

@@ -86,11 +86,9 @@ fn field(
         );
         return Err(problems.report(place, message));
     };
-    let field = recognise(&word, problems);
+    // What is no field at all needs no colon either: one error is enough.
+    let field = recognise(&word, problems).ok_or(Reported)?;
     reader.take_colon(problems, "the name of a field and its value")?;
-    let Some(field) = field else {
-        return Err(Reported);
-    };
     match field {
         Field::Masses => store(&mut fields.masses, &word, reader, problems, graph::masses),
         Field::Springs => store(&mut fields.springs, &word, reader, problems, graph::springs),

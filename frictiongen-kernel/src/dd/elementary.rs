@@ -72,6 +72,12 @@ impl Scalar for Dd {
     fn constant(value: f64) -> Self {
         Self::from(value)
     }
+    fn pi() -> Self {
+        Self::PI
+    }
+    fn inverse_pi() -> Self {
+        Self::ONE / Self::PI
+    }
     fn lt(self, other: Self) -> bool {
         self < other
     }

@@ -4,7 +4,6 @@ use super::{APART, EQUAL, Place, Search, Weight};
 use crate::decay::Decay;
 use crate::scalar::Float;
 use crate::wave::Local;
-use core::f64::consts::FRAC_1_PI;
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// Newton's method on the quotient's derivative, never downhill.
@@ -100,7 +99,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         match self.question.weight {
             Weight::One => value,
             Weight::Sine => {
-                let sine = (tau * S::constant(FRAC_1_PI)).sin_pi();
+                let sine = (tau * S::inverse_pi()).sin_pi();
                 if S::constant(0.0) < sine {
                     value / sine
                 } else {
@@ -115,7 +114,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let (slope, curvature) = match self.question.weight {
             Weight::One => (local.slope, local.curvature),
             Weight::Sine => {
-                let (sine, cosine) = (tau * S::constant(FRAC_1_PI)).sin_cos_pi();
+                let (sine, cosine) = (tau * S::inverse_pi()).sin_cos_pi();
                 (
                     local.slope * sine - local.value * cosine,
                     (local.curvature + local.value) * sine,

@@ -11,7 +11,6 @@ mod climb;
 use crate::decay::{Decay, Instant};
 use crate::scalar::Float;
 use crate::wave::{Local, Sum, Tail};
-use core::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 
 /// No search evaluates its sum more often than this.  The worst of 10⁴ random scenes needs a few
 /// hundred; a search that would need more ends with the best value it has found.
@@ -115,7 +114,7 @@ pub fn largest_from<S: Float, D: Decay<S>>(
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     fn local(&mut self, tau: S) -> (Local<S>, Option<Local<S>>) {
         self.peak.evaluations += 1;
-        let at = Instant::new(tau * S::constant(FRAC_1_PI));
+        let at = Instant::new(tau * S::inverse_pi());
         self.sum.local(&at, self.tail.as_ref())
     }
 
@@ -130,7 +129,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         match self.question.weight {
             Weight::One => excess.value = excess.value - level,
             Weight::Sine => {
-                let (sine, cosine) = (tau * S::constant(FRAC_1_PI)).sin_cos_pi();
+                let (sine, cosine) = (tau * S::inverse_pi()).sin_cos_pi();
                 excess.value = excess.value - level * sine;
                 excess.slope = excess.slope - level * cosine;
                 excess.curvature = excess.curvature + level * sine;
@@ -163,10 +162,10 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         while tau < end && self.peak.evaluations < MAX_EVALUATIONS {
             if self.question.weight == Weight::Sine && !skipped {
                 // Away from the ends sin τ alone keeps the quotient below the level.
-                let edge = S::constant(FRAC_PI_2) * self.sum.amplitude_bound() / self.level();
+                let edge = S::pi() * S::constant(0.5) * self.sum.amplitude_bound() / self.level();
                 if edge < tau {
                     skipped = true;
-                    tau = tau.max(S::constant(PI) - edge);
+                    tau = tau.max(S::pi() - edge);
                     continue;
                 }
             }
@@ -316,7 +315,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     fn last(&mut self, signs: &[bool]) -> S {
         let zero = S::constant(0.0);
         let end = self.question.end;
-        if end < S::constant(PI * 0.75) {
+        if end < S::pi() * S::constant(0.75) {
             return end;
         }
         let (at_end, _) = self.local(end);
@@ -351,7 +350,7 @@ fn safe_step<S: Float>(excess: &Local<S>) -> S {
     } = *excess;
     let value = value.min(zero);
     if !(zero < curvature_bound) {
-        return S::constant(PI);
+        return S::pi();
     }
     let root = (slope * slope - two * curvature_bound * value).sqrt();
     let step = if zero < slope {
