@@ -18,7 +18,7 @@ mod lower;
 mod parse;
 
 pub use diagnostics::{Diagnostic, Diagnostics, Failure, Partial};
-pub use emit::{PASSES_FROM, emit, traces};
+pub use emit::{PASSES_FROM, emit, emit_in_passes, traces};
 pub use expand::expand;
 pub use lower::{Description, Limits, parse_text, parse_tokens};
 
@@ -28,6 +28,15 @@ pub use lower::{Description, Limits, parse_text, parse_tokens};
 /// # Errors
 /// A message, should the emitted tokens not be Rust; that would be a defect of this crate.
 pub fn pretty(description: &Description) -> Result<String, String> {
-    let file: syn::File = syn::parse2(emit(description)).map_err(|error| error.to_string())?;
+    formatted(emit(description))
+}
+
+#[cfg(feature = "pretty")]
+/// Emitted tokens as formatted source text.
+///
+/// # Errors
+/// A message, should the tokens not be Rust.
+pub fn formatted(tokens: proc_macro2::TokenStream) -> Result<String, String> {
+    let file: syn::File = syn::parse2(tokens).map_err(|error| error.to_string())?;
     Ok(prettyplease::unparse(&file))
 }

@@ -87,7 +87,7 @@ shown! {
         excitation: first,
     }
 
-    /// Five masses, damped: passes over the modes instead of straight lines.
+    /// Five masses, damped: sums over modes are calls, the frequency stage is straight lines.
     struct Five {
         masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, m5: 1.0 },
         springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - m5: 1.0 },
@@ -95,6 +95,23 @@ shown! {
         excitation: m1,
         damping: modal(0.01),
         provide: [limits, motion(m5), stuck],
+    }
+
+    /// Seventeen masses: passes over the modes instead of straight lines.
+    struct Tall {
+        masses: {
+            m1: 1, m2: 1, m3: 1, m4: 1, m5: 1, m6: 1, m7: 1, m8: 1, m9: 1, m10: 1, m11: 1, m12: 1,
+            m13: 1, m14: 1, m15: 1, m16: 1, m17: 1,
+        },
+        springs: {
+            base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1, m5 - m6: 1, m6 - m7: 1,
+            m7 - m8: 1, m8 - m9: 1, m9 - m10: 1, m10 - m11: 1, m11 - m12: 1, m12 - m13: 1,
+            m13 - m14: 1, m14 - m15: 1, m15 - m16: 1, m16 - m17: 1,
+        },
+        contact: m2 - wall,
+        excitation: m1,
+        damping: modal(0.02),
+        provide: [limits, motion(m3)],
     }
 
     /// Single precision.

@@ -171,13 +171,13 @@ macro_rules! check_all {
 #[test]
 fn limits_agree() {
     check_all!(check: SdofWall, SdofBase, SdofDamped, SdofOverdamped, PairWall, PairBase,
-        PairMasses, Thesis, Five, Single, Braced, Symmetric, LimitsOnly, OneMotion);
+        PairMasses, Thesis, Five, Single, Braced, Symmetric, LimitsOnly, OneMotion, Tall);
 }
 
 #[test]
 fn motions_agree() {
     check_all!(check_motion: SdofWall, SdofBase, SdofDamped, SdofOverdamped, PairWall, PairBase,
-        PairMasses, Thesis, Five, Single, Braced, Symmetric, OneMotion);
+        PairMasses, Thesis, Five, Single, Braced, Symmetric, OneMotion, Tall);
 }
 
 #[test]

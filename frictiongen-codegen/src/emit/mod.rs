@@ -16,9 +16,14 @@ use quote::format_ident;
 
 pub use trace::traces;
 
-/// From this many modes on the frequency stage is emitted as passes over arrays of modes instead
-/// of straight lines; ARCHITECTURE.md has the measurement.
-pub const PASSES_FROM: usize = 5;
+/// From this many modes on the frequency stage is emitted as passes over an array of modes instead
+/// of straight lines, which are faster (1.1 to 1.5 times, 4 to 16 modes: `scripts/passes-trial`) but
+/// grow with the modes.
+pub const PASSES_FROM: usize = 17;
+
+/// From this many modes on a mass's sums over modes are calls of the kernel instead of straight
+/// lines: there is one such sum for each mass.
+const SUMS_FROM: usize = 5;
 
 /// Everything that the emitted items have in common.
 struct Emission<'a> {
@@ -37,6 +42,8 @@ struct Emission<'a> {
     motion: Ident,
     stuck: Ident,
     facade: &'a syn::Path,
+    /// From this many modes on passes are emitted.
+    passes_from: usize,
 }
 
 /// What a scene asks for.
@@ -51,9 +58,14 @@ impl Emission<'_> {
         self.reduced.modes.len()
     }
 
-    /// Whether modes are emitted as passes over arrays.
+    /// Whether the frequency stage is emitted as passes over modes.
     fn in_passes(&self) -> bool {
-        self.modes() >= PASSES_FROM
+        self.modes() >= self.passes_from
+    }
+
+    /// Whether a mass's sums over modes are emitted as calls.
+    fn in_sums(&self) -> bool {
+        self.modes() >= SUMS_FROM.min(self.passes_from)
     }
 
     fn damped(&self) -> bool {
@@ -131,6 +143,12 @@ pub(crate) fn rounded(value: frictiongen_kernel::dd::Dd, precision: Precision) -
 /// The solver of a description.
 #[must_use]
 pub fn emit(description: &Description) -> TokenStream {
+    emit_in_passes(description, PASSES_FROM)
+}
+
+/// The same with passes from another number of modes on, for measuring where they begin to pay.
+#[must_use]
+pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStream {
     let scene = &description.scene;
     let modal = Modal::of(scene);
     let precision = scene.precision;
@@ -155,6 +173,7 @@ pub fn emit(description: &Description) -> TokenStream {
         stuck: suffixed(name, "Stuck"),
         name,
         facade: &description.facade,
+        passes_from,
     };
     let wanted = emission.wanted();
     let unbuilt = wanted.unbuilt.iter().map(|item| {

@@ -158,7 +158,7 @@ fn opening(emission: &Emission<'_>, used: &[usize]) -> TokenStream {
             code!(_)
         }
     });
-    let modes = if emission.in_passes() {
+    let modes = if emission.in_sums() {
         code!(modes)
     } else {
         code!(modes: [#(#names),*])
@@ -224,7 +224,7 @@ fn of_contact(emission: &Emission<'_>) -> TokenStream {
     let opening = opening(emission, &used);
     let returned = returned(
         emission,
-        if emission.in_passes() {
+        if emission.in_sums() {
             emission.modes()
         } else {
             used.len()
@@ -238,7 +238,7 @@ fn of_contact(emission: &Emission<'_>) -> TokenStream {
         .chain
         .contact_carrier(&contact, &tracer.friction());
     let mut outputs = carrier_outputs(&carrier).to_vec();
-    if !emission.in_passes() {
+    if !emission.in_sums() {
         let at = tracer.modes_at();
         for (index, (mode, at)) in tracer.reduced.modes.iter().zip(&at).enumerate() {
             if mode.in_contact {
@@ -253,7 +253,7 @@ fn of_contact(emission: &Emission<'_>) -> TokenStream {
     let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(5));
     let carrier = carrier_structure(carrier);
     let statements = printed.statements;
-    let waves = if emission.in_passes() {
+    let waves = if emission.in_sums() {
         let modes = Literal::usize_unsuffixed(emission.modes());
         code! {
             #name::CHAIN.waves::<#decay, _>(
@@ -306,7 +306,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
         let in_contact = driven(emission, |mode| mode.in_contact).len();
         let returned = returned(
             emission,
-            if emission.in_passes() {
+            if emission.in_sums() {
                 emission.modes()
             } else {
                 in_contact
@@ -324,7 +324,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
         };
     }
     let shape: Vec<f64> = reduced.shapes.get(mass).cloned().unwrap_or_default();
-    if emission.in_passes() {
+    if emission.in_sums() {
         let modes = Literal::usize_unsuffixed(emission.modes());
         let returned = returned(emission, emission.modes());
         let opening = opening(emission, &[]);

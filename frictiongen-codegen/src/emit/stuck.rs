@@ -98,7 +98,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
             }
         };
     }
-    if emission.in_passes() {
+    if emission.in_sums() {
         let modes = Literal::usize_unsuffixed(emission.modes());
         let shape = emission.list(reduced.shapes.get(mass).cloned().unwrap_or_default());
         return code! {

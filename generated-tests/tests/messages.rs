@@ -1,0 +1,313 @@
+//! Every message of the scene language: what is told of a faulty description, where, and what to
+//! write instead, through each door.
+//!
+//! A case is a file in `messages/`: its cause in a sentence, a faulty description, what is told of
+//! it, and the description cured.  From the cases come `messages/rust/*.rs`, which the compiler
+//! reads, and `docs/messages.md`.  After a change:
+//!
+//! ```sh
+//! UPDATE_DOCS=1 cargo test -p generated-tests --test messages
+//! TRYBUILD=overwrite cargo test -p generated-tests --test messages
+//! ```
+
+#[path = "messages/harness/case.rs"]
+mod case;
+#[path = "messages/harness/page.rs"]
+mod page;
+#[path = "messages/harness/rust.rs"]
+mod rust;
+#[path = "messages/harness/sources.rs"]
+mod sources;
+
+use case::{Case, Door, cases};
+use frictiongen::System;
+use frictiongen_codegen::{Limits, expand, parse_text};
+use frictiongen_model::scene::{
+    Accuracy, Contact, Damping, Excitation, Mass, Node, Precision, Provide, Scene, Spring,
+};
+use frictiongen_model::validate::validate;
+use proc_macro2::{Literal, TokenTree};
+use std::path::Path;
+
+/// What the parser tells, with line and column, and that the cure is one.
+#[test]
+fn of_a_text() {
+    for case in cases() {
+        if case.door.takes_text() {
+            let told = parse_text(&case.faulty, &Limits::MACRO)
+                .expect_err(&case.name)
+                .to_string();
+            assert_eq!(told, case.told.join("\n"), "{}", case.name);
+        } else if case.door == Door::Macro {
+            // A text is refused as well, by other words.
+            parse_text(&case.faulty, &Limits::MACRO).expect_err(&case.name);
+        }
+        if case.door.is_description() {
+            parse_text(&case.cured, &Limits::MACRO)
+                .unwrap_or_else(|told| panic!("the cure of {} is none:\n{told}", case.name));
+        }
+    }
+}
+
+/// The same at run time, where a scene may be larger.
+#[test]
+fn of_a_system() {
+    for case in cases() {
+        if case.door.takes_text() && !case.name.ends_with("too-many-masses") {
+            let told = case
+                .faulty
+                .parse::<System>()
+                .expect_err(&case.name)
+                .to_string();
+            assert_eq!(told, case.told.join("\n"), "{}", case.name);
+        }
+    }
+}
+
+/// The same of a file that a macro reads: on its path, with the place in the text.
+#[test]
+fn of_a_file() {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("faulty.friction");
+    let shown = path.display().to_string();
+    for case in cases() {
+        if case.door.takes_text() {
+            std::fs::write(&path, &case.faulty).expect("a file for the text");
+            let expected: Vec<_> = case
+                .told
+                .iter()
+                .map(|told| format!("{shown}:{told}"))
+                .collect();
+            assert_eq!(told_by_expansion(&shown), expected, "{}", case.name);
+        }
+    }
+}
+
+#[test]
+fn of_a_file_that_is_not_there() {
+    for case in cases() {
+        if case.door == Door::File {
+            let folder = env!("CARGO_MANIFEST_DIR");
+            let expected: Vec<_> = case
+                .told
+                .iter()
+                .map(|told| told.replace("{folder}", folder))
+                .collect();
+            let path = case.faulty.split('"').nth(1).expect("a path");
+            assert_eq!(told_by_expansion(path), expected);
+        }
+    }
+}
+
+/// The errors that the macro gives for a file.
+fn told_by_expansion(path: &str) -> Vec<String> {
+    let path = TokenTree::from(Literal::string(path));
+    let mut told = Vec::new();
+    sources::each_string(expand(path.into()), &mut |before, text| {
+        if before == "compile_error" {
+            told.push(text);
+        }
+    });
+    told
+}
+
+/// What only a scene made in code can get wrong.
+#[test]
+fn of_a_scene_made_in_code() {
+    let faulty = |name: &str| {
+        let mut scene = frame();
+        match name {
+            "708-not-finite" => scene.masses[0].value = f64::NAN,
+            "712-no-such-mass" => scene.excitation = Excitation::Force(6),
+            other => panic!("{other} is not known here"),
+        }
+        scene
+    };
+    for case in cases() {
+        if case.door == Door::Code {
+            let errors = validate(&faulty(&case.name)).expect_err(&case.name);
+            let told: Vec<_> = errors.iter().map(ToString::to_string).collect();
+            assert_eq!(told, case.told, "{}", case.name);
+        }
+    }
+}
+
+fn frame() -> Scene {
+    let mass = |name: &str, value| Mass {
+        name: name.to_owned(),
+        value,
+    };
+    let spring = |from, to, stiffness| Spring {
+        from,
+        to,
+        stiffness,
+    };
+    Scene {
+        name: "Frame".to_owned(),
+        masses: vec![mass("lower", 3.27), mass("upper", 3.25)],
+        springs: vec![
+            spring(Node::Base, Node::Mass(0), 1190.0),
+            spring(Node::Mass(0), Node::Mass(1), 1323.0),
+        ],
+        contact: Contact {
+            from: Node::Mass(1),
+            to: Node::Wall,
+        },
+        excitation: Excitation::Base,
+        damping: Damping::None,
+        stiction: 1.0,
+        precision: Precision::F64,
+        provide: vec![Provide::Limits],
+        accuracy: Accuracy::Exact,
+        range: None,
+    }
+}
+
+/// The same by the compiler, each on its token.
+#[test]
+fn of_a_macro() {
+    let cases = cases();
+    rust::write_or_check(&cases);
+    trybuild::TestCases::new().compile_fail("tests/messages/rust/*.rs");
+}
+
+/// What the compiler was seen to tell is what the cases say, place by place: the recorded output
+/// cannot be accepted with a message on the wrong token, or with one too many.
+#[test]
+fn of_a_macro_at_the_right_places() {
+    rust::check_places(&cases());
+}
+
+/// No message is without a case: every text in the sources that a message is made of is part of
+/// what some case is told.
+#[test]
+fn every_message_has_a_case() {
+    let told: Vec<String> = cases()
+        .iter()
+        .flat_map(|case| case.told.iter().map(|line| case.message(line).to_owned()))
+        .collect();
+    let texts = sources::texts();
+    let missing: Vec<_> = texts
+        .iter()
+        .filter(|text| !told.iter().any(|told| text.is_part_of(told)))
+        .map(|text| format!("{}: {:?}", text.file, text.text))
+        .collect();
+    assert!(
+        missing.is_empty(),
+        "no case in generated-tests/tests/messages/ shows\n{}",
+        missing.join("\n")
+    );
+    let whole = texts
+        .iter()
+        .filter(|text| told.iter().any(|told| text.is_whole(told)))
+        .count();
+    let count = cases().len();
+    println!(
+        "{whole} messages, {} parts of messages, {count} cases",
+        texts.len() - whole
+    );
+    assert!(
+        whole >= 110,
+        "the scan of the sources finds too few messages: {whole}"
+    );
+}
+
+/// `docs/messages.md` shows the cases as they are.
+#[test]
+fn the_page_is_up_to_date() {
+    page::write_or_check(&cases());
+}
+
+/// Each case says something of its own.
+#[test]
+fn no_case_twice() {
+    let cases = cases();
+    for (index, case) in cases.iter().enumerate() {
+        assert!(!case.told.is_empty(), "{}", case.name);
+        assert_ne!(case.faulty, case.cured, "{}", case.name);
+        for other in &cases[index + 1..] {
+            assert!(
+                case.faulty != other.faulty && case.cause != other.cause,
+                "{} and {}",
+                case.name,
+                other.name
+            );
+        }
+    }
+}
+
+/// Writes a file where it is asked for, and otherwise fails where it is out of date.
+fn write_or_compare(path: &Path, text: &str) {
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        let folder = path.parent().expect("a folder");
+        std::fs::create_dir_all(folder).expect("the folder can be made");
+        std::fs::write(path, text).expect("the file can be written");
+        return;
+    }
+    let found = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(
+        found == text,
+        "{} is out of date; run `UPDATE_DOCS=1 cargo test -p generated-tests --test messages`",
+        path.display()
+    );
+}
+
+/// The cases of each group, by the first digit of their number.
+fn groups(cases: &[Case]) -> impl Iterator<Item = (&'static Group, Vec<&Case>)> {
+    GROUPS.iter().map(|group| {
+        let own = cases
+            .iter()
+            .filter(|case| case.name.starts_with(group.digit))
+            .collect();
+        (group, own)
+    })
+}
+
+/// Cases that belong together.
+struct Group {
+    digit: char,
+    file: &'static str,
+    title: &'static str,
+}
+
+const GROUPS: [Group; 8] = [
+    Group {
+        digit: '1',
+        file: "text",
+        title: "Characters and brackets",
+    },
+    Group {
+        digit: '2',
+        file: "around",
+        title: "Around the fields",
+    },
+    Group {
+        digit: '3',
+        file: "fields",
+        title: "Fields",
+    },
+    Group {
+        digit: '4',
+        file: "picture",
+        title: "Masses, springs, contact, excitation",
+    },
+    Group {
+        digit: '5',
+        file: "settings",
+        title: "Damping, what to provide, how exact",
+    },
+    Group {
+        digit: '6',
+        file: "numbers",
+        title: "Numbers",
+    },
+    Group {
+        digit: '7',
+        file: "scenes",
+        title: "Scenes that make no physical sense",
+    },
+    Group {
+        digit: '8',
+        file: "files",
+        title: "Files",
+    },
+];
