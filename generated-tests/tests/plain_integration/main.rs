@@ -1,0 +1,124 @@
+//! The closed forms against plain time integration.
+//!
+//! Nothing here is shared with the project but the numbers of the scenes: hand-written matrices,
+//! the classical Runge-Kutta method with a fixed step, and the reversals found by bisection within
+//! a step.  Damped scenes run until the transient has gone; of undamped ones the periodic state is
+//! found by Newton's method on the half-period map of that same integration.
+//!
+//! Tolerance: with [`STEPS`] steps to a half period the fastest mode of the scenes compared advances
+//! by less than 4e-3 rad a step, so Runge-Kutta's error is some 1e-11, and what remains of the transient or
+//! of Newton's residual is asserted below 1e-11 too.  The reversal instants and the
+//! displacements then agree within 1e-11; [`TOLERANCE`] leaves a digit.
+
+mod boundaries;
+mod equations;
+mod scenes;
+mod steady;
+
+use equations::{Chain, TOLERANCE};
+use frictiongen::study::System;
+use scenes::{on_base, on_each_other, on_wall};
+use std::f64::consts::PI;
+use steady::{steady, wrapped};
+
+fn compare(chain: &Chain, damped: bool, text: &str, names: &[&str]) {
+    let system: System = text
+        .parse()
+        .unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let at = system.at(chain.r).unwrap();
+    let motion = at
+        .motion(chain.beta)
+        .unwrap_or_else(|error| panic!("{error:?}: {}", at.continuous_limit()));
+    let steady = steady(chain, damped);
+
+    let z = chain.relative(steady.top.t, &steady.top.y);
+    let contact = motion.contact();
+    let near = |label: &str, found: f64, expected: f64, size: f64| {
+        let error = (found - expected).abs();
+        assert!(
+            error < TOLERANCE * size,
+            "{label}: {found} against {expected}, {error:e} of {size}"
+        );
+    };
+    near("contact amplitude", contact.amplitude(), z, z);
+    let slack = wrapped(contact.phase() - steady.top.t);
+    near("contact phase", slack, 0.0, 1.0);
+    assert!(contact.phase() > -PI && contact.phase() <= PI);
+
+    for (k, name) in names.iter().enumerate() {
+        let mass = motion.mass(name).unwrap();
+        let (amplitude, lag) = steady.amplitude(chain, k);
+        near(
+            &format!("amplitude of {name}"),
+            mass.amplitude(),
+            amplitude,
+            amplitude,
+        );
+        // A maximum's place is known to the square root of its value's accuracy, but here both
+        // sides solve for zero velocity.
+        near(
+            &format!("phase of {name}"),
+            wrapped(mass.phase() - lag),
+            0.0,
+            10.0,
+        );
+        for tau in [0.0, 0.4, 1.1, 2.3, PI, 4.0, 5.9, -0.7, 13.0] {
+            let value = steady.at(chain, steady.top.t + tau, k);
+            near(
+                &format!("{name} at {tau}"),
+                mass.displacement(tau),
+                value,
+                amplitude,
+            );
+            let velocity = steady.at(chain, steady.top.t + tau, 3 + k);
+            near(
+                &format!("velocity of {name} at {tau}"),
+                mass.velocity(tau),
+                velocity,
+                10.0 * amplitude,
+            );
+        }
+        for n in [1, 3, 5] {
+            let (re, im) = steady.harmonic(chain, k, n);
+            let harmonic = mass.harmonic(n);
+            near(&format!("Re X_{n} of {name}"), harmonic.re, re, amplitude);
+            near(&format!("Im X_{n} of {name}"), harmonic.im, im, amplitude);
+        }
+    }
+}
+
+#[test]
+fn wall_undamped() {
+    let (chain, text) = on_wall(false);
+    compare(&chain, false, text, &["a", "b", "c"]);
+}
+
+#[test]
+fn wall_damped() {
+    let (chain, text) = on_wall(true);
+    compare(&chain, true, text, &["a", "b", "c"]);
+}
+
+#[test]
+fn base_undamped() {
+    let (chain, text, names) = on_base(false);
+    compare(&chain, false, text, names);
+}
+
+#[test]
+fn base_damped() {
+    let (chain, text, names) = on_base(true);
+    compare(&chain, true, text, names);
+}
+
+#[test]
+fn masses_undamped() {
+    let (chain, text) = on_each_other(false);
+    compare(&chain, false, text, &["a", "b"]);
+}
+
+#[test]
+fn masses_damped() {
+    let (chain, text) = on_each_other(true);
+    compare(&chain, true, text, &["a", "b"]);
+}
