@@ -1,5 +1,5 @@
-//! How long the macro takes for scenes of 1, 8 and 64 masses.  Without `--release` it is built as a
-//! user's build builds it, without optimisation: `cargo run -p generated-tests --example expansion`
+//! How long the macro takes for scenes of 1, 8 and 64 masses.  `scripts/expansion-times` builds it as
+//! a user's build builds the macro, without optimisation.
 
 use frictiongen_codegen::{Limits, emit, parse_text};
 use std::fmt::Write;
