@@ -30,7 +30,7 @@ pub enum NotContinuous {
     /// On an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,
     /// β is NaN, negative or infinite.
-    OutOfDomain(OutOfDomain),
+    OutOfDomain,
 }
 
 /// On an undamped resonance of the chain whose contact is stuck.
@@ -64,7 +64,7 @@ impl fmt::Display for NotContinuous {
             Self::StickSlip => f.write_str("no continuous motion: the friction ratio lies between the limits, the contact sticks and slips"),
             Self::Stuck => f.write_str("no continuous motion: the friction ratio is at or beyond the sliding limit, the contact is stuck"),
             Self::Unbounded => f.write_str("no steady motion: on an undamped resonance this friction ratio does not bound the amplitude"),
-            Self::OutOfDomain(error) => error.fmt(f),
+            Self::OutOfDomain => OutOfDomain { argument: "beta" }.fmt(f),
         }
     }
 }
@@ -99,8 +99,8 @@ impl From<OutOfDomain> for Error {
 }
 
 impl From<OutOfDomain> for NotContinuous {
-    fn from(error: OutOfDomain) -> Self {
-        Self::OutOfDomain(error)
+    fn from(_: OutOfDomain) -> Self {
+        Self::OutOfDomain
     }
 }
 

@@ -98,7 +98,7 @@ impl Question<'_> {
             Err(NotContinuous::StickSlip) => point.regime = "stick-slip",
             Err(NotContinuous::Unbounded) => point.regime = "unbounded",
             Err(NotContinuous::Stuck) => self.stuck(at, &mut point),
-            Err(NotContinuous::OutOfDomain(error)) => return Err(error),
+            Err(NotContinuous::OutOfDomain) => return Err(OutOfDomain { argument: "beta" }),
         }
         Ok(point)
     }

@@ -47,6 +47,9 @@ pub const RESERVED: &[&str] = &[
     "eq",
     "fmt",
     "ne",
+    // what the prelude puts on every type, by value: it would hide a mass of that name
+    "into",
+    "try_into",
 ];
 
 /// The keywords of Rust, those reserved for later included, and the lone underscore.

@@ -13,7 +13,7 @@ use frictiongen_model::scene::{
 /// use frictiongen::study::{Damping, System};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// let frame: System = System::builder("Frame")
+/// let frame: System = System::builder()
 ///     .mass("lower", 3.27)
 ///     .mass("upper", 3.25)
 ///     .spring("base", "lower", 1190.0)
@@ -41,9 +41,9 @@ pub struct Builder {
 
 impl System {
     /// A scene put together in code.
-    pub fn builder(name: &str) -> Builder {
+    pub fn builder() -> Builder {
         Builder {
-            name: name.to_owned(),
+            name: "Scene".to_owned(),
             masses: Vec::new(),
             springs: Vec::new(),
             contact: None,
@@ -55,6 +55,12 @@ impl System {
 }
 
 impl Builder {
+    /// Names the scene; `Scene` unless it is named.
+    pub fn name(mut self, name: &str) -> Self {
+        name.clone_into(&mut self.name);
+        self
+    }
+
     /// Adds a mass; the first is the reference m₁.
     pub fn mass(mut self, name: &str, value: f64) -> Self {
         self.masses.push(Mass {
