@@ -9,11 +9,16 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/messages/rust")
 }
 
+/// A Rust file, its text, and the cases in it with their lines.
+type RustFile<'a> = (PathBuf, String, Vec<(usize, &'a Case)>);
+
 /// The files that the compiler is to read, each with the line where each case's call stands.
-fn files(cases: &[Case]) -> Vec<(PathBuf, String, Vec<(usize, &Case)>)> {
+fn files(cases: &[Case]) -> Vec<RustFile<'_>> {
     let mut files = Vec::new();
     for (group, cases) in groups(cases) {
-        let mut text = String::from("// From the cases in `..`; see `../../messages.rs`.\n");
+        let mut text = String::from(
+            "// From the cases in `..`; see `../../messages.rs`.\n#![allow(uncommon_codepoints)]\n",
+        );
         let mut calls = Vec::new();
         for case in cases {
             if case.door.takes_tokens() {

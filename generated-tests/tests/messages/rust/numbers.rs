@@ -1,4 +1,5 @@
 // From the cases in `..`; see `../../messages.rs`.
+#![allow(uncommon_codepoints)]
 
 mod case_601_missing_number {
 frictiongen::friction_system! {

@@ -1,4 +1,5 @@
 // From the cases in `..`; see `../../messages.rs`.
+#![allow(uncommon_codepoints)]
 
 mod case_401_masses_in_brackets {
 frictiongen::friction_system! {
@@ -194,7 +195,7 @@ struct Frame {
 
 mod case_417_unknown_mass_of_many {
 frictiongen::friction_system! {
-struct Chain {
+struct Tower {
     masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, m5: 1.0, m6: 1.0, m7: 1.0, m8: 1.0, m9: 1.0 },
     springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - m5: 1.0, m5 - m6: 1.0, m6 - m7: 1.0, m7 - m8: 1.0, m8 - m9: 1.0 },
     contact: roof - wall,

@@ -1,4 +1,5 @@
 // From the cases in `..`; see `../../messages.rs`.
+#![allow(uncommon_codepoints)]
 
 mod case_701_no_mass {
 frictiongen::friction_system! {
@@ -14,7 +15,7 @@ struct Frame {
 
 mod case_702_too_many_masses {
 frictiongen::friction_system! {
-struct Chain {
+struct Tower {
     masses: {
         m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, m5: 1.0, m6: 1.0, m7: 1.0, m8: 1.0,
         m9: 1.0, m10: 1.0, m11: 1.0, m12: 1.0, m13: 1.0, m14: 1.0, m15: 1.0, m16: 1.0,
@@ -218,7 +219,7 @@ struct Frame {
 
 mod case_719_many_masses_that_nothing_holds {
 frictiongen::friction_system! {
-struct Chain {
+struct Tower {
     masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, m5: 1.0, m6: 1.0, m7: 1.0, m8: 1.0, m9: 1.0, m10: 1.0 },
     springs: { m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - m5: 1.0, m5 - m6: 1.0, m6 - m7: 1.0, m7 - m8: 1.0, m8 - m9: 1.0, m9 - m10: 1.0 },
     contact: m9 - wall,

@@ -1,4 +1,5 @@
 // From the cases in `..`; see `../../messages.rs`.
+#![allow(uncommon_codepoints)]
 
 mod case_501_damping_by_a_number {
 frictiongen::friction_system! {

@@ -1,4 +1,5 @@
 // From the cases in `..`; see `../../messages.rs`.
+#![allow(uncommon_codepoints)]
 
 mod case_115_nested_too_deep {
 frictiongen::friction_system! {
