@@ -1,0 +1,137 @@
+//! Plain time integration of the governing equations.
+
+use super::plain::Plain;
+use nalgebra::DVector;
+use std::f64::consts::{PI, TAU};
+
+/// Steps to a half period; Runge-Kutta's error is then some 1e-11 for frequencies of order 1.
+const STEPS: usize = 400;
+
+/// Displacements and velocities.
+type State = (DVector<f64>, DVector<f64>);
+
+/// What is left when the transient has gone.
+#[derive(Clone, Debug)]
+pub struct Steady {
+    plain: Plain,
+    beta: f64,
+    /// Stops of the contact in the last ten periods.
+    pub stops: usize,
+    /// The excitation's angle at the last maximum of z̄, in (−π, π].
+    pub phi: f64,
+    start: State,
+}
+
+fn derivative(plain: &Plain, t: f64, (x, v): &State, friction: Option<f64>) -> State {
+    let force = friction.unwrap_or_else(|| plain.holding_force(t, x, v));
+    let load = &plain.p * t.cos() - &plain.c * v - &plain.k * x - &plain.w * force;
+    (
+        v.clone(),
+        load.component_div(&plain.gamma) / plain.r.powi(2),
+    )
+}
+
+fn step(plain: &Plain, t: f64, y: &State, h: f64, friction: Option<f64>) -> State {
+    let add = |k: &State, by: f64| (&y.0 + &k.0 * by, &y.1 + &k.1 * by);
+    let k1 = derivative(plain, t, y, friction);
+    let k2 = derivative(plain, t + 0.5 * h, &add(&k1, 0.5 * h), friction);
+    let k3 = derivative(plain, t + 0.5 * h, &add(&k2, 0.5 * h), friction);
+    let k4 = derivative(plain, t + h, &add(&k3, h), friction);
+    let sum = |a: &DVector<f64>, b: &DVector<f64>, c: &DVector<f64>, d: &DVector<f64>| {
+        (a + b * 2.0 + c * 2.0 + d) * (h / 6.0)
+    };
+    (
+        &y.0 + sum(&k1.0, &k2.0, &k3.0, &k4.0),
+        &y.1 + sum(&k1.1, &k2.1, &k3.1, &k4.1),
+    )
+}
+
+/// Runs from rest for some periods; the friction holds the contact where it can.
+pub fn run(plain: &Plain, beta: f64, periods: usize) -> Steady {
+    let zero = DVector::zeros(plain.n());
+    integrate(plain, beta, periods, 0.0, (zero.clone(), zero), None)
+}
+
+/// Runs on from the continuous motion at its maximum.
+pub fn run_on(plain: &Plain, beta: f64, periods: usize) -> Steady {
+    let (x, phi) = (plain.motion(beta), plain.amplitude_phase(beta).1);
+    let h = 1e-4;
+    let start = DVector::from_fn(plain.n(), |k, _| x(k, 0.0));
+    let velocity = DVector::from_fn(plain.n(), |k, _| (x(k, h) - x(k, -h)) / (2.0 * h));
+    integrate(plain, beta, periods, phi, (start, velocity), Some(-beta))
+}
+
+/// Friction is a sliding contact's force; none while the contact holds.
+fn integrate(
+    plain: &Plain,
+    beta: f64,
+    periods: usize,
+    mut t: f64,
+    mut y: State,
+    mut friction: Option<f64>,
+) -> Steady {
+    let slip = |t: f64, y: &State| plain.w.dot(&y.1) + plain.s * t.sin();
+    let (mut stops, mut start) = (0, (t, y.clone()));
+    let end = t + TAU * periods as f64;
+    while t < end {
+        let h = PI / STEPS as f64;
+        let Some(force) = friction else {
+            let holding = plain.holding_force(t, &y.0, &y.1);
+            if holding.abs() > plain.mu * beta {
+                friction = Some(beta * holding.signum());
+            } else {
+                (t, y) = (t + h, step(plain, t, &y, h, None));
+            }
+            continue;
+        };
+        let next = step(plain, t, &y, h, friction);
+        // A contact that has just begun to slide has no velocity yet.
+        if force * slip(t + h, &next) > 0.0 {
+            (t, y) = (t + h, next);
+            continue;
+        }
+        let (mut low, mut high) = (0.0, h);
+        while high - low > 1e-15 {
+            let middle = 0.5 * (low + high);
+            if force * slip(t + middle, &step(plain, t, &y, middle, friction)) > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        y = step(plain, t, &y, high, friction);
+        t += high;
+        let holding = plain.holding_force(t, &y.0, &y.1);
+        if holding.abs() > plain.mu * beta {
+            friction = Some(beta * holding.signum());
+        } else {
+            friction = None;
+            stops += 1;
+        }
+        if force > 0.0 {
+            start = (t, y.clone());
+        }
+    }
+    let (t, start) = start;
+    Steady {
+        plain: plain.clone(),
+        beta,
+        stops,
+        phi: (t + PI).rem_euclid(TAU) - PI,
+        start,
+    }
+}
+
+impl Steady {
+    /// Displacements and velocities at τ in [0, π], from a maximum of z̄, of a motion without stops.
+    pub fn at(&self, tau: f64) -> State {
+        assert_eq!(self.stops, 0);
+        let h = tau / STEPS as f64;
+        let mut y = self.start.clone();
+        for i in 0..STEPS {
+            let t = self.phi + h * i as f64;
+            y = step(&self.plain, t, &y, h, Some(-self.beta));
+        }
+        y
+    }
+}

@@ -1,0 +1,386 @@
+//! What the printed forms are judged by: the governing equations, solved in plain ways.
+//!
+//! Matrices written down from the scene's numbers, linear solves for V and H, the thesis's own
+//! (7.11), (7.12) for u and g, the residual of the equation of motion by differences, and the
+//! classical Runge-Kutta method.  The project's code is not used here, except to read a scene.
+
+use frictiongen::study::System;
+use nalgebra::{Complex, DMatrix, DVector, SymmetricEigen};
+use std::f64::consts::PI;
+
+/// What rubs on what; masses count from 0.
+#[derive(Clone, Copy, Debug)]
+pub enum Contact {
+    Wall(usize),
+    Base(usize),
+    Between(usize, usize),
+}
+
+/// A chain base - m1 - m2 - … and its friction contact.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    pub gamma: Vec<f64>,
+    pub kappa: Vec<f64>,
+    pub contact: Contact,
+    /// The mass that the force acts on; none for base motion.
+    pub load: Option<usize>,
+    /// Of every mode.
+    pub zeta: f64,
+    pub mu: f64,
+}
+
+/// The largest argument for which something holds, between one that does and one that does not.
+pub fn bisect(holds: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
+    assert!(!holds(high), "it still holds at {high}");
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if holds(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+/// Equal masses and springs, force on the first mass, no damping, μ = 1.
+pub fn unit(n: usize, contact: Contact) -> Scene {
+    Scene {
+        gamma: vec![1.0; n],
+        kappa: vec![1.0; n],
+        contact,
+        load: match contact {
+            Contact::Base(_) => None,
+            _ => Some(0),
+        },
+        zeta: 0.0,
+        mu: 1.0,
+    }
+}
+
+impl Scene {
+    pub fn damped(self, zeta: f64) -> Self {
+        Self { zeta, ..self }
+    }
+
+    pub fn stiction(self, mu: f64) -> Self {
+        Self { mu, ..self }
+    }
+
+    /// The same scene for the project.
+    pub fn system(&self) -> System {
+        let name = |i: usize| format!("m{}", i + 1);
+        let masses: Vec<String> = (0..self.gamma.len())
+            .map(|i| format!("{}: {:?}", name(i), self.gamma[i]))
+            .collect();
+        let springs: Vec<String> = (0..self.kappa.len())
+            .map(|i| {
+                let below = if i == 0 { "base".into() } else { name(i - 1) };
+                format!("{below} - {}: {:?}", name(i), self.kappa[i])
+            })
+            .collect();
+        let contact = match self.contact {
+            Contact::Wall(j) => format!("{} - wall", name(j)),
+            Contact::Base(j) => format!("{} - base", name(j)),
+            Contact::Between(a, b) => format!("{} - {}", name(a), name(b)),
+        };
+        let excitation = self.load.map_or("base".into(), name);
+        let damping = if self.zeta > 0.0 {
+            format!("damping: modal({:?}),", self.zeta)
+        } else {
+            String::new()
+        };
+        let text = format!(
+            "struct Scene {{ masses: {{ {} }}, springs: {{ {} }}, contact: {contact}, \
+             excitation: {excitation}, {damping} stiction: {:?}, }}",
+            masses.join(", "),
+            springs.join(", "),
+            self.mu,
+        );
+        text.parse().expect("a valid scene")
+    }
+
+    /// β_lim as the project has it.
+    pub fn limit(&self, r: f64) -> f64 {
+        self.system()
+            .at(r)
+            .expect("in the domain")
+            .continuous_limit()
+    }
+
+    /// β*_lim as the project has it.
+    pub fn sliding_limit(&self, r: f64) -> f64 {
+        self.system().at(r).expect("in the domain").sliding_limit()
+    }
+
+    /// The equations at the frequency ratio r.
+    pub fn at(&self, r: f64) -> Plain {
+        let n = self.gamma.len();
+        let mut k = DMatrix::<f64>::zeros(n, n);
+        for (i, kappa) in self.kappa.iter().enumerate() {
+            k[(i, i)] += kappa;
+            if i > 0 {
+                k[(i - 1, i - 1)] += kappa;
+                k[(i, i - 1)] -= kappa;
+                k[(i - 1, i)] -= kappa;
+            }
+        }
+        let unit = |i: usize| DVector::from_fn(n, |row, _| if row == i { 1.0 } else { 0.0 });
+        let (w, on_base) = match self.contact {
+            Contact::Wall(j) => (unit(j), false),
+            Contact::Base(j) => (unit(j), self.load.is_none()),
+            Contact::Between(a, b) => (unit(b) - unit(a), false),
+        };
+        let gamma = DVector::from_vec(self.gamma.clone());
+        // K̄φ = λΓφ as the symmetric problem of Γ^−½K̄Γ^−½.
+        let root = gamma.map(|gamma| 1.0 / gamma.sqrt());
+        let scaled = DMatrix::from_fn(n, n, |i, j| k[(i, j)] * root[i] * root[j]);
+        let eigen = SymmetricEigen::new(scaled);
+        let phi = DMatrix::from_fn(n, n, |i, j| eigen.eigenvectors[(i, j)] * root[i]);
+        let lambda: DVector<f64> = eigen.eigenvalues;
+        let mut c = DMatrix::<f64>::zeros(n, n);
+        for (i, lambda) in lambda.iter().enumerate() {
+            let shape = phi.column(i).component_mul(&gamma);
+            c += 2.0 * self.zeta * r * lambda.sqrt() * &shape * shape.transpose();
+        }
+        Plain {
+            r,
+            zeta: self.zeta,
+            mu: self.mu,
+            s: if on_base { 1.0 } else { 0.0 },
+            p: self.load.map_or_else(|| unit(0) * self.kappa[0], unit),
+            gamma,
+            k,
+            c,
+            w,
+            lambda,
+            phi,
+        }
+    }
+}
+
+/// r²Γx̄″ + C̄x̄′ + K̄x̄ + wβ sgn z̄′ = p cos τ_e, and its modes.
+#[derive(Clone, Debug)]
+pub struct Plain {
+    pub r: f64,
+    pub zeta: f64,
+    pub mu: f64,
+    pub s: f64,
+    pub gamma: DVector<f64>,
+    pub k: DMatrix<f64>,
+    pub c: DMatrix<f64>,
+    pub w: DVector<f64>,
+    pub p: DVector<f64>,
+    pub lambda: DVector<f64>,
+    pub phi: DMatrix<f64>,
+}
+
+/// u and g of a mode as (7.11), (7.12) print them.
+pub fn u_g(big_r: f64, zeta: f64) -> (f64, f64) {
+    let root = (1.0 - zeta * zeta).sqrt();
+    let (theta, decay) = (PI * root / big_r, zeta * PI / big_r);
+    let denominator = decay.cosh() + theta.cos();
+    (
+        theta.sin() / (big_r * root * denominator),
+        (decay.sinh() - zeta / root * theta.sin()) / denominator,
+    )
+}
+
+/// d and q of a mode, (B.8).
+pub fn d_q(big_r: f64, zeta: f64, tau: f64) -> (f64, f64) {
+    let root = (1.0 - zeta * zeta).sqrt();
+    let (sin, cos) = (tau * root / big_r).sin_cos();
+    let e = (-zeta * tau / big_r).exp();
+    (e * (cos + zeta / root * sin), e * sin / root)
+}
+
+impl Plain {
+    pub fn n(&self) -> usize {
+        self.gamma.len()
+    }
+
+    /// Amplitudes of the linear response to this load, by a linear solve.
+    fn response(&self, load: &DVector<f64>) -> DVector<Complex<f64>> {
+        let n = self.n();
+        let dynamic = DMatrix::from_fn(n, n, |i, j| {
+            let inertia = if i == j {
+                self.r.powi(2) * self.gamma[i]
+            } else {
+                0.0
+            };
+            Complex::new(self.k[(i, j)] - inertia, self.c[(i, j)])
+        });
+        let load = load.map(|p| Complex::new(p, 0.0));
+        dynamic.lu().solve(&load).expect("off a resonance")
+    }
+
+    /// V_k of every mass.
+    pub fn v(&self) -> DVector<Complex<f64>> {
+        self.response(&self.p)
+    }
+
+    /// H_k of every mass.
+    pub fn h(&self) -> DVector<Complex<f64>> {
+        self.response(&self.w)
+    }
+
+    /// wᵀx of complex amplitudes.
+    pub fn on_contact(&self, x: &DVector<Complex<f64>>) -> Complex<f64> {
+        self.w.iter().zip(x.iter()).map(|(w, x)| *x * *w).sum()
+    }
+
+    /// V of the relative motion.
+    pub fn v_contact(&self) -> Complex<f64> {
+        self.on_contact(&self.v()) - self.s
+    }
+
+    /// R_i of a mode.
+    pub fn big_r(&self, mode: usize) -> f64 {
+        self.r / self.lambda[mode].sqrt()
+    }
+
+    /// c_i, the contact's share in a mode.
+    pub fn contact_share(&self, mode: usize) -> f64 {
+        self.phi.column(mode).dot(&self.w).powi(2)
+    }
+
+    /// Σ b_ki f(R_i) for every mass.
+    pub fn by_modes(&self, f: impl Fn(f64) -> f64) -> DVector<f64> {
+        let mut sum = DVector::zeros(self.n());
+        for i in 0..self.n() {
+            let shape = self.phi.column(i);
+            sum += shape * (shape.dot(&self.w) / self.lambda[i] * f(self.big_r(i)));
+        }
+        sum
+    }
+
+    /// U_k of every mass.
+    pub fn u(&self) -> DVector<f64> {
+        self.by_modes(|big_r| u_g(big_r, self.zeta).0)
+    }
+
+    /// G_k of every mass.
+    pub fn g(&self) -> DVector<f64> {
+        self.by_modes(|big_r| u_g(big_r, self.zeta).1)
+    }
+
+    /// Z and φ at β.
+    pub fn amplitude_phase(&self, beta: f64) -> (f64, f64) {
+        let (u, g) = (self.w.dot(&self.u()), self.w.dot(&self.g()));
+        let v = self.v_contact();
+        let root = (v.norm_sqr() - (beta * u).powi(2)).sqrt();
+        (root - beta * g, (-beta * u).atan2(root) - v.arg())
+    }
+
+    /// x̄_k at τ in the continuous motion; whether it is one, [`Plain::defect`] says.
+    pub fn motion(&self, beta: f64) -> impl Fn(usize, f64) -> f64 {
+        let (v, phi) = (self.v(), self.amplitude_phase(beta).1);
+        let plain = self.clone();
+        move |k, tau| {
+            let h = |big_r| {
+                let (d, q) = d_q(big_r, plain.zeta, tau);
+                let (u, g) = u_g(big_r, plain.zeta);
+                1.0 - (1.0 + g) * d - u * big_r * q
+            };
+            v[k].norm() * (tau + phi + v[k].arg()).cos() + beta * plain.by_modes(h)[k]
+        }
+    }
+
+    /// The largest β for which z̄′ < 0 between the reversals, on a grid of instants.
+    ///
+    /// What is between two instants, and within 1e-4 of a reversal, it does not see.
+    pub fn velocity_limit(&self, high: f64) -> f64 {
+        let h = 1e-5;
+        let slides = |beta: f64| {
+            let (x, phi) = (self.motion(beta), self.amplitude_phase(beta).1);
+            let z = |tau: f64| {
+                let all = (0..self.n()).map(|k| self.w[k] * x(k, tau));
+                all.sum::<f64>() - self.s * (tau + phi).cos()
+            };
+            // Near its ends the half period can ask for more than a coarse grid sees.
+            let grid = (1..200).map(|i| PI * f64::from(i) / 200.0);
+            let ends = [1e-4, 3e-4, 1e-3, 3e-3, 8e-3];
+            let instants = grid.chain(ends).chain(ends.map(|end| PI - end));
+            instants.into_iter().all(|tau| z(tau + h) < z(tau - h))
+        };
+        bisect(slides, 0.0, high)
+    }
+
+    /// The largest β for which the contact breaks away at its reversal.
+    pub fn break_away_limit(&self, high: f64) -> f64 {
+        let breaks = |beta: f64| self.force_at_reversal(beta).abs() > self.mu * beta;
+        bisect(breaks, 0.0, high)
+    }
+
+    /// The force that would hold the contact at the reversal τ = 0 of its continuous motion.
+    pub fn force_at_reversal(&self, beta: f64) -> f64 {
+        let (x, phi) = (self.motion(beta), self.amplitude_phase(beta).1);
+        let h = 1e-4;
+        let start = DVector::from_fn(self.n(), |k, _| x(k, 0.0));
+        let velocity = DVector::from_fn(self.n(), |k, _| (x(k, h) - x(k, -h)) / (2.0 * h));
+        self.holding_force(phi, &start, &velocity)
+    }
+
+    /// The complex amplitudes with the contact stuck, and the force that holds it.
+    pub fn stuck(&self) -> (DVector<Complex<f64>>, Complex<f64>) {
+        // Γ, C̄, K̄ bordered by the constraint wᵀx = s, with the contact force as unknown.
+        let n = self.n();
+        let bordered = DMatrix::from_fn(n + 1, n + 1, |i, j| match (i == n, j == n) {
+            (true, true) => Complex::new(0.0, 0.0),
+            (true, false) => Complex::new(self.w[j], 0.0),
+            (false, true) => Complex::new(self.w[i], 0.0),
+            (false, false) => {
+                let inertia = if i == j {
+                    self.r.powi(2) * self.gamma[i]
+                } else {
+                    0.0
+                };
+                Complex::new(self.k[(i, j)] - inertia, self.c[(i, j)])
+            }
+        });
+        let load = DVector::from_fn(n + 1, |i, _| {
+            Complex::new(if i == n { self.s } else { self.p[i] }, 0.0)
+        });
+        let all = bordered.lu().solve(&load).expect("off a resonance");
+        (all.rows(0, n).into_owned(), all[n])
+    }
+
+    /// By how much x, a motion of every mass on 0 ≤ τ ≤ π from a maximum of the contact's motion,
+    /// violates the equations of motion there or the antiperiodicity of displacement and velocity.
+    ///
+    /// Differences of fourth order with a step of 1e-3: some 1e-9 for frequencies of order 1.
+    pub fn defect(&self, beta: f64, phi: f64, x: impl Fn(usize, f64) -> f64) -> f64 {
+        let h = 1e-3;
+        let sample = |k: usize, tau: f64| {
+            let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|i| x(k, tau + i * h));
+            let first = (a - 8.0 * b + 8.0 * d - e) / (12.0 * h);
+            let second = (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * h * h);
+            (c, first, second)
+        };
+        let mut worst = 0.0_f64;
+        for tau in [0.0, 0.4, 1.1, 1.7, 2.3, 2.9, PI] {
+            let all: Vec<_> = (0..self.n()).map(|k| sample(k, tau)).collect();
+            for row in 0..self.n() {
+                let mut sum = self.r.powi(2) * self.gamma[row] * all[row].2;
+                for (k, (displacement, velocity, _)) in all.iter().enumerate() {
+                    sum += self.c[(row, k)] * velocity + self.k[(row, k)] * displacement;
+                }
+                let load = self.w[row] * beta + self.p[row] * (tau + phi).cos();
+                worst = worst.max((sum - load).abs());
+            }
+        }
+        for k in 0..self.n() {
+            let (start, end) = (sample(k, 0.0), sample(k, PI));
+            worst = worst.max((start.0 + end.0).abs());
+            worst = worst.max((start.1 + end.1).abs());
+        }
+        worst
+    }
+
+    /// The contact force that keeps z̄′ as it is, from z̄″ = 0, at the excitation's angle t.
+    pub fn holding_force(&self, t: f64, x: &DVector<f64>, v: &DVector<f64>) -> f64 {
+        let load = &self.p * t.cos() - &self.c * v - &self.k * x;
+        let weights = self.w.component_div(&self.gamma);
+        (weights.dot(&load) + self.r.powi(2) * self.s * t.cos()) / weights.dot(&self.w)
+    }
+}
