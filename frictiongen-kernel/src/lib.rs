@@ -1,6 +1,7 @@
 //! What generated friction solvers call.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
+pub mod absorber;
 pub mod chain;
 pub mod complex;
 pub mod constraint;

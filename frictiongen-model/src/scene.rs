@@ -155,3 +155,42 @@ impl Scene {
         }
     }
 }
+
+impl Scene {
+    /// Whether masses beyond the contact can absorb: held contact, they are joined to the load by
+    /// nothing else, so that they resonate by themselves.
+    #[must_use]
+    pub fn has_absorber(&self) -> bool {
+        let sides = [self.contact.from, self.contact.to];
+        let held = |node: Node| !matches!(node, Node::Mass(_)) || sides.contains(&node);
+        let loaded = |mass: usize| match self.excitation {
+            Excitation::Force(at) => at == mass,
+            Excitation::Base => self.springs.iter().any(|spring| {
+                let ends = [spring.from, spring.to];
+                ends.contains(&Node::Base) && ends.contains(&Node::Mass(mass))
+            }),
+        };
+        // What the load reaches through free masses.
+        let mut reached: Vec<bool> = (0..self.masses.len())
+            .map(|mass| !held(Node::Mass(mass)) && loaded(mass))
+            .collect();
+        for _ in 0..self.masses.len() {
+            for spring in &self.springs {
+                if let (Node::Mass(a), Node::Mass(b)) = (spring.from, spring.to)
+                    && !held(spring.from)
+                    && !held(spring.to)
+                    && let (Some(&at_a), Some(&at_b)) = (reached.get(a), reached.get(b))
+                    && at_a != at_b
+                {
+                    for end in [a, b] {
+                        if let Some(reached) = reached.get_mut(end) {
+                            *reached = true;
+                        }
+                    }
+                }
+            }
+        }
+        let mut masses = reached.iter().enumerate();
+        masses.any(|(mass, reached)| !held(Node::Mass(mass)) && !reached)
+    }
+}

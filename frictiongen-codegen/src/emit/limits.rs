@@ -36,6 +36,21 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
     let (without_search, without_count) =
         formula(chain.continuous_limit(&contact, chain.break_away(&contact)));
     let (sliding, sliding_count) = formula(chain.sliding_limit(&contact));
+    let absorbs = !emission.damped() && emission.scene.has_absorber();
+    let (modes, sliding) = if absorbs {
+        let stiction = emission.literal(emission.reduced.chain.stiction);
+        let guarded = code! {
+            // Masses beyond the contact absorb: V and H have zeros in common.
+            if let Some(force) = #name::CHAIN.absorbed_force(&contact, &#name::MODES, &modes) {
+                Scalar::abs(force) / #stiction
+            } else {
+                #sliding
+            }
+        };
+        (code!(modes,), guarded)
+    } else {
+        (code!(), sliding)
+    };
     let exact_count = format!(" Operations: {exact_count}, after the search.");
     let without_count = format!(" Operations: {without_count}.");
     let sliding_count = format!(" Operations: {sliding_count}.");
@@ -94,7 +109,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
             #[inline]
             #[must_use]
             pub fn sliding_limit(&self) -> #scalar {
-                let Self { r, contact, .. } = *self;
+                let Self { r, contact, #modes .. } = *self;
                 let limit = { #sliding };
                 regime::with_ends(r, limit, #name::SLIDING_AT_REST, #name::SLIDING_AT_INFINITY)
             }

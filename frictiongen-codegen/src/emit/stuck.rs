@@ -98,15 +98,27 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
             }
         };
     }
+    let shape_constant = emission.list(reduced.shapes.get(mass).cloned().unwrap_or_default());
+    let absorbed = (!emission.damped() && emission.scene.has_absorber()).then(|| {
+        code! {
+            // Masses beyond the contact absorb: V and H have zeros in common.
+            if let Some(force) = #name::CHAIN.absorbed_force(&contact, &#name::MODES, &modes) {
+                let re = #name::CHAIN.stuck_under(
+                    force, &SHAPE, &#name::MODES, &modes, &contact, inverse_r,
+                );
+                return Complex { re, im: 0.0 };
+            }
+        }
+    });
     if emission.in_sums() {
         let modes = Literal::usize_unsuffixed(emission.modes());
-        let shape = emission.list(reduced.shapes.get(mass).cloned().unwrap_or_default());
         return code! {
             #[doc = #about]
             #[must_use]
             pub fn #method(&self) -> Complex<#scalar> {
-                const SHAPE: [#scalar; #modes] = #shape;
+                const SHAPE: [#scalar; #modes] = #shape_constant;
                 let #at { inverse_r, contact, modes, .. } = self.at;
+                #absorbed
                 let others = #name::CHAIN.others(&#name::MODES, &modes, contact.scale, inverse_r);
                 #name::CHAIN.stuck(&SHAPE, &#name::MODES, &modes, &others, &contact, inverse_r)
             }
@@ -139,6 +151,18 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
     };
     let names = (1..=emission.modes()).map(|mode| local(&format!("mode_{mode}")));
     let operations = format!(" Operations: {count}.");
+    let guard = match absorbed {
+        Some(absorbed) => {
+            let modes = Literal::usize_unsuffixed(emission.modes());
+            code! {
+                const SHAPE: [#scalar; #modes] = #shape_constant;
+                let #at { inverse_r, contact, modes, .. } = self.at;
+                #absorbed
+                let [#(#names),*] = modes;
+            }
+        }
+        None => code!(let #at { inverse_r, contact, modes: [#(#names),*], .. } = self.at;),
+    };
     code! {
         #[doc = #about]
         ///
@@ -146,7 +170,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
         #[must_use]
         #[allow(unused_variables)]
         pub fn #method(&self) -> Complex<#scalar> {
-            let #at { inverse_r, contact, modes: [#(#names),*], .. } = self.at;
+            #guard
             #statements
             Complex { re: #re, im: #im }
         }

@@ -63,8 +63,13 @@ impl<'a, S: Float> SystemAt<'a, S> {
     /// β*_lim, beyond which the contact never slides (6.11, 6.27, 6.33).
     #[must_use]
     pub fn sliding_limit(&self) -> S {
-        let Reduced { chain, ends, .. } = &self.system.reduced;
-        let limit = chain.sliding_limit(&self.contact);
+        let Reduced {
+            modes, chain, ends, ..
+        } = &self.system.reduced;
+        let limit = match chain.absorbed_force(&self.contact, modes, &self.modes) {
+            Some(force) => force.abs() / chain.stiction,
+            None => chain.sliding_limit(&self.contact),
+        };
         regime::with_ends(
             self.r,
             limit,

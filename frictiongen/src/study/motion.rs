@@ -149,6 +149,10 @@ impl<S: Float> SystemStuck<'_, S> {
         if let Some(held) = system.modal.held(index) {
             return Some(Complex::new(S::constant(held), S::constant(0.0)));
         }
+        if let Some(force) = chain.absorbed_force(contact, constants, modes) {
+            let amplitude = chain.stuck_under(force, shape, constants, modes, contact, *inverse_r);
+            return Some(Complex::new(amplitude, S::constant(0.0)));
+        }
         Some(chain.stuck(shape, constants, modes, &self.others, contact, *inverse_r))
     }
 }

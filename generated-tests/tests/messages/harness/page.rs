@@ -64,16 +64,18 @@ fn changes(faulty: &str, cured: &str) -> String {
             };
         }
     }
+    // A page should show what no editor does.
+    let shown = |line: &str| line.replace('\u{200b}', "\\u{200b}");
     let mut text = String::new();
     let (mut i, mut j) = (0, 0);
     while i < faulty.len() || j < cured.len() {
         if i < faulty.len() && j < cured.len() && faulty[i] == cured[j] {
             (i, j) = (i + 1, j + 1);
         } else if i < faulty.len() && (j == cured.len() || kept[i + 1][j] >= kept[i][j + 1]) {
-            let _ = writeln!(text, "-{}", faulty[i]);
+            let _ = writeln!(text, "-{}", shown(faulty[i]));
             i += 1;
         } else {
-            let _ = writeln!(text, "+{}", cured[j]);
+            let _ = writeln!(text, "+{}", shown(cured[j]));
             j += 1;
         }
     }

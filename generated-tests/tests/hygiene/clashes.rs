@@ -1,0 +1,158 @@
+//! Names that clash with emitted ones.
+#![deny(warnings)]
+#![no_std]
+
+/// Values in the way: no local variable of emitted code may be taken for one of them.
+pub mod values {
+    #![allow(non_upper_case_globals, dead_code)]
+
+    macro_rules! constants {
+        ($($name:ident)*) => { $(pub const $name: u8 = 0;)* };
+    }
+    constants! {
+        r inverse_r contact modes scale mode response beta friction others carrier
+        amplitude phase limit constraint index stuck mode_1 mode_2 rs
+        continuous sliding load of question omega at u g v x
+        excitation in_phase lag unscale waves velocity_share ratio product sum
+    }
+
+    friction::friction_system! {
+        /// In straight lines.
+        pub struct Frame {
+            crate: ::friction,
+            masses: { lower: 3.27, upper: 3.25 },
+            springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+            contact: upper - wall,
+            excitation: base,
+            damping: modal[0.010, 0.012],
+            provide: [limits, motion, stuck],
+        }
+    }
+
+    friction::friction_system! {
+        /// In passes.
+        pub struct Five {
+            crate: ::friction,
+            masses: { a: 1.0, b: 1.0, c: 1.0, d: 1.0, e: 1.0 },
+            springs: { base - a: 1.0, a - b: 1.0, b - c: 1.0, c - d: 1.0, d - e: 1.0 },
+            contact: b - d,
+            excitation: c,
+            damping: modal(0.01),
+            provide: [limits, motion, stuck],
+        }
+    }
+}
+
+/// The same as statics and unit structs.
+pub mod more_values {
+    #![allow(non_upper_case_globals, non_camel_case_types, dead_code)]
+
+    pub static r: u8 = 0;
+    pub static contact: u8 = 0;
+    pub static beta: u8 = 0;
+    pub static scale: u8 = 0;
+    pub struct mode_1;
+    pub struct friction;
+    pub struct u;
+    pub struct modes;
+
+    ::friction::friction_system! {
+        /// In straight lines.
+        pub struct Frame {
+            crate: ::friction,
+            masses: { lower: 3.27, upper: 3.25 },
+            springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+            contact: upper - wall,
+            excitation: base,
+            provide: [limits, motion, stuck],
+        }
+    }
+}
+
+/// A type called like a number.
+pub mod types {
+    #![allow(non_camel_case_types)]
+
+    pub struct f64;
+
+    friction::friction_system! {
+        /// In straight lines.
+        pub struct Frame {
+            crate: ::friction,
+            masses: { lower: 3.27, upper: 3.25 },
+            springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+            contact: upper - wall,
+            excitation: base,
+            provide: [limits, motion, stuck],
+        }
+    }
+}
+
+macro_rules! scenes {
+    ($($module:ident $name:ident)*) => {
+        $(
+            /// A scene called like a type that emitted code uses.
+            pub mod $module {
+                friction::friction_system! {
+                    /// A scene.
+                    pub struct $name {
+                        crate: ::friction,
+                        masses: { lower: 3.27, upper: 3.25 },
+                        springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+                        contact: upper - wall,
+                        excitation: base,
+                        damping: modal[0.010, 0.012],
+                        provide: [limits, motion, stuck],
+                    }
+                }
+            }
+        )*
+    };
+}
+
+scenes! {
+    chain Chain  mode Mode  kind Kind  others Others  damped Damped  undamped Undamped  decay Decay
+    carrier Carrier  friction_ Friction  share Share  motion Motion  wave Wave  complex Complex
+    scalar Scalar  contact Contact  regime Regime  option Option  result Result  ok Ok  none None
+    iterator Iterator  self_ Scene  system System  of Of  steady Steady
+}
+
+/// A deprecated scene: its own code does not complain of it.
+pub mod deprecated {
+    friction::friction_system! {
+        /// A scene.
+        #[deprecated(note = "use another")]
+        pub struct Frame {
+            crate: ::friction,
+            masses: { lower: 3.27, upper: 3.25 },
+            springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+            contact: upper - wall,
+            excitation: base,
+            provide: [limits, motion, stuck],
+        }
+    }
+}
+
+/// Masses as in a textbook, and a name in lower case that is allowed once for all.
+pub mod spelling {
+    friction::friction_system! {
+        /// A scene.
+        #[allow(non_camel_case_types)]
+        pub struct frame {
+            crate: ::friction,
+            masses: { M1: 3.27, M2: 3.25 },
+            springs: { base - M1: 1190.0, M1 - M2: 1323.0 },
+            contact: M2 - wall,
+            excitation: base,
+            provide: [limits, motion, stuck],
+        }
+    }
+}
+
+#[test]
+fn answers() {
+    assert!(values::Frame::at(0.9).is_ok_and(|at| at.continuous_limit() > 0.0));
+    assert!(types::Frame::at(0.9).is_ok_and(|at| at.continuous_limit() > 0.0));
+    assert!(chain::Chain::at(0.9).is_ok_and(|at| at.continuous_limit() > 0.0));
+    assert!(complex::Complex::at(0.9).is_ok_and(|at| at.motion(0.3).is_ok()));
+}

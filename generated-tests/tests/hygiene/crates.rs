@@ -1,0 +1,97 @@
+//! Crates made for a test: with lints and an edition of their own.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Editions in which users may write.
+const EDITIONS: [&str; 3] = ["2018", "2021", "2024"];
+
+/// A crate without the standard library, with the facade renamed and every item documented,
+/// compiles and runs in each edition.
+#[test]
+fn every_edition() {
+    let members: Vec<_> = EDITIONS
+        .iter()
+        .map(|edition| Member {
+            name: format!("edition-{edition}"),
+            edition,
+            source: "edition.rs",
+        })
+        .collect();
+    check("editions", &members);
+}
+
+/// Constants, statics, unit structs and types with the names of what is emitted, a scene with the
+/// name of a type that emitted code uses, `#[deprecated]`, masses with capitals.
+#[test]
+#[ignore = "waits for the emitter: names that clash with emitted ones"]
+fn names_that_clash() {
+    let member = Member {
+        name: "clashes".to_owned(),
+        edition: "2024",
+        source: "clashes.rs",
+    };
+    check("clashes", &[member]);
+}
+
+/// A crate with one of the sources beside this file.
+struct Member<'a> {
+    name: String,
+    edition: &'a str,
+    source: &'a str,
+}
+
+/// Writes a workspace of the members and runs its tests.
+fn check(workspace: &str, members: &[Member<'_>]) {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/hygiene");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(workspace);
+    let write = |path: PathBuf, text: &str| {
+        let parent = path.parent().expect("a folder");
+        std::fs::create_dir_all(parent).expect("the folder can be made");
+        // Cargo looks at the time: what has not changed is not written again.
+        if std::fs::read_to_string(&path).ok().as_deref() != Some(text) {
+            std::fs::write(path, text).expect("the file can be written");
+        }
+    };
+    let names: Vec<_> = members
+        .iter()
+        .map(|member| format!("{:?}", member.name))
+        .collect();
+    let manifest = format!(
+        "[workspace]\nresolver = \"2\"\nmembers = [{}]\n",
+        names.join(", ")
+    );
+    write(folder.join("Cargo.toml"), &manifest);
+    for Member {
+        name,
+        edition,
+        source,
+    } in members
+    {
+        let manifest = format!(
+            "[package]\nname = {name:?}\nversion = \"0.0.0\"\nedition = {edition:?}\n\n[lib]\npath = {:?}\n\n[dependencies]\nfriction = {{ package = \"frictiongen\", path = {:?}, default-features = false }}\n",
+            tests.join(source).display().to_string(),
+            root.join("frictiongen").display().to_string(),
+        );
+        write(folder.join(name).join("Cargo.toml"), &manifest);
+    }
+    // The versions of this workspace, so that nothing has to be downloaded.
+    let lock = std::fs::read_to_string(root.join("Cargo.lock")).expect("a lock file");
+    if !folder.join("Cargo.lock").exists() {
+        write(folder.join("Cargo.lock"), &lock);
+    }
+    let output = Command::new(env!("CARGO"))
+        .args(["test", "--workspace", "--offline", "--quiet"])
+        .current_dir(&folder)
+        .env("CARGO_TARGET_DIR", folder.join("target"))
+        .env_remove("RUSTFLAGS")
+        .output()
+        .expect("cargo runs");
+    assert!(
+        output.status.success(),
+        "{}{}",
+        String::from_utf8_lossy(&output.stdout),
+        String::from_utf8_lossy(&output.stderr)
+    );
+}
