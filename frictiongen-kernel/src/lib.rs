@@ -10,6 +10,8 @@ pub mod decay;
 pub mod errors;
 mod float;
 pub mod limits;
+#[doc(hidden)]
+pub mod locals;
 pub mod mode;
 pub mod motion;
 pub mod regime;

@@ -63,3 +63,29 @@ fn specialised_away() {
     assert!(symmetric.contains("MODES: [Mode<f64>; 2]") && !symmetric.contains("mode_3"));
     assert!(symmetric.contains("RESONANCES: [f64; 3]"));
 }
+
+/// Every local variable of emitted code is shielded from constants of the same name in the user's
+/// code; those of a single mode, `mode_1_…`, are left out.
+#[test]
+fn local_names_are_shielded() {
+    let shielded = include_str!("../../frictiongen-kernel/src/locals.rs");
+    let shielded: Vec<&str> = shielded.split_whitespace().collect();
+    for (name, text) in SCENES {
+        let source = pretty(&parse_text(text, &Limits::MACRO).expect("a valid scene"))
+            .expect("emitted Rust");
+        let bindings = source
+            .lines()
+            .filter_map(|line| line.trim().strip_prefix("let "));
+        for local in bindings.filter_map(|rest| rest.split([' ', ':', ';']).next()) {
+            let plain = local
+                .chars()
+                .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
+            if plain && local != "mut" && !local.starts_with("mode_") {
+                assert!(
+                    shielded.contains(&local),
+                    "{name}: `{local}` is missing in locals.rs"
+                );
+            }
+        }
+    }
+}

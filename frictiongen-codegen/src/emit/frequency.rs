@@ -26,11 +26,12 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     let types = code! {
         #[doc = #about]
         #derives
+        #[allow(non_camel_case_types)]
         #visibility struct #at {
-            r: #scalar,
-            inverse_r: #scalar,
-            contact: #facade::kernel::chain::ContactAt<#scalar>,
-            modes: [#facade::kernel::chain::ModeAt<#scalar>; #modes],
+            r: ::core::primitive::#scalar,
+            inverse_r: ::core::primitive::#scalar,
+            contact: #facade::kernel::chain::ContactAt<::core::primitive::#scalar>,
+            modes: [#facade::kernel::chain::ModeAt<::core::primitive::#scalar>; #modes],
         }
     };
     let uniform = uniform_kind(&emission.reduced.modes);

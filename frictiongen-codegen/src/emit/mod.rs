@@ -37,7 +37,7 @@ struct Emission<'a> {
     scalar: TokenStream,
     /// How modes decay: `Undamped` or `Damped<f64>`.
     decay: TokenStream,
-    name: &'a Ident,
+    name: Ident,
     at: Ident,
     motion: Ident,
     stuck: Ident,
@@ -54,6 +54,15 @@ struct Wanted<'a> {
 }
 
 impl Emission<'_> {
+    fn names(&self) -> [Ident; 4] {
+        [
+            self.name.clone(),
+            self.at.clone(),
+            self.motion.clone(),
+            self.stuck.clone(),
+        ]
+    }
+
     fn modes(&self) -> usize {
         self.reduced.modes.len()
     }
@@ -159,8 +168,8 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     } else {
         code!(Undamped)
     };
-    let name = &description.name;
-    let emission = Emission {
+    let [name, at, motion, stuck] = names(&description.name);
+    let mut emission = Emission {
         description,
         scene,
         modal,
@@ -168,10 +177,10 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
         precision,
         scalar,
         decay,
-        at: suffixed(name, "At"),
-        motion: suffixed(name, "Motion"),
-        stuck: suffixed(name, "Stuck"),
         name,
+        at,
+        motion,
+        stuck,
         facade: &description.facade,
         passes_from,
     };
@@ -182,37 +191,37 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
         );
         code!(::core::compile_error!(#message);)
     });
-    let constants = constants::emit(&emission);
-    let frequency = frequency::emit(&emission);
-    let limits = limits::emit(&emission);
-    let motion = wanted
-        .motion
-        .as_deref()
-        .map(|masses| motion::emit(&emission, masses));
-    let stuck = wanted.stuck.then(|| stuck::emit(&emission));
-    let mut types = constants.types;
-    types.extend(frequency.types);
-    let mut items = constants.items;
-    items.extend(frequency.items);
-    items.extend(limits);
-    for part in [motion, stuck].into_iter().flatten() {
-        types.extend(part.types);
-        items.extend(part.items);
+    let unbuilt: Vec<_> = unbuilt.collect();
+    let (types, mut items) = parts(&emission);
+    let own = emission.names();
+    let clashes = own
+        .iter()
+        .any(|name| IMPORTED.iter().any(|imported| *name == imported));
+    let mut aliases = TokenStream::new();
+    if clashes {
+        // Within the block the scene goes by other names than what is imported there.
+        let [name, at, motion, stuck] = names(&format_ident!("Emitted{}", description.name));
+        (emission.name, emission.at, emission.motion, emission.stuck) = (name, at, motion, stuck);
+        (_, items) = parts(&emission);
+        let has = [
+            true,
+            true,
+            emission.wanted().motion.is_some(),
+            emission.wanted().stuck,
+        ];
+        for ((alias, own), _) in emission
+            .names()
+            .into_iter()
+            .zip(&own)
+            .zip(has)
+            .filter(|(_, has)| *has)
+        {
+            aliases.extend(code!(type #alias = #own;));
+        }
     }
     let facade = emission.facade;
-    code! {
-        #(#unbuilt)*
-        #types
-        #[automatically_derived]
-        #[allow(
-            unused_imports,
-            unused_qualifications,
-            clippy::all,
-            clippy::pedantic,
-            clippy::nursery,
-            clippy::restriction
-        )]
-        const _: () = {
+    let scalar = &emission.scalar;
+    let block = code! {
             use #facade::kernel::chain::{Chain, ContactAt, ModeAt, Others};
             use #facade::kernel::decay::{Damped, Decay, Undamped};
             use #facade::kernel::mode::{Kind, Mode, ModeResponse};
@@ -224,9 +233,103 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
             use ::core::iter::{IntoIterator, Iterator};
             use ::core::option::Option::{self, None, Some};
             use ::core::result::Result::{self, Err, Ok};
+            // Local variables may have the names of the user's constants: these come first.
+            use #facade::kernel::locals::*;
+            use ::core::primitive::#scalar;
             #items
-        };
+    };
+    let block = if clashes {
+        code!(#aliases const _: () = { #block };)
+    } else {
+        block
+    };
+    code! {
+        #(#unbuilt)*
+        #types
+        #[automatically_derived]
+        #[allow(
+            deprecated,
+            non_snake_case,
+            non_camel_case_types,
+            unused_imports,
+            unused_qualifications,
+            clippy::all,
+            clippy::pedantic,
+            clippy::nursery,
+            clippy::restriction
+        )]
+        const _: () = { #block };
     }
+}
+
+/// What emitted code imports: a scene may have the same name.
+const IMPORTED: [&str; 33] = [
+    "Chain",
+    "ContactAt",
+    "ModeAt",
+    "Others",
+    "Damped",
+    "Decay",
+    "Undamped",
+    "Kind",
+    "Mode",
+    "ModeResponse",
+    "Carrier",
+    "Friction",
+    "Share",
+    "Motion",
+    "Wave",
+    "Complex",
+    "Scalar",
+    "regime",
+    "steady",
+    "NotContinuous",
+    "OutOfDomain",
+    "Regime",
+    "StuckResonance",
+    "IntoIterator",
+    "Iterator",
+    "Option",
+    "None",
+    "Some",
+    "Result",
+    "Err",
+    "Ok",
+    "f64",
+    "f32",
+];
+
+/// The names of the emitted types.
+fn names(scene: &Ident) -> [Ident; 4] {
+    [
+        scene.clone(),
+        suffixed(scene, "At"),
+        suffixed(scene, "Motion"),
+        suffixed(scene, "Stuck"),
+    ]
+}
+
+/// Everything that is emitted, types and what stays hidden.
+fn parts(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
+    let wanted = emission.wanted();
+    let constants = constants::emit(emission);
+    let frequency = frequency::emit(emission);
+    let limits = limits::emit(emission);
+    let motion = wanted
+        .motion
+        .as_deref()
+        .map(|masses| motion::emit(emission, masses));
+    let stuck = wanted.stuck.then(|| stuck::emit(emission));
+    let mut types = constants.types;
+    types.extend(frequency.types);
+    let mut items = constants.items;
+    items.extend(frequency.items);
+    items.extend(limits);
+    for part in [motion, stuck].into_iter().flatten() {
+        types.extend(part.types);
+        items.extend(part.items);
+    }
+    (types, items)
 }
 
 /// What one file emits: types in the user's module, and what stays hidden.

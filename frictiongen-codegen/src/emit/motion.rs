@@ -37,9 +37,10 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     let types = code! {
         #[doc = #about]
         #derives
+        #[allow(non_camel_case_types)]
         #visibility struct #motion {
             at: #at,
-            friction: #facade::kernel::motion::Friction<#scalar>,
+            friction: #facade::kernel::motion::Friction<::core::primitive::#scalar>,
         }
     };
     let (friction, operations) = friction(emission);

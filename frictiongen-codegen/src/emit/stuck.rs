@@ -22,6 +22,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     let types = code! {
         #[doc = #about]
         #derives
+        #[allow(non_camel_case_types)]
         #visibility struct #stuck {
             at: #at,
         }

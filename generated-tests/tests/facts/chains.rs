@@ -91,7 +91,7 @@ fn f16() {
         );
         close(at.sliding_limit(), want, 1e-13 * want);
     }
-    for beta in [0.6, 0.8, 2.0] {
+    for beta in [0.6, 0.8, 1.0, 2.0] {
         let low = f64::sqrt((2.0 * beta - 1.0) / beta);
         let high = f64::sqrt((2.0 * beta + 1.0) / beta);
         let stuck = |r: f64| system.at(r).unwrap().regime(beta).unwrap() == Regime::Stuck;

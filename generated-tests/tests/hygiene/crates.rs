@@ -24,7 +24,6 @@ fn every_edition() {
 /// Constants, statics, unit structs and types with the names of what is emitted, a scene with the
 /// name of a type that emitted code uses, `#[deprecated]`, masses with capitals.
 #[test]
-#[ignore = "waits for the emitter: names that clash with emitted ones"]
 fn names_that_clash() {
     let member = Member {
         name: "clashes".to_owned(),
