@@ -4,5 +4,6 @@
 pub mod jacobi;
 pub mod modal;
 pub mod scene;
+pub mod sensitivity;
 mod special;
 pub mod validate;

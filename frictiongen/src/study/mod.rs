@@ -5,6 +5,7 @@ mod builder;
 mod error;
 mod large;
 mod motion;
+mod sensitivity;
 mod system;
 
 pub use at::SystemAt;
@@ -12,8 +13,10 @@ pub use builder::Builder;
 pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
+pub use sensitivity::{Sensitive, Varied};
 pub use system::System;
 
 /// What a description says: masses, springs, contact, excitation, damping.
 pub use frictiongen_model::scene::{self, Damping};
+pub use frictiongen_model::sensitivity::Quantity;
 pub use frictiongen_model::validate::SceneError;
