@@ -3,7 +3,7 @@
 
 use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt, Others};
 use frictiongen_kernel::decay::{Damped, Decay};
-use frictiongen_kernel::mode::{Mode, ModeResponse};
+use frictiongen_kernel::mode::{Kind, Mode, ModeResponse};
 use frictiongen_kernel::motion::Friction;
 use frictiongen_kernel::steady::{Motion, motion_wave};
 use frictiongen_kernel::wave::Wave;
@@ -31,7 +31,8 @@ pub struct DataAt<'a, S> {
 pub type DataMotion<S> = Motion<S, Damped<S>, Vec<Wave<S, Damped<S>>>>;
 
 impl<S: Float> Data<S> {
-    /// The same data in another scalar.  What a mode's constants say twice is formed anew from ζ.
+    /// The same data in another scalar.  What a mode's constants say twice is formed anew from what
+    /// says it best.
     pub fn read<T: Float>(&self, to: impl Fn(S) -> T) -> Data<T> {
         let Reduced {
             modes,
@@ -40,8 +41,8 @@ impl<S: Float> Data<S> {
             ends,
         } = &self.reduced;
         let mode = |mode: &Mode<S>| {
-            let zeta = to(mode.zeta);
-            let (q, q_defect) = roots(zeta);
+            let (zeta, q) = damping(mode, &to);
+            let q_defect = zeta * zeta / (T::constant(1.0) + q);
             Mode {
                 kind: mode.kind,
                 in_contact: mode.in_contact,
@@ -94,6 +95,19 @@ impl<S: Float> Data<S> {
             contact,
             modes: at,
         }
+    }
+}
+
+/// ζ and q = √|1 − ζ²|: q from ζ, but beside critical damping ζ from q, which says there within its
+/// rounding what ζ cannot.
+fn damping<S: Float, T: Float>(mode: &Mode<S>, to: impl Fn(S) -> T) -> (T, T) {
+    let (zeta, q) = (to(mode.zeta), to(mode.q));
+    let one = T::constant(1.0);
+    let beside = |square: T| (square.sqrt(), q);
+    match mode.kind {
+        Kind::Heavy if q.to_f64() < 0.5 => beside(one - q * q),
+        Kind::Over if q.to_f64() < 0.5 => beside(one + q * q),
+        _ => (zeta, roots(zeta).0),
     }
 }
 

@@ -1,7 +1,8 @@
 //! `reference/extremes.json`: beside poles and sub-harmonics, at vanishing, critical and over-critical
 //! damping, for spreads of twelve decades, at nearly equal modes, at r = 0 and r = ∞.
 
-use crate::measure::{Asked, Error, Place, against, answer};
+use crate::asked::{Asked, Place, answer};
+use crate::measure::{Error, against};
 use frictiongen::study::System;
 use frictiongen_codegen::{Limits, parse_text};
 use frictiongen_kernel::dd::Dd;
