@@ -1,0 +1,111 @@
+//! Every call on the emulated processor: its values, its instructions, its stack.
+#![no_std]
+#![no_main]
+
+mod stack;
+
+use core::hint::black_box;
+use core::panic::PanicInfo;
+use core::sync::atomic::{AtomicU32, Ordering};
+use cortex_m::peripheral::syst::SystClkSource;
+use cortex_m::peripheral::{Peripherals, SYST};
+use cortex_m_rt::{entry, exception};
+use cortex_m_semihosting::{debug, hprintln};
+use scenes::calls::{Call, DOUBLE, INPUTS, INPUTS_SINGLE, Input, SINGLE};
+
+/// The timer counts 25 MHz while the emulator runs an instruction in 64 ns: eight ticks for five.
+const TICKS: u64 = 8;
+const INSTRUCTIONS: u64 = 5;
+const FEW: u64 = 4;
+const MANY: u64 = 20;
+/// The timer's 24 bits.
+const RANGE: u64 = 1 << 24;
+
+/// How often the timer has run through.
+static TURNS: AtomicU32 = AtomicU32::new(0);
+
+#[exception]
+fn SysTick() {
+    TURNS.store(TURNS.load(Ordering::Relaxed) + 1, Ordering::Relaxed);
+}
+
+#[panic_handler]
+fn panic(_: &PanicInfo) -> ! {
+    loop {
+        debug::exit(debug::EXIT_FAILURE);
+    }
+}
+
+fn ticks<S: Copy>(timer: &mut SYST, call: &Call<S>, input: &Input<S>, times: u64) -> u64 {
+    let run = black_box(call.run);
+    // A write reloads the counter without an interrupt.
+    timer.clear_current();
+    TURNS.store(0, Ordering::Relaxed);
+    let start = u64::from(SYST::get_current());
+    for _ in 0..times {
+        black_box(run(black_box(input)));
+    }
+    let end = u64::from(SYST::get_current());
+    // The timer counts down.
+    u64::from(TURNS.load(Ordering::Relaxed)) * RANGE + start - end
+}
+
+/// Instructions a call, the loop about it included.
+fn instructions<S: Copy>(timer: &mut SYST, call: &Call<S>, input: &Input<S>) -> u64 {
+    let few = ticks(timer, call, input, FEW);
+    let many = ticks(timer, call, input, MANY);
+    let denominator = TICKS * (MANY - FEW);
+    ((many - few) * INSTRUCTIONS + denominator / 2) / denominator
+}
+
+#[entry]
+fn main() -> ! {
+    if let Some(mut peripherals) = Peripherals::take() {
+        let timer = &mut peripherals.SYST;
+        timer.set_clock_source(SystClkSource::Core);
+        timer.set_reload(0x00ff_ffff);
+        timer.enable_interrupt();
+        timer.enable_counter();
+        for (number, call) in SINGLE.iter().enumerate() {
+            for (place, input) in INPUTS_SINGLE.iter().enumerate() {
+                let [a, b] = (call.run)(black_box(input));
+                let (a, b) = (a.to_bits(), b.to_bits());
+                hprintln!("single {} {} {:08x} {:08x}", number, place, a, b);
+            }
+        }
+        for (number, call) in DOUBLE.iter().enumerate() {
+            for (place, input) in INPUTS.iter().enumerate() {
+                let [a, b] = (call.run)(black_box(input));
+                let (a, b) = (a.to_bits(), b.to_bits());
+                hprintln!("double {} {} {:016x} {:016x}", number, place, a, b);
+            }
+        }
+        for call in &SINGLE {
+            cost(timer, call, &INPUTS_SINGLE);
+        }
+        for call in &DOUBLE {
+            cost(timer, call, &INPUTS);
+        }
+    }
+    loop {
+        debug::exit(debug::EXIT_SUCCESS);
+    }
+}
+
+/// The largest figures over all inputs.
+fn cost<S: Copy>(timer: &mut SYST, call: &Call<S>, inputs: &[Input<S>]) {
+    let (mut slowest, mut deepest) = (0, 0);
+    for input in inputs {
+        slowest = slowest.max(instructions(timer, call, input));
+        deepest = deepest.max(stack::depth(|| {
+            black_box((call.run)(black_box(input)));
+        }));
+    }
+    hprintln!(
+        "cost|{}|{}|{}|{}",
+        call.scene,
+        call.question,
+        slowest,
+        deepest
+    );
+}

@@ -1,0 +1,5 @@
+//! 2DOF f32, `provide: [limits]`: the exact limits.
+#![no_std]
+#![no_main]
+
+images::image!(least_without_search INPUTS_SINGLE, least_limits INPUTS_SINGLE);

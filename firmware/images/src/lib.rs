@@ -1,0 +1,27 @@
+//! An image with nothing but some calls: what they weigh, and what they link.
+#![no_std]
+
+/// A program that runs these calls.  Its panic handler does not link: an image exists only if no
+/// panic can be reached.
+#[macro_export]
+macro_rules! image {
+    ($($call:ident $inputs:ident),*) => {
+        #[panic_handler]
+        fn panic(_: &core::panic::PanicInfo) -> ! {
+            unsafe extern "C" {
+                fn a_panic_can_be_reached() -> !;
+            }
+            // SAFETY: never linked.
+            unsafe { a_panic_can_be_reached() }
+        }
+
+        #[cortex_m_rt::entry]
+        fn main() -> ! {
+            loop {
+                $(core::hint::black_box(scenes::calls::$call(core::hint::black_box(
+                    &scenes::calls::$inputs[0],
+                )));)*
+            }
+        }
+    };
+}

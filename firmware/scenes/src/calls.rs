@@ -1,0 +1,214 @@
+//! What is called, measured and compared: one list for each scalar.
+
+use crate::{Five, Pair, PairDouble, Sdof, least};
+use frictiongen::Error;
+
+/// Where a call is made: frequency ratio, friction ratio, τ.
+#[derive(Clone, Copy, Debug)]
+pub struct Input<S> {
+    /// r.
+    pub r: S,
+    /// β.
+    pub beta: S,
+    /// τ.
+    pub tau: S,
+}
+
+/// A call that is measured: two numbers, or which error it is.
+pub struct Call<S> {
+    /// The scene.
+    pub scene: &'static str,
+    /// What is asked.
+    pub question: &'static str,
+    /// The call.
+    pub run: fn(&Input<S>) -> [S; 2],
+}
+
+/// The inputs of every call: continuous motion below, between and above the resonances.
+pub const INPUTS: [Input<f64>; 4] = [
+    Input {
+        r: 0.9,
+        beta: 0.05,
+        tau: 1.0,
+    },
+    Input {
+        r: 0.37,
+        beta: 0.01,
+        tau: 2.5,
+    },
+    Input {
+        r: 2.75,
+        beta: 0.02,
+        tau: 6.0,
+    },
+    Input {
+        r: 1.3,
+        beta: 0.375,
+        tau: 0.0,
+    },
+];
+
+/// The same in single precision.
+pub const INPUTS_SINGLE: [Input<f32>; 4] = {
+    let mut inputs = [Input {
+        r: 0.0,
+        beta: 0.0,
+        tau: 0.0,
+    }; 4];
+    let mut index = 0;
+    while index < inputs.len() {
+        let Input { r, beta, tau } = INPUTS[index];
+        inputs[index] = Input {
+            r: r as f32,
+            beta: beta as f32,
+            tau: tau as f32,
+        };
+        index += 1;
+    }
+    inputs
+};
+
+/// Calls as functions of their own, so that each can be proved and linked alone.
+macro_rules! calls {
+    ($scalar:ident $list:ident $count:literal: $($name:ident $scene:literal $question:literal
+        |$input:ident| $body:expr;)*) => {
+        $(
+            #[doc = concat!($scene, ": ", $question, ".")]
+            #[inline(never)]
+            #[cfg_attr(feature = "prove", no_panic::no_panic)]
+            pub fn $name($input: &Input<$scalar>) -> [$scalar; 2] {
+                // A closure of its own, for `?`.
+                let call = || -> Result<[$scalar; 2], Error> { Ok($body) };
+                call().unwrap_or([-1.0, -1.0])
+            }
+        )*
+        /// Every call in this scalar.
+        pub const $list: [Call<$scalar>; $count] = [
+            $(Call { scene: $scene, question: $question, run: $name },)*
+        ];
+    };
+}
+
+calls! { f32 SINGLE 20:
+    sdof_without_search "SDOF f32" "limits without search" |at| {
+        let at = Sdof::at(at.r)?;
+        [at.continuous_limit_without_search(), at.sliding_limit()]
+    };
+    sdof_limits "SDOF f32" "limits" |at| {
+        let at = Sdof::at(at.r)?;
+        [at.continuous_limit(), at.sliding_limit()]
+    };
+    sdof_contact "SDOF f32" "motion of the contact: amplitude, phase" |at| {
+        let at_r = Sdof::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        [motion.contact().amplitude(), motion.contact().phase()]
+    };
+    sdof_displacement "SDOF f32" "motion of a mass: displacement, velocity" |at| {
+        let at_r = Sdof::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        [motion.mass_1().displacement(at.tau), motion.mass_1().velocity(at.tau)]
+    };
+    sdof_stuck "SDOF f32" "stuck response" |at| {
+        let stuck = Sdof::at(at.r)?.stuck()?.mass_1();
+        [stuck.re, stuck.im]
+    };
+    least_without_search "2DOF f32, [limits]" "limits without search" |at| {
+        let at = least::limits::Pair::at(at.r)?;
+        [at.continuous_limit_without_search(), at.sliding_limit()]
+    };
+    least_limits "2DOF f32, [limits]" "limits" |at| {
+        let at = least::limits::Pair::at(at.r)?;
+        [at.continuous_limit(), at.sliding_limit()]
+    };
+    least_motion "2DOF f32, [motion(upper)]" "motion of a mass: displacement, velocity" |at| {
+        let at_r = least::motion::Pair::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        [motion.upper().displacement(at.tau), motion.upper().velocity(at.tau)]
+    };
+    pair_limits "2DOF f32" "limits" |at| {
+        let at = Pair::at(at.r)?;
+        [at.continuous_limit(), at.sliding_limit()]
+    };
+    pair_contact "2DOF f32" "motion of the contact: amplitude, phase" |at| {
+        let at_r = Pair::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        [motion.contact().amplitude(), motion.contact().phase()]
+    };
+    pair_displacement "2DOF f32" "motion of a mass: displacement, velocity" |at| {
+        let at_r = Pair::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        [motion.lower().displacement(at.tau), motion.lower().velocity(at.tau)]
+    };
+    pair_amplitude "2DOF f32" "motion of a mass: amplitude, phase" |at| {
+        let at_r = Pair::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        [motion.lower().amplitude(), motion.lower().phase()]
+    };
+    pair_harmonic "2DOF f32" "motion of a mass: third harmonic" |at| {
+        let at_r = Pair::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        let harmonic = motion.lower().harmonic(3);
+        [harmonic.re, harmonic.im]
+    };
+    pair_stuck "2DOF f32" "stuck response" |at| {
+        let stuck = Pair::at(at.r)?.stuck()?.lower();
+        [stuck.re, stuck.im]
+    };
+    five_without_search "5DOF damped f32" "limits without search" |at| {
+        let at = Five::at(at.r)?;
+        [at.continuous_limit_without_search(), at.sliding_limit()]
+    };
+    five_limits "5DOF damped f32" "limits" |at| {
+        let at = Five::at(at.r)?;
+        [at.continuous_limit(), at.sliding_limit()]
+    };
+    five_contact "5DOF damped f32" "motion of the contact: amplitude, phase" |at| {
+        let at_r = Five::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        [motion.contact().amplitude(), motion.contact().phase()]
+    };
+    five_displacement "5DOF damped f32" "motion of a mass: displacement, velocity" |at| {
+        let at_r = Five::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        [motion.upper().displacement(at.tau), motion.upper().velocity(at.tau)]
+    };
+    five_amplitude "5DOF damped f32" "motion of a mass: amplitude, phase" |at| {
+        let at_r = Five::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        [motion.upper().amplitude(), motion.upper().phase()]
+    };
+    five_stuck "5DOF damped f32" "stuck response" |at| {
+        let stuck = Five::at(at.r)?.stuck()?.upper();
+        [stuck.re, stuck.im]
+    };
+}
+
+calls! { f64 DOUBLE 6:
+    double_without_search "2DOF f64" "limits without search" |at| {
+        let at = PairDouble::at(at.r)?;
+        [at.continuous_limit_without_search(), at.sliding_limit()]
+    };
+    double_limits "2DOF f64" "limits" |at| {
+        let at = PairDouble::at(at.r)?;
+        [at.continuous_limit(), at.sliding_limit()]
+    };
+    double_contact "2DOF f64" "motion of the contact: amplitude, phase" |at| {
+        let at_r = PairDouble::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        [motion.contact().amplitude(), motion.contact().phase()]
+    };
+    double_displacement "2DOF f64" "motion of a mass: displacement, velocity" |at| {
+        let at_r = PairDouble::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        [motion.lower().displacement(at.tau), motion.lower().velocity(at.tau)]
+    };
+    double_amplitude "2DOF f64" "motion of a mass: amplitude, phase" |at| {
+        let at_r = PairDouble::at(at.r)?;
+        let motion = at_r.motion(at.beta)?;
+        [motion.lower().amplitude(), motion.lower().phase()]
+    };
+    double_stuck "2DOF f64" "stuck response" |at| {
+        let stuck = PairDouble::at(at.r)?.stuck()?.lower();
+        [stuck.re, stuck.im]
+    };
+}

@@ -1,0 +1,86 @@
+//! The scenes that are measured on bare metal, and what is called of them.
+#![no_std]
+// no-panic's own expansion is not safe code.
+#![cfg_attr(not(feature = "prove"), forbid(unsafe_code))]
+
+pub mod calls;
+
+/// Each scene with the least that a question needs: what is not provided is not in the image.
+pub mod least {
+    /// Limits only.
+    pub mod limits {
+        frictiongen::friction_system! {
+            /// Two masses, the upper rubbing on a wall.
+            pub struct Pair {
+                masses: { lower: 3.27, upper: 3.25 },
+                springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+                contact: upper - wall,
+                excitation: base,
+                scalar: f32,
+                provide: [limits],
+            }
+        }
+    }
+    /// Limits and the motion of one mass.
+    pub mod motion {
+        frictiongen::friction_system! {
+            /// Two masses, the upper rubbing on a wall.
+            pub struct Pair {
+                masses: { lower: 3.27, upper: 3.25 },
+                springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+                contact: upper - wall,
+                excitation: base,
+                scalar: f32,
+                provide: [motion(upper)],
+            }
+        }
+    }
+}
+
+frictiongen::friction_system! {
+    /// One mass on a wall, the classic.
+    pub struct Sdof {
+        masses: { mass_1: 1.0 },
+        springs: { base - mass_1: 1.0 },
+        contact: mass_1 - wall,
+        excitation: mass_1,
+        scalar: f32,
+        provide: [limits, motion, stuck],
+    }
+}
+
+frictiongen::friction_system! {
+    /// Two masses, the upper rubbing on a wall.
+    pub struct Pair {
+        masses: { lower: 3.27, upper: 3.25 },
+        springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+        contact: upper - wall,
+        excitation: base,
+        scalar: f32,
+        provide: [limits, motion, stuck],
+    }
+}
+
+frictiongen::friction_system! {
+    /// The same in double precision.
+    pub struct PairDouble {
+        masses: { lower: 3.27, upper: 3.25 },
+        springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+        contact: upper - wall,
+        excitation: base,
+        provide: [limits, motion, stuck],
+    }
+}
+
+frictiongen::friction_system! {
+    /// Five damped masses, the third rubbing on the moving base.
+    pub struct Five {
+        masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, upper: 0.5 },
+        springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - upper: 1.0 },
+        contact: m3 - base,
+        excitation: base,
+        damping: modal(0.02),
+        scalar: f32,
+        provide: [limits, motion, stuck],
+    }
+}
