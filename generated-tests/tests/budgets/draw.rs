@@ -1,0 +1,393 @@
+//! Random arguments: even in their bits, and crowded next to zeros, poles and branch points.
+
+use crate::measure::{Arguments, Real};
+use frictiongen_kernel::dd::Dd;
+
+/// A generator of reproducible numbers (splitmix64).
+pub struct Source(pub u64);
+
+impl Source {
+    pub fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// In [0, 1).
+    fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / 2.0_f64.powi(53)
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// Positive, with an exponent evenly spread over the range and random bits.
+    fn size(&mut self, low: f64, high: f64) -> f64 {
+        self.between(low, high).exp2() * self.between(1.0, 1.0 + 1e-9)
+    }
+
+    /// The same with a random sign.
+    fn spread(&mut self, low: f64, high: f64) -> f64 {
+        let size = self.size(low, high);
+        if self.next() & 1 == 0 { size } else { -size }
+    }
+
+    /// Next to one of these places, on either side, from half of it down to `close` bits.
+    fn beside(&mut self, place: f64, close: f64) -> f64 {
+        place + self.spread(-close, -2.0)
+    }
+}
+
+/// How far the exponents of a scalar go, and how many bits it has.
+#[derive(Clone, Copy)]
+pub struct Span {
+    low: f64,
+    high: f64,
+    bits: f64,
+}
+
+/// A function's domain: what the table says of it, and how arguments are drawn from it.
+#[derive(Clone, Copy)]
+pub struct Domain {
+    pub text: &'static str,
+    pub draw: fn(&mut Source, Span) -> [f64; 3],
+    /// Whether it holds an argument that was rounded, or counted through.
+    pub holds: fn([f64; 3]) -> bool,
+}
+
+fn any(a: [f64; 3]) -> bool {
+    a.iter().all(|x| x.is_finite())
+}
+
+/// From a domain, a number of this scalar.
+pub fn arguments<T: Real>(domain: &Domain, source: &mut Source) -> Arguments {
+    let span = match T::FORMAT.0 {
+        24 => Span { low: -126.0, high: 127.0, bits: 24.0 },
+        53 => Span { low: -1020.0, high: 1023.0, bits: 53.0 },
+        // The last parts must not be subnormal, nor products of them.
+        _ => Span { low: -400.0, high: 400.0, bits: 53.0 },
+    };
+    loop {
+        let drawn = (domain.draw)(source, span);
+        let drawn = drawn.map(|x| match T::FORMAT.0 {
+            24 => f64::from(x as f32),
+            _ => x,
+        });
+        if !(domain.holds)(drawn) {
+            continue;
+        }
+        // Half of the double-doubles have a second part; special places are left alone.
+        let tail = T::FORMAT.0 == 105 && source.next() & 1 == 0;
+        return drawn.map(|x| {
+            let lost = if tail && x.fract() != 0.0 { x * source.between(-0.5, 0.5) / 2.0_f64.powi(54) } else { 0.0 };
+            Dd::sum(x, lost)
+        });
+    }
+}
+
+pub const ANY: Domain = Domain {
+    text: "all",
+    draw: |s, span| [s.spread(span.low - 20.0, span.high), 0.0, 0.0],
+    holds: any,
+};
+
+pub const NOT_NEGATIVE: Domain = Domain {
+    text: "x ≥ 0",
+    draw: |s, span| [s.size(span.low - 20.0, span.high), 0.0, 0.0],
+    holds: |a| any(a) && a[0] >= 0.0,
+};
+
+pub const NOTHING: Domain = Domain { text: "constant", draw: |_, _| [0.0; 3], holds: any };
+
+pub const HALF_TURNS: Domain = Domain {
+    text: "all half-turns, crowded beside the quarters",
+    draw: |s, span| {
+        let quarter = (s.next() % 41) as f64 / 4.0;
+        let h = match s.next() % 4 {
+            0 => s.spread(span.low, span.high),
+            1 => s.beside(quarter, span.bits),
+            2 => s.spread(-6.0, 12.0),
+            _ => s.between(-2.0, 2.0),
+        };
+        [h, 0.0, 0.0]
+    },
+    holds: any,
+};
+
+pub const HALF_TURN_PAIRS: Domain = Domain {
+    text: "all pairs, crowded where h − d is beside a multiple of 1/2",
+    draw: |s, span| {
+        let half = (s.next() % 41) as f64 / 2.0;
+        let (h, d) = match s.next() % 5 {
+            0 => (s.spread(span.low, span.high), s.spread(span.low, span.high)),
+            1 => (half + s.between(0.0, 4.0), half),
+            2 => (s.beside(half, span.bits), s.spread(-60.0, 0.0)),
+            3 => {
+                let h = s.between(0.0, 40.0);
+                (h, h - half + s.spread(-span.bits, -10.0))
+            }
+            _ => (s.between(-2.0, 2.0), s.between(-2.0, 2.0)),
+        };
+        [h, d, 0.0]
+    },
+    holds: any,
+};
+
+/// Where e^x is a normal number of the scalar.
+pub const EXPONENTS: Domain = Domain {
+    text: "all x with a normal e^x",
+    draw: |s, span| {
+        let x = match s.next() % 3 {
+            0 => s.spread(span.low / 2.0, (span.high * 0.69).log2()),
+            1 => s.between(-4.0, 4.0),
+            _ => s.between(span.low * 0.69, span.high * 0.69),
+        };
+        [x, 0.0, 0.0]
+    },
+    holds: any,
+};
+
+/// Where e^x − 1 has not overflowed.
+pub const GROWTHS: Domain = Domain {
+    text: "all x up to the overflow, crowded beside 0 and ±1",
+    draw: |s, span| {
+        let one = if s.next() & 1 == 0 { 1.0 } else { -1.0 };
+        let x = match s.next() % 4 {
+            0 => s.spread(span.low / 2.2, (span.high * 0.69).log2()),
+            1 => s.between(-4.0, 4.0),
+            2 => s.beside(one, span.bits),
+            _ => s.between(span.low * 0.69, span.high * 0.69),
+        };
+        [x, 0.0, 0.0]
+    },
+    holds: any,
+};
+
+pub const DECAYS: Domain = Domain {
+    text: "a ≥ 0, crowded beside 0 and 2",
+    draw: |s, span| {
+        let a = match s.next() % 3 {
+            0 => s.size(span.low / 3.2, 11.0),
+            1 => s.between(0.0, 6.0),
+            _ => s.beside(2.0, span.bits),
+        };
+        [a, 0.0, 0.0]
+    },
+    holds: |a| any(a) && a[0] >= 0.0,
+};
+
+/// z with a z² in the normal range.
+pub const SINC: Domain = Domain {
+    text: "all z with a normal z², crowded beside 0, ±3/4 and the integers",
+    draw: |s, span| {
+        let whole = (s.next() % 12) as f64;
+        let z = match s.next() % 5 {
+            0 => s.spread(span.low / 2.2, 20.0),
+            1 => s.beside(0.75, span.bits),
+            2 => s.beside(whole, span.bits),
+            _ => s.between(-4.0, 4.0),
+        };
+        [z, 0.0, 0.0]
+    },
+    holds: any,
+};
+
+pub const PAIRS: Domain = Domain {
+    text: "pairs of all sizes, results in the normal range",
+    draw: |s, span| match s.next() % 3 {
+        0 => [s.spread(span.low / 2.1, span.high / 2.1), s.spread(span.low / 2.1, span.high / 2.1), 0.0],
+        1 => {
+            let x = s.spread(-30.0, 30.0);
+            let near = s.beside(1.0, span.bits);
+            [x, -x * near, 0.0]
+        }
+        _ => [s.spread(-3.0, 3.0), s.spread(-3.0, 3.0), 0.0],
+    },
+    holds: any,
+};
+
+/// Numbers for a complex argument or two, squares in the normal range.
+pub const COMPLEX: Domain = Domain {
+    text: "moduli with squares in the normal range",
+    draw: |s, span| {
+        let reach = span.high / 4.0;
+        match s.next() % 2 {
+            0 => [s.spread(-reach, reach), s.spread(-reach, reach), s.spread(-reach, reach)],
+            _ => [s.spread(-4.0, 4.0), s.spread(-4.0, 4.0), s.spread(-4.0, 4.0)],
+        }
+    },
+    holds: any,
+};
+
+/// Complex numbers of any size, with normal reciprocals.
+pub const LARGE_COMPLEX: Domain = Domain {
+    text: "moduli of any size with a normal reciprocal",
+    draw: |s, span| {
+        let reach = span.high - 3.0;
+        let re = s.spread(-reach, reach);
+        match s.next() % 2 {
+            0 => [re, s.spread(-reach, reach), 0.0],
+            _ => [re, re * s.spread(-4.0, 0.0), 0.0],
+        }
+    },
+    holds: any,
+};
+
+pub const UNIT_COMPLEX: Domain = Domain {
+    text: "|Re| + |Im| = 1 to rounding",
+    draw: |s, span| {
+        let re = match s.next() % 2 {
+            0 => s.between(0.0, 1.0),
+            _ => s.size(-span.bits, 0.0),
+        };
+        [re, -(1.0 - re), 0.0]
+    },
+    holds: any,
+};
+
+pub const POSITIVE: Domain = Domain {
+    text: "positive, squares in the normal range",
+    draw: |s, span| {
+        let reach = span.high / 4.0;
+        [s.size(-reach, reach), s.size(-reach, reach), s.size(-reach, reach)]
+    },
+    holds: any,
+};
+
+pub const MARGINS: Domain = Domain {
+    text: "β and limits from 2⁻³⁰ to 2³⁰, crowded beside a limit",
+    draw: |s, span| {
+        let limit = s.size(-30.0, 30.0);
+        let beta = match s.next() % 2 {
+            0 => s.size(-30.0, 30.0),
+            _ => limit * s.beside(1.0, span.bits),
+        };
+        [beta, limit, s.size(-30.0, 30.0)]
+    },
+    holds: any,
+};
+
+fn frequency(s: &mut Source, span: Span) -> f64 {
+    let whole = (1 + s.next() % 12) as f64;
+    match s.next() % 6 {
+        0 => s.size(-20.0, 12.0),
+        1 | 2 => s.beside(1.0, span.bits).abs(),
+        3 => s.beside(whole, span.bits).abs(),
+        _ => s.between(0.0, 12.0),
+    }
+}
+
+pub const FREQUENCIES: Domain = Domain {
+    text: "x from 2⁻²⁰ to 2¹², crowded beside 1 and the integers",
+    draw: |s, span| [frequency(s, span), 0.0, 0.0],
+    holds: |a| a[0] > 0.0,
+};
+
+fn light(s: &mut Source) -> f64 {
+    match s.next() % 2 {
+        0 => s.size(-90.0, -1.0),
+        _ => s.size(-12.0, -1.0),
+    }
+}
+
+fn heavy(s: &mut Source, span: Span) -> f64 {
+    match s.next() % 3 {
+        0 => s.between(0.5, 1.0),
+        1 => 1.0 - s.size(-span.bits, -1.0),
+        _ => 0.5 + s.size(-span.bits, -1.0),
+    }
+}
+
+fn over(s: &mut Source, span: Span) -> f64 {
+    match s.next() % 3 {
+        0 => s.between(1.0, 4.0),
+        1 => 1.0 + s.size(-span.bits, 0.0),
+        _ => s.size(0.0, 10.0),
+    }
+}
+
+/// As long as a mode keeps e^−2 of its motion over a half period.
+const KEPT: f64 = 2.0 / core::f64::consts::PI;
+
+fn is_light(zeta: f64) -> bool {
+    0.0 < zeta && zeta < 0.5
+}
+fn is_heavy(zeta: f64) -> bool {
+    (0.5..1.0).contains(&zeta)
+}
+
+macro_rules! damped_frequencies {
+    ($($name:ident: $text:literal, $zeta:expr, $holds:expr;)*) => { $(
+        pub const $name: Domain = Domain {
+            text: $text,
+            draw: |s, span| {
+                let zeta: fn(&mut Source, Span) -> f64 = $zeta;
+                [frequency(s, span), zeta(s, span), 0.0]
+            },
+            holds: |a| {
+                let holds: fn(f64, f64) -> bool = $holds;
+                a[0] > 0.0 && holds(a[0], a[1])
+            },
+        };
+    )* };
+}
+
+damped_frequencies! {
+    LIGHT: "x as undamped, 2⁻⁹⁰ ≤ ζ < 1/2, πζx ≤ 2", |s, _| light(s), |x, z| is_light(z) && z * x <= KEPT;
+    LIGHT_DECAYED: "x as undamped, ζ < 1/2, πζx > 2", |s, _| s.between(0.0, 0.5), |x, z| is_light(z) && z * x > KEPT;
+    HEAVY: "x as undamped, 1/2 ≤ ζ < 1, πζx ≤ 2", heavy, |x, z| is_heavy(z) && z * x <= KEPT;
+    HEAVY_DECAYED: "x as undamped, 1/2 ≤ ζ < 1, πζx > 2", heavy, |x, z| is_heavy(z) && z * x > KEPT;
+    CRITICAL: "x as undamped, ζ = 1, πx ≤ 2", |_, _| 1.0, |x, z| z * x <= KEPT;
+    CRITICAL_DECAYED: "x as undamped, ζ = 1, πx > 2", |_, _| 1.0, |x, z| z * x > KEPT;
+    OVER: "x as undamped, 1 < ζ ≤ 2¹⁰, πζx ≤ 2", over, |x, z| z > 1.0 && z * x <= KEPT;
+    OVER_DECAYED: "x as undamped, 1 < ζ ≤ 2¹⁰, πζx > 2", over, |x, z| z > 1.0 && z * x > KEPT;
+}
+
+fn instant(s: &mut Source, span: Span) -> f64 {
+    match s.next() % 4 {
+        0 => s.size(-40.0, 0.0),
+        1 => 1.0 - s.size(-span.bits, 0.0),
+        _ => s.between(0.0, 1.0),
+    }
+}
+
+pub const INSTANTS: Domain = Domain {
+    text: "0 < t ≤ 1, crowded at both ends",
+    draw: |s, span| [instant(s, span), 0.0, 0.0],
+    holds: |a| 0.0 < a[0] && a[0] <= 1.0,
+};
+
+pub const UNDAMPED_TIME: Domain = Domain {
+    text: "x as in the response, 0 < t ≤ 1 crowded at both ends",
+    draw: |s, span| [frequency(s, span), 0.0, instant(s, span)],
+    holds: |a| a[0] > 0.0 && 0.0 < a[2] && a[2] <= 1.0,
+};
+
+macro_rules! damped_times {
+    ($($name:ident: $text:literal, $zeta:expr, $holds:expr;)*) => { $(
+        pub const $name: Domain = Domain {
+            text: $text,
+            draw: |s, span| {
+                let zeta: fn(&mut Source, Span) -> f64 = $zeta;
+                [frequency(s, span), zeta(s, span), instant(s, span)]
+            },
+            holds: |a| {
+                let holds: fn(f64, f64) -> bool = $holds;
+                a[0] > 0.0 && 0.0 < a[2] && a[2] <= 1.0 && holds(a[0] * a[2], a[1])
+            },
+        };
+    )* };
+}
+
+damped_times! {
+    LIGHT_TIME: "x, t as undamped, 2⁻⁹⁰ ≤ ζ < 1/2, ζxτ ≤ 2", |s, _| light(s), |x, z| is_light(z) && z * x <= KEPT;
+    LIGHT_TIME_DECAYED: "x, t as undamped, ζ < 1/2, ζxτ > 2", |s, _| s.between(0.0, 0.5), |x, z| is_light(z) && z * x > KEPT;
+    HEAVY_TIME: "x, t as undamped, 1/2 ≤ ζ < 1, ζxτ ≤ 2", heavy, |x, z| is_heavy(z) && z * x <= KEPT;
+    HEAVY_TIME_DECAYED: "x, t as undamped, 1/2 ≤ ζ < 1, ζxτ > 2", heavy, |x, z| is_heavy(z) && z * x > KEPT;
+    CRITICAL_TIME: "x, t as undamped, ζ = 1, xτ ≤ 2", |_, _| 1.0, |x, z| z * x <= KEPT;
+    CRITICAL_TIME_DECAYED: "x, t as undamped, ζ = 1, xτ > 2", |_, _| 1.0, |x, z| z * x > KEPT;
+    OVER_TIME: "x, t as undamped, 1 < ζ ≤ 2¹⁰, ζxτ ≤ 2", over, |x, z| z > 1.0 && z * x <= KEPT;
+    OVER_TIME_DECAYED: "x, t as undamped, 1 < ζ ≤ 2¹⁰, ζxτ > 2", over, |x, z| z > 1.0 && z * x > KEPT;
+}
