@@ -19,8 +19,21 @@ pub struct Case {
     pub domain: Domain,
     pub draw: fn(&Domain, &mut Source) -> Arguments,
     pub error: fn(&Arguments) -> Results<f64>,
-    /// One argument of `f32`: all numbers can be counted through.
+    /// One argument of `f32`: [`Domain::counted`] holds.
     pub countable: bool,
+}
+
+impl Case {
+    /// The numbers of the counted domain, by their bits.
+    pub fn counted(&self) -> impl Iterator<Item = Arguments> + use<> {
+        let (from, to, negative) = self.domain.counted;
+        let through = if self.countable { from.to_bits()..to.to_bits() } else { 0..0 };
+        let signs = if negative { 2 } else { 1 };
+        through.flat_map(move |bits| {
+            let x = f64::from(f32::from_bits(bits));
+            [x, -x].into_iter().take(signs).map(|x| [Dd::from(x), Dd::ZERO, Dd::ZERO])
+        })
+    }
 }
 
 struct Shape {
@@ -104,8 +117,8 @@ cases! {
     only_dd Subtract "a − b" [""] in PAIRS; ["dd::Dd::sub"];
     only_dd Multiply "a · b" [""] in PAIRS; ["dd::Dd::mul"];
     only_dd Divide "a / b" [""] in PAIRS; ["dd::Dd::div"];
-    only_dd DdSum "sum of two f64" [""] in PAIRS; ["dd::Dd::sum"];
-    only_dd DdProduct "product of two f64" [""] in PAIRS; ["dd::Dd::product"];
+    only_dd DdSum "sum of two f64" [""] in DOUBLES; ["dd::Dd::sum"];
+    only_dd DdProduct "product of two f64" [""] in DOUBLES; ["dd::Dd::product"];
     three ComplexAdd "complex add" [""] in COMPLEX; ["complex::add"];
     three ComplexScale "complex scale" [""] in COMPLEX; ["complex::scale"];
     three ComplexMul "complex mul" [""] in COMPLEX; ["complex::mul"];

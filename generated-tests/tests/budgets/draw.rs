@@ -55,6 +55,16 @@ pub struct Domain {
     pub draw: fn(&mut Source, Span) -> [f64; 3],
     /// Whether it holds an argument that was rounded, or counted through.
     pub holds: fn([f64; 3]) -> bool,
+    /// Whether a double-double may have a second part.
+    pub tails: bool,
+    /// What to count through in `f32`: from, to, and whether the negative numbers too.  Beyond, the
+    /// results only change by powers of two, or not at all; where they do not, it is stated.
+    pub counted: (f32, f32, bool),
+}
+
+/// 2^power.
+const fn power(power: i32) -> f32 {
+    f32::from_bits(((127 + power) as u32) << 23)
 }
 
 fn any(a: [f64; 3]) -> bool {
@@ -79,7 +89,7 @@ pub fn arguments<T: Real>(domain: &Domain, source: &mut Source) -> Arguments {
             continue;
         }
         // Half of the double-doubles have a second part; special places are left alone.
-        let tail = T::FORMAT.0 == 105 && source.next() & 1 == 0;
+        let tail = T::FORMAT.0 == 105 && domain.tails && source.next() & 1 == 0;
         return drawn.map(|x| {
             let lost = if tail && x.fract() != 0.0 { x * source.between(-0.5, 0.5) / 2.0_f64.powi(54) } else { 0.0 };
             Dd::sum(x, lost)
@@ -91,15 +101,20 @@ pub const ANY: Domain = Domain {
     text: "all",
     draw: |s, span| [s.spread(span.low - 20.0, span.high), 0.0, 0.0],
     holds: any,
+    tails: true,
+    counted: (power(-24), power(24), true),
 };
 
 pub const NOT_NEGATIVE: Domain = Domain {
     text: "x ≥ 0",
     draw: |s, span| [s.size(span.low - 20.0, span.high), 0.0, 0.0],
     holds: |a| any(a) && a[0] >= 0.0,
+    tails: true,
+    counted: (1.0, 4.0, false),
 };
 
-pub const NOTHING: Domain = Domain { text: "constant", draw: |_, _| [0.0; 3], holds: any };
+pub const NOTHING: Domain = Domain { text: "constant", draw: |_, _| [0.0; 3], holds: any, tails: true,
+    counted: (0.0, 0.0, false) };
 
 pub const HALF_TURNS: Domain = Domain {
     text: "all half-turns, crowded beside the quarters",
@@ -114,6 +129,8 @@ pub const HALF_TURNS: Domain = Domain {
         [h, 0.0, 0.0]
     },
     holds: any,
+    tails: true,
+    counted: (power(-14), power(24), false),
 };
 
 pub const HALF_TURN_PAIRS: Domain = Domain {
@@ -133,6 +150,8 @@ pub const HALF_TURN_PAIRS: Domain = Domain {
         [h, d, 0.0]
     },
     holds: any,
+    tails: true,
+    counted: (0.0, 0.0, false),
 };
 
 /// Where e^x is a normal number of the scalar.
@@ -147,6 +166,8 @@ pub const EXPONENTS: Domain = Domain {
         [x, 0.0, 0.0]
     },
     holds: any,
+    tails: true,
+    counted: (power(-25), power(7), true),
 };
 
 /// Where e^x − 1 has not overflowed.
@@ -163,6 +184,8 @@ pub const GROWTHS: Domain = Domain {
         [x, 0.0, 0.0]
     },
     holds: any,
+    tails: true,
+    counted: (power(-14), power(7), true),
 };
 
 pub const DECAYS: Domain = Domain {
@@ -176,6 +199,8 @@ pub const DECAYS: Domain = Domain {
         [a, 0.0, 0.0]
     },
     holds: |a| any(a) && a[0] >= 0.0,
+    tails: true,
+    counted: (power(-14), power(10), false),
 };
 
 /// z with a z² in the normal range.
@@ -192,6 +217,8 @@ pub const SINC: Domain = Domain {
         [z, 0.0, 0.0]
     },
     holds: any,
+    tails: true,
+    counted: (power(-14), power(24), false),
 };
 
 pub const PAIRS: Domain = Domain {
@@ -206,6 +233,14 @@ pub const PAIRS: Domain = Domain {
         _ => [s.spread(-3.0, 3.0), s.spread(-3.0, 3.0), 0.0],
     },
     holds: any,
+    tails: true,
+    counted: (0.0, 0.0, false),
+};
+
+pub const DOUBLES: Domain = Domain {
+    text: "pairs of f64 of all sizes",
+    tails: false,
+    ..PAIRS
 };
 
 /// Numbers for a complex argument or two, squares in the normal range.
@@ -219,6 +254,8 @@ pub const COMPLEX: Domain = Domain {
         }
     },
     holds: any,
+    tails: true,
+    counted: (0.0, 0.0, false),
 };
 
 /// Complex numbers of any size, with normal reciprocals.
@@ -233,6 +270,8 @@ pub const LARGE_COMPLEX: Domain = Domain {
         }
     },
     holds: any,
+    tails: true,
+    counted: (0.0, 0.0, false),
 };
 
 pub const UNIT_COMPLEX: Domain = Domain {
@@ -245,6 +284,8 @@ pub const UNIT_COMPLEX: Domain = Domain {
         [re, -(1.0 - re), 0.0]
     },
     holds: any,
+    tails: true,
+    counted: (0.0, 0.0, false),
 };
 
 pub const POSITIVE: Domain = Domain {
@@ -254,6 +295,8 @@ pub const POSITIVE: Domain = Domain {
         [s.size(-reach, reach), s.size(-reach, reach), s.size(-reach, reach)]
     },
     holds: any,
+    tails: true,
+    counted: (0.0, 0.0, false),
 };
 
 pub const MARGINS: Domain = Domain {
@@ -267,6 +310,8 @@ pub const MARGINS: Domain = Domain {
         [beta, limit, s.size(-30.0, 30.0)]
     },
     holds: any,
+    tails: true,
+    counted: (0.0, 0.0, false),
 };
 
 fn frequency(s: &mut Source, span: Span) -> f64 {
@@ -283,6 +328,8 @@ pub const FREQUENCIES: Domain = Domain {
     text: "x from 2⁻²⁰ to 2¹², crowded beside 1 and the integers",
     draw: |s, span| [frequency(s, span), 0.0, 0.0],
     holds: |a| a[0] > 0.0,
+    tails: true,
+    counted: (0.0, 0.0, false),
 };
 
 fn light(s: &mut Source) -> f64 {
@@ -330,6 +377,8 @@ macro_rules! damped_frequencies {
                 let holds: fn(f64, f64) -> bool = $holds;
                 a[0] > 0.0 && holds(a[0], a[1])
             },
+            tails: true,
+    counted: (0.0, 0.0, false),
         };
     )* };
 }
@@ -357,12 +406,16 @@ pub const INSTANTS: Domain = Domain {
     text: "0 < t ≤ 1, crowded at both ends",
     draw: |s, span| [instant(s, span), 0.0, 0.0],
     holds: |a| 0.0 < a[0] && a[0] <= 1.0,
+    tails: true,
+    counted: (power(-14), 1.0, false),
 };
 
 pub const UNDAMPED_TIME: Domain = Domain {
     text: "x as in the response, 0 < t ≤ 1 crowded at both ends",
     draw: |s, span| [frequency(s, span), 0.0, instant(s, span)],
     holds: |a| a[0] > 0.0 && 0.0 < a[2] && a[2] <= 1.0,
+    tails: true,
+    counted: (0.0, 0.0, false),
 };
 
 macro_rules! damped_times {
@@ -377,6 +430,8 @@ macro_rules! damped_times {
                 let holds: fn(f64, f64) -> bool = $holds;
                 a[0] > 0.0 && 0.0 < a[2] && a[2] <= 1.0 && holds(a[0] * a[2], a[1])
             },
+            tails: true,
+    counted: (0.0, 0.0, false),
         };
     )* };
 }

@@ -99,8 +99,14 @@ formulas! {
         Some(vec![quotient(s, c)?])
     };
     SinCosPiMinus Place: |h, d, c| <[T; 2]>::from(h.sin_cos_pi_minus(d)), {
-        let (s, c) = (h - d).sin_cos_pi();
-        Some(vec![s, c])
+        // A difference of numbers of very different sizes has more digits than a big number.
+        if h.is_zero() || d.is_zero() || (h.order() - d.order()).abs() < 300 {
+            let (sin, cos) = (h - d).sin_cos_pi();
+            return Some(vec![sin, cos]);
+        }
+        let ((s, c), (sd, cd)) = (h.sin_cos_pi(), d.sin_cos_pi());
+        let sin = s.clone() * cd.clone() - c.clone() * sd.clone();
+        Some(vec![sin, c * cd + s * sd])
     };
     Sqrt Place: |x, b, c| [x.sqrt()], (!x.is_negative()).then(|| if x.is_zero() { vec![x] } else { vec![x.sqrt()] });
     Exp Place: |x, b, c| [x.exp()], Some(vec![x.exp()]);

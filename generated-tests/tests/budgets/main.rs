@@ -1,3 +1,17 @@
+//! The worst error of every numeric function of the kernel, and what is allowed.
+//!
+//! `table.csv` holds the budgets, the worst errors met and where; `docs/accuracy.md` shows them.
+//! `f32` is measured by `f64`, `f64` by double-double, double-double by big numbers that share
+//! nothing with the kernel ([`big`]), in which the formulas are evaluated as they are printed.
+//!
+//! The long form counts through the `f32` of each domain and draws ten million `f64`:
+//!
+//! ```sh
+//! cargo test --release -p generated-tests --test budgets -- --ignored --nocapture
+//! UPDATE_ACCURACY=1 cargo test --release -p generated-tests --test budgets -- --ignored   # writes table.csv
+//! UPDATE_ACCURACY=1 cargo test -p generated-tests --test budgets page                     # writes the page
+//! ```
+
 mod big;
 mod blocks;
 mod cases;
@@ -5,26 +19,170 @@ mod draw;
 mod elementary;
 mod measure;
 mod modes;
+mod page;
+mod public;
+mod table;
 
-#[test]
-#[ignore]
-fn trial() {
-    use std::time::Instant;
-    let n: u64 = std::env::var("POINTS").ok().and_then(|n| n.parse().ok()).unwrap_or(20000);
-    for case in cases::all() {
-        let mut s = draw::Source(7);
-        let clock = Instant::now();
-        let mut worst = [(0.0, [frictiongen_kernel::dd::Dd::ZERO; 3]); 5];
-        let n = if case.scalar == "Dd" { n / 20 } else { n };
-        for _ in 0..n {
-            let a = (case.draw)(&case.domain, &mut s);
-            for (w, e) in worst.iter_mut().zip((case.error)(&a)) {
-                if e > w.0 { *w = (e, a); }
+use cases::Case;
+use draw::Source;
+use measure::Arguments;
+use std::sync::Mutex;
+use table::Row;
+
+/// By how much the reference itself may be off, in units of what is measured: ten units of `f64`
+/// in one of `f32`.
+const REFERENCE: f64 = 1e-7;
+
+fn asked_to_write() -> bool {
+    std::env::var_os("UPDATE_ACCURACY").is_some()
+}
+
+/// The worst error of each result of a case, and where.
+fn measured(case: &Case, points: impl Iterator<Item = Arguments>) -> Vec<(f64, Arguments)> {
+    let mut worst = vec![(-1.0, Arguments::default()); case.fields.len()];
+    for point in points {
+        for (worst, error) in worst.iter_mut().zip((case.error)(&point)) {
+            if error > worst.0 {
+                *worst = (error, point);
             }
         }
-        let us = clock.elapsed().as_secs_f64() / n as f64 * 1e6;
-        for (f, w) in case.fields.iter().zip(worst) {
-            println!("{:3} {} {f}: {:.3} at {:e} {:e} {:e}  ({us:.2} us)", case.scalar, case.function, w.0, w.1[0].hi, w.1[1].hi, w.1[2].hi);
+    }
+    worst
+}
+
+fn random(case: &Case, seed: u64, count: usize) -> impl Iterator<Item = Arguments> {
+    let mut source = Source(seed);
+    (0..count).map(move |_| (case.draw)(&case.domain, &mut source))
+}
+
+fn name(case: &Case, field: &str) -> String {
+    format!("{} {field} ({})", case.function, case.scalar)
+}
+
+#[test]
+fn every_function_stays_within_its_budget() {
+    let table = table::read();
+    for case in cases::all() {
+        let rows = table::rows_of(&table, &case)
+            .unwrap_or_else(|| panic!("{}: no row of this unit and domain", name(&case, "")));
+        let count = if case.scalar == "Dd" { 20 } else { 2000 };
+        let worst = measured(&case, random(&case, 1, count));
+        for (i, (row, (error, place))) in rows.iter().zip(worst).enumerate() {
+            let what = name(&case, case.fields[i]);
+            assert!(error <= row.budget + REFERENCE, "{what}: {error} exceeds {} at {place:?}", row.budget);
+            // The worst place is still as bad as the table says, and no worse.
+            let again = (case.error)(&row.place)[i];
+            assert!(again <= row.budget + REFERENCE, "{what}: {again} exceeds {}", row.budget);
+            assert!(
+                (again - row.worst).abs() <= 1e-3 * row.worst + REFERENCE,
+                "{what}: {again} at its worst place instead of {}",
+                row.worst
+            );
         }
     }
+}
+
+#[test]
+fn every_row_is_measured() {
+    let cases = cases::all();
+    for row in table::read() {
+        assert!(
+            cases.iter().any(|case| {
+                case.function == row.function
+                    && case.scalar == row.scalar
+                    && case.fields.contains(&row.result.as_str())
+            }),
+            "nothing measures {row:?}"
+        );
+    }
+}
+
+#[test]
+fn the_measure_sees_an_error() {
+    use measure::{Formula, Real, Results, against, against_big};
+    use frictiongen_kernel::dd::Dd;
+    /// 1 + x by a result that is two units off in `f64`.
+    struct Wrong;
+    impl Formula for Wrong {
+        fn at<T: Real>([x, ..]: [T; 3]) -> Results<T> {
+            let c = T::constant;
+            let off = if T::NAME == "f64" { 2.0 * f64::EPSILON } else { 0.0 };
+            [c(1.0) + x + c(off), c(0.0), c(0.0), c(0.0), c(0.0)]
+        }
+        fn printed([x, ..]: [big::Big; 3]) -> Option<Vec<big::Big>> {
+            Some(vec![big::Big::integer(2) + x])
+        }
+    }
+    let quarter = [Dd::from(0.25), Dd::ZERO, Dd::ZERO];
+    assert_eq!(against::<Wrong, f64, Dd>(&quarter)[0], 2.0);
+    assert_eq!(against::<Wrong, f32, Dd>(&quarter)[0], 0.0);
+    assert!(against_big::<Wrong>(&quarter)[0] > 1e30);
+}
+
+/// How many random points the long form draws: of a mode's functions for each kind of mode, which
+/// together are ten million.
+fn points(case: &Case) -> usize {
+    match case.scalar {
+        "Dd" => 10_000,
+        _ if case.function.contains(',') => 2_000_000,
+        _ => 10_000_000,
+    }
+}
+
+#[test]
+#[ignore = "minutes; cargo test --release -p generated-tests --test budgets -- --ignored --nocapture"]
+fn long_form() {
+    let only = std::env::var("BUDGETS_ONLY").unwrap_or_default();
+    let old = table::read();
+    let cases: Vec<Case> = cases::all();
+    let next = Mutex::new(cases.iter().enumerate());
+    let found: Mutex<Vec<(usize, Vec<Row>)>> = Mutex::default();
+    std::thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| {
+                loop {
+                    let Some((i, case)) = next.lock().expect("a case").next() else { break };
+                    let rows = if case.function.contains(&only) {
+                        long_rows(case, &old)
+                    } else {
+                        table::rows_of(&old, case).unwrap_or_default()
+                    };
+                    found.lock().expect("rows").push((i, rows));
+                }
+            });
+        }
+    });
+    let mut found = found.into_inner().expect("rows");
+    found.sort_by_key(|(i, _)| *i);
+    let rows: Vec<Row> = found.into_iter().flat_map(|(_, rows)| rows).collect();
+    if asked_to_write() {
+        table::write(&rows);
+    }
+    for row in &rows {
+        let Row { function, result, scalar, budget, worst, .. } = row;
+        assert!(*worst <= budget + REFERENCE, "{function} {result} ({scalar}): {worst} exceeds {budget}");
+    }
+}
+
+fn long_rows(case: &Case, old: &[Row]) -> Vec<Row> {
+    let known = table::rows_of(old, case);
+    let stored = known.iter().flatten().map(|row| row.place);
+    let every = random(case, 2, points(case)).chain(case.counted()).chain(stored);
+    let worst = measured(case, every);
+    let rows = case.fields.iter().zip(worst).enumerate().map(|(i, (field, (worst, place)))| {
+        let budget = known.as_ref().map_or(table::first_budget(worst), |rows| rows[i].budget);
+        let [x, y, z] = place.map(|a| a.hi);
+        println!("{:50} {worst:9.3} of {budget:5} {:5} at {x:e} {y:e} {z:e}", name(case, field), case.unit.name());
+        Row {
+            function: case.function.into(),
+            result: (*field).into(),
+            scalar: case.scalar.into(),
+            unit: case.unit.name().into(),
+            budget,
+            worst,
+            place,
+            domain: case.domain.text.into(),
+        }
+    });
+    rows.collect()
 }

@@ -95,7 +95,7 @@ pub enum Unit {
     /// The error over ε·(|f| + Σ|a·∂f/∂a|) over the arguments a: how many ε of change, in the
     /// result and in every argument together, would explain it.
     Mixed,
-    /// The same over ε times what the results are small against: [`Formula::natural`].
+    /// The same, where a result is also let off what vanishes beside something that it is added to.
     Size,
 }
 
@@ -116,10 +116,15 @@ pub trait Formula {
     fn at<T: Real>(a: [T; 3]) -> Results<T>;
     /// None where the function has no value.
     fn printed(a: [Big; 3]) -> Option<Vec<Big>>;
-    /// For [`Unit::Size`]: what each result is compared with where it is used.
-    fn natural(_a: &Arguments) -> Results<f64> {
-        [1.0; 5]
+    /// What the error of each result is compared with (times ε): from the results and, for each
+    /// argument a, a·∂f/∂a.  [`Unit::Mixed`] adds them up.
+    fn scales(_a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
+        moved.into_iter().fold(value, plus)
     }
+}
+
+pub fn plus(a: Results<f64>, b: Results<f64>) -> Results<f64> {
+    std::array::from_fn(|i| a[i] + b[i])
 }
 
 fn unit<T: Real>(value: f64) -> f64 {
@@ -148,18 +153,13 @@ fn places<T: Real>(got: Dd, want: Dd, off: f64) -> f64 {
 }
 
 fn scales<F: Formula>(a: &Arguments, want: &Results<Dd>) -> Results<f64> {
-    let mut scales = want.map(|w| w.hi.abs());
-    for (i, moved) in a.iter().enumerate() {
-        if moved.is_zero() {
-            continue;
-        }
+    let mut moved = [[0.0; 5]; 3];
+    for (i, argument) in a.iter().enumerate().filter(|(_, argument)| !argument.is_zero()) {
         let mut point = a.map(<Dual<f64> as Real>::of);
-        point[i] = Dual::variable(moved.to_f64());
-        for (scale, result) in scales.iter_mut().zip(F::at(point)) {
-            *scale += (moved.hi * result.slope).abs();
-        }
+        point[i] = Dual::variable(argument.to_f64());
+        moved[i] = F::at(point).map(|result| (argument.hi * result.slope).abs());
     }
-    scales
+    F::scales(a, want.map(|w| w.hi.abs()), moved)
 }
 
 fn judged<F: Formula, T: Real>(a: &Arguments, got: Results<Dd>, want: Results<Dd>, off: Results<f64>) -> Results<f64> {
@@ -177,19 +177,11 @@ fn judged<F: Formula, T: Real>(a: &Arguments, got: Results<Dd>, want: Results<Dd
             errors[0] = if off.iter().all(|o| *o == 0.0) { 0.0 } else { error };
         }
         Unit::Mixed | Unit::Size => {
-            let dependence = scales::<F>(a, &want);
-            let scales = match F::UNIT {
-                Unit::Size => {
-                    let mut natural = F::natural(a);
-                    for (size, scale) in natural.iter_mut().zip(dependence) {
-                        *size = size.max(scale);
-                    }
-                    natural
-                }
-                _ => dependence,
-            };
+            let scales = scales::<F>(a, &want);
+            // Among the subnormals all numbers have the same unit.
+            let least = 2.0_f64.powi(T::FORMAT.1 as i32);
             for i in 0..5 {
-                let error = off[i].abs() / (scales[i] * T::EPSILON);
+                let error = off[i].abs() / (scales[i].max(least) * T::EPSILON);
                 errors[i] = if off[i] == 0.0 { 0.0 } else { error };
             }
         }

@@ -2,10 +2,12 @@
 //! appendix B): in big numbers the printed forms lose nothing.
 
 use crate::big::Big;
-use crate::measure::{Arguments, Formula, Real, Results, Unit};
+use crate::measure::{Arguments, Formula, Real, Results, Unit, plus};
 use frictiongen_kernel::complex::Complex;
+use frictiongen_kernel::dd::Dd;
 use frictiongen_kernel::decay::{Basis, Damped, Decay, Instant, Undamped};
 use frictiongen_kernel::mode::{Kind, Mode, ModeResponse};
+use frictiongen_kernel::trig::double;
 
 fn kind(zeta: f64) -> Kind {
     match zeta {
@@ -118,8 +120,9 @@ impl Formula for DecayedResponse {
     fn printed(a: [Big; 3]) -> Option<Vec<Big>> {
         Response::printed(a)
     }
-    fn natural(a: &Arguments) -> Results<f64> {
-        [response(a[0].to_f64(), a[1].to_f64()).size; 5]
+    fn scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
+        let size = response(a[0].to_f64(), a[1].to_f64()).size;
+        plus(Response::scales(a, value, moved), [size; 5])
     }
 }
 
@@ -156,15 +159,36 @@ fn fields<T>(basis: Basis<T>) -> Results<T> {
     [basis.free, basis.slope, basis.swing, basis.swing_slope, basis.rise]
 }
 
+/// The differences sin τ − p and cos τ − p′ are multiplied by damping functions that grow like
+/// 1/(|x − 1| + ζ) beside the resonance, so there a change of x explains no error of theirs.  The first
+/// counts beside sin τ; the second beside itself, and beyond τ = π/2 beside 1.
+fn in_time_scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
+    let [x, zeta, t] = a.map(Dd::to_f64);
+    let (distance, [by_x, by_zeta, by_t]) = ((x - 1.0).abs(), moved);
+    let mut scales = plus(plus(value, by_zeta), by_t);
+    let near = distance < 0.5;
+    let share = (distance + zeta).min(1.0);
+    let late = if t > 0.5 { share } else { 0.0 };
+    let sizes = [0.0, 0.0, share * double::sin_pi(t), late, 0.0];
+    for i in 0..5 {
+        let difference = i == 2 || i == 3;
+        scales[i] += sizes[i] + if near && difference { 0.0 } else { by_x[i] };
+    }
+    scales
+}
+
 /// [`Damped::basis`]: p, p′, sin τ − p, cos τ − p′, (1 − d)/x².
 pub struct InTime;
 impl Formula for InTime {
-    const UNIT: Unit = Unit::Mixed;
+    const UNIT: Unit = Unit::Size;
     fn at<T: Real>([x, zeta, t]: [T; 3]) -> Results<T> {
         fields(Damped::of(&mode(x, zeta)).basis(x, &Instant::new(t)))
     }
     fn printed([x, zeta, t]: [Big; 3]) -> Option<Vec<Big>> {
         Some(printed_basis(&x, &zeta, &t))
+    }
+    fn scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
+        in_time_scales(a, value, moved)
     }
 }
 
@@ -178,21 +202,25 @@ impl Formula for DecayedInTime {
     fn printed(a: [Big; 3]) -> Option<Vec<Big>> {
         InTime::printed(a)
     }
-    fn natural(a: &Arguments) -> Results<f64> {
+    fn scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
         let x = a[0].to_f64();
-        [1.0 / x, 1.0, 1.0 / x, 1.0, 1.0 / (x * x)]
+        let size = [1.0 / x, 1.0, 1.0 / x, 1.0, 1.0 / (x * x)];
+        plus(InTime::scales(a, value, moved), size)
     }
 }
 
 /// [`Undamped::basis`]; the second argument is 0.
 pub struct InTimeUndamped;
 impl Formula for InTimeUndamped {
-    const UNIT: Unit = Unit::Mixed;
+    const UNIT: Unit = Unit::Size;
     fn at<T: Real>([x, zeta, t]: [T; 3]) -> Results<T> {
         fields(Undamped::of(&mode(x, zeta)).basis(x, &Instant::new(t)))
     }
     fn printed([x, zeta, t]: [Big; 3]) -> Option<Vec<Big>> {
         Some(printed_basis(&x, &zeta, &t))
+    }
+    fn scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
+        in_time_scales(a, value, moved)
     }
 }
 
