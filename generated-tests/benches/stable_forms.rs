@@ -271,7 +271,9 @@ fn error(form: &Form, value: fn(&Form) -> f64) -> f64 {
 
 fn nanoseconds(f: fn([f64; 3]) -> f64, usual: fn(f64) -> [f64; 3]) -> f64 {
     const CALLS: usize = 4096;
-    let arguments: Vec<[f64; 3]> = (0..CALLS).map(|i| usual((i as f64 * 0.618_033_988_75).fract())).collect();
+    let arguments: Vec<[f64; 3]> = (0..CALLS)
+        .map(|i| usual((i as f64 * 0.618_033_988_75).fract()))
+        .collect();
     let mut best = f64::INFINITY;
     for _ in 0..60 {
         let clock = time::Instant::now();
@@ -294,7 +296,9 @@ fn shown(error: f64) -> String {
 }
 
 fn main() {
-    let mut text = String::from("form;stable ns;printed ns;breaks at;error of the printed;error of the stable\n");
+    let mut text = String::from(
+        "form;stable ns;printed ns;breaks at;error of the printed;error of the stable\n",
+    );
     for form in forms() {
         let stable = nanoseconds(form.stable, form.usual);
         let printed = nanoseconds(form.printed, form.usual);

@@ -36,7 +36,11 @@ impl Big {
         assert!(x.is_finite(), "{x} has no value");
         let bits = x.abs().to_bits();
         let (raw, fraction) = ((bits >> 52) as i64, bits & ((1 << 52) - 1));
-        let significand = if raw == 0 { fraction } else { fraction | 1 << 52 };
+        let significand = if raw == 0 {
+            fraction
+        } else {
+            fraction | 1 << 52
+        };
         let number = Self::new(BigInt::from(significand), raw.max(1) - 1075);
         if x < 0.0 { -number } else { number }
     }
@@ -54,7 +58,11 @@ impl Big {
     }
 
     pub fn abs(&self) -> Self {
-        if self.is_negative() { -self.clone() } else { self.clone() }
+        if self.is_negative() {
+            -self.clone()
+        } else {
+            self.clone()
+        }
     }
 
     /// The exponent of the leading bit.
@@ -68,19 +76,19 @@ impl Big {
         self
     }
 
-    /// To some 50 bits; 0 and ∞ beyond the range of `f64`.
+    /// The nearest `f64`; 0 and ∞ beyond the range of `f64`.
     pub fn to_f64(&self) -> f64 {
         if self.is_zero() {
             return 0.0;
         }
-        let surplus = self.significand.bits() as i64 - 52;
+        let surplus = self.significand.bits() as i64 - 62;
         let leading = if surplus > 0 {
             &self.significand >> surplus as u64
         } else {
             self.significand.clone()
         };
         let exponent = self.exponent + surplus.max(0);
-        let leading = i64::try_from(leading).expect("52 bits") as f64;
+        let leading = i64::try_from(leading).expect("62 bits") as f64;
         let half = (exponent / 2).clamp(-2000, 2000) as i32;
         let rest = (exponent - exponent / 2).clamp(-2000, 2000) as i32;
         leading * 2.0_f64.powi(half) * 2.0_f64.powi(rest)
@@ -166,7 +174,8 @@ impl Big {
     pub fn pi() -> Self {
         static PI: OnceLock<Big> = OnceLock::new();
         let inverse_tangent = |n: i64| {
-            let (mut power, mut sum, mut k) = (Self::integer(1) / Self::integer(n), Self::integer(0), 1);
+            let (mut power, mut sum, mut k) =
+                (Self::integer(1) / Self::integer(n), Self::integer(0), 1);
             while power.order() > -(BITS as i64) - 8 {
                 sum = sum + power.clone() / Self::integer(k);
                 power = -(power / Self::integer(n * n));
@@ -218,13 +227,20 @@ impl Add for Big {
         if other.is_zero() {
             return self;
         }
-        let (high, low) = if self.exponent < other.exponent { (other, self) } else { (self, other) };
+        let (high, low) = if self.exponent < other.exponent {
+            (other, self)
+        } else {
+            (self, other)
+        };
         let distance = (high.exponent - low.exponent) as u64;
         // What lies below every kept bit of the other does not count.
         if high.order() - low.order() > 2 * BITS as i64 {
             return high;
         }
-        Self::new((high.significand << distance) + low.significand, low.exponent)
+        Self::new(
+            (high.significand << distance) + low.significand,
+            low.exponent,
+        )
     }
 }
 
@@ -238,7 +254,10 @@ impl Sub for Big {
 impl Mul for Big {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Self::new(self.significand * other.significand, self.exponent + other.exponent)
+        Self::new(
+            self.significand * other.significand,
+            self.exponent + other.exponent,
+        )
     }
 }
 
@@ -260,7 +279,11 @@ mod tests {
     /// |a − b| below 2^−600 of b.
     fn agree(a: Big, b: Big) {
         let off = a - b.clone();
-        assert!(off.is_zero() || off.order() < b.order() - 600, "{}", off.to_f64());
+        assert!(
+            off.is_zero() || off.order() < b.order() - 600,
+            "{}",
+            off.to_f64()
+        );
     }
 
     #[test]
@@ -269,8 +292,14 @@ mod tests {
             let big = Big::of(x);
             assert_eq!(big.to_f64(), x);
             let (sin, cos) = big.sin_cos_pi();
-            agree(sin.clone() * sin.clone() + cos.clone() * cos.clone(), Big::integer(1));
-            agree(big.clone().shifted(1).sin_cos_pi().0, (sin * cos).shifted(1));
+            agree(
+                sin.clone() * sin.clone() + cos.clone() * cos.clone(),
+                Big::integer(1),
+            );
+            agree(
+                big.clone().shifted(1).sin_cos_pi().0,
+                (sin * cos).shifted(1),
+            );
             agree(big.exp() * (-big.clone()).exp(), Big::integer(1));
             let root = (big.clone() * big.clone()).sqrt();
             agree(root, big.abs());
@@ -278,10 +307,14 @@ mod tests {
         // The first digits of π and e, as sums of two f64.
         let off = Big::pi() - Big::of(std::f64::consts::PI) - Big::of(1.2246467991473532e-16);
         assert!(off.order() < -105);
-        let off = Big::integer(1).exp() - Big::of(std::f64::consts::E) - Big::of(1.4456468917292502e-16);
+        let off =
+            Big::integer(1).exp() - Big::of(std::f64::consts::E) - Big::of(1.4456468917292502e-16);
         assert!(off.order() < -105);
         // A small argument: sin πh against its first terms.
         let x = Big::pi() * Big::of(1e-120);
-        agree(Big::of(1e-120).sin_cos_pi().0, x.clone() - x.clone() * x.clone() * x / Big::integer(6));
+        agree(
+            Big::of(1e-120).sin_cos_pi().0,
+            x.clone() - x.clone() * x.clone() * x / Big::integer(6),
+        );
     }
 }

@@ -22,7 +22,11 @@ fn reciprocal(re: Big, im: Big) -> Option<Vec<Big>> {
 
 fn hypotenuse(re: Big, im: Big) -> Big {
     let square = re.clone() * re + im.clone() * im;
-    if square.is_zero() { square } else { square.sqrt() }
+    if square.is_zero() {
+        square
+    } else {
+        square.sqrt()
+    }
 }
 
 /// Without damping the imaginary half is neither read nor written.
@@ -39,7 +43,12 @@ fn undamped<T: Real>(a: T, b: T) -> [T; 4] {
 
 /// A chain of which the limits read μ and m* alone.
 fn chain<T: Real>(stiction: T, mobility: T) -> Chain<T> {
-    Chain { damped: true, on_moving_base: None, mobility, stiction }
+    Chain {
+        damped: true,
+        on_moving_base: None,
+        mobility,
+        stiction,
+    }
 }
 
 /// A contact with V = v + iv/3, H = h − ih/5; only what the limits read.

@@ -27,11 +27,18 @@ impl Case {
     /// The numbers of the counted domain, by their bits.
     pub fn counted(&self) -> impl Iterator<Item = Arguments> + use<> {
         let (from, to, negative) = self.domain.counted;
-        let through = if self.countable { from.to_bits()..to.to_bits() } else { 0..0 };
+        let through = if self.countable {
+            from.to_bits()..to.to_bits()
+        } else {
+            0..0
+        };
         let signs = if negative { 2 } else { 1 };
         through.flat_map(move |bits| {
             let x = f64::from(f32::from_bits(bits));
-            [x, -x].into_iter().take(signs).map(|x| [Dd::from(x), Dd::ZERO, Dd::ZERO])
+            [x, -x]
+                .into_iter()
+                .take(signs)
+                .map(|x| [Dd::from(x), Dd::ZERO, Dd::ZERO])
         })
     }
 }

@@ -74,10 +74,22 @@ fn any(a: [f64; 3]) -> bool {
 /// From a domain, a number of this scalar.
 pub fn arguments<T: Real>(domain: &Domain, source: &mut Source) -> Arguments {
     let span = match T::FORMAT.0 {
-        24 => Span { low: -126.0, high: 127.0, bits: 24.0 },
-        53 => Span { low: -1020.0, high: 1023.0, bits: 53.0 },
+        24 => Span {
+            low: -126.0,
+            high: 127.0,
+            bits: 24.0,
+        },
+        53 => Span {
+            low: -1020.0,
+            high: 1023.0,
+            bits: 53.0,
+        },
         // The last parts must not be subnormal, nor products of them.
-        _ => Span { low: -400.0, high: 400.0, bits: 53.0 },
+        _ => Span {
+            low: -400.0,
+            high: 400.0,
+            bits: 53.0,
+        },
     };
     loop {
         let drawn = (domain.draw)(source, span);
@@ -91,7 +103,11 @@ pub fn arguments<T: Real>(domain: &Domain, source: &mut Source) -> Arguments {
         // Half of the double-doubles have a second part; special places are left alone.
         let tail = T::FORMAT.0 == 105 && domain.tails && source.next() & 1 == 0;
         return drawn.map(|x| {
-            let lost = if tail && x.fract() != 0.0 { x * source.between(-0.5, 0.5) / 2.0_f64.powi(54) } else { 0.0 };
+            let lost = if tail && x.fract() != 0.0 {
+                x * source.between(-0.5, 0.5) / 2.0_f64.powi(54)
+            } else {
+                0.0
+            };
             Dd::sum(x, lost)
         });
     }
@@ -113,8 +129,13 @@ pub const NOT_NEGATIVE: Domain = Domain {
     counted: (1.0, 4.0, false),
 };
 
-pub const NOTHING: Domain = Domain { text: "constant", draw: |_, _| [0.0; 3], holds: any, tails: true,
-    counted: (0.0, 0.0, false) };
+pub const NOTHING: Domain = Domain {
+    text: "constant",
+    draw: |_, _| [0.0; 3],
+    holds: any,
+    tails: true,
+    counted: (0.0, 0.0, false),
+};
 
 pub const HALF_TURNS: Domain = Domain {
     text: "all half-turns, crowded beside the quarters",
@@ -224,7 +245,11 @@ pub const SINC: Domain = Domain {
 pub const PAIRS: Domain = Domain {
     text: "pairs of all sizes, results in the normal range",
     draw: |s, span| match s.next() % 3 {
-        0 => [s.spread(span.low / 2.1, span.high / 2.1), s.spread(span.low / 2.1, span.high / 2.1), 0.0],
+        0 => [
+            s.spread(span.low / 2.1, span.high / 2.1),
+            s.spread(span.low / 2.1, span.high / 2.1),
+            0.0,
+        ],
         1 => {
             let x = s.spread(-30.0, 30.0);
             let near = s.beside(1.0, span.bits);
@@ -249,8 +274,16 @@ pub const COMPLEX: Domain = Domain {
     draw: |s, span| {
         let reach = span.high / 4.0;
         match s.next() % 2 {
-            0 => [s.spread(-reach, reach), s.spread(-reach, reach), s.spread(-reach, reach)],
-            _ => [s.spread(-4.0, 4.0), s.spread(-4.0, 4.0), s.spread(-4.0, 4.0)],
+            0 => [
+                s.spread(-reach, reach),
+                s.spread(-reach, reach),
+                s.spread(-reach, reach),
+            ],
+            _ => [
+                s.spread(-4.0, 4.0),
+                s.spread(-4.0, 4.0),
+                s.spread(-4.0, 4.0),
+            ],
         }
     },
     holds: any,
@@ -292,7 +325,11 @@ pub const POSITIVE: Domain = Domain {
     text: "positive, squares in the normal range",
     draw: |s, span| {
         let reach = span.high / 4.0;
-        [s.size(-reach, reach), s.size(-reach, reach), s.size(-reach, reach)]
+        [
+            s.size(-reach, reach),
+            s.size(-reach, reach),
+            s.size(-reach, reach),
+        ]
     },
     holds: any,
     tails: true,

@@ -9,6 +9,7 @@
 //! ```sh
 //! cargo test --release -p generated-tests --test budgets -- --ignored --nocapture
 //! UPDATE_ACCURACY=1 cargo test --release -p generated-tests --test budgets -- --ignored   # writes table.csv
+//! BUDGETS_ONLY='basis+(Dd)' …                                              # only these functions
 //! UPDATE_ACCURACY=1 cargo test -p generated-tests --test budgets page                     # writes the page
 //! ```
 
@@ -69,10 +70,18 @@ fn every_function_stays_within_its_budget() {
         let worst = measured(&case, random(&case, 1, count));
         for (i, (row, (error, place))) in rows.iter().zip(worst).enumerate() {
             let what = name(&case, case.fields[i]);
-            assert!(error <= row.budget + REFERENCE, "{what}: {error} exceeds {} at {place:?}", row.budget);
+            assert!(
+                error <= row.budget + REFERENCE,
+                "{what}: {error} exceeds {} at {place:?}",
+                row.budget
+            );
             // The worst place is still as bad as the table says, and no worse.
             let again = (case.error)(&row.place)[i];
-            assert!(again <= row.budget + REFERENCE, "{what}: {again} exceeds {}", row.budget);
+            assert!(
+                again <= row.budget + REFERENCE,
+                "{what}: {again} exceeds {}",
+                row.budget
+            );
             assert!(
                 (again - row.worst).abs() <= 1e-3 * row.worst + REFERENCE,
                 "{what}: {again} at its worst place instead of {}",
@@ -99,14 +108,18 @@ fn every_row_is_measured() {
 
 #[test]
 fn the_measure_sees_an_error() {
-    use measure::{Formula, Real, Results, against, against_big};
     use frictiongen_kernel::dd::Dd;
+    use measure::{Formula, Real, Results, against, against_big};
     /// 1 + x by a result that is two units off in `f64`.
     struct Wrong;
     impl Formula for Wrong {
         fn at<T: Real>([x, ..]: [T; 3]) -> Results<T> {
             let c = T::constant;
-            let off = if T::NAME == "f64" { 2.0 * f64::EPSILON } else { 0.0 };
+            let off = if T::NAME == "f64" {
+                2.0 * f64::EPSILON
+            } else {
+                0.0
+            };
             [c(1.0) + x + c(off), c(0.0), c(0.0), c(0.0), c(0.0)]
         }
         fn printed([x, ..]: [big::Big; 3]) -> Option<Vec<big::Big>> {
@@ -141,8 +154,10 @@ fn long_form() {
         for _ in 0..2 {
             scope.spawn(|| {
                 loop {
-                    let Some((i, case)) = next.lock().expect("a case").next() else { break };
-                    let rows = if case.function.contains(&only) {
+                    let Some((i, case)) = next.lock().expect("a case").next() else {
+                        break;
+                    };
+                    let rows = if only.split('+').any(|part| name(case, "").contains(part)) {
                         long_rows(case, &old)
                     } else {
                         table::rows_of(&old, case).unwrap_or_default()
@@ -159,30 +174,53 @@ fn long_form() {
         table::write(&rows);
     }
     for row in &rows {
-        let Row { function, result, scalar, budget, worst, .. } = row;
-        assert!(*worst <= budget + REFERENCE, "{function} {result} ({scalar}): {worst} exceeds {budget}");
+        let Row {
+            function,
+            result,
+            scalar,
+            budget,
+            worst,
+            ..
+        } = row;
+        assert!(
+            *worst <= budget + REFERENCE,
+            "{function} {result} ({scalar}): {worst} exceeds {budget}"
+        );
     }
 }
 
 fn long_rows(case: &Case, old: &[Row]) -> Vec<Row> {
     let known = table::rows_of(old, case);
     let stored = known.iter().flatten().map(|row| row.place);
-    let every = random(case, 2, points(case)).chain(case.counted()).chain(stored);
+    let every = random(case, 2, points(case))
+        .chain(case.counted())
+        .chain(stored);
     let worst = measured(case, every);
-    let rows = case.fields.iter().zip(worst).enumerate().map(|(i, (field, (worst, place)))| {
-        let budget = known.as_ref().map_or(table::first_budget(worst), |rows| rows[i].budget);
-        let [x, y, z] = place.map(|a| a.hi);
-        println!("{:50} {worst:9.3} of {budget:5} {:5} at {x:e} {y:e} {z:e}", name(case, field), case.unit.name());
-        Row {
-            function: case.function.into(),
-            result: (*field).into(),
-            scalar: case.scalar.into(),
-            unit: case.unit.name().into(),
-            budget,
-            worst,
-            place,
-            domain: case.domain.text.into(),
-        }
-    });
+    let rows = case
+        .fields
+        .iter()
+        .zip(worst)
+        .enumerate()
+        .map(|(i, (field, (worst, place)))| {
+            let budget = known
+                .as_ref()
+                .map_or(table::first_budget(worst), |rows| rows[i].budget);
+            let [x, y, z] = place.map(|a| a.hi);
+            println!(
+                "{:50} {worst:9.3} of {budget:5} {:5} at {x:e} {y:e} {z:e}",
+                name(case, field),
+                case.unit.name()
+            );
+            Row {
+                function: case.function.into(),
+                result: (*field).into(),
+                scalar: case.scalar.into(),
+                unit: case.unit.name().into(),
+                budget,
+                worst,
+                place,
+                domain: case.domain.text.into(),
+            }
+        });
     rows.collect()
 }

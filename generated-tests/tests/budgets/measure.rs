@@ -1,9 +1,9 @@
 //! Units of error, and a function's error in them.
 
 use crate::big::Big;
+use frictiongen_kernel::Float;
 use frictiongen_kernel::dd::Dd;
 use frictiongen_kernel::dual::Dual;
-use frictiongen_kernel::Float;
 
 /// The arguments of a function, each exactly a number of its scalar.
 pub type Arguments = [Dd; 3];
@@ -71,14 +71,14 @@ impl Real for Dd {
 }
 
 /// Only to ask how strongly a result depends on an argument.
-impl Real for Dual<f64> {
-    const FORMAT: (i32, i64) = f64::FORMAT;
+impl<S: Real> Real for Dual<S> {
+    const FORMAT: (i32, i64) = S::FORMAT;
     const NAME: &'static str = "dual";
     fn of(x: Dd) -> Self {
-        Self::fixed(x.to_f64())
+        Self::fixed(S::of(x))
     }
     fn widened(self) -> Dd {
-        Dd::from(self.value)
+        self.value.widened()
     }
     fn of_damping(zeta: Self) -> (Self, Self) {
         damping(zeta)
@@ -121,6 +121,11 @@ pub trait Formula {
     fn scales(_a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
         moved.into_iter().fold(value, plus)
     }
+    /// What a change of ε in the arguments does in the second order, over ε²: for results that
+    /// touch 0 without crossing it, where their derivatives vanish too.
+    fn curved(_a: &Arguments) -> Results<f64> {
+        [0.0; 5]
+    }
 }
 
 pub fn plus(a: Results<f64>, b: Results<f64>) -> Results<f64> {
@@ -138,31 +143,58 @@ fn unit<T: Real>(value: f64) -> f64 {
 /// got − want over the unit, where `want` comes from something better, `off` being their difference.
 fn places<T: Real>(got: Dd, want: Dd, off: f64) -> f64 {
     if got.hi.is_nan() || want.hi.is_nan() {
-        return if got.hi.is_nan() && want.hi.is_nan() { 0.0 } else { f64::INFINITY };
+        return if got.hi.is_nan() && want.hi.is_nan() {
+            0.0
+        } else {
+            f64::INFINITY
+        };
     }
     if got.hi == want.hi && got.lo == want.lo {
         return 0.0;
     }
     if !got.hi.is_finite() || !want.hi.is_finite() {
         // Past the largest number both have overflowed.
-        let largest = if T::FORMAT.0 == 24 { f64::from(f32::MAX) } else { f64::MAX };
+        let largest = if T::FORMAT.0 == 24 {
+            f64::from(f32::MAX)
+        } else {
+            f64::MAX
+        };
         let both = got.hi.abs() > largest * (1.0 - 1e-6) && want.hi.abs() >= largest * (1.0 - 1e-6);
-        return if both && got.hi.signum() == want.hi.signum() { 0.0 } else { f64::INFINITY };
+        return if both && got.hi.signum() == want.hi.signum() {
+            0.0
+        } else {
+            f64::INFINITY
+        };
     }
     off.abs() / unit::<T>(want.hi)
 }
 
-fn scales<F: Formula>(a: &Arguments, want: &Results<Dd>) -> Results<f64> {
-    let mut moved = [[0.0; 5]; 3];
-    for (i, argument) in a.iter().enumerate().filter(|(_, argument)| !argument.is_zero()) {
-        let mut point = a.map(<Dual<f64> as Real>::of);
-        point[i] = Dual::variable(argument.to_f64());
-        moved[i] = F::at(point).map(|result| (argument.hi * result.slope).abs());
-    }
-    F::scales(a, want.map(|w| w.hi.abs()), moved)
+/// |a·∂f/∂a| of every result for one argument, read in dual numbers over `S`.
+fn moved<F: Formula, S: Real>(a: &Arguments, i: usize) -> Results<f64> {
+    let mut point = a.map(<Dual<S> as Real>::of);
+    point[i] = Dual::variable(S::of(a[i]));
+    F::at(point).map(|result| (a[i].hi * result.slope.to_f64()).abs())
 }
 
-fn judged<F: Formula, T: Real>(a: &Arguments, got: Results<Dd>, want: Results<Dd>, off: Results<f64>) -> Results<f64> {
+fn scales<F: Formula, T: Real>(a: &Arguments, want: &Results<Dd>) -> Results<f64> {
+    let mut all = [[0.0; 5]; 3];
+    for i in (0..3).filter(|i| !a[*i].is_zero()) {
+        // Next to a zero the place must be as exact as the result is.
+        all[i] = if T::NAME == Dd::NAME {
+            moved::<F, Dd>(a, i)
+        } else {
+            moved::<F, f64>(a, i)
+        };
+    }
+    F::scales(a, want.map(|w| w.hi.abs()), all)
+}
+
+fn judged<F: Formula, T: Real>(
+    a: &Arguments,
+    got: Results<Dd>,
+    want: Results<Dd>,
+    off: Results<f64>,
+) -> Results<f64> {
     let mut errors = [0.0; 5];
     match F::UNIT {
         Unit::Place => {
@@ -172,12 +204,18 @@ fn judged<F: Formula, T: Real>(a: &Arguments, got: Results<Dd>, want: Results<Dd
         }
         Unit::Norm => {
             let size = want.iter().fold(0.0_f64, |m, w| m.max(w.hi.abs()));
-            let norm = |parts: Results<f64>| parts.iter().map(|p| (p / size).powi(2)).sum::<f64>().sqrt();
+            let norm =
+                |parts: Results<f64>| parts.iter().map(|p| (p / size).powi(2)).sum::<f64>().sqrt();
             let error = norm(off) / (norm(want.map(|w| w.hi)) * T::EPSILON);
-            errors[0] = if off.iter().all(|o| *o == 0.0) { 0.0 } else { error };
+            errors[0] = if off.iter().all(|o| *o == 0.0) {
+                0.0
+            } else {
+                error
+            };
         }
         Unit::Mixed | Unit::Size => {
-            let scales = scales::<F>(a, &want);
+            let curved = F::curved(a).map(|c| c * T::EPSILON);
+            let scales = plus(scales::<F, T>(a, &want), curved);
             // Among the subnormals all numbers have the same unit.
             let least = 2.0_f64.powi(T::FORMAT.1 as i32);
             for i in 0..5 {

@@ -21,7 +21,9 @@ fn cell(rows: &[Row], like: &Row, scalar: &str) -> String {
     let found = rows.iter().find(|row| {
         row.function == like.function && row.result == like.result && row.scalar == scalar
     });
-    found.map_or(String::new(), |row| format!("{} ({})", row.budget, shown(row.worst)))
+    found.map_or(String::new(), |row| {
+        format!("{} ({})", row.budget, shown(row.worst))
+    })
 }
 
 fn accuracy(rows: &[Row]) -> String {
@@ -36,10 +38,19 @@ fn accuracy(rows: &[Row]) -> String {
         }
         seen.push((&row.function, &row.result));
         let [single, double, better] = SCALARS.map(|scalar| cell(rows, row, scalar));
-        let Row { function, result, unit, domain, .. } = row;
+        let Row {
+            function,
+            result,
+            unit,
+            domain,
+            ..
+        } = row;
         let domain = domain.replace('|', "\\|");
-        writeln!(text, "| {function} | {result} | {unit} | {single} | {double} | {better} | {domain} |")
-            .expect("a string");
+        writeln!(
+            text,
+            "| {function} | {result} | {unit} | {single} | {double} | {better} | {domain} |"
+        )
+        .expect("a string");
     }
     text
 }

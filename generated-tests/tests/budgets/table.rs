@@ -30,7 +30,11 @@ fn argument(text: &str) -> Dd {
 }
 
 fn written(x: Dd) -> String {
-    if x.lo == 0.0 { format!("{:e}", x.hi) } else { format!("{:e} {:e}", x.hi, x.lo) }
+    if x.lo == 0.0 {
+        format!("{:e}", x.hi)
+    } else {
+        format!("{:e} {:e}", x.hi, x.lo)
+    }
 }
 
 pub fn read() -> Vec<Row> {
@@ -40,7 +44,19 @@ pub fn read() -> Vec<Row> {
     lines
         .map(|line| {
             let fields: Vec<&str> = line.splitn(10, ',').collect();
-            let [function, result, scalar, unit, budget, worst, x, y, z, domain] = fields[..] else {
+            let [
+                function,
+                result,
+                scalar,
+                unit,
+                budget,
+                worst,
+                x,
+                y,
+                z,
+                domain,
+            ] = fields[..]
+            else {
                 panic!("not ten fields: {line}");
             };
             Row {
@@ -61,10 +77,21 @@ pub fn write(rows: &[Row]) {
     let mut text = format!("{HEAD}\n");
     for row in rows {
         let [x, y, z] = row.place.map(written);
-        let Row { result, scalar, unit, budget, worst, domain, .. } = row;
+        let Row {
+            result,
+            scalar,
+            unit,
+            budget,
+            worst,
+            domain,
+            ..
+        } = row;
         let function = row.function.replace(',', ";");
-        writeln!(text, "{function},{result},{scalar},{unit},{budget},{worst},{x},{y},{z},{domain}")
-            .expect("a string");
+        writeln!(
+            text,
+            "{function},{result},{scalar},{unit},{budget},{worst},{x},{y},{z},{domain}"
+        )
+        .expect("a string");
     }
     std::fs::write(PATH, text).expect("the table is written");
 }
@@ -77,7 +104,9 @@ pub fn rows_of(table: &[Row], case: &Case) -> Option<Vec<Row>> {
             table
                 .iter()
                 .find(|row| {
-                    row.function == case.function && row.result == *field && row.scalar == case.scalar
+                    row.function == case.function
+                        && row.result == *field
+                        && row.scalar == case.scalar
                 })
                 .filter(|row| row.unit == case.unit.name() && row.domain == case.domain.text)
                 .cloned()
@@ -88,8 +117,13 @@ pub fn rows_of(table: &[Row], case: &Case) -> Option<Vec<Row>> {
 /// A first budget for a new row: the next of a few round numbers with a tenth to spare.  From then
 /// on it is changed by hand only.
 pub fn first_budget(worst: f64) -> f64 {
-    const STEPS: [f64; 15] = [0.0, 0.5, 0.75, 1.0, 1.1, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
+    const STEPS: [f64; 15] = [
+        0.0, 0.5, 0.75, 1.0, 1.1, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0,
+    ];
     let rounded_once = (worst - 0.5).abs() < 1e-3;
     let needed = if rounded_once { 0.5 } else { worst * 1.1 };
-    STEPS.into_iter().find(|step| needed <= *step).unwrap_or(f64::INFINITY)
+    STEPS
+        .into_iter()
+        .find(|step| needed <= *step)
+        .unwrap_or(f64::INFINITY)
 }
