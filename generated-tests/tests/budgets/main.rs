@@ -106,6 +106,80 @@ fn every_row_is_measured() {
     }
 }
 
+/// What no ulp counts: signs of zero, infinities, NaN, the ends of the range.
+fn ends_of_the_range<T: measure::Real>(least: f64, largest: f64) {
+    use frictiongen_kernel::special::{exp_m1_minus, versine_pi};
+    let c = T::constant;
+    let of = |f: fn(T) -> T, x: f64| f(c(x)).to_f64();
+    let infinity = f64::INFINITY;
+    for zero in [0.0, -0.0] {
+        let functions: [fn(T) -> T; 7] = [
+            T::sin_pi,
+            T::sqrt,
+            T::exp_m1,
+            T::one_minus_sinc_pi,
+            T::scaled_sinh_defect,
+            versine_pi,
+            exp_m1_minus,
+        ];
+        assert!(functions.iter().all(|f| of(*f, zero) == 0.0));
+        assert_eq!([of(T::exp, zero), of(T::cos_pi, zero)], [1.0, 1.0]);
+        // A zero of either sign must not decide between π and −π.
+        assert!(c(zero).atan2(c(-1.0)).to_f64() > 3.0);
+    }
+    let functions: [fn(T) -> T; 8] = [
+        T::sin_pi,
+        T::cos_pi,
+        T::exp,
+        T::exp_m1,
+        T::one_minus_sinc_pi,
+        T::scaled_sinh_defect,
+        versine_pi,
+        exp_m1_minus,
+    ];
+    assert!(functions.iter().all(|f| of(*f, f64::NAN).is_nan()));
+    assert!(of(T::sin_pi, infinity).is_nan() && of(versine_pi, -infinity).is_nan());
+    assert_eq!(
+        [of(T::exp, -infinity), of(T::exp, infinity)],
+        [0.0, infinity]
+    );
+    assert_eq!(
+        [of(T::exp_m1, -infinity), of(T::exp_m1, infinity)],
+        [-1.0, infinity]
+    );
+    assert_eq!(
+        [of(exp_m1_minus, -infinity), of(exp_m1_minus, infinity)],
+        [infinity, infinity]
+    );
+    assert_eq!(
+        [of(T::scaled_sinh_defect, infinity), of(T::sqrt, infinity)],
+        [1.0, infinity]
+    );
+    assert_eq!([of(T::sin_pi, largest), of(T::cos_pi, largest)], [0.0, 1.0]);
+    assert_eq!(
+        [
+            of(T::one_minus_sinc_pi, largest),
+            of(T::scaled_sinh_defect, largest)
+        ],
+        [1.0, 1.0]
+    );
+    // π times the smallest number, rounded; squares and cubes of it are 0.
+    assert_eq!(
+        [of(T::sin_pi, least), of(T::exp_m1, least)],
+        [3.0 * least, least]
+    );
+    assert_eq!(
+        [of(T::one_minus_sinc_pi, least), of(exp_m1_minus, -least)],
+        [0.0, 0.0]
+    );
+}
+
+#[test]
+fn ends_of_every_range() {
+    ends_of_the_range::<f32>(f32::from_bits(1).into(), f32::MAX.into());
+    ends_of_the_range::<f64>(f64::from_bits(1), f64::MAX);
+}
+
 #[test]
 fn the_measure_sees_an_error() {
     use frictiongen_kernel::dd::Dd;
