@@ -62,6 +62,7 @@ fn costs() -> String {
     );
     let costs = std::fs::read_to_string(COSTS).expect("costs.csv");
     for line in costs.lines().skip(1) {
+        let line = line.replace('|', "\\|");
         let fields: Vec<&str> = line.split(';').collect();
         let [form, stable, naive, place, wrong, right] = fields[..] else {
             panic!("not six fields: {line}");
