@@ -237,7 +237,11 @@ impl<S: Float> Damped<S> {
         let cosh = (slow + fast) * half;
         let (free, slope) = (sinh / x, cosh - self.zeta * sinh);
         let decay = self.zeta * time;
-        let one_minus_d = if decay < half {
+        let one_minus_d = if S::constant(2.0) < sum && time < sum {
+            // Both decays from their second order on; the parts below would cancel to 1/ζ².
+            let (slow, fast) = (exp_m1_minus(-(time / sum)), exp_m1_minus(-(time * sum)));
+            (fast / sum - slow * sum) * half / self.q
+        } else if decay < half {
             // e^a − cosh b − (a/b) sinh b, by parts that start at the second order.
             let b = self.q * time;
             let (plus, minus) = (exp_m1_minus(b), exp_m1_minus(-b));

@@ -172,15 +172,22 @@ impl<S: Scalar> Mode<S> {
         let one = S::constant(1.0);
         let pi = S::pi();
         let (denominator, size) = self.denominator(x, at);
-        let fast = pi * (self.zeta + self.q) * x;
-        let slow = pi / (self.zeta + self.q) * x;
+        let fast = (pi * (self.zeta + self.q) * x).named("fast_decay", at);
+        let slow = (pi / (self.zeta + self.q) * x).named("slow_decay", at);
+        let fading = (-slow).named("slow_exponent", at);
         let spread = (S::constant(2.0) * pi * self.q * x).named("spread", at);
-        let (e_slow, e_fast) = ((-slow).exp(), (-fast).exp());
+        let (e_slow, e_fast) = (fading.exp().named("slow_kept_share", at), (-fast).exp());
         let k = (size / ((one + e_slow) * (one + e_fast))).named("pole_weight", at);
         let b = (-(-spread).exp_m1() * e_slow / self.q * k).named("swing", at);
         let a = -(-(S::constant(2.0) * pi * self.zeta * x)).exp_m1() * k;
-        let defect = (pi * self.zeta * x).scaled_sinh_defect()
-            - self.zeta / self.q * e_slow * (pi * self.q * x).scaled_sinh_defect();
+        // 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}) from parts of the third order in x, of which
+        // the one subtracted is never more than two thirds of the others.
+        let half = S::constant(0.5);
+        let lost = (-(fast * half)).exp_m1().named("negative_lost_share", at);
+        let both = lost * lost * -fading.exp_m1();
+        let small = S::constant(2.0) * (one + lost) * (slow * half).scaled_sinh_defect();
+        let excess = e_slow * (pi * self.q * x).scaled_sinh_defect();
+        let defect = both + small - excess / ((self.zeta + self.q) * self.q);
         ModeResponse {
             x,
             denominator,

@@ -143,6 +143,10 @@ impl Scalar for Dd {
         if y.is_zero() {
             return if x.hi < 0.0 { Self::PI } else { Self::ZERO };
         }
+        // Below 1e-17 the angle is the ratio; the scaling below would cut it off.
+        if x.hi > 0.0 && start.abs() < 1e-17 {
+            return y / x;
+        }
         // Only the ratio counts: away from overflow, and from losing the last parts.
         let size = y.hi.abs().max(x.hi.abs());
         let power = match size {

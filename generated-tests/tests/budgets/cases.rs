@@ -1,0 +1,165 @@
+//! What is measured: each function of the kernel over each scalar.
+
+use crate::blocks::*;
+use crate::draw::{self, Domain, Source, arguments};
+use crate::elementary::*;
+use crate::measure::{Arguments, Formula, Real, Results, Unit, against, against_big};
+use crate::modes::*;
+use frictiongen_kernel::dd::Dd;
+
+pub struct Case {
+    /// As the table calls it.
+    pub function: &'static str,
+    /// One row each; a single unnamed result is "".
+    pub fields: &'static [&'static str],
+    /// The public functions of the kernel that it measures, as `crate::public` finds them.
+    pub covers: &'static [&'static str],
+    pub scalar: &'static str,
+    pub unit: Unit,
+    pub domain: Domain,
+    pub draw: fn(&Domain, &mut Source) -> Arguments,
+    pub error: fn(&Arguments) -> Results<f64>,
+    /// One argument of `f32`: [`Domain::counted`] holds.
+    pub countable: bool,
+}
+
+impl Case {
+    /// The numbers of the counted domain, by their bits.
+    pub fn counted(&self) -> impl Iterator<Item = Arguments> + use<> {
+        let (from, to, negative) = self.domain.counted;
+        let through = if self.countable {
+            from.to_bits()..to.to_bits()
+        } else {
+            0..0
+        };
+        let signs = if negative { 2 } else { 1 };
+        through.flat_map(move |bits| {
+            let x = f64::from(f32::from_bits(bits));
+            [x, -x]
+                .into_iter()
+                .take(signs)
+                .map(|x| [Dd::from(x), Dd::ZERO, Dd::ZERO])
+        })
+    }
+}
+
+struct Shape {
+    function: &'static str,
+    fields: &'static [&'static str],
+    covers: &'static [&'static str],
+    domain: Domain,
+    countable: bool,
+}
+
+/// The unit of `F` unless another is named.
+fn case<F: Formula, T: Real>(shape: &Shape, error: fn(&Arguments) -> Results<f64>) -> Case {
+    Case {
+        function: shape.function,
+        fields: shape.fields,
+        covers: shape.covers,
+        scalar: T::NAME,
+        unit: F::UNIT,
+        domain: shape.domain,
+        draw: arguments::<T>,
+        error,
+        countable: shape.countable && T::NAME == "f32",
+    }
+}
+
+/// `f32` by `f64`, `f64` by double-double, double-double by big numbers.
+fn three<F: Formula>(shape: &Shape) -> Vec<Case> {
+    vec![
+        case::<F, f32>(shape, against::<F, f32, f64>),
+        case::<F, f64>(shape, against::<F, f64, Dd>),
+        case::<F, Dd>(shape, against_big::<F>),
+    ]
+}
+
+fn only_dd<F: Formula>(shape: &Shape) -> Vec<Case> {
+    vec![case::<F, Dd>(shape, against_big::<F>)]
+}
+
+macro_rules! cases {
+    ($($way:ident $formula:ident $function:literal [$($field:literal),*] in $domain:ident $(, $countable:ident)?; [$($covers:literal),*];)*) => {
+        pub fn all() -> Vec<Case> {
+            let mut cases = Vec::new();
+            $(
+                #[allow(unused_mut, unused_assignments)]
+                let mut countable = false;
+                $( countable = stringify!($countable) == "counted"; )?
+                let shape = Shape {
+                    function: $function,
+                    fields: &[$($field),*],
+                    covers: &[$($covers),*],
+                    domain: draw::$domain,
+                    countable,
+                };
+                cases.extend($way::<$formula>(&shape));
+            )*
+            cases
+        }
+    };
+}
+
+cases! {
+    three SinCosPi "sin_cos_pi" ["sin", "cos"] in HALF_TURNS, counted;
+        ["trig::sin_cos_pi", "trig::sin_pi", "trig::cos_pi", "scalar::Scalar::sin_cos_pi",
+         "scalar::Scalar::sin_pi", "scalar::Scalar::cos_pi"];
+    three TanPi "tan_pi" [""] in HALF_TURNS, counted; ["trig::tan_pi"];
+    three SinCosPiMinus "sin_cos_pi_minus" ["sin", "cos"] in HALF_TURN_PAIRS;
+        ["trig::sin_cos_pi_minus", "scalar::Scalar::sin_cos_pi_minus"];
+    three Sqrt "sqrt" [""] in NOT_NEGATIVE, counted; ["scalar::Scalar::sqrt", "dd::Dd::sqrt"];
+    three Exp "exp" [""] in EXPONENTS, counted; ["scalar::Scalar::exp"];
+    three ExpM1 "exp_m1" [""] in GROWTHS, counted; ["scalar::Scalar::exp_m1"];
+    three Atan2 "atan2" [""] in PAIRS; ["scalar::Scalar::atan2"];
+    three OneMinusSincPi "one_minus_sinc_pi" [""] in SINC, counted; ["scalar::Scalar::one_minus_sinc_pi"];
+    three ScaledSinhDefect "scaled_sinh_defect" [""] in DECAYS, counted;
+        ["scalar::Scalar::scaled_sinh_defect"];
+    three VersinePi "versine_pi" [""] in SINC, counted; ["special::versine_pi"];
+    three ExpM1Minus "exp_m1_minus" [""] in GROWTHS, counted; ["special::exp_m1_minus"];
+    three Floor "floor" [""] in ANY, counted; ["scalar::Float::floor"];
+    three Pi "pi" [""] in NOTHING; ["scalar::Scalar::pi"];
+    three InversePi "inverse_pi" [""] in NOTHING; ["scalar::Scalar::inverse_pi"];
+    only_dd Add "a + b" [""] in PAIRS; ["dd::Dd::add"];
+    only_dd Subtract "a − b" [""] in PAIRS; ["dd::Dd::sub"];
+    only_dd Multiply "a · b" [""] in PAIRS; ["dd::Dd::mul"];
+    only_dd Divide "a / b" [""] in PAIRS; ["dd::Dd::div"];
+    only_dd DdSum "sum of two f64" [""] in DOUBLES; ["dd::Dd::sum"];
+    only_dd DdProduct "product of two f64" [""] in DOUBLES; ["dd::Dd::product"];
+    three ComplexAdd "complex add" [""] in COMPLEX; ["complex::add"];
+    three ComplexScale "complex scale" [""] in COMPLEX; ["complex::scale"];
+    three ComplexMul "complex mul" [""] in COMPLEX; ["complex::mul"];
+    three ComplexReciprocal "complex reciprocal" [""] in LARGE_COMPLEX; ["complex::reciprocal"];
+    three ReciprocalOfUnit "complex reciprocal_of_unit" [""] in UNIT_COMPLEX;
+        ["complex::reciprocal_of_unit"];
+    three Modulus "complex modulus" [""] in LARGE_COMPLEX; ["complex::modulus"];
+    three UndampedComplex "complex, undamped" ["mul", "reciprocal", "modulus", "Im"] in COMPLEX; [];
+    three Constraints "acceleration at a reversal" ["start_constraint", "break_away"] in POSITIVE;
+        ["limits::Chain::start_constraint", "limits::Chain::break_away"];
+    three ContinuousLimit "continuous_limit" [""] in POSITIVE; ["limits::Chain::continuous_limit"];
+    three SlidingLimit "sliding_limit" [""] in POSITIVE; ["limits::Chain::sliding_limit"];
+    three Margin "margin" [""] in MARGINS; ["regime::margin"];
+    three PlainResponse "response, undamped" ["denominator", "u", "g", "reversal"] in FREQUENCIES;
+        ["mode::Mode::response"];
+    three Response "response, light" ["denominator re", "denominator im", "u", "g", "reversal"] in LIGHT; [];
+    three DecayedResponse "response, light, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in LIGHT_DECAYED; [];
+    three Response "response, heavy" ["denominator re", "denominator im", "u", "g", "reversal"] in HEAVY; [];
+    three DecayedResponse "response, heavy, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in HEAVY_DECAYED; [];
+    three Response "response, critical" ["denominator re", "denominator im", "u", "g", "reversal"] in CRITICAL; [];
+    three DecayedResponse "response, critical, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in CRITICAL_DECAYED; [];
+    three Response "response, overdamped" ["denominator re", "denominator im", "u", "g", "reversal"] in OVER; [];
+    three DecayedResponse "response, overdamped, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in OVER_DECAYED; [];
+    three V "v, light" [""] in LIGHT; [];
+    three V "v, overdamped" [""] in OVER_DECAYED; [];
+    three AnInstant "instant" ["tau", "sine", "cosine", "versine"] in INSTANTS, counted; ["decay::Instant::new"];
+    three InTimeUndamped "basis, undamped" ["free", "slope", "swing", "swing_slope", "rise"] in UNDAMPED_TIME;
+        ["decay::Decay::basis"];
+    three InTime "basis, light" ["free", "slope", "swing", "swing_slope", "rise"] in LIGHT_TIME; [];
+    three DecayedInTime "basis, light, decayed" ["free", "slope", "swing", "swing_slope", "rise"] in LIGHT_TIME_DECAYED; [];
+    three InTime "basis, heavy" ["free", "slope", "swing", "swing_slope", "rise"] in HEAVY_TIME; [];
+    three DecayedInTime "basis, heavy, decayed" ["free", "slope", "swing", "swing_slope", "rise"] in HEAVY_TIME_DECAYED; [];
+    three InTime "basis, critical" ["free", "slope", "swing", "swing_slope", "rise"] in CRITICAL_TIME; [];
+    three DecayedInTime "basis, critical, decayed" ["free", "slope", "swing", "swing_slope", "rise"] in CRITICAL_TIME_DECAYED; [];
+    three InTime "basis, overdamped" ["free", "slope", "swing", "swing_slope", "rise"] in OVER_TIME; [];
+    three DecayedInTime "basis, overdamped, decayed" ["free", "slope", "swing", "swing_slope", "rise"] in OVER_TIME_DECAYED; [];
+}
