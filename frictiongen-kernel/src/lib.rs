@@ -17,6 +17,7 @@ pub mod motion;
 pub mod regime;
 pub mod scalar;
 pub mod search;
+pub mod simulation;
 pub mod special;
 pub mod steady;
 pub mod trig;

@@ -5,4 +5,5 @@ pub mod jacobi;
 pub mod modal;
 pub mod scene;
 mod special;
+pub mod transient;
 pub mod validate;

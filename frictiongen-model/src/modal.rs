@@ -290,7 +290,6 @@ impl Modal {
     /// The modal data in a scalar, rounded once from double-double by `to`.
     #[must_use]
     pub fn reduced<S: Scalar>(&self, to: impl Fn(Dd) -> S) -> Reduced<S> {
-        let one = dd(1.0);
         let driven: Vec<usize> = (0..self.resonances.len())
             .filter(|i| {
                 let nonzero = |of: &[Dd]| of.get(*i).is_some_and(|value| *value != dd(0.0));
@@ -304,20 +303,7 @@ impl Modal {
                 let resonance = pick(&self.resonances, i);
                 let zeta = pick(&self.damping_ratios, i);
                 let (load, contact) = (pick(&self.loads, i), pick(&self.contacts, i));
-                let q = ((one - zeta) * (one + zeta)).abs().sqrt();
-                Mode {
-                    kind: kind(zeta),
-                    in_contact: contact != dd(0.0),
-                    resonance: to(resonance),
-                    zeta: to(zeta),
-                    q: to(q),
-                    q_defect: to(zeta * zeta / (one + q)),
-                    load: to(load),
-                    contact: to(contact),
-                    residue: to(contact * load),
-                    mobility: to(contact * contact),
-                    static_residue: to(contact * load / (resonance * resonance)),
-                }
+                mode(resonance, zeta, load, contact, &to)
             })
             .collect();
         let masses = self.shapes.first().map_or(0, Vec::len);
@@ -401,6 +387,31 @@ impl Modal {
     }
 }
 
+/// The constants of a mode in a scalar, rounded once from double-double by `to`.
+pub(crate) fn mode<S: Scalar>(
+    resonance: Dd,
+    zeta: Dd,
+    load: Dd,
+    contact: Dd,
+    to: &impl Fn(Dd) -> S,
+) -> Mode<S> {
+    let one = dd(1.0);
+    let q = ((one - zeta) * (one + zeta)).abs().sqrt();
+    Mode {
+        kind: kind(zeta),
+        in_contact: contact != dd(0.0),
+        resonance: to(resonance),
+        zeta: to(zeta),
+        q: to(q),
+        q_defect: to(zeta * zeta / (one + q)),
+        load: to(load),
+        contact: to(contact),
+        residue: to(contact * load),
+        mobility: to(contact * contact),
+        static_residue: to(contact * load / (resonance * resonance)),
+    }
+}
+
 /// A projection on a unit vector, exactly zero where only noise is left of it.
 fn projected(vector: &[Dd], on: &[Dd], noise: f64) -> Dd {
     cleaned(dot(vector, on), dot(on, on).sqrt(), noise)
@@ -414,7 +425,7 @@ fn cleaned(value: Dd, size: Dd, noise: f64) -> Dd {
     }
 }
 
-fn kind(zeta: Dd) -> Kind {
+pub(crate) fn kind(zeta: Dd) -> Kind {
     // By the value that is rounded to, so that the form and the constant agree.
     let zeta = zeta.to_f64();
     if zeta == 0.0 {

@@ -5,6 +5,7 @@ mod builder;
 mod error;
 mod large;
 mod motion;
+mod simulation;
 mod system;
 
 pub use at::SystemAt;
@@ -12,6 +13,7 @@ pub use builder::Builder;
 pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
+pub use simulation::SystemSimulation;
 pub use system::System;
 
 /// What a description says: masses, springs, contact, excitation, damping.

@@ -12,7 +12,9 @@ use frictiongen_kernel::mode::ModeResponse;
 use frictiongen_kernel::{Float, Scalar, regime};
 use frictiongen_model::modal::{Modal, Reduced};
 use frictiongen_model::scene::Scene;
+use frictiongen_model::transient::Transient;
 use frictiongen_model::validate::validate;
+use std::sync::OnceLock;
 
 /// A scene at run time.
 ///
@@ -41,6 +43,7 @@ pub struct System<S = f64> {
     resonances: Vec<S>,
     pub(super) unbounded: Vec<S>,
     pub(super) invisible: Vec<S>,
+    transient: OnceLock<Transient<S>>,
 }
 
 impl<S: Float> std::str::FromStr for System<S> {
@@ -88,7 +91,14 @@ impl<S: Float> System<S> {
             resonances,
             unbounded,
             invisible,
+            transient: OnceLock::new(),
         }
+    }
+
+    /// What the motion in time needs, worked out when it is first asked for.
+    pub(super) fn transient(&self) -> &Transient<S> {
+        self.transient
+            .get_or_init(|| Transient::of(&self.scene, &self.modal, rounded::<S>))
     }
 
     /// The scene as it was described.

@@ -1,0 +1,3 @@
+//! Stick-slip motion in time and its steady states.
+
+mod reference;
