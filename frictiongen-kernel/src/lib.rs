@@ -14,6 +14,7 @@ pub mod limits;
 pub mod locals;
 pub mod mode;
 pub mod motion;
+pub mod orbit;
 pub mod regime;
 pub mod scalar;
 pub mod search;

@@ -78,7 +78,9 @@ pub mod study;
 
 pub use frictiongen_kernel as kernel;
 pub use frictiongen_kernel::Complex;
-pub use frictiongen_kernel::errors::{Error, NotContinuous, OutOfDomain, Regime, StuckResonance};
+pub use frictiongen_kernel::errors::{
+    Error, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance,
+};
 /// Turns the description of a scene into its solver; see the [crate's documentation](crate).
 pub use frictiongen_macros::friction_system;
 #[cfg(feature = "study")]

@@ -6,6 +6,7 @@
 //! force reaches μβ.
 
 mod part;
+mod peak;
 mod run;
 mod segment;
 mod setting;
@@ -19,6 +20,7 @@ pub use setting::Setting;
 pub use walk::MAX_STEPS;
 
 pub(crate) use segment::{End, Stance, leap};
+pub(crate) use sum::Sum;
 
 use crate::chain::Chain;
 use crate::complex::Complex;

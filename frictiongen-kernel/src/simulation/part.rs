@@ -16,7 +16,7 @@ const NEAR: f64 = 0.02;
 
 /// c and s at one instant.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Turn<S> {
+pub(crate) struct Turn<S> {
     pub c: S,
     pub s: S,
     /// e^{−ζxτ}, by which an oscillating part has decayed.
@@ -43,10 +43,10 @@ pub struct Part<S> {
     /// Whether the excitation is so near its resonance that differences are used.
     pub(super) near: bool,
     /// The displacement about which it moves.
-    pub(super) centre: S,
+    pub(crate) centre: S,
     /// y and u now, at the start of the segment.
-    pub(super) y: S,
-    pub(super) u: S,
+    pub(crate) y: S,
+    pub(crate) u: S,
     /// The free part of both at the start of the segment.
     pub(super) free: [S; 2],
     /// Of c and s, in the function whose zero is sought, and in its derivative.
@@ -55,7 +55,7 @@ pub struct Part<S> {
     /// What its third derivative cannot exceed: times e^{−ζxτ} for an oscillation.
     pub(super) bound: S,
     /// In the function whose zero is sought: weights of y and u.
-    pub(super) weight: [S; 2],
+    pub(crate) weight: [S; 2],
 }
 
 impl<S: Float> Part<S> {
@@ -133,7 +133,7 @@ impl<S: Float> Part<S> {
 
     /// c and s after τ = πt.
     #[inline]
-    pub(super) fn turn(&self, t: S, tau: S) -> Turn<S> {
+    pub(crate) fn turn(&self, t: S, tau: S) -> Turn<S> {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         match self.kind {
             Kind::Undamped => {
@@ -174,7 +174,7 @@ impl<S: Float> Part<S> {
 
     /// A free displacement and velocity after that.
     #[inline]
-    pub(super) fn turned(&self, [y, u]: [S; 2], turn: &Turn<S>) -> [S; 2] {
+    pub(crate) fn turned(&self, [y, u]: [S; 2], turn: &Turn<S>) -> [S; 2] {
         let drag = self.zeta * turn.s;
         [
             y * (turn.c + drag) + u * turn.s,
@@ -280,8 +280,45 @@ impl<S: Float> Part<S> {
         self.steady.re.abs() + self.steady.im.abs()
     }
 
+    /// Sets it to its steady motion; none on an undamped resonance.
+    pub(crate) fn settle(&mut self, phase: (S, S)) -> Option<()> {
+        let zero = S::constant(0.0);
+        self.centre = zero;
+        let steady = if self.near {
+            let x = self.x;
+            let one = S::constant(1.0);
+            let loss = (self.zeta + self.zeta) * x;
+            let d = Complex::new((x - one) * (x + one), loss);
+            if d.re.is_zero() && d.im.is_zero() {
+                return None;
+            }
+            complex::mul(self.steady, complex::reciprocal(d, true), true)
+        } else {
+            self.steady
+        };
+        let (sine, cosine) = phase;
+        self.y = rotated(steady, sine, cosine);
+        let slope = -(steady.re * sine) - steady.im * cosine;
+        self.u = slope / self.x - rotated(self.direct, sine, cosine);
+        Some(())
+    }
+
+    /// By what its free motion is multiplied in τ: e^{x(−ζ ± iq)τ}.
+    pub(crate) fn multipliers(&self, tau: S) -> [Complex<S>; 2] {
+        let zero = S::constant(0.0);
+        let turn = self.turn(tau * S::inverse_pi(), tau);
+        let im = self.q * turn.s;
+        if self.kind == Kind::Over {
+            [turn.c + im, turn.c - im].map(|re| Complex::new(re, zero))
+        } else if self.kind == Kind::Critical {
+            [Complex::new(turn.c, zero); 2]
+        } else {
+            [im, -im].map(|im| Complex::new(turn.c, im))
+        }
+    }
+
     /// What it adds to the carrier of the function sought: complex amplitude over e^{iτ_e}.
-    pub(super) fn carrier(&self) -> Complex<S> {
+    pub(crate) fn carrier(&self) -> Complex<S> {
         let [of_y, of_u] = self.weight;
         let direct = complex::scale(self.direct, -of_u);
         if self.near {
@@ -296,7 +333,7 @@ impl<S: Float> Part<S> {
 
     /// The coefficients of c and s in weight·(y, u), of its derivative, and the bound on its third.
     #[inline]
-    pub(super) fn aim(&mut self) {
+    pub(crate) fn aim(&mut self) {
         let ([of_y, of_u], [y, u]) = (self.weight, self.free);
         let zeta = self.zeta;
         self.value = [

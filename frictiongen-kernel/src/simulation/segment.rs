@@ -114,7 +114,7 @@ impl<S: Float> Setting<'_, S> {
         let (sine, cosine) = at;
         let offset = self.relative(modes, at);
         let lifted = self.lifted(offset, at);
-        self.project(modes, lifted, held);
+        self.project(modes.iter().map(|part| [part.y, part.u]), lifted, held);
         let zero = S::constant(0.0);
         let (constant, mut carrier) = self.held_force(offset);
         for (part, mode) in held.iter_mut().zip(self.dynamics.held) {
@@ -135,21 +135,25 @@ impl<S: Float> Setting<'_, S> {
         )
     }
 
-    /// y and u of the held modes for a state of the modes, less what a displacement of the contact
-    /// lifts: z and r·z′.
-    pub(crate) fn project(&self, modes: &[Part<S>], (z, rate): (S, S), held: &mut [Part<S>]) {
+    /// y and u of the held modes for a state (y, u) of the modes, less what a displacement of the
+    /// contact lifts: z and r·z′.
+    pub(crate) fn project(
+        &self,
+        states: impl Iterator<Item = [S; 2]> + Clone,
+        (z, rate): (S, S),
+        held: &mut [Part<S>],
+    ) {
         let two = S::constant(2.0);
         for (part, (mode, shares)) in held.iter_mut().zip(self.dynamics.held_modes()) {
             let (mut first, mut second) = (S::constant(0.0), S::constant(0.0));
-            let driven = self.dynamics.driven().iter().zip(modes);
-            for ((driven, state), [g, h]) in driven.zip(shares) {
+            let driven = self.dynamics.driven().iter().zip(states.clone());
+            for ((driven, [y, u]), [g, h]) in driven.zip(shares) {
                 let sigma = driven.resonance;
                 let lift = self.lift(driven.contact, sigma);
-                let y = state.y - lift * z;
-                let v = sigma * state.u - lift * rate + two * driven.zeta * sigma * y;
+                let y = y - lift * z;
+                let v = sigma * u - lift * rate + two * driven.zeta * sigma * y;
                 first = first + *g * v - mode.frequency * *h * y;
-                second =
-                    second + *h * v + mode.frequency * (*g - two * mode.zeta * *h) * y;
+                second = second + *h * v + mode.frequency * (*g - two * mode.zeta * *h) * y;
             }
             let [m11, m12, m22] = mode.inverse;
             part.y = m11 * first + m12 * second;
@@ -158,25 +162,25 @@ impl<S: Float> Setting<'_, S> {
     }
 
     /// The state of the modes for y and u of the held modes and a displacement of the contact.
-    pub(crate) fn release(&self, held: &[Part<S>], (z, rate): (S, S), modes: &mut [Part<S>]) {
-        let driven = self.dynamics.in_contact();
-        for (part, mode) in modes.iter_mut().zip(self.dynamics.driven()) {
-            let lift = self.lift(mode.contact, mode.resonance);
-            part.y = lift * z;
-            part.u = lift * rate / mode.resonance;
-        }
+    pub(crate) fn release<'s>(
+        &self,
+        held: &[Part<S>],
+        (z, rate): (S, S),
+        states: impl Iterator<Item = (&'s mut S, &'s mut S)>,
+    ) {
         let two = S::constant(2.0);
-        for (part, (mode, shares)) in held.iter().zip(self.dynamics.held_modes()) {
-            for ((state, free), [g, h]) in modes
-                .iter_mut()
-                .take(driven)
-                .zip(self.dynamics.driven())
-                .zip(shares)
-            {
-                state.y = state.y + *g * part.y + *h * part.u;
-                let slope = (*g - two * mode.zeta * *h) * part.u - *h * part.y;
-                state.u = state.u + mode.frequency / free.resonance * slope;
+        let driven = self.dynamics.in_contact();
+        let modes = self.dynamics.driven().iter().enumerate();
+        for ((index, mode), (y, u)) in modes.zip(states) {
+            let lift = self.lift(mode.contact, mode.resonance);
+            let (mut sum_y, mut sum_u) = (lift * z, lift * rate);
+            let shares = self.dynamics.shares.iter().skip(index).step_by(driven);
+            for ((part, of), [g, h]) in held.iter().zip(self.dynamics.held).zip(shares) {
+                sum_y = sum_y + *g * part.y + *h * part.u;
+                let slope = (*g - two * of.zeta * *h) * part.u - *h * part.y;
+                sum_u = sum_u + of.frequency * slope;
             }
+            (*y, *u) = (sum_y, sum_u / mode.resonance);
         }
     }
 }
@@ -282,7 +286,7 @@ fn stuck<S: Float>(
     } else {
         Start::Anywhere
     };
-    let (tau, breaks) = match first_reach(&sum, setting.grip(), start) {
+    let (tau, breaks) = match first_reach(&sum, setting.grip(), S::constant(0.0), start) {
         Walk::Zero(tau, negative) => (tau, Some(negative)),
         Walk::Until(tau) => (tau, None),
         Walk::NoStart => (reach, None),
@@ -294,7 +298,8 @@ fn stuck<S: Float>(
     let driven = setting.dynamics.in_contact().min(modes.len());
     let (modes, others) = modes.split_at_mut(driven);
     advanced(others, tau, from, to);
-    setting.release(held, setting.lifted(offset, to), modes);
+    let states = modes.iter_mut().map(|part| (&mut part.y, &mut part.u));
+    setting.release(held, setting.lifted(offset, to), states);
     if let Some(negative) = breaks {
         let contact = if negative {
             Contact::Backward

@@ -28,7 +28,7 @@ pub(crate) struct Sum<'a, S> {
     /// What rounding can do to a value.
     pub noise: S,
     /// The largest rate at which a derivative can exceed what it derives.
-    rate: S,
+    pub(crate) rate: S,
     /// The bounds of the carrier and of the parts beside a resonance.
     bound: S,
 }
@@ -73,7 +73,7 @@ impl<'a, S: Float> Sum<'a, S> {
 
     /// The function after τ.
     #[inline]
-    pub(super) fn local(&self, tau: S) -> Local<S> {
+    pub(crate) fn local(&self, tau: S) -> Local<S> {
         let t = tau * S::inverse_pi();
         let (sine, cosine) = t.sin_cos_pi();
         let turning = self.cosine * cosine + self.sine * sine;

@@ -80,11 +80,16 @@ pub(super) fn first_zero<S: Float>(sum: &Sum<'_, S>, start: Start<S>) -> Walk<S>
     Walk::Until(tau)
 }
 
-/// The first instant at which |sum| reaches `level`; the flag says whether from above −level.
-pub(super) fn first_reach<S: Float>(sum: &Sum<'_, S>, level: S, start: Start<S>) -> Walk<S> {
+/// The first instant from `from` on at which |sum| reaches `level`; the flag says whether it is −level.
+pub(super) fn first_reach<S: Float>(
+    sum: &Sum<'_, S>,
+    level: S,
+    from: S,
+    start: Start<S>,
+) -> Walk<S> {
     let zero = S::constant(0.0);
     let noise = sum.noise + level * S::constant(4.0 * S::EPSILON);
-    let mut tau = zero;
+    let mut tau = from;
     for step in 0..MAX_STEPS {
         let local = sum.local(tau);
         let mut next = sum.reach;

@@ -5,6 +5,7 @@ mod builder;
 mod error;
 mod large;
 mod motion;
+mod orbit;
 mod simulation;
 mod system;
 
@@ -13,6 +14,7 @@ pub use builder::Builder;
 pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
+pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
 pub use simulation::SystemSimulation;
 pub use system::System;
 

@@ -1,0 +1,272 @@
+//! The steady state as a fixed point of the half-period map times −1, or of the period map.
+
+use super::flow::{Flow, Pattern, unit};
+use super::matrix::Matrix;
+use crate::complex::{self, Complex};
+use crate::errors::NoOrbit;
+use crate::scalar::Float;
+use crate::simulation::{Contact, Stance};
+
+/// So many cycles are followed at most before the search for a steady state is given up.
+pub const MAX_CYCLES: u32 = 2048;
+/// Nearer to the unit circle than this, a multiplier counts as on it.
+pub(super) const ON_CIRCLE: f64 = 1e-9;
+const NEWTON_STEPS: u32 = 12;
+
+/// Working space: the matrix, two states, and the multipliers.
+pub(super) struct Room<'m, S> {
+    pub matrix: &'m mut [S],
+    pub state: &'m mut [S],
+    pub other: &'m mut [S],
+    pub multipliers: &'m mut [Complex<S>],
+}
+
+/// What is found.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Found {
+    /// Whether half a cycle repeats with the opposite sign.
+    pub symmetric: bool,
+    /// A member of a continuum, or at its end.
+    pub marginal: bool,
+}
+
+/// Follows the motion until a steady state is settled.  The flow then stands on it.
+pub(super) fn settle<S: Float>(
+    flow: &mut Flow<'_, '_, S>,
+    room: &mut Room<'_, S>,
+) -> Result<Found, NoOrbit> {
+    let monotone = flow.setting.dynamics.chain.stiction <= S::constant(1.0);
+    let mut failure = NoOrbit::Unsettled;
+    let (mut cycles, mut wanted) = (0, 2);
+    let mut halves = [Pattern::default(); 4];
+    // How many half cycles in a row have had the pattern of the one or two before.
+    let mut settled = [0u32; 2];
+    while cycles < MAX_CYCLES {
+        while cycles < wanted {
+            for _ in 0..2 {
+                let half = flow.half(None)?;
+                let [a, b, c, _] = halves;
+                halves = [half, a, b, c];
+                settled[0] = if half == a { settled[0] + 1 } else { 0 };
+                settled[1] = if half == b { settled[1] + 1 } else { 0 };
+            }
+            cycles += 1;
+        }
+        // A section where no event is near.
+        let middle = flow.middle * S::pi();
+        flow.on(middle, None)?;
+        let here = flow.stance;
+        flow.save(room.state);
+        let [last, before, ..] = halves;
+        for symmetric in [true, false] {
+            let steady = if symmetric { settled[0] } else { settled[1] };
+            let wanted = if symmetric { last } else { last.and(before) };
+            if !monotone && steady == 0 {
+                continue;
+            }
+            let mut candidate = Candidate {
+                symmetric,
+                steady,
+                wanted,
+                monotone,
+            };
+            match candidate.try_from(flow, room) {
+                Ok(Some(found)) => return Ok(found),
+                Ok(None) => {}
+                Err(error) => failure = error,
+            }
+            flow.restore(room.state, &here);
+        }
+        wanted = cycles * 2;
+    }
+    Err(failure)
+}
+
+struct Candidate {
+    symmetric: bool,
+    steady: u32,
+    wanted: Pattern,
+    monotone: bool,
+}
+
+impl Candidate {
+    fn try_from<S: Float>(
+        &mut self,
+        flow: &mut Flow<'_, '_, S>,
+        room: &mut Room<'_, S>,
+    ) -> Result<Option<Found>, NoOrbit> {
+        let Some(pattern) = newton(flow, room, self.symmetric)? else {
+            return Ok(None);
+        };
+        let scale = flow.scale();
+        let far = flow
+            .modes
+            .iter()
+            .zip(room.state.chunks_exact(2))
+            .fold(S::constant(0.0), |most, (part, state)| match state {
+                [y, u] => most.max((part.y - *y).abs()).max((part.u - *u).abs()),
+                _ => most,
+            });
+        let largest = multipliers(flow, room, self.symmetric)?;
+        let one = S::constant(1.0);
+        let margin = S::constant(ON_CIRCLE.max(64.0 * S::EPSILON));
+        if one + margin < largest {
+            return Err(NoOrbit::Unstable);
+        }
+        let on_circle = one - margin < largest;
+        if on_circle {
+            return self.marginal(flow, room, far, scale);
+        }
+        // With μ = 1 two motions never part, so there is no second steady state to mistake this for.
+        // With μ > 1 the motion must already be near, or have kept the pattern for long.
+        let near = far <= scale * S::constant(0.05) && pattern == self.wanted;
+        let kept = pattern == self.wanted && (self.steady >= 64 || pattern.stops == 0);
+        if self.monotone || near || kept {
+            return Ok(Some(Found {
+                symmetric: self.symmetric,
+                marginal: false,
+            }));
+        }
+        Ok(None)
+    }
+
+    /// A steady state with neighbours that are steady too: the motion itself must say which.
+    fn marginal<S: Float>(
+        &self,
+        flow: &mut Flow<'_, '_, S>,
+        room: &mut Room<'_, S>,
+        far: S,
+        scale: S,
+    ) -> Result<Option<Found>, NoOrbit> {
+        let found = |symmetric| {
+            Ok(Some(Found {
+                symmetric,
+                marginal: true,
+            }))
+        };
+        if far <= scale * S::constant(1e-9) {
+            return found(self.symmetric);
+        }
+        if !self.symmetric || self.steady < 64 {
+            return Ok(None);
+        }
+        super::continuum::member(flow, room)?;
+        found(false)
+    }
+}
+
+/// Newton's method from where the flow stands; none if it does not converge.  The flow then stands
+/// on the fixed point.
+fn newton<S: Float>(
+    flow: &mut Flow<'_, '_, S>,
+    room: &mut Room<'_, S>,
+    symmetric: bool,
+) -> Result<Option<Pattern>, NoOrbit> {
+    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    let size = flow.size();
+    let start = flow.stance;
+    let mut last = S::constant(f64::MAX);
+    let mut stance = start;
+    for _ in 0..NEWTON_STEPS {
+        flow.save(room.other);
+        unit(room.matrix, size);
+        let Ok((image, pattern)) = mapped(flow, room.matrix, symmetric) else {
+            return Ok(None);
+        };
+        if (image == Contact::Stuck) != (stance.contact == Contact::Stuck) {
+            // The section itself has changed hands; the image is as good a start.
+            stance.contact = image;
+            stance.t = start.t;
+            flow.save(room.other);
+            negate(room.other, symmetric);
+            flow.restore(room.other, &stance);
+            continue;
+        }
+        // δ = (1 − A)⁻¹(F(x) − x), in the place of F(x).
+        let scale = flow.scale().max(S::constant(1e-290));
+        let sign = if symmetric { -one } else { one };
+        for (part, state) in flow.modes.iter_mut().zip(room.other.chunks_exact_mut(2)) {
+            if let [y, u] = state {
+                let difference = [sign * part.y - *y, sign * part.u - *u];
+                (part.y, part.u) = (*y, *u);
+                [*y, *u] = difference;
+            }
+        }
+        if symmetric {
+            for entry in room.matrix.iter_mut() {
+                *entry = -*entry;
+            }
+        }
+        if !Matrix::new(room.matrix, size).solve_shifted(one, room.other) {
+            return Ok(None);
+        }
+        let mut step = zero;
+        for (part, state) in flow.modes.iter_mut().zip(room.other.chunks_exact_mut(2)) {
+            if let [y, u] = state {
+                step = step.max(y.abs()).max(u.abs());
+                (*y, *u) = (part.y + *y, part.u + *u);
+            }
+        }
+        if !step.is_finite() {
+            return Ok(None);
+        }
+        stance.t = start.t;
+        flow.restore(room.other, &stance);
+        let small = step <= scale * S::constant(1e-7);
+        // Below rounding, or as far down as rounding lets it come.
+        if step <= scale * S::constant(4.0 * S::EPSILON)
+            || (small && last * S::constant(0.25) < step)
+            || step <= scale * S::constant(1e-9) && step <= last * last / scale
+        {
+            return Ok(Some(pattern));
+        }
+        last = step;
+    }
+    Ok(None)
+}
+
+/// The map of half a cycle or a whole one with its deviations; how the contact stands then.
+fn mapped<S: Float>(
+    flow: &mut Flow<'_, '_, S>,
+    columns: &mut [S],
+    symmetric: bool,
+) -> Result<(Contact, Pattern), NoOrbit> {
+    let mut pattern = flow.half(Some(columns))?;
+    if symmetric {
+        return Ok((flow.stance.contact.reversed(), pattern));
+    }
+    pattern = pattern.and(flow.half(Some(columns))?);
+    Ok((flow.stance.contact, pattern))
+}
+
+pub(super) fn negate<S: Float>(state: &mut [S], really: bool) {
+    if really {
+        for value in state {
+            *value = -*value;
+        }
+    }
+}
+
+/// The multipliers of the period, for which the flow stands on a fixed point and stays there; the
+/// largest modulus of those of the map.
+pub(super) fn multipliers<S: Float>(
+    flow: &mut Flow<'_, '_, S>,
+    room: &mut Room<'_, S>,
+    symmetric: bool,
+) -> Result<S, NoOrbit> {
+    let size = flow.size();
+    let start: Stance<S> = flow.stance;
+    flow.save(room.other);
+    unit(room.matrix, size);
+    mapped(flow, room.matrix, symmetric)?;
+    flow.restore(room.other, &start);
+    Matrix::new(room.matrix, size).eigenvalues(room.multipliers);
+    let mut largest = S::constant(0.0);
+    for multiplier in room.multipliers.iter_mut() {
+        largest = largest.max(complex::modulus(*multiplier, true));
+        if symmetric {
+            *multiplier = complex::mul(*multiplier, *multiplier, true);
+        }
+    }
+    Ok(largest)
+}
