@@ -1,7 +1,7 @@
 //! From a scene, r and β to its steady state.
 
 use super::flow::Flow;
-use super::solve::{Found, Room, multipliers, settle};
+use super::solve::{Found, ON_CIRCLE, Room, multipliers, settle};
 use super::{MAX_SEGMENTS, Mark, Orbit};
 use crate::complex::Complex;
 use crate::errors::NoOrbit;
@@ -91,7 +91,9 @@ where
             } else {
                 settle(&mut flow, &mut room)?
             };
-            (found, recorded(&mut flow, &mut marks, states)?)
+            let count = recorded(&mut flow, &mut marks, states)?;
+            let symmetric = found.symmetric || is_symmetric(&mut flow, &mut room)?;
+            (Found { symmetric, ..found }, count)
         };
         let origin = origin(marks.get(..count).unwrap_or_default());
         Ok(Self {
@@ -183,7 +185,7 @@ fn linear<S: Float>(flow: &mut Flow<'_, '_, S>, room: &mut Room<'_, S>) -> Resul
     let largest = multipliers(flow, room, true)?;
     Ok(Found {
         symmetric: true,
-        marginal: S::constant(1.0 - super::solve::ON_CIRCLE) < largest,
+        marginal: S::constant(1.0 - ON_CIRCLE * S::EPSILON) < largest,
     })
 }
 
@@ -253,6 +255,19 @@ fn recorded<S: Float>(
         }
     }
     Ok(count)
+}
+
+/// Whether half a cycle takes the state to its opposite.
+fn is_symmetric<S: Float>(
+    flow: &mut Flow<'_, '_, S>,
+    room: &mut Room<'_, S>,
+) -> Result<bool, NoOrbit> {
+    flow.save(room.other);
+    flow.half(None)?;
+    flow.save(room.state);
+    let apart = room.state.iter().zip(room.other.iter());
+    let apart = apart.fold(S::constant(0.0), |most, (a, b)| most.max((*a + *b).abs()));
+    Ok(apart <= flow.scale() * S::constant(1e-9_f64.max(1024.0 * S::EPSILON)))
 }
 
 /// Where the relative motion leaves its maximum: the start of the segment with the largest z̄.

@@ -28,10 +28,6 @@ pub(super) fn member<S: Float>(
             (*y, *u) = (*y - part.y, *u - part.u);
         }
     }
-    let product = |a: &[S], b: &[S]| {
-        let terms = a.iter().zip(b);
-        terms.fold(zero, |sum, (a, b)| sum + *a * *b)
-    };
     for _ in 0..2 {
         // The symmetric member is kept where the direction is not needed: in the flow.
         flow.save(room.other);
@@ -43,14 +39,15 @@ pub(super) fn member<S: Float>(
         if !Matrix::new(room.matrix, size).solve_shifted(shift, room.other) {
             return Err(NoOrbit::Unsettled);
         }
-        let weight = product(room.state, room.other) / product(room.other, room.other);
+        // (shift − D)⁻¹ divides the family's share by shift − 1, and leaves all others as they are.
+        let weight = shift - one;
         for (state, other) in room.state.iter_mut().zip(room.other.iter()) {
             *state = *other * weight;
         }
     }
     // The largest share up to the motion's own with which no stop is needed.
     flow.save(room.other);
-    let mut shifted = |flow: &mut Flow<'_, '_, S>, share: S| -> Result<bool, NoOrbit> {
+    let shifted = |flow: &mut Flow<'_, '_, S>, share: S| -> Result<bool, NoOrbit> {
         let set = |flow: &mut Flow<'_, '_, S>| {
             let states = room.other.chunks_exact(2).zip(room.state.chunks_exact(2));
             for (part, (from, along)) in flow.modes.iter_mut().zip(states) {
@@ -72,7 +69,7 @@ pub(super) fn member<S: Float>(
             }
         });
         set(flow);
-        let tolerance = S::constant(1e-9_f64.max(256.0 * S::EPSILON));
+        let tolerance = S::constant(256.0 * S::EPSILON);
         Ok(pattern.stops == 0 && apart <= scale * tolerance)
     };
     if shifted(flow, one)? {
@@ -87,6 +84,8 @@ pub(super) fn member<S: Float>(
             outside = middle;
         }
     }
+    // A little less: at the very end rounding decides whether it stops.
+    let inside = inside * (one - S::constant(256.0 * S::EPSILON));
     if inside.is_zero() || !shifted(flow, inside)? {
         return Err(NoOrbit::Unsettled);
     }

@@ -25,11 +25,6 @@ impl Pattern {
         }
     }
 
-    /// How many segments begin in it.
-    pub(super) fn segments(self) -> u32 {
-        self.stops + self.reversals + self.slips
-    }
-
     /// Both together.
     pub(super) fn and(self, other: Self) -> Self {
         Self {

@@ -6,6 +6,7 @@
 //! is a symmetric steady state, or on the period map, finishes in a few steps.
 
 mod build;
+mod closed;
 mod continuum;
 mod flow;
 mod gauss;
@@ -130,7 +131,7 @@ where
     /// Whether no small deviation grows.  A marginal state is stable in this sense.
     #[must_use]
     pub fn is_stable(&self) -> bool {
-        self.largest_multiplier() <= S::constant(1.0 + solve::ON_CIRCLE.max(64.0 * S::EPSILON))
+        self.largest_multiplier() <= S::constant(1.0 + solve::ON_CIRCLE * S::EPSILON)
     }
 
     /// Whether some deviation stays for good, or dies more slowly than any power: the state is a

@@ -1,5 +1,6 @@
 //! The steady state as a fixed point of the half-period map times −1, or of the period map.
 
+use super::closed;
 use super::flow::{Flow, Pattern, unit};
 use super::matrix::Matrix;
 use crate::complex::{self, Complex};
@@ -9,9 +10,15 @@ use crate::simulation::{Contact, Stance};
 
 /// So many cycles are followed at most before the search for a steady state is given up.
 pub const MAX_CYCLES: u32 = 2048;
-/// Nearer to the unit circle than this, a multiplier counts as on it.
-pub(super) const ON_CIRCLE: f64 = 1e-9;
+/// Nearer to the unit circle than this many roundings, a multiplier counts as on it.
+pub(super) const ON_CIRCLE: f64 = 4096.0;
 const NEWTON_STEPS: u32 = 12;
+/// Half a cycle of the continuous regime.
+const ONE_REVERSAL: Pattern = Pattern {
+    stops: 0,
+    reversals: 1,
+    slips: 0,
+};
 
 /// Working space: the matrix, two states, and the multipliers.
 pub(super) struct Room<'m, S> {
@@ -69,10 +76,15 @@ pub(super) fn settle<S: Float>(
                 steady,
                 wanted,
                 monotone,
+                cycles,
             };
             match candidate.try_from(flow, room) {
-                Ok(Some(found)) => return Ok(found),
-                Ok(None) => {}
+                Ok(Verdict::Found(found)) => return Ok(found),
+                Ok(Verdict::Wait) => {
+                    flow.restore(room.state, &here);
+                    break;
+                }
+                Ok(Verdict::No) => {}
                 Err(error) => failure = error,
             }
             flow.restore(room.state, &here);
@@ -82,11 +94,20 @@ pub(super) fn settle<S: Float>(
     Err(failure)
 }
 
+/// What a fixed point is good for.
+enum Verdict {
+    Found(Found),
+    /// One of a continuum: the motion must go on before it can be said which.
+    Wait,
+    No,
+}
+
 struct Candidate {
     symmetric: bool,
     steady: u32,
     wanted: Pattern,
     monotone: bool,
+    cycles: u32,
 }
 
 impl Candidate {
@@ -94,9 +115,9 @@ impl Candidate {
         &mut self,
         flow: &mut Flow<'_, '_, S>,
         room: &mut Room<'_, S>,
-    ) -> Result<Option<Found>, NoOrbit> {
+    ) -> Result<Verdict, NoOrbit> {
         let Some(pattern) = newton(flow, room, self.symmetric)? else {
-            return Ok(None);
+            return Ok(Verdict::No);
         };
         let scale = flow.scale();
         let far = flow
@@ -109,25 +130,28 @@ impl Candidate {
             });
         let largest = multipliers(flow, room, self.symmetric)?;
         let one = S::constant(1.0);
-        let margin = S::constant(ON_CIRCLE.max(64.0 * S::EPSILON));
+        let margin = S::constant(ON_CIRCLE * S::EPSILON);
         if one + margin < largest {
             return Err(NoOrbit::Unstable);
         }
         let on_circle = one - margin < largest;
         if on_circle {
-            return self.marginal(flow, room, far, scale);
+            return self.marginal(flow, room, far, scale, self.cycles);
         }
         // With μ = 1 two motions never part, so there is no second steady state to mistake this for.
         // With μ > 1 the motion must already be near, or have kept the pattern for long.
         let near = far <= scale * S::constant(0.05) && pattern == self.wanted;
         let kept = pattern == self.wanted && (self.steady >= 64 || pattern.stops == 0);
         if self.monotone || near || kept {
-            return Ok(Some(Found {
+            if self.symmetric && pattern == ONE_REVERSAL {
+                closed::set(flow);
+            }
+            return Ok(Verdict::Found(Found {
                 symmetric: self.symmetric,
                 marginal: false,
             }));
         }
-        Ok(None)
+        Ok(Verdict::No)
     }
 
     /// A steady state with neighbours that are steady too: the motion itself must say which.
@@ -137,9 +161,10 @@ impl Candidate {
         room: &mut Room<'_, S>,
         far: S,
         scale: S,
-    ) -> Result<Option<Found>, NoOrbit> {
+        cycles: u32,
+    ) -> Result<Verdict, NoOrbit> {
         let found = |symmetric| {
-            Ok(Some(Found {
+            Ok(Verdict::Found(Found {
                 symmetric,
                 marginal: true,
             }))
@@ -147,8 +172,8 @@ impl Candidate {
         if far <= scale * S::constant(1e-9) {
             return found(self.symmetric);
         }
-        if !self.symmetric || self.steady < 64 {
-            return Ok(None);
+        if !self.symmetric || cycles < 64 {
+            return Ok(Verdict::Wait);
         }
         super::continuum::member(flow, room)?;
         found(false)
@@ -212,7 +237,7 @@ fn newton<S: Float>(
         }
         stance.t = start.t;
         flow.restore(room.other, &stance);
-        let small = step <= scale * S::constant(1e-7);
+        let small = step <= scale * S::constant(1e-11_f64.max(256.0 * S::EPSILON));
         // Below rounding, or as far down as rounding lets it come.
         if step <= scale * S::constant(4.0 * S::EPSILON)
             || (small && last * S::constant(0.25) < step)

@@ -28,7 +28,7 @@ pub(crate) struct Turn<S> {
 pub struct Part<S> {
     pub(super) kind: Kind,
     /// x, its undamped frequency over the excitation's.
-    pub(super) x: S,
+    pub(crate) x: S,
     pub(super) zeta: S,
     /// √|1 − ζ²|.
     q: S,

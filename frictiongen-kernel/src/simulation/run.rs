@@ -80,16 +80,6 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         self.stance.contact
     }
 
-    /// The setting.
-    pub(crate) fn setting(&self) -> &Setting<'a, S> {
-        &self.setting
-    }
-
-    /// The parts and how the contact stands.
-    pub(crate) fn state(&self) -> (&[Part<S>], &Stance<S>) {
-        (self.parts.as_ref(), &self.stance)
-    }
-
     /// x̄ of a mass now, by its place in the description; none if there is no such mass.
     #[must_use]
     pub fn displacement(&self, mass: usize) -> Option<S> {

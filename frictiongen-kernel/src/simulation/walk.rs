@@ -26,7 +26,7 @@ pub(super) enum Start<S> {
     Anywhere,
     /// On zero, with this slope, exactly.
     Zero(S),
-    /// Not below zero, whatever rounding says.
+    /// Where it has just failed to leave: it must pass the level by more than rounding.
     Held,
 }
 
@@ -89,22 +89,18 @@ pub(super) fn first_reach<S: Float>(
 ) -> Walk<S> {
     let zero = S::constant(0.0);
     let noise = sum.noise + level * S::constant(4.0 * S::EPSILON);
+    let level = match start {
+        Start::Held => level + noise * S::constant(16.0),
+        _ => level,
+    };
     let mut tau = from;
-    for step in 0..MAX_STEPS {
+    for _ in 0..MAX_STEPS {
         let local = sum.local(tau);
         let mut next = sum.reach;
         for negative in [false, true] {
             let gap = gap(&local, level, negative);
-            let held = step == 0 && matches!(start, Start::Held);
             let most = sum.reach - tau;
             let h = match judged(&gap, noise, tau, false) {
-                Verdict::Zero(_) if held => step::safe(
-                    noise + noise,
-                    gap.slope.max(zero),
-                    gap.curve.max(zero),
-                    gap.bound,
-                    most,
-                ),
                 Verdict::Zero(shift) => return Walk::Zero((tau + shift).max(zero), negative),
                 Verdict::Past(step) => step.min(most),
                 Verdict::Above => {
