@@ -52,7 +52,7 @@ impl<S: Float> Chain<S> {
         };
         // β_lim knows S by U² + S²: where U is the larger, S is needed to fewer digits.
         let ratio = contact.u / floor;
-        let tolerance = S::constant(4.0 * S::EPSILON) * (S::constant(1.0) + ratio * ratio);
+        let tolerance = S::constant(4.0 * S::RESOLUTION) * (S::constant(1.0) + ratio * ratio);
         search::largest(
             sum,
             Question {

@@ -57,7 +57,11 @@ fn split(a: f64) -> (f64, f64) {
     const DOWN: f64 = 1.0 / 268_435_456.0;
     // The product with the factor must not overflow.
     if a.abs() > LARGE {
-        let (hi, lo) = split(a * DOWN);
+        let (hi, lo) = if a.is_finite() {
+            split(a * DOWN)
+        } else {
+            (a, 0.0)
+        };
         return (hi / DOWN, lo / DOWN);
     }
     let scaled = FACTOR * a;

@@ -142,7 +142,11 @@ macro_rules! real {
 
         impl Float for $float {
             const EPSILON: f64 = $float::EPSILON as f64;
-            const INVERSE_RATIO_RANGE: (Self, Self) = $inverse_range;
+
+            #[inline(always)]
+            fn inverse_ratio_range() -> (Self, Self) {
+                $inverse_range
+            }
 
             #[inline(always)]
             fn floor(self) -> Self {

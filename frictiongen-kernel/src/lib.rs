@@ -7,6 +7,7 @@ pub mod complex;
 pub mod constraint;
 pub mod dd;
 pub mod decay;
+pub mod dual;
 pub mod errors;
 mod float;
 pub mod limits;

@@ -201,9 +201,9 @@ fn undamped<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     let (s, c) = (x * S::constant(0.5)).sin_cos_pi();
     let s = s.named("sine", at);
     let re = ((x - one) * (x + one)).named("plain_detuning", at);
-    let re = S::select(re.is_zero(), S::constant(NEXT_TO_POLE), re).named("detuning", at);
+    let re = S::select(re.is_zero(), re.replaced(NEXT_TO_POLE), re).named("detuning", at);
     let c = c.named("plain_cosine", at);
-    let c = S::select(c.is_zero(), S::constant(-FRAC_PI_4 * NEXT_TO_POLE), c).named("cosine", at);
+    let c = S::select(c.is_zero(), c.replaced(-FRAC_PI_4 * NEXT_TO_POLE), c).named("cosine", at);
     let size = re.abs().named("size", at);
     ModeResponse {
         x,

@@ -57,6 +57,12 @@ pub trait Scalar:
     /// 1 − e^{−2a} − 2a·e^{−a} = 2e^{−a}(sinh a − a) for a = `self` ≥ 0: relative accuracy down to 0.
     fn scaled_sinh_defect(self) -> Self;
 
+    /// The constant in place of the value; what else a scalar carries, a derivative, stays.
+    #[inline(always)]
+    #[must_use]
+    fn replaced(self, value: f64) -> Self {
+        Self::constant(value)
+    }
     /// Gives the value a name in emitted code; numbers ignore it.  `mode` is the zero-based mode
     /// that the value belongs to, if it belongs to one.
     #[inline(always)]
@@ -81,14 +87,20 @@ pub trait Scalar:
 pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'static {
     /// One unit in the last place of 1.
     const EPSILON: f64;
+    /// What a search tells apart, relative to what it searches.
+    const RESOLUTION: f64 = Self::EPSILON;
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
     /// The smallest and the largest 1/r at which the formulas are evaluated.  Beyond lie the limits
     /// r → ∞ and r → 0 to every digit; within, no square of a frequency overflows or vanishes.
-    const INVERSE_RATIO_RANGE: (Self, Self);
+    fn inverse_ratio_range() -> (Self, Self);
     /// The largest integer that is not larger.
     #[must_use]
     fn floor(self) -> Self;
+    /// Whether it is 0 and stays so when the variable of a derivative moves.
+    fn vanishes(self) -> bool {
+        self.is_zero()
+    }
     /// Whether the value is neither infinite nor NaN.
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()

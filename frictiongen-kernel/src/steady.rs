@@ -107,7 +107,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
                 both_signs: true,
                 end: S::pi(),
                 floor: zero,
-                tolerance: S::constant(4.0 * S::EPSILON),
+                tolerance: S::constant(4.0 * S::RESOLUTION),
             },
             guess,
         )

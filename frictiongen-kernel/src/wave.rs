@@ -2,7 +2,7 @@
 
 use crate::decay::{Basis, Decay, Instant};
 use crate::mode::Mode;
-use crate::scalar::Float;
+use crate::scalar::{Float, Scalar};
 
 /// One mode's part: coefficients of the functions of [`Basis`].
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +41,32 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     /// No motion yet, in a mode's place.
     pub fn idle(mode: &Mode<S>) -> Self {
         Self::rest(S::constant(0.0), D::of(mode))
+    }
+
+    /// By how much a derivative of the wave can exceed the one before.
+    pub(crate) fn rate(&self) -> S {
+        self.x * (S::constant(1.0) + S::constant(2.0) * self.decay.zeta())
+    }
+
+    /// The largest that the wave can be.
+    fn amplitude_bound(&self) -> S {
+        let one = S::constant(1.0);
+        let Self {
+            x,
+            free,
+            swing_slope,
+            swing,
+            rise,
+            ..
+        } = *self;
+        let pi = S::pi();
+        // |p| ≤ min(1/x, π), |p′| ≤ 1, 0 ≤ (1 − d)/x² ≤ min((2 + 2ζ)/x², π²/2).
+        let p = (one / x).min(pi);
+        let r = (S::constant(2.0) * (one + self.decay.zeta()) / (x * x)).min(pi * pi);
+        free.abs() * p
+            + swing_slope.abs() * S::constant(2.0)
+            + swing.abs() * (one + p)
+            + rise.abs() * r
     }
 
     /// The value at an instant, from the mode's functions there.
@@ -113,28 +139,31 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum
     }
 
-    /// The largest that waves and carriers together can be.
-    pub fn amplitude_bound(&self) -> S {
+    /// The time in which the fastest wave, or the excitation, turns by about a radian.
+    pub(crate) fn unit(&self) -> S {
         let one = S::constant(1.0);
+        let rates = self.waves.iter().map(Wave::rate);
+        one / rates.fold(one, Scalar::max)
+    }
+
+    /// What rounding leaves of the sum at most: waves beside the excitation's frequency, whose
+    /// differences from it are small, do not count.
+    pub(crate) fn rounding(&self) -> S {
+        let (one, half) = (S::constant(1.0), S::constant(0.5));
         let mut sum = self.constant.abs() + self.cosine.abs() + self.sine.abs();
         for wave in self.waves {
-            let Wave {
-                x,
-                free,
-                swing_slope,
-                swing,
-                rise,
-                ..
-            } = *wave;
-            let pi = S::pi();
-            // |p| ≤ min(1/x, π), |p′| ≤ 1, 0 ≤ (1 − d)/x² ≤ min((2 + 2ζ)/x², π²/2).
-            let p = (one / x).min(pi);
-            let r = (S::constant(2.0) * (one + wave.decay.zeta()) / (x * x)).min(pi * pi);
-            sum = sum + free.abs() * p;
-            sum = sum + swing_slope.abs() * S::constant(2.0);
-            sum = sum + swing.abs() * (one + p) + rise.abs() * r;
+            if half < (wave.x - one).abs() {
+                sum = sum + wave.amplitude_bound();
+            }
         }
-        sum
+        sum * S::constant(S::RESOLUTION)
+    }
+
+    /// The largest that waves and carriers together can be.
+    pub fn amplitude_bound(&self) -> S {
+        let carriers = self.constant.abs() + self.cosine.abs() + self.sine.abs();
+        let waves = self.waves.iter().map(Wave::amplitude_bound);
+        waves.fold(carriers, |sum, wave| sum + wave)
     }
 
     /// The largest tail of fast modes that stays below `amplitude`, if there is one worth it.

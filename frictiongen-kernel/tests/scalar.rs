@@ -393,3 +393,13 @@ fn double_double_at_the_ends_of_the_range() {
     assert_eq!(format!("{:.3}", Dd::from(-1.5e-200)), "-1.500e-200");
     assert_eq!(format!("{}", Dd::from(0.0)), "0e0");
 }
+
+/// The exact product's error term must not loop on what cannot be split.
+#[test]
+fn double_double_infinities_end() {
+    let infinite = Dd::from(f64::INFINITY);
+    let product = infinite * Dd::from(3.0);
+    assert!(!product.to_f64().is_finite());
+    assert!(!(infinite / Dd::from(3.0)).to_f64().is_finite());
+    assert_eq!((Dd::from(3.0) / infinite).to_f64(), 0.0);
+}

@@ -4,6 +4,7 @@
 pub mod jacobi;
 pub mod modal;
 pub mod scene;
+pub mod sensitivity;
 mod special;
 pub mod transient;
 pub mod validate;

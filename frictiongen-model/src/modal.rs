@@ -2,41 +2,42 @@
 
 use crate::jacobi::{self, Columns, dot};
 use crate::scene::{Contact, Damping, Excitation, Node, Scene};
-use frictiongen_kernel::Scalar;
+use frictiongen_kernel::Float;
 use frictiongen_kernel::chain::Chain;
 use frictiongen_kernel::dd::Dd;
 use frictiongen_kernel::mode::{Kind, Mode};
 
 /// Below this share of the largest that it could be, a residue is rounding noise: exactly zero.
-const NOISE: f64 = 1e-26;
+pub(crate) const NOISE: f64 = 1e-26;
 
-/// A scene in modal coordinates (section 2), to about 30 digits.
+/// A scene in modal coordinates (section 2), to about 30 digits: numbers, or numbers with their
+/// derivatives ([`Modal::along`]).
 #[derive(Clone, Debug)]
-pub struct Modal {
+pub struct Modal<T = Dd> {
     /// √λ_i, ascending: the frequency ratios of the undamped resonances.
-    pub resonances: Vec<Dd>,
+    pub resonances: Vec<T>,
     /// ζ_i.
-    pub damping_ratios: Vec<Dd>,
+    pub damping_ratios: Vec<T>,
     /// φ, by mode and mass, with φᵀΓφ = 1.
-    pub shapes: Vec<Vec<Dd>>,
+    pub shapes: Vec<Vec<T>>,
     /// φᵀp for each mode.
-    pub loads: Vec<Dd>,
+    pub loads: Vec<T>,
     /// φᵀw for each mode.
-    pub contacts: Vec<Dd>,
+    pub contacts: Vec<T>,
     /// m* = wᵀΓ⁻¹w.
-    pub mobility: Dd,
+    pub mobility: T,
     /// wᵀΓ⁻¹p.
-    pub inertial_load: Dd,
+    pub inertial_load: T,
     /// wᵀK̄⁻¹p − s, the static relative motion.
-    pub static_motion: Dd,
+    pub static_motion: T,
     /// wᵀK̄⁻¹w.
-    pub static_receptance: Dd,
+    pub static_receptance: T,
     /// Whether the contact rubs on the moving base (s = 1).
     pub on_moving_base: bool,
     /// √(k₁/m₁), rad/s in the scene's own units.
-    pub reference: Dd,
+    pub reference: T,
     /// μ.
-    pub stiction: Dd,
+    pub stiction: T,
     /// The contact's two masses (A < B), or its one.
     pub contact: (usize, Option<usize>),
 }
@@ -235,15 +236,8 @@ impl Modal {
         let on_moving_base = matches!(scene.excitation, Excitation::Base)
             && (scene.contact.from == Node::Base || scene.contact.to == Node::Base);
         let share = if on_moving_base { dd(1.0) } else { dd(0.0) };
-        let (mut static_motion, mut static_size) = (-share, share);
-        let mut static_receptance = dd(0.0);
-        for ((resonance, load), contact) in resonances.iter().zip(&loads).zip(&contacts) {
-            let lambda = *resonance * *resonance;
-            let term = *contact * *load / lambda;
-            static_motion = static_motion + term;
-            static_size = static_size + term.abs();
-            static_receptance = static_receptance + *contact * *contact / lambda;
-        }
+        let (static_motion, static_receptance) =
+            at_rest(share, &resonances, &loads, &contacts, noise);
         let products = || w_scaled.iter().zip(p_scaled).map(|(w, p)| *w * *p);
         let inertial_load = cleaned(
             products().fold(dd(0.0), |sum, term| sum + term),
@@ -262,7 +256,7 @@ impl Modal {
             contacts,
             mobility: dot(w_scaled, w_scaled),
             inertial_load,
-            static_motion: cleaned(static_motion, static_size, noise),
+            static_motion,
             static_receptance,
             on_moving_base,
             reference,
@@ -270,7 +264,9 @@ impl Modal {
             contact: (sides.first().copied().unwrap_or(0), sides.get(1).copied()),
         }
     }
+}
 
+impl<T: Float> Modal<T> {
     /// The motion of a mass that a stuck contact ties to a support: 0 on one at rest, 1 on the
     /// moving base; none for other masses.
     #[must_use]
@@ -280,7 +276,7 @@ impl Modal {
 
     /// ω_i, rad/s in the scene's own units.
     #[must_use]
-    pub fn natural_frequencies(&self) -> Vec<Dd> {
+    pub fn natural_frequencies(&self) -> Vec<T> {
         self.resonances
             .iter()
             .map(|resonance| *resonance * self.reference)
@@ -289,14 +285,15 @@ impl Modal {
 
     /// The modal data in a scalar, rounded once from double-double by `to`.
     #[must_use]
-    pub fn reduced<S: Scalar>(&self, to: impl Fn(Dd) -> S) -> Reduced<S> {
+    pub fn reduced<S>(&self, to: impl Fn(T) -> S) -> Reduced<S> {
+        let zero = T::constant(0.0);
         let driven: Vec<usize> = (0..self.resonances.len())
             .filter(|i| {
-                let nonzero = |of: &[Dd]| of.get(*i).is_some_and(|value| *value != dd(0.0));
+                let nonzero = |of: &[T]| of.get(*i).is_some_and(|value| !value.vanishes());
                 nonzero(&self.loads) || nonzero(&self.contacts)
             })
             .collect();
-        let pick = |of: &[Dd], i: usize| of.get(i).copied().unwrap_or_default();
+        let pick = |of: &[T], i: usize| of.get(i).copied().unwrap_or(zero);
         let modes = driven
             .iter()
             .map(|&i| {
@@ -311,12 +308,7 @@ impl Modal {
             .map(|mass| {
                 driven
                     .iter()
-                    .map(|&i| {
-                        to(self
-                            .shapes
-                            .get(i)
-                            .map_or(dd(0.0), |shape| pick(shape, mass)))
-                    })
+                    .map(|&i| to(self.shapes.get(i).map_or(zero, |shape| pick(shape, mass))))
                     .collect()
             })
             .collect();
@@ -342,8 +334,8 @@ impl Modal {
     /// The undamped resonances that the load drives: there the continuous motion is unbounded.  Of
     /// `invisible` modes, which the contact does not touch, even the motion with a stuck contact.
     #[must_use]
-    pub fn unbounded(&self, invisible: bool) -> Vec<Dd> {
-        let zero = dd(0.0);
+    pub fn unbounded(&self, invisible: bool) -> Vec<T> {
+        let zero = T::constant(0.0);
         let modes = self
             .resonances
             .iter()
@@ -361,16 +353,18 @@ impl Modal {
     /// Whether any mode is damped.
     #[must_use]
     pub fn is_damped(&self) -> bool {
-        self.damping_ratios.iter().any(|zeta| dd(0.0) < *zeta)
+        self.damping_ratios
+            .iter()
+            .any(|zeta| T::constant(0.0) < *zeta)
     }
 
     /// The limits at r = 0 and r = ∞.
     #[must_use]
-    pub fn ends(&self) -> Ends<Dd> {
+    pub fn ends(&self) -> Ends<T> {
         let mu = self.stiction;
         let rest = self.static_motion.abs() / (mu * self.static_receptance);
         if self.on_moving_base {
-            let infinity = dd(f64::INFINITY);
+            let infinity = T::constant(f64::INFINITY);
             return Ends {
                 sliding_at_rest: rest,
                 continuous_at_infinity: infinity,
@@ -378,28 +372,28 @@ impl Modal {
             };
         }
         let ratio = self.inertial_load.abs() / self.mobility;
-        let root = (dd(4.0) * mu * mu + Dd::PI * Dd::PI).sqrt();
+        let root = (T::constant(4.0) * mu * mu + T::pi() * T::pi()).sqrt();
         Ends {
             sliding_at_rest: rest,
-            continuous_at_infinity: ratio * dd(2.0) / root,
+            continuous_at_infinity: ratio * T::constant(2.0) / root,
             sliding_at_infinity: ratio / mu,
         }
     }
 }
 
-/// The constants of a mode in a scalar, rounded once from double-double by `to`.
-pub(crate) fn mode<S: Scalar>(
-    resonance: Dd,
-    zeta: Dd,
-    load: Dd,
-    contact: Dd,
-    to: &impl Fn(Dd) -> S,
+/// The constants of a mode in a scalar, rounded once by `to`.
+pub(crate) fn mode<T: Float, S>(
+    resonance: T,
+    zeta: T,
+    load: T,
+    contact: T,
+    to: &impl Fn(T) -> S,
 ) -> Mode<S> {
-    let one = dd(1.0);
+    let one = T::constant(1.0);
     let q = ((one - zeta) * (one + zeta)).abs().sqrt();
     Mode {
         kind: kind(zeta),
-        in_contact: contact != dd(0.0),
+        in_contact: !contact.vanishes(),
         resonance: to(resonance),
         zeta: to(zeta),
         q: to(q),
@@ -417,15 +411,35 @@ fn projected(vector: &[Dd], on: &[Dd], noise: f64) -> Dd {
     cleaned(dot(vector, on), dot(on, on).sqrt(), noise)
 }
 
-fn cleaned(value: Dd, size: Dd, noise: f64) -> Dd {
-    if value.abs() <= size * dd(noise) {
-        dd(0.0)
+/// wᵀK̄⁻¹p − s and wᵀK̄⁻¹w.
+pub(crate) fn at_rest<T: Float>(
+    share: T,
+    resonances: &[T],
+    loads: &[T],
+    contacts: &[T],
+    noise: f64,
+) -> (T, T) {
+    let (mut motion, mut size) = (-share, share);
+    let mut receptance = T::constant(0.0);
+    for ((resonance, load), contact) in resonances.iter().zip(loads).zip(contacts) {
+        let lambda = *resonance * *resonance;
+        let term = *contact * *load / lambda;
+        motion = motion + term;
+        size = size + term.abs();
+        receptance = receptance + *contact * *contact / lambda;
+    }
+    (cleaned(motion, size, noise), receptance)
+}
+
+fn cleaned<T: Float>(value: T, size: T, noise: f64) -> T {
+    if value.abs() <= size * T::constant(noise) {
+        value.replaced(0.0)
     } else {
         value
     }
 }
 
-pub(crate) fn kind(zeta: Dd) -> Kind {
+pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
     // By the value that is rounded to, so that the form and the constant agree.
     let zeta = zeta.to_f64();
     if zeta == 0.0 {
@@ -441,6 +455,11 @@ pub(crate) fn kind(zeta: Dd) -> Kind {
     }
 }
 
+/// ζ = (a/ω + bω)/2 of a mode, for C = aM + bK.
+pub(crate) fn rayleigh<T: Float>(mass: T, stiffness: T, omega: T) -> T {
+    (mass / omega + stiffness * omega) * T::constant(0.5)
+}
+
 fn damping_ratios(damping: &Damping, resonances: &[Dd], reference: Dd) -> Vec<Dd> {
     match damping {
         Damping::None => vec![dd(0.0); resonances.len()],
@@ -450,10 +469,7 @@ fn damping_ratios(damping: &Damping, resonances: &[Dd], reference: Dd) -> Vec<Dd
             .collect(),
         Damping::Rayleigh { mass, stiffness } => resonances
             .iter()
-            .map(|resonance| {
-                let omega = *resonance * reference;
-                (dd(*mass) / omega + dd(*stiffness) * omega) * dd(0.5)
-            })
+            .map(|resonance| rayleigh(dd(*mass), dd(*stiffness), *resonance * reference))
             .collect(),
     }
 }

@@ -1,23 +1,19 @@
 //! Special values in closed form (section 6): thresholds, starts, peaks.
 
 use crate::modal::Modal;
-use frictiongen_kernel::Scalar;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::Float;
 
-fn dd(value: f64) -> Dd {
-    Dd::from(value)
-}
-
-impl Modal {
+impl<T: Float> Modal<T> {
     /// β_n,i: the friction ratio below which an undamped resonance is unbounded (6.2, 6.26), or
     /// none for a mode that the contact does not drive.
     #[must_use]
-    pub fn resonance_thresholds(&self) -> Vec<Option<Dd>> {
+    pub fn resonance_thresholds(&self) -> Vec<Option<T>> {
         self.loads
             .iter()
             .zip(&self.contacts)
             .map(|(load, contact)| {
-                (*contact != dd(0.0)).then(|| Dd::PI * dd(0.25) * (*load / *contact).abs())
+                (!contact.vanishes())
+                    .then(|| T::pi() * T::constant(0.25) * (*load / *contact).abs())
             })
             .collect()
     }
@@ -25,23 +21,24 @@ impl Modal {
     /// x̄ of every mass for r → 0 at the friction ratio β (6.5): the static displacement with the
     /// friction force against it.  None where the contact is stuck at r = 0.
     #[must_use]
-    pub fn quasi_static_start(&self, beta: Dd) -> Option<Vec<Dd>> {
+    pub fn quasi_static_start(&self, beta: T) -> Option<Vec<T>> {
         if self.ends().sliding_at_rest <= beta {
             return None;
         }
-        let sign = if self.static_motion < dd(0.0) {
-            dd(-1.0)
+        let sign = if self.static_motion < T::constant(0.0) {
+            T::constant(-1.0)
         } else {
-            dd(1.0)
+            T::constant(1.0)
         };
+        let zero = T::constant(0.0);
         let masses = self.shapes.first().map_or(0, Vec::len);
         let start = |mass: usize| {
-            let mut sum = dd(0.0);
+            let mut sum = zero;
             for (mode, shape) in self.shapes.iter().enumerate() {
-                let of = |list: &[Dd]| list.get(mode).copied().unwrap_or_default();
+                let of = |list: &[T]| list.get(mode).copied().unwrap_or(zero);
                 let lambda = of(&self.resonances) * of(&self.resonances);
                 let force = of(&self.loads) - beta * sign * of(&self.contacts);
-                sum = sum + shape.get(mass).copied().unwrap_or_default() * force / lambda;
+                sum = sum + shape.get(mass).copied().unwrap_or(zero) * force / lambda;
             }
             sum
         };
@@ -51,9 +48,9 @@ impl Modal {
     /// The peak of mass k at the i-th damped resonance, estimated for small ζ (7.60), with
     /// sinh x/(cosh x − 1) = coth(x/2).  None for a mode without damping.
     #[must_use]
-    pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: Dd) -> Option<Dd> {
+    pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: T) -> Option<T> {
         let zeta = *self.damping_ratios.get(mode)?;
-        if !(dd(0.0) < zeta) {
+        if !(T::constant(0.0) < zeta) {
             return None;
         }
         let resonance = *self.resonances.get(mode)?;
@@ -61,7 +58,7 @@ impl Modal {
         let driven = (component * *self.loads.get(mode)?).abs() / (zeta + zeta);
         let rubbed = (component * *self.contacts.get(mode)?).abs();
         // coth(x/2) = (2 + m)/m with m = e^x − 1.
-        let m = (Dd::PI * zeta).exp_m1();
-        Some(driven - rubbed * (m + dd(2.0)) / m * beta)
+        let m = (T::pi() * zeta).exp_m1();
+        Some(driven - rubbed * (m + T::constant(2.0)) / m * beta)
     }
 }

@@ -68,7 +68,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
 }
 
 fn range<S: frictiongen_kernel::Float>() -> (f64, f64) {
-    let (low, high) = S::INVERSE_RATIO_RANGE;
+    let (low, high) = S::inverse_ratio_range();
     (low.to_f64(), high.to_f64())
 }
 

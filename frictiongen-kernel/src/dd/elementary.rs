@@ -199,16 +199,12 @@ impl Scalar for Dd {
 impl Float for Dd {
     /// 2^−104.
     const EPSILON: f64 = 1.0 / (1_u128 << 104) as f64;
-    const INVERSE_RATIO_RANGE: (Self, Self) = (
-        Self {
-            hi: POWER_400.recip(),
-            lo: 0.0,
-        },
-        Self {
-            hi: POWER_400,
-            lo: 0.0,
-        },
-    );
+    /// 2^−90: sums of many terms are no better, and nothing that is compared with them needs more.
+    const RESOLUTION: f64 = 1.0 / (1_u128 << 90) as f64;
+
+    fn inverse_ratio_range() -> (Self, Self) {
+        (Self::from(POWER_400.recip()), Self::from(POWER_400))
+    }
 
     fn floor(self) -> Self {
         let hi = libm::floor(self.hi);

@@ -53,7 +53,8 @@ where
         };
         let driven = dynamics.in_contact();
         let room = numbers.as_mut();
-        let (states, rest) = room.split_at_mut(room.len().min(MAX_SEGMENTS * 2 * dynamics.modes.len()));
+        let (states, rest) =
+            room.split_at_mut(room.len().min(MAX_SEGMENTS * 2 * dynamics.modes.len()));
         let (matrix, rest) = rest.split_at_mut(rest.len().min(4 * driven * driven));
         let (state, other) = rest.split_at_mut(rest.len() / 2);
         let mut room = Room {
@@ -72,7 +73,11 @@ where
             relative: zero,
         }; MAX_SEGMENTS];
         if let Some((displacements, velocities)) = start {
-            if !displacements.iter().chain(velocities).all(|value| value.is_finite()) {
+            if !displacements
+                .iter()
+                .chain(velocities)
+                .all(|value| value.is_finite())
+            {
                 return Err(crate::errors::OutOfDomain { argument: "state" }.into());
             }
             setting.load_state(displacements, velocities, flow.modes);
@@ -237,7 +242,11 @@ fn recorded<S: Float>(
         save(flow, states, count);
         let relative = flow.setting.relative(flow.modes, stance.t.sin_cos_pi());
         let end = leap(flow.setting, flow.modes, flow.held, stance, left + slack);
-        let length = if left - slack < end.tau { left } else { end.tau };
+        let length = if left - slack < end.tau {
+            left
+        } else {
+            end.tau
+        };
         let mark = marks.get_mut(count).ok_or(NoOrbit::TooManyEvents)?;
         *mark = Mark {
             t: stance.t,
@@ -273,11 +282,13 @@ fn is_symmetric<S: Float>(
 /// Where the relative motion leaves its maximum: the start of the segment with the largest z̄.
 fn origin<S: Float>(marks: &[Mark<S>]) -> S {
     let mut best: Option<&Mark<S>> = None;
-    for mark in marks.iter().filter(|mark| mark.contact == Contact::Backward) {
+    for mark in marks
+        .iter()
+        .filter(|mark| mark.contact == Contact::Backward)
+    {
         if best.is_none_or(|best| best.relative < mark.relative) {
             best = Some(mark);
         }
     }
     best.map_or(S::constant(0.0), |mark| mark.t)
 }
-

@@ -45,7 +45,9 @@ impl<'a, S: Float> Sums<'a, S> {
         for mode in self.modes {
             let response = mode.response(self.inverse_r, 0);
             let at = self.chain.scaled(&response, self.scale, self.single, 0);
-            sum = self.chain.joined_by(&sum, mode, &response, &at, self.single);
+            sum = self
+                .chain
+                .joined_by(&sum, mode, &response, &at, self.single);
         }
         self.chain.completed(&sum, self.inverse_r)
     }
@@ -60,7 +62,9 @@ impl<'a, S: Float> Sums<'a, S> {
             }
             let response = mode.response(self.inverse_r, 0);
             let at = self.chain.scaled(&response, self.scale, self.single, 0);
-            sum = self.chain.joined_by(&sum, mode, &response, &at, self.single);
+            sum = self
+                .chain
+                .joined_by(&sum, mode, &response, &at, self.single);
         }
         if let Some(value) = at_rest {
             let r2 = S::constant(1.0) / (self.inverse_r * self.inverse_r);

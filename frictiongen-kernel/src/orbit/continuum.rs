@@ -5,8 +5,8 @@
 //! it stops, each stop takes a little, ever more slowly, down to the last member that need not stop.
 
 use super::flow::Flow;
-use super::matrix::Matrix;
 use super::flow::unit;
+use super::matrix::Matrix;
 use super::solve::Room;
 use crate::errors::NoOrbit;
 use crate::scalar::Float;
@@ -60,14 +60,18 @@ pub(super) fn member<S: Float>(
         set(flow);
         let pattern = flow.half(None)?.and(flow.half(None)?);
         let states = room.other.chunks_exact(2).zip(room.state.chunks_exact(2));
-        let apart = flow.modes.iter().zip(states).fold(zero, |most, (part, (from, along))| {
-            if let ([y, u], [dy, du]) = (from, along) {
-                most.max((part.y - *y - share * *dy).abs())
-                    .max((part.u - *u - share * *du).abs())
-            } else {
-                most
-            }
-        });
+        let apart = flow
+            .modes
+            .iter()
+            .zip(states)
+            .fold(zero, |most, (part, (from, along))| {
+                if let ([y, u], [dy, du]) = (from, along) {
+                    most.max((part.y - *y - share * *dy).abs())
+                        .max((part.u - *u - share * *du).abs())
+                } else {
+                    most
+                }
+            });
         set(flow);
         let tolerance = S::constant(256.0 * S::EPSILON);
         Ok(pattern.stops == 0 && apart <= scale * tolerance)

@@ -64,11 +64,7 @@ impl<S: Float> Flow<'_, '_, S> {
     }
 
     /// Moves on by τ.
-    pub(super) fn on(
-        &mut self,
-        tau: S,
-        mut columns: Option<&mut [S]>,
-    ) -> Result<Pattern, NoOrbit> {
+    pub(super) fn on(&mut self, tau: S, mut columns: Option<&mut [S]>) -> Result<Pattern, NoOrbit> {
         let zero = S::constant(0.0);
         let mut pattern = Pattern::default();
         let (mut left, mut longest) = (tau, zero);
@@ -77,18 +73,10 @@ impl<S: Float> Flow<'_, '_, S> {
             let end = leap(self.setting, self.modes, self.held, stance, left);
             if longest < end.tau {
                 longest = end.tau;
-                self.middle =
-                    (tau - left + end.tau * S::constant(0.5)) * S::inverse_pi();
+                self.middle = (tau - left + end.tau * S::constant(0.5)) * S::inverse_pi();
             }
             if let Some(columns) = &mut columns {
-                tangent::through(
-                    self.setting,
-                    self.modes,
-                    self.held,
-                    &stance,
-                    &end,
-                    columns,
-                );
+                tangent::through(self.setting, self.modes, self.held, &stance, &end, columns);
             }
             self.stance = end.stance;
             left = left - end.tau;

@@ -39,7 +39,11 @@ impl<'a, S: Float> Matrix<'a, S> {
         let n = self.size;
         for column in 0..n {
             for row in 0..n {
-                let own = if row == column { shift } else { S::constant(0.0) };
+                let own = if row == column {
+                    shift
+                } else {
+                    S::constant(0.0)
+                };
                 self.set(row, column, own - self.at(row, column));
             }
         }
@@ -93,7 +97,11 @@ impl<'a, S: Float> Matrix<'a, S> {
         while end > 0 {
             let start = self.last_block(end);
             if start + 1 == end {
-                put(out, end - 1, Complex::new(self.at(end - 1, end - 1), S::constant(0.0)));
+                put(
+                    out,
+                    end - 1,
+                    Complex::new(self.at(end - 1, end - 1), S::constant(0.0)),
+                );
                 (end, rounds) = (end - 1, 0);
             } else if start + 2 == end || rounds >= 60 {
                 // After sixty rounds, which no matrix is known to need, the block is read as it is.
@@ -176,7 +184,11 @@ impl<'a, S: Float> Matrix<'a, S> {
         // The smaller in the form that does not cancel.
         let shift = difference + discriminant.sqrt().copysign(difference);
         let first = d + shift;
-        let second = if shift.is_zero() { d } else { d - product / shift };
+        let second = if shift.is_zero() {
+            d
+        } else {
+            d - product / shift
+        };
         (Complex::new(first, zero), Complex::new(second, zero))
     }
 
@@ -227,7 +239,13 @@ impl<'a, S: Float> Matrix<'a, S> {
     }
 
     /// (1 − τ v vᵀ) on the entries that `place` names.
-    fn reflect(&mut self, v: &[S; 3], tau: S, rows: usize, place: impl Fn(usize) -> (usize, usize)) {
+    fn reflect(
+        &mut self,
+        v: &[S; 3],
+        tau: S,
+        rows: usize,
+        place: impl Fn(usize) -> (usize, usize),
+    ) {
         let mut sum = S::constant(0.0);
         for (i, v) in v.iter().enumerate().take(rows) {
             let (row, column) = place(i);
@@ -283,7 +301,8 @@ mod tests {
                 let mut c = vec![0.0; size * size];
                 for j in 0..size {
                     for i in 0..size {
-                        c[j * size + i] = (0..size).map(|k| a[k * size + i] * b[j * size + k]).sum();
+                        c[j * size + i] =
+                            (0..size).map(|k| a[k * size + i] * b[j * size + k]).sum();
                     }
                 }
                 c
@@ -296,7 +315,10 @@ mod tests {
             let sum = |power: u32| out.iter().map(|value| value.powu(power).re).sum::<f64>();
             for (power, want) in [(1, trace(&m)), (2, trace(&second)), (3, trace(&third))] {
                 let got = sum(power);
-                assert!((got - want).abs() < 1e-12 * size as f64, "{size}, {power}: {got} {want}");
+                assert!(
+                    (got - want).abs() < 1e-12 * size as f64,
+                    "{size}, {power}: {got} {want}"
+                );
             }
         }
     }

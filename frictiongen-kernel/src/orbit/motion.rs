@@ -246,7 +246,11 @@ where
         }
         // The modes that the contact does not touch stand between those that it does and the held.
         let modes = setting.dynamics.modes.len();
-        let range = if sticks { driven..parts.len() } else { 0..modes };
+        let range = if sticks {
+            driven..parts.len()
+        } else {
+            0..modes
+        };
         let parts = parts.get_mut(range).unwrap_or_default();
         for part in parts.iter_mut() {
             part.aim();

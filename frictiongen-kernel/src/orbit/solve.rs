@@ -120,14 +120,13 @@ impl Candidate {
             return Ok(Verdict::No);
         };
         let scale = flow.scale();
-        let far = flow
-            .modes
-            .iter()
-            .zip(room.state.chunks_exact(2))
-            .fold(S::constant(0.0), |most, (part, state)| match state {
+        let far = flow.modes.iter().zip(room.state.chunks_exact(2)).fold(
+            S::constant(0.0),
+            |most, (part, state)| match state {
                 [y, u] => most.max((part.y - *y).abs()).max((part.u - *u).abs()),
                 _ => most,
-            });
+            },
+        );
         let largest = multipliers(flow, room, self.symmetric)?;
         let one = S::constant(1.0);
         let margin = S::constant(ON_CIRCLE * S::EPSILON);

@@ -13,6 +13,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let (mut tau, mut local, mut negative) = (tau, local, negative);
         let mut best = self.quotient(&local, tau, negative);
         let mut trust = S::constant(0.25);
+        let narrow = S::constant(1e-3) * self.sum.unit();
         for _ in 0..60 {
             let (slope, curvature) = self.ascent(&local, tau, negative);
             let newton = if curvature < zero {
@@ -28,18 +29,18 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let (at_next, _) = self.local(next);
             let value = self.quotient(&at_next, next, negative != flipped);
             // So near a maximum the values no longer tell, while Newton's method still converges.
-            let near = curvature < zero && step.abs() < S::constant(1e-3);
+            let near = curvature < zero && step.abs() < narrow;
             if value < best && !near {
                 trust = step.abs() * half;
                 continue;
             }
             (tau, local, negative) = (next, at_next, negative != flipped);
             best = best.max(value);
-            if near && step.abs() < S::constant(4.0 * S::EPSILON) {
+            if near && step.abs() < S::constant(4.0 * S::RESOLUTION) * self.sum.unit() {
                 break;
             }
         }
-        let share = S::constant(1.0 - EQUAL * S::EPSILON);
+        let share = S::constant(1.0 - EQUAL * S::RESOLUTION);
         let place = Place { tau, negative };
         if self.peak.value < best {
             if self.peak.value < best * share {
@@ -67,7 +68,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// Keeps an equal maximum elsewhere, for the phase.
     pub(super) fn note_tie(&mut self, tau: S, local: Local<S>, negative: bool) {
         let value = self.quotient(&local, tau, negative);
-        let equal = self.peak.value * S::constant(1.0 - EQUAL * S::EPSILON);
+        let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
         let known = |place: &Place<S>| {
             place.negative == negative && (place.tau - tau).abs() < S::constant(APART)
         };

@@ -142,7 +142,11 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         } else {
             whole
         };
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "few cycles")]
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "few cycles"
+        )]
         {
             self.cycles = self.cycles.wrapping_add(lapped as u64);
         }

@@ -38,7 +38,7 @@ impl<'a, S: Float> Setting<'a, S> {
     ) -> Result<Self, OutOfDomain> {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let r = check_ratio(r, "r")?;
-        let (low, high) = S::INVERSE_RATIO_RANGE;
+        let (low, high) = S::inverse_ratio_range();
         let inverse = one / r;
         if !(low < inverse && inverse < high) {
             return Err(OutOfDomain { argument: "r" });
@@ -88,10 +88,7 @@ impl<'a, S: Float> Setting<'a, S> {
             let [first, second] = sums;
             let [m11, m12, m22] = mode.inverse;
             let mixed = |a: S, b: S| {
-                Complex::new(
-                    a * first.re + b * second.re,
-                    a * first.im + b * second.im,
-                )
+                Complex::new(a * first.re + b * second.re, a * first.im + b * second.im)
             };
             *part = Part::of_held(mode, self.r, [mixed(m11, m12), mixed(m12, m22)]);
         }

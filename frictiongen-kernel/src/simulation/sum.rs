@@ -113,7 +113,11 @@ impl<'a, S: Float> Sum<'a, S> {
         let mut terms = [S::constant(0.0); ORDER];
         let (mut cosine, mut sine) = (self.cosine, self.sine);
         for (order, term) in terms.iter_mut().enumerate() {
-            *term = if order == 0 { self.constant + cosine } else { cosine };
+            *term = if order == 0 {
+                self.constant + cosine
+            } else {
+                cosine
+            };
             (cosine, sine) = (sine, -cosine);
         }
         for part in self.parts {

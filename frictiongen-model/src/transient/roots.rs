@@ -4,9 +4,9 @@
 //! followed from there by the simultaneous iteration of Aberth and Ehrlich.
 
 use frictiongen_kernel::Complex;
+use frictiongen_kernel::Float;
 use frictiongen_kernel::complex;
 use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::Float;
 
 /// A mode that the contact drives: σ = √λ, ζ, and its share c of the contact mobility.
 #[derive(Clone, Copy, Debug)]
@@ -120,7 +120,10 @@ fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
         let uneven = 1.0 + 1e-3 * (index % 7 + 1) as f64;
         let (first, second) = if zeta < 1.0 {
             let (re, im) = (-zeta - 1e-9, (1.0 - zeta * zeta).sqrt());
-            (Complex::new(re, im), Complex::new(re * uneven, -im * uneven))
+            (
+                Complex::new(re, im),
+                Complex::new(re * uneven, -im * uneven),
+            )
         } else {
             let root = (zeta * zeta - 1.0).sqrt();
             let slow = 1.0 / (zeta + root);

@@ -43,7 +43,9 @@ fn worst_slip(scene: &Scene) -> f64 {
                 .modes
                 .iter()
                 .zip(shares)
-                .fold(Dd::ZERO, |sum, (mode, share)| sum + mode.contact * share[state]);
+                .fold(Dd::ZERO, |sum, (mode, share)| {
+                    sum + mode.contact * share[state]
+                });
             worst = worst.max(moved.abs().to_f64());
         }
     }

@@ -6,6 +6,7 @@ mod error;
 mod large;
 mod motion;
 mod orbit;
+mod sensitivity;
 mod simulation;
 mod system;
 
@@ -15,9 +16,11 @@ pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
 pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
+pub use sensitivity::{Sensitive, Varied};
 pub use simulation::SystemSimulation;
 pub use system::System;
 
 /// What a description says: masses, springs, contact, excitation, damping.
 pub use frictiongen_model::scene::{self, Damping};
+pub use frictiongen_model::sensitivity::Quantity;
 pub use frictiongen_model::validate::SceneError;

@@ -53,11 +53,7 @@ impl<'a, S: Float> SystemAt<'a, S> {
     ///
     /// # Errors
     /// [`NoOrbit`], also for a state that is not finite or not one number for each mass.
-    pub fn orbit_from(
-        &self,
-        beta: S,
-        state: (&[S], &[S]),
-    ) -> Result<SystemOrbit<'a, S>, NoOrbit> {
+    pub fn orbit_from(&self, beta: S, state: (&[S], &[S])) -> Result<SystemOrbit<'a, S>, NoOrbit> {
         self.system.check_state(state)?;
         self.orbit_started(beta, Some(state))
     }

@@ -41,6 +41,7 @@ pub struct System<S = f64> {
     pub(super) modal: Modal,
     pub(super) reduced: Reduced<S>,
     resonances: Vec<S>,
+    reference: S,
     pub(super) unbounded: Vec<S>,
     pub(super) invisible: Vec<S>,
     transient: OnceLock<Transient<S>>,
@@ -76,21 +77,25 @@ impl<S: Float> System<S> {
     /// The system of a scene that is known to be valid.
     fn from_scene(scene: Scene) -> Self {
         let modal = large::modal(&scene);
-        let reduced = modal.reduced(rounded::<S>);
-        let resonances: Vec<S> = modal
-            .resonances
-            .iter()
-            .map(|value| rounded(*value))
-            .collect();
-        let unbounded = modal.unbounded(false).into_iter().map(rounded).collect();
-        let invisible = modal.unbounded(true).into_iter().map(rounded).collect();
+        Self::with_data(scene, modal.clone(), &modal, rounded::<S>)
+    }
+
+    /// The system over the modal data `data`, each brought to the scalar by `to`.
+    pub(super) fn with_data<T: Float>(
+        scene: Scene,
+        modal: Modal,
+        data: &Modal<T>,
+        to: impl Fn(T) -> S,
+    ) -> Self {
+        let all = |values: Vec<T>| values.into_iter().map(&to).collect();
         Self {
             scene,
             modal,
-            reduced,
-            resonances,
-            unbounded,
-            invisible,
+            reduced: data.reduced(&to),
+            resonances: all(data.resonances.clone()),
+            reference: to(data.reference),
+            unbounded: all(data.unbounded(false)),
+            invisible: all(data.unbounded(true)),
             transient: OnceLock::new(),
         }
     }
@@ -143,7 +148,7 @@ impl<S: Float> System<S> {
     /// rad/s → r = ω√(m₁/k₁).
     #[must_use]
     pub fn frequency_ratio(&self, omega: S) -> S {
-        omega / rounded(self.modal.reference)
+        omega / self.reference
     }
 
     /// Friction force and load amplitude → β = F/P; for base motion of amplitude Y, P = k₁Y.
@@ -158,7 +163,7 @@ impl<S: Float> System<S> {
     /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
     pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
         let r = regime::check_ratio(r, "r")?;
-        let (low, high) = S::INVERSE_RATIO_RANGE;
+        let (low, high) = S::inverse_ratio_range();
         let inverse_r = (S::constant(1.0) / r).max(low).min(high);
         let Reduced { modes, chain, .. } = &self.reduced;
         let mut responses = vec![ModeResponse::zero(); modes.len()];

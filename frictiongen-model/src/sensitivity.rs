@@ -1,0 +1,429 @@
+//! How modal data move with a scene: first-order perturbation of the modes, in double-double.
+//!
+//! The modes are the eigenvectors of GᵀG.  With v = √Γφ, the change of GᵀG between modes i and j is
+//! vᵢᵀ(dGᵀG)vⱼ = Σ_e (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ, δ the elongations of the springs.
+
+use crate::modal::{Modal, at_rest, rayleigh};
+use crate::scene::{Damping, Excitation, Node, Scene};
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::dual::Dual;
+
+/// Modes whose λ differ by less than this share are equal to the analysis.
+const EQUAL: f64 = 1e-24;
+/// Jacobi's rotations of a group of equal modes; each sweep squares what is left.
+const MAX_SWEEPS: usize = 30;
+
+/// Something that a scene's answers depend on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// A mass, by its place in the description.
+    Mass(usize),
+    /// The stiffness of a spring, by its place in the description.
+    Stiffness(usize),
+    /// a of C = aM + bK.
+    MassDamping,
+    /// b of C = aM + bK.
+    StiffnessDamping,
+    /// μ, static over kinetic friction force.
+    Stiction,
+    /// √λ of a mode, as a frequency ratio; all other modal data stay.
+    Resonance(usize),
+    /// ζ of a mode.
+    DampingRatio(usize),
+    /// φᵀp of a mode: how strongly the load drives it.
+    Load(usize),
+    /// φᵀw of a mode: how strongly the contact drives it.
+    Contact(usize),
+    /// The component of a mode's shape at a mass.
+    Shape {
+        /// The mode, ascending.
+        mode: usize,
+        /// The mass, by its place in the description.
+        mass: usize,
+    },
+}
+
+fn dd(value: f64) -> Dd {
+    Dd::from(value)
+}
+
+fn dual(value: Dd, slope: Dd) -> Dual<Dd> {
+    Dual { value, slope }
+}
+
+fn fixed(values: &[Dd]) -> Vec<Dual<Dd>> {
+    values.iter().copied().map(Dual::fixed).collect()
+}
+
+impl Modal {
+    /// The modal data as numbers whose derivatives are 0.
+    #[must_use]
+    pub fn fixed(&self) -> Modal<Dual<Dd>> {
+        Modal {
+            resonances: fixed(&self.resonances),
+            damping_ratios: fixed(&self.damping_ratios),
+            shapes: self.shapes.iter().map(|shape| fixed(shape)).collect(),
+            loads: fixed(&self.loads),
+            contacts: fixed(&self.contacts),
+            mobility: Dual::fixed(self.mobility),
+            inertial_load: Dual::fixed(self.inertial_load),
+            static_motion: Dual::fixed(self.static_motion),
+            static_receptance: Dual::fixed(self.static_receptance),
+            on_moving_base: self.on_moving_base,
+            reference: Dual::fixed(self.reference),
+            stiction: Dual::fixed(self.stiction),
+            contact: self.contact,
+        }
+    }
+
+    /// The modal data of `scene`, whose analysis this is, with their derivatives with respect to one
+    /// quantity, in its own unit.  None where the scene has no such quantity.
+    #[must_use]
+    pub fn along(&self, scene: &Scene, quantity: Quantity) -> Option<Modal<Dual<Dd>>> {
+        let mut along = self.fixed();
+        let one = dd(1.0);
+        match quantity {
+            Quantity::Mass(_) | Quantity::Stiffness(_) => {
+                Change::of(scene, quantity)?.perturb(self, scene, &mut along);
+            }
+            Quantity::MassDamping | Quantity::StiffnessDamping => {
+                let (a, b) = factors(scene, Some(quantity))?;
+                along.damp(a, b);
+            }
+            Quantity::Stiction => along.stiction.slope = one,
+            Quantity::Resonance(mode) => along.resonances.get_mut(mode)?.slope = one,
+            Quantity::DampingRatio(mode) => along.damping_ratios.get_mut(mode)?.slope = one,
+            Quantity::Load(mode) => along.loads.get_mut(mode)?.slope = one,
+            Quantity::Contact(mode) => {
+                let contact = along.contacts.get_mut(mode)?;
+                contact.slope = one;
+                along.mobility.slope = contact.value + contact.value;
+                along.inertial_load.slope = along.loads.get(mode)?.value;
+            }
+            Quantity::Shape { mode, mass } => {
+                along.shapes.get_mut(mode)?.get_mut(mass)?.slope = one;
+            }
+        }
+        if let Quantity::Load(mode) = quantity {
+            along.inertial_load.slope = self.contacts.get(mode).copied()?;
+        }
+        let share = Dual::constant(if self.on_moving_base { 1.0 } else { 0.0 });
+        let (motion, receptance) = at_rest(
+            share,
+            &along.resonances,
+            &along.loads,
+            &along.contacts,
+            crate::modal::NOISE,
+        );
+        (along.static_motion, along.static_receptance) = (motion, receptance);
+        Some(along)
+    }
+}
+
+impl Modal<Dual<Dd>> {
+    /// ζ of every mode, for C = aM + bK.
+    fn damp(&mut self, a: Dual<Dd>, b: Dual<Dd>) {
+        for (zeta, resonance) in self.damping_ratios.iter_mut().zip(&self.resonances) {
+            *zeta = rayleigh(a, b, *resonance * self.reference);
+        }
+    }
+}
+
+/// a and b of Rayleigh damping, one of them the variable.
+fn factors(scene: &Scene, along: Option<Quantity>) -> Option<(Dual<Dd>, Dual<Dd>)> {
+    let Damping::Rayleigh { mass, stiffness } = scene.damping else {
+        return None;
+    };
+    let of = |value: f64, own: Quantity| {
+        if along == Some(own) {
+            Dual::variable(dd(value))
+        } else {
+            Dual::fixed(dd(value))
+        }
+    };
+    Some((
+        of(mass, Quantity::MassDamping),
+        of(stiffness, Quantity::StiffnessDamping),
+    ))
+}
+
+/// dγ/γ of each mass and dκ/κ of each spring: a change of the first mass or spring, which are the
+/// references, changes all others.
+struct Change {
+    masses: Vec<Dd>,
+    springs: Vec<Dd>,
+    /// d(√(k₁/m₁))/√(k₁/m₁).
+    reference: Dd,
+}
+
+impl Change {
+    fn of(scene: &Scene, quantity: Quantity) -> Option<Self> {
+        let (zero, half) = (dd(0.0), dd(0.5));
+        let mut change = Self {
+            masses: vec![zero; scene.masses.len()],
+            springs: vec![zero; scene.springs.len()],
+            reference: zero,
+        };
+        let (list, place, value, sign) = match quantity {
+            Quantity::Mass(place) => {
+                let value = scene.masses.get(place)?.value;
+                (&mut change.masses, place, value, -half)
+            }
+            Quantity::Stiffness(place) => {
+                let value = scene.springs.get(place)?.stiffness;
+                (&mut change.springs, place, value, half)
+            }
+            _ => return None,
+        };
+        let relative = dd(1.0) / dd(value);
+        if place == 0 {
+            list.iter_mut()
+                .skip(1)
+                .for_each(|change| *change = -relative);
+            change.reference = sign * relative;
+        } else if let Some(change) = list.get_mut(place) {
+            *change = relative;
+        }
+        Some(change)
+    }
+
+    fn perturb(&self, modal: &Modal, scene: &Scene, along: &mut Modal<Dual<Dd>>) {
+        let m1 = scene.masses.first().map_or(1.0, |mass| mass.value);
+        let k1 = scene.springs.first().map_or(1.0, |spring| spring.stiffness);
+        let gamma: Vec<Dd> = scene
+            .masses
+            .iter()
+            .map(|mass| dd(mass.value) / dd(m1))
+            .collect();
+        let kappa: Vec<Dd> = scene
+            .springs
+            .iter()
+            .map(|spring| dd(spring.stiffness) / dd(k1))
+            .collect();
+        let n = modal.resonances.len();
+        let at = |list: &[Dd], i: usize| list.get(i).copied().unwrap_or_default();
+        let mut shapes = modal.shapes.clone();
+        let mut matrix = self.between(&shapes, &modal.resonances, scene, &gamma, &kappa);
+        let turned = adapt_equal_modes(&mut matrix, &mut shapes, &modal.resonances);
+
+        // dφ = Σ φ_j (…)/(λ_i − λ_j) − ½ (dγ/γ) φ.
+        let half = dd(0.5);
+        for i in 0..n {
+            let root = at(&modal.resonances, i);
+            let row = matrix.get(i).map_or(&[][..], Vec::as_slice);
+            if let Some(resonance) = along.resonances.get_mut(i) {
+                resonance.slope = at(row, i) / (root + root);
+            }
+            let shape = shapes.get(i).map_or(&[][..], Vec::as_slice);
+            let mut slopes: Vec<Dd> = shape
+                .iter()
+                .zip(&self.masses)
+                .map(|(value, change)| -(half * *change * *value))
+                .collect();
+            for (j, other) in shapes.iter().enumerate() {
+                let apart = root - at(&modal.resonances, j);
+                if j == i || equal(root, at(&modal.resonances, j)) {
+                    continue;
+                }
+                let share = at(row, j) / (apart * (root + at(&modal.resonances, j)));
+                for (slope, value) in slopes.iter_mut().zip(other) {
+                    *slope = *slope + share * *value;
+                }
+            }
+            if let Some(target) = along.shapes.get_mut(i) {
+                *target = shape
+                    .iter()
+                    .zip(slopes)
+                    .map(|(value, slope)| dual(*value, slope))
+                    .collect();
+            }
+        }
+        along.reference.slope = self.reference * modal.reference;
+        self.project(modal, scene, (&gamma, &kappa), &turned, along);
+        if let Some((a, b)) = factors(scene, None) {
+            along.damp(a, b);
+        }
+    }
+
+    /// vᵢᵀ(dGᵀG)vⱼ for all i and j.
+    fn between(
+        &self,
+        shapes: &[Vec<Dd>],
+        resonances: &[Dd],
+        scene: &Scene,
+        gamma: &[Dd],
+        kappa: &[Dd],
+    ) -> Vec<Vec<Dd>> {
+        let place = |shape: &[Dd], node: Node| match node {
+            Node::Mass(mass) => shape.get(mass).copied().unwrap_or_default(),
+            Node::Base | Node::Wall => dd(0.0),
+        };
+        let elongation = |shape: &[Dd]| -> Vec<Dd> {
+            let springs = scene.springs.iter();
+            springs
+                .map(|spring| place(shape, spring.to) - place(shape, spring.from))
+                .collect()
+        };
+        let elongations: Vec<Vec<Dd>> = shapes.iter().map(|shape| elongation(shape)).collect();
+        let lambdas: Vec<Dd> = resonances.iter().map(|root| *root * *root).collect();
+        let entry = |i: usize, j: usize| {
+            let mut sum = dd(0.0);
+            if let (Some(a), Some(b)) = (elongations.get(i), elongations.get(j)) {
+                for (((change, kappa), a), b) in self.springs.iter().zip(kappa).zip(a).zip(b) {
+                    sum = sum + *change * *kappa * *a * *b;
+                }
+            }
+            let mut mass = dd(0.0);
+            if let (Some(a), Some(b)) = (shapes.get(i), shapes.get(j)) {
+                for (((change, gamma), a), b) in self.masses.iter().zip(gamma).zip(a).zip(b) {
+                    mass = mass + *change * *gamma * *a * *b;
+                }
+            }
+            let pair = [i, j].map(|k| lambdas.get(k).copied().unwrap_or_default());
+            let [a, b] = pair;
+            sum - dd(0.5) * (a + b) * mass
+        };
+        let n = shapes.len();
+        (0..n)
+            .map(|i| (0..n).map(|j| entry(i, j)).collect())
+            .collect()
+    }
+
+    /// φᵀp, φᵀw and what follows from them.
+    fn project(
+        &self,
+        modal: &Modal,
+        scene: &Scene,
+        (gamma, kappa): (&[Dd], &[Dd]),
+        turned: &[bool],
+        along: &mut Modal<Dual<Dd>>,
+    ) {
+        let zero = Dual::constant(0.0);
+        let n = gamma.len();
+        let mut p = vec![zero; n];
+        match scene.excitation {
+            Excitation::Force(mass) => {
+                if let Some(p) = p.get_mut(mass) {
+                    *p = Dual::constant(1.0);
+                }
+            }
+            Excitation::Base => {
+                for ((spring, kappa), change) in scene.springs.iter().zip(kappa).zip(&self.springs)
+                {
+                    if let (Node::Base, Node::Mass(mass)) | (Node::Mass(mass), Node::Base) =
+                        (spring.from, spring.to)
+                        && let Some(p) = p.get_mut(mass)
+                    {
+                        *p = *p + dual(*kappa, *kappa * *change);
+                    }
+                }
+            }
+        }
+        let mut w = vec![zero; n];
+        let (first, second) = modal.contact;
+        for (mass, sign) in match second {
+            Some(second) => vec![(first, -1.0), (second, 1.0)],
+            None => vec![(first, 1.0)],
+        } {
+            if let Some(w) = w.get_mut(mass) {
+                *w = Dual::constant(sign);
+            }
+        }
+        let projections = along.loads.iter_mut().zip(&mut along.contacts);
+        for (((load, contact), shape), turned) in projections.zip(&along.shapes).zip(turned) {
+            for (projection, on) in [(load, &p), (contact, &w)] {
+                let products = shape.iter().zip(on);
+                let product = products.fold(zero, |sum, (a, b)| sum + *a * *b);
+                projection.slope = product.slope;
+                // The analysis has taken noise for zero; a mode that was turned is another one.
+                if *turned {
+                    projection.value = product.value;
+                }
+            }
+        }
+        let over_mass = |a: &[Dual<Dd>], b: &[Dual<Dd>]| {
+            let masses = gamma.iter().zip(&self.masses);
+            masses
+                .zip(a.iter().zip(b))
+                .fold(zero, |sum, ((gamma, change), (a, b))| {
+                    sum + *a * *b / dual(*gamma, *gamma * *change)
+                })
+        };
+        along.mobility = over_mass(&w, &w);
+        along.inertial_load.slope = over_mass(&w, &p).slope;
+    }
+}
+
+fn equal(a: Dd, b: Dd) -> bool {
+    (a - b).abs() <= dd(EQUAL) * (a + b)
+}
+
+/// Within a group of equal modes every basis is as good, but only one follows a change of the scene
+/// smoothly: the one in which the change does not couple them.
+///
+/// Answers which modes were turned.
+fn adapt_equal_modes(
+    matrix: &mut [Vec<Dd>],
+    shapes: &mut [Vec<Dd>],
+    resonances: &[Dd],
+) -> Vec<bool> {
+    let n = resonances.len();
+    let mut which = vec![false; n];
+    let at = |matrix: &[Vec<Dd>], i: usize, j: usize| {
+        matrix
+            .get(i)
+            .and_then(|row| row.get(j))
+            .copied()
+            .unwrap_or_default()
+    };
+    for _ in 0..MAX_SWEEPS {
+        let mut turned = false;
+        for right in 1..n {
+            for left in 0..right {
+                let pair = [left, right].map(|k| resonances.get(k).copied().unwrap_or_default());
+                let (a, b, c) = (
+                    at(matrix, left, left),
+                    at(matrix, right, right),
+                    at(matrix, left, right),
+                );
+                if !equal(pair[0], pair[1]) || c.abs() <= dd(1e-29) * (a.abs() + b.abs()) {
+                    continue;
+                }
+                let one = dd(1.0);
+                let zeta = (b - a) / (c + c);
+                let t = one / (zeta.abs() + (one + zeta * zeta).sqrt());
+                let t = t.copysign(zeta);
+                let cosine = one / (one + t * t).sqrt();
+                let sine = cosine * t;
+                turn(shapes, left, right, cosine, sine);
+                turn(matrix, left, right, cosine, sine);
+                for row in matrix.iter_mut() {
+                    let pair = (row.get(left).copied(), row.get(right).copied());
+                    if let (Some(a), Some(b)) = pair {
+                        row.splice(left..=left, [cosine * a - sine * b]);
+                        row.splice(right..=right, [sine * a + cosine * b]);
+                    }
+                }
+                turned = true;
+                for (place, which) in which.iter_mut().enumerate() {
+                    *which |= place == left || place == right;
+                }
+            }
+        }
+        if !turned {
+            break;
+        }
+    }
+    which
+}
+
+/// Turns two rows into each other.
+fn turn(rows: &mut [Vec<Dd>], left: usize, right: usize, cosine: Dd, sine: Dd) {
+    let (head, tail) = rows.split_at_mut(right);
+    if let (Some(a), Some(b)) = (head.get_mut(left), tail.first_mut()) {
+        for (a, b) in a.iter_mut().zip(b) {
+            (*a, *b) = (cosine * *a - sine * *b, sine * *a + cosine * *b);
+        }
+    }
+}

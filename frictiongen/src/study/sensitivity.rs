@@ -1,0 +1,178 @@
+//! Sensitivities: exact derivatives of every answer, by reading the formulas with dual numbers.
+
+use super::at::SystemAt;
+use super::system::System;
+use crate::OutOfDomain;
+use crate::system::FrictionSystem;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::dual::Dual;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::scene::{Damping, Scene};
+use frictiongen_model::sensitivity::Quantity;
+
+/// A number of a [`Varied`] system: value and derivative, each with about 30 digits, so that
+/// derivatives keep theirs beside a resonance.
+pub type Sensitive = Dual<Dd>;
+
+/// A system that carries the derivatives with respect to one quantity through every answer.
+///
+/// Frequency ratio and friction ratio may themselves be the variable (`Dual::variable`) on a system
+/// that is [`unvaried`](System::unvaried).  Derivatives are taken at constant r and β; where the
+/// angular frequency is given instead, take r from [`frequency_ratio`](Self::frequency_ratio), which
+/// moves with the first mass and the first spring.
+///
+/// ```
+/// use frictiongen::study::{Quantity, Sensitive, System};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let frame: System = "struct Frame {
+///     masses: { lower: 3.27, upper: 3.25 },
+///     springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+///     contact: upper - wall,
+///     excitation: base,
+///     damping: modal[0.010, 0.012],
+/// }"
+/// .parse()?;
+/// let heavier = frame.along(Quantity::Mass(1)).ok_or("no such mass")?;
+/// let limit = heavier.at(Sensitive::fixed(0.9.into()))?.continuous_limit();
+/// // A gram more moves the limit by a thousandth of its derivative.
+/// let mut scene = frame.scene().clone();
+/// scene.masses[1].value = 3.251;
+/// let moved = System::<f64>::try_from(scene)?.at(0.9)?.continuous_limit();
+/// let expected = limit.value.to_f64() + 0.001 * limit.slope.to_f64();
+/// assert!((moved - expected).abs() < 1e-6 * moved);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Varied {
+    system: System<Sensitive>,
+    data: Modal<Sensitive>,
+}
+
+impl Varied {
+    /// The scene at the frequency ratio r.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN and negative r.
+    pub fn at(&self, r: Sensitive) -> Result<SystemAt<'_, Sensitive>, OutOfDomain> {
+        self.system.at(r)
+    }
+
+    /// rad/s → r = ω√(m₁/k₁).
+    #[must_use]
+    pub fn frequency_ratio(&self, omega: Sensitive) -> Sensitive {
+        self.system.frequency_ratio(omega)
+    }
+
+    /// The modal data, from which special values follow: resonances, mode shapes, resonance
+    /// thresholds, limits at both ends.
+    #[must_use]
+    pub fn modal(&self) -> &Modal<Sensitive> {
+        &self.data
+    }
+}
+
+impl FrictionSystem for Varied {
+    type Scalar = Sensitive;
+    type At<'a> = SystemAt<'a, Sensitive>;
+
+    fn resonances(&self) -> &[Sensitive] {
+        self.system.resonances()
+    }
+    fn masses(&self) -> usize {
+        self.system.masses()
+    }
+    fn mass_name(&self, index: usize) -> Option<&str> {
+        self.system.mass_name(index)
+    }
+    fn at(&self, r: Sensitive) -> Result<SystemAt<'_, Sensitive>, OutOfDomain> {
+        self.system.at(r)
+    }
+}
+
+impl<S: Float> System<S> {
+    /// The same scene with derivatives with respect to one of its quantities; none where it has no
+    /// such quantity.
+    #[must_use]
+    pub fn along(&self, quantity: Quantity) -> Option<Varied> {
+        Some(self.varied(self.modal.along(&self.scene, quantity)?))
+    }
+
+    /// The same scene with no quantity varied, for derivatives with respect to r or β.
+    #[must_use]
+    pub fn unvaried(&self) -> Varied {
+        self.varied(self.modal.fixed())
+    }
+
+    fn varied(&self, data: Modal<Sensitive>) -> Varied {
+        let system =
+            System::with_data(self.scene.clone(), self.modal.clone(), &data, |value| value);
+        Varied { system, data }
+    }
+
+    /// An answer's derivatives with respect to every quantity of the description, by its unit.
+    ///
+    /// # Errors
+    /// The first that `question` meets.
+    ///
+    /// ```
+    /// use frictiongen::study::{Quantity, Sensitive, System};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: System = "struct Block {
+    ///     masses: { block: 2.0 },
+    ///     springs: { base - block: 50.0 },
+    ///     contact: block - wall,
+    ///     excitation: block,
+    ///     stiction: 1.1,
+    /// }"
+    /// .parse()?;
+    /// // A single mass sticks for good beyond β = 1/μ, whatever its mass.
+    /// let gradient = block.sensitivities(|block| {
+    ///     let r = block.frequency_ratio(Sensitive::fixed(3.0.into()));
+    ///     Ok::<_, frictiongen::OutOfDomain>(block.at(r)?.sliding_limit())
+    /// })?;
+    /// let of = |quantity| gradient.iter().find(|(found, _)| *found == quantity);
+    /// assert!(of(Quantity::Mass(0)).is_some_and(|(_, limit)| limit.slope.abs() < 1e-15));
+    /// assert!(of(Quantity::Stiction).is_some_and(|(_, limit)| limit.slope < 0.0));
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn sensitivities<E>(
+        &self,
+        question: impl Fn(&Varied) -> Result<Sensitive, E>,
+    ) -> Result<Vec<(Quantity, Dual<f64>)>, E> {
+        let mut gradient = Vec::new();
+        for quantity in quantities(&self.scene) {
+            if let Some(varied) = self.along(quantity) {
+                let answer = question(&varied)?;
+                let rounded = Dual {
+                    value: answer.value.to_f64(),
+                    slope: answer.slope.to_f64(),
+                };
+                gradient.push((quantity, rounded));
+            }
+        }
+        Ok(gradient)
+    }
+}
+
+/// What a description says in numbers.
+fn quantities(scene: &Scene) -> Vec<Quantity> {
+    let masses = (0..scene.masses.len()).map(Quantity::Mass);
+    let springs = (0..scene.springs.len()).map(Quantity::Stiffness);
+    let mut all: Vec<Quantity> = masses.chain(springs).collect();
+    match scene.damping {
+        Damping::None => {}
+        Damping::Uniform(_) | Damping::Modal(_) => {
+            all.extend((0..scene.masses.len()).map(Quantity::DampingRatio));
+        }
+        Damping::Rayleigh { .. } => {
+            all.extend([Quantity::MassDamping, Quantity::StiffnessDamping]);
+        }
+    }
+    all.push(Quantity::Stiction);
+    all
+}

@@ -1,0 +1,237 @@
+//! A scene read from its modal data as they stand in some scalar: what separates the rounding of an
+//! evaluation from the rounding of its data.
+
+use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt, Others};
+use frictiongen_kernel::decay::{Damped, Decay};
+use frictiongen_kernel::mode::{Mode, ModeResponse};
+use frictiongen_kernel::motion::Friction;
+use frictiongen_kernel::steady::{Motion, motion_wave};
+use frictiongen_kernel::wave::Wave;
+use frictiongen_kernel::{Complex, Float};
+use frictiongen_model::modal::Reduced;
+
+/// Modal data, and which mass a contact with a support is on.
+#[derive(Clone, Debug)]
+pub struct Data<S> {
+    /// Modes, shapes, chain.
+    pub reduced: Reduced<S>,
+    /// The contact's two masses, or its one.
+    pub contact: (usize, Option<usize>),
+}
+
+/// The scene at one frequency ratio.
+pub struct DataAt<'a, S> {
+    data: &'a Data<S>,
+    inverse_r: S,
+    contact: ContactAt<S>,
+    modes: Vec<ModeAt<S>>,
+}
+
+/// The motion of the contact or of a mass.
+pub type DataMotion<S> = Motion<S, Damped<S>, Vec<Wave<S, Damped<S>>>>;
+
+impl<S: Float> Data<S> {
+    /// The same data in another scalar.  What a mode's constants say twice is formed anew from ζ.
+    pub fn read<T: Float>(&self, to: impl Fn(S) -> T) -> Data<T> {
+        let Reduced {
+            modes,
+            shapes,
+            chain,
+            ends,
+        } = &self.reduced;
+        let mode = |mode: &Mode<S>| {
+            let zeta = to(mode.zeta);
+            let (q, q_defect) = roots(zeta);
+            Mode {
+                kind: mode.kind,
+                in_contact: mode.in_contact,
+                resonance: to(mode.resonance),
+                zeta,
+                q,
+                q_defect,
+                load: to(mode.load),
+                contact: to(mode.contact),
+                residue: to(mode.residue),
+                mobility: to(mode.mobility),
+                static_residue: to(mode.static_residue),
+            }
+        };
+        Data {
+            reduced: Reduced {
+                modes: modes.iter().map(mode).collect(),
+                shapes: shapes
+                    .iter()
+                    .map(|shape| shape.iter().map(|value| to(*value)).collect())
+                    .collect(),
+                chain: Chain {
+                    damped: chain.damped,
+                    on_moving_base: chain.on_moving_base.map(&to),
+                    mobility: to(chain.mobility),
+                    stiction: to(chain.stiction),
+                },
+                ends: frictiongen_model::modal::Ends {
+                    sliding_at_rest: to(ends.sliding_at_rest),
+                    continuous_at_infinity: to(ends.continuous_at_infinity),
+                    sliding_at_infinity: to(ends.sliding_at_infinity),
+                },
+            },
+            contact: self.contact,
+        }
+    }
+
+    /// The scene at r, 0 < r < ∞.
+    pub fn at(&self, r: S) -> DataAt<'_, S> {
+        let Reduced { modes, chain, .. } = &self.reduced;
+        let (low, high) = S::inverse_ratio_range();
+        let inverse_r = (S::constant(1.0) / r).max(low).min(high);
+        let mut responses = vec![ModeResponse::zero(); modes.len()];
+        let scale = Chain::responses(modes, inverse_r, &mut responses);
+        let mut at = vec![ModeAt::zero(); modes.len()];
+        let contact = chain.contact(modes, &responses, scale, inverse_r, &mut at);
+        DataAt {
+            data: self,
+            inverse_r,
+            contact,
+            modes: at,
+        }
+    }
+}
+
+/// q = √|1 − ζ²| and 1 − q.
+pub fn roots<S: Float>(zeta: S) -> (S, S) {
+    let one = S::constant(1.0);
+    let q = ((one - zeta) * (one + zeta)).abs().sqrt();
+    (q, zeta * zeta / (one + q))
+}
+
+impl<S: Float> DataAt<'_, S> {
+    fn chain(&self) -> &Chain<S> {
+        &self.data.reduced.chain
+    }
+
+    fn idle(&self) -> Vec<Wave<S, Damped<S>>> {
+        let modes = self.data.reduced.modes.iter().zip(&self.modes);
+        modes
+            .map(|(mode, at)| Wave::rest(at.x, Damped::of(mode)))
+            .collect()
+    }
+
+    /// β_lim.
+    pub fn continuous_limit(&self) -> S {
+        let modes = &self.data.reduced.modes;
+        let chain = self.chain();
+        let peak = chain.velocity_constraint(&self.contact, modes, &self.modes, &mut self.idle());
+        chain.continuous_limit(&self.contact, peak.value)
+    }
+
+    /// β_lim with S at τ → 0.
+    pub fn continuous_limit_without_search(&self) -> S {
+        let chain = self.chain();
+        chain.continuous_limit(&self.contact, chain.break_away(&self.contact))
+    }
+
+    /// β*_lim.
+    pub fn sliding_limit(&self) -> S {
+        let chain = self.chain();
+        match chain.absorbed_force(&self.contact, &self.data.reduced.modes, &self.modes) {
+            Some(force) => force.abs() / chain.stiction,
+            None => chain.sliding_limit(&self.contact),
+        }
+    }
+
+    fn others(&self) -> Vec<Others<S>> {
+        let modes = &self.data.reduced.modes;
+        let mut others = vec![Others::zero(); modes.len()];
+        self.chain().without_each(
+            modes,
+            &self.modes,
+            self.contact.scale,
+            self.inverse_r,
+            &mut others,
+        );
+        others
+    }
+
+    fn friction(&self, beta: S) -> Friction<S> {
+        self.chain().friction(&self.contact, self.inverse_r, beta)
+    }
+
+    fn waves(
+        &self,
+        friction: &Friction<S>,
+        residue: impl Fn(&Mode<S>, usize) -> S,
+    ) -> Vec<Wave<S, Damped<S>>> {
+        let modes = self.data.reduced.modes.iter().zip(&self.modes).enumerate();
+        modes
+            .filter(|(_, (mode, _))| mode.in_contact)
+            .map(|(index, (mode, at))| {
+                let residue = residue(mode, index);
+                let share =
+                    self.chain()
+                        .share(at, residue, &self.contact, friction, self.inverse_r, index);
+                motion_wave(at.x, Damped::of(mode), share)
+            })
+            .collect()
+    }
+
+    /// The relative motion in the contact at β.
+    pub fn contact(&self, beta: S) -> DataMotion<S> {
+        let friction = self.friction(beta);
+        let carrier = self.chain().contact_carrier(&self.contact, &friction);
+        let waves = self.waves(&friction, |mode, _| mode.mobility);
+        Motion::of_contact(friction, carrier, waves)
+    }
+
+    /// The motion of a mass at β.
+    pub fn mass(&self, mass: usize, beta: S) -> DataMotion<S> {
+        let Reduced { modes, shapes, .. } = &self.data.reduced;
+        if self.chain().on_moving_base.is_none() && self.data.contact == (mass, None) {
+            return self.contact(beta);
+        }
+        let friction = self.friction(beta);
+        let carrier = self.chain().carrier(
+            &shapes[mass],
+            modes,
+            &self.modes,
+            &self.others(),
+            &self.contact,
+            &friction,
+        );
+        let waves = self.waves(&friction, |mode, i| shapes[mass][i] * mode.contact);
+        Motion::of_mass(friction, carrier, waves)
+    }
+
+    /// The complex amplitude of a mass while the contact is stuck.
+    pub fn stuck(&self, mass: usize) -> Complex<S> {
+        let Reduced { modes, shapes, .. } = &self.data.reduced;
+        let chain = self.chain();
+        let zero = S::constant(0.0);
+        if self.data.contact == (mass, None) {
+            let held = if chain.on_moving_base.is_some() {
+                1.0
+            } else {
+                0.0
+            };
+            return Complex::new(S::constant(held), zero);
+        }
+        if let Some(force) = chain.absorbed_force(&self.contact, modes, &self.modes) {
+            let amplitude = chain.stuck_under(
+                force,
+                &shapes[mass],
+                modes,
+                &self.modes,
+                &self.contact,
+                self.inverse_r,
+            );
+            return Complex::new(amplitude, zero);
+        }
+        chain.stuck(
+            &shapes[mass],
+            modes,
+            &self.modes,
+            &self.others(),
+            &self.contact,
+            self.inverse_r,
+        )
+    }
+}

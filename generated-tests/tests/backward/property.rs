@@ -1,0 +1,290 @@
+//! Random scenes of 1 to 16 masses, over the whole range of r, and beside poles, sub-harmonics and
+//! limits.
+
+use crate::measure::{Asked, Error, Place, error};
+use frictiongen::study::System;
+use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::{Complex, Float};
+use generated_tests::data::Data;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+/// In roundings of the inputs.
+const BAR: f64 = 64.0;
+const POINTS: usize = 10;
+
+/// Knuth's 64-bit linear congruential generator: the same scenes on every machine.
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+    fn below(&mut self, n: usize) -> usize {
+        ((self.unit() * n as f64) as usize).min(n - 1)
+    }
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+    fn power(&mut self, low: f64, high: f64) -> f64 {
+        10f64.powf(self.between(low, high))
+    }
+    /// 10⁻¹ to 10⁻¹⁵ of either sign, or to the scalar's own precision.
+    fn nearness(&mut self, epsilon: f64) -> f64 {
+        let distance = self.power(epsilon.log10(), -1.0);
+        if self.unit() < 0.5 {
+            distance
+        } else {
+            -distance
+        }
+    }
+}
+
+fn scene(random: &mut Random, decades: f64) -> String {
+    let n = 1 + random.below(16);
+    let mut text = String::from("struct Random { masses: { ");
+    let spread = decades * random.unit();
+    for i in 0..n {
+        write!(text, "m{i}: {:e}, ", random.power(-spread, spread)).unwrap();
+    }
+    text.push_str("}, springs: { ");
+    let mut springs = vec![(String::from("base"), 0)];
+    springs.extend((1..n).map(|i| (format!("m{}", i - 1), i)));
+    if random.unit() < 0.3 {
+        springs.push((String::from("wall"), random.below(n)));
+    }
+    for (from, to) in springs {
+        write!(
+            text,
+            "{from} - m{to}: {:e}, ",
+            random.power(-spread, spread)
+        )
+        .unwrap();
+    }
+    text.push_str("}, contact: ");
+    let j = random.below(n);
+    match random.below(if n > 1 { 3 } else { 2 }) {
+        0 => write!(text, "m{j} - wall, ").unwrap(),
+        1 => write!(text, "m{j} - base, ").unwrap(),
+        _ => write!(text, "m{j} - m{}, ", (j + 1 + random.below(n - 1)) % n).unwrap(),
+    }
+    if random.unit() < 0.4 {
+        text.push_str("excitation: base, ");
+    } else {
+        write!(text, "excitation: m{}, ", random.below(n)).unwrap();
+    }
+    match random.below(5) {
+        0 | 1 => {}
+        2 => write!(text, "damping: modal({:e}), ", random.power(-18.0, 1.0)).unwrap(),
+        3 => {
+            text.push_str("damping: modal[");
+            for _ in 0..n {
+                let zeta = match random.below(8) {
+                    0 => 0.0,
+                    1 => 1.0,
+                    2 => 1.0 + random.nearness(1e-15),
+                    _ => random.power(-9.0, 1.0),
+                };
+                write!(text, "{zeta:e}, ").unwrap();
+            }
+            text.push_str("], ");
+        }
+        _ => {
+            let (a, b) = (random.power(-4.0, 0.0), random.power(-4.0, 0.0));
+            write!(text, "damping: rayleigh({a:e}, {b:e}), ").unwrap();
+        }
+    }
+    if random.unit() < 0.5 {
+        write!(text, "stiction: {}, ", 1.0 + random.unit()).unwrap();
+    }
+    text.push('}');
+    text
+}
+
+/// The worst of each kind, and where.
+#[derive(Default)]
+pub struct Worst(BTreeMap<&'static str, (Error, String)>);
+
+impl Worst {
+    fn note(&mut self, asked: Asked, error: Error, place: impl FnOnce() -> String) {
+        match self.0.get_mut(asked.kind()) {
+            Some((worst, _)) if !(error.backward > worst.backward) => {}
+            _ => {
+                self.0.insert(asked.kind(), (error, place()));
+            }
+        }
+    }
+    fn join(&mut self, other: Self) {
+        for (kind, (error, place)) in other.0 {
+            match self.0.get(kind) {
+                Some((worst, _)) if !(error.backward > worst.backward) => {}
+                _ => {
+                    self.0.insert(kind, (error, place));
+                }
+            }
+        }
+    }
+}
+
+/// What a scalar's range asks of the test.
+struct Range {
+    /// r is drawn in 2^−this … 2^this.
+    exponents: f64,
+    /// Masses and springs spread over ten to plus and minus this.
+    decades: f64,
+}
+
+fn check<S: Float>(seed: u64, range: &Range, exact: impl Fn(S) -> Dd + Copy, worst: &mut Worst)
+where
+    System<S>: std::str::FromStr,
+{
+    if let Ok(only) = std::env::var("ONLY")
+        && only != seed.to_string()
+    {
+        return;
+    }
+    let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x5851_F42D);
+    let text = scene(&mut random, range.decades);
+    let Ok(system) = text.parse::<System<S>>() else {
+        return;
+    };
+    let modal = system.modal();
+    let rounded = |value: Dd| S::constant(value.hi) + S::constant(value.lo);
+    let data = Data {
+        reduced: modal.reduced(rounded),
+        contact: modal.contact,
+    };
+    let masses = modal.shapes.len();
+    let resonances: Vec<f64> = modal
+        .resonances
+        .iter()
+        .map(|value| value.to_f64())
+        .collect();
+    for _ in 0..POINTS {
+        let r = if random.unit() < 0.5 {
+            random.between(-range.exponents, range.exponents).exp2()
+        } else {
+            let pole = resonances[random.below(resonances.len())];
+            let order = match random.below(3) {
+                0 => 1.0,
+                _ => (1 + random.below(40)) as f64,
+            };
+            pole / order * (1.0 + random.nearness(S::EPSILON))
+        };
+        let r = S::constant(r);
+        if std::env::var("ONLY").is_ok() {
+            println!("TEXT {text}");
+        }
+        let Ok(at) = system.at(r) else { continue };
+        let (continuous, sliding) = (at.continuous_limit(), at.sliding_limit());
+        let limit = continuous.min(sliding);
+        let beta = limit
+            * S::constant(match random.below(3) {
+                0 => 1.0 - random.nearness(S::EPSILON).abs(),
+                1 => random.unit(),
+                _ => random.power(-12.0, 0.0),
+            });
+        let tau = S::constant(random.between(0.0, 7.0));
+        let place = Place { r, beta, tau };
+        let mass = random.below(masses);
+        let zero = S::constant(0.0);
+        let real = |value: S| Complex::new(value, zero);
+        let mut note = |asked: Asked, got: Complex<S>, hint: Option<S>| {
+            let error = error(&data, &place, asked, got, exact, hint, BAR);
+            worst.note(asked, error, || {
+                format!("seed {seed}: {asked:?} = {got:?} at {place:?}")
+            });
+        };
+        let without = at.continuous_limit_without_search();
+        note(Asked::WithoutSearch, real(without), None);
+        note(Asked::SlidingLimit, real(sliding), None);
+        // In so slow a sweep every angle is below the rounding of r, and S may be anything.
+        let fastest = resonances.last().copied().unwrap_or(1.0) / r.to_f64();
+        if fastest * S::EPSILON < 1e-3 {
+            note(Asked::ContinuousLimit, real(continuous), None);
+        }
+        let nearly = S::constant(1.0 + BAR * S::EPSILON);
+        assert!(
+            zero <= continuous && continuous <= without * nearly,
+            "seed {seed}: {continuous:?} above {without:?} at {place:?}"
+        );
+        if let Ok(motion) = at.motion(beta) {
+            note(
+                Asked::ContactAmplitude,
+                real(motion.contact().amplitude()),
+                None,
+            );
+            note(Asked::ContactPhase, real(motion.contact().phase()), None);
+            let of_mass = motion.mass_at(mass).expect("a mass");
+            let places = of_mass.peak().places;
+            let top = places.iter().flatten().next().map(|place| place.tau);
+            note(Asked::Amplitude(mass), real(of_mass.amplitude()), top);
+            note(Asked::Phase(mass), real(of_mass.phase()), top);
+            let displacement = of_mass.displacement(tau);
+            note(Asked::Displacement(mass), real(displacement), None);
+        }
+        if let Ok(stuck) = at.stuck() {
+            note(
+                Asked::Stuck(mass),
+                stuck.mass_at(mass).expect("a mass"),
+                None,
+            );
+        }
+    }
+}
+
+fn run<S: Float>(
+    scenes: std::ops::Range<u64>,
+    range: &Range,
+    exact: impl Fn(S) -> Dd + Copy + Sync,
+) -> Worst
+where
+    System<S>: std::str::FromStr,
+{
+    let half = |parity: u64| {
+        let mut worst = Worst::default();
+        for seed in scenes.clone().filter(|seed| seed % 2 == parity) {
+            check(seed, range, exact, &mut worst);
+        }
+        worst
+    };
+    std::thread::scope(|scope| {
+        let other = scope.spawn(|| half(1));
+        let mut worst = half(0);
+        worst.join(other.join().expect("no panic"));
+        worst
+    })
+}
+
+fn report(title: &str, worst: &Worst) {
+    println!("{title}");
+    for (kind, (error, place)) in &worst.0 {
+        println!(
+            "{kind:>18}: backward {:.2}, forward {:.2e} at {place}",
+            error.backward, error.forward
+        );
+    }
+    for (kind, (error, place)) in &worst.0 {
+        assert!(error.backward <= BAR, "{kind}: {error:?} at {place}");
+    }
+}
+
+const DOUBLE: Range = Range {
+    exponents: 300.0,
+    decades: 3.0,
+};
+fn scenes_asked(short: u64) -> std::ops::Range<u64> {
+    let asked = std::env::var("SCENES")
+        .ok()
+        .and_then(|text| text.parse().ok());
+    0..asked.unwrap_or(short)
+}
+
+#[test]
+fn double() {
+    report("f64", &run::<f64>(scenes_asked(6), &DOUBLE, Dd::from));
+}
