@@ -1,3 +1,4 @@
 //! Stick-slip motion in time and its steady states.
 
+mod known;
 mod reference;
