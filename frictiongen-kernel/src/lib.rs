@@ -26,4 +26,4 @@ pub mod trig;
 pub mod wave;
 
 pub use num_complex::Complex;
-pub use scalar::{Float, Scalar};
+pub use scalar::{Float, Plain, Scalar};

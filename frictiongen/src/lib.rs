@@ -60,7 +60,7 @@
 //! | `damping` | `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)` | `none` |
 //! | `stiction` | μ = static over kinetic friction, at least 1 | 1 |
 //! | `scalar` | `f64`, `f32` | `f64` |
-//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck` | `[limits, motion]` |
+//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation` | `[limits, motion]` |
 //! | `crate` | path of this crate, when it is renamed | `::frictiongen` |
 //!
 //! # Conventions

@@ -6,7 +6,7 @@ use super::{MAX_SEGMENTS, Mark, Orbit};
 use crate::complex::Complex;
 use crate::errors::NoOrbit;
 use crate::mode::{Kind, Mode};
-use crate::scalar::Float;
+use crate::scalar::{Float, Plain};
 use crate::simulation::{Contact, Dynamics, Part, Setting, Stance, leap};
 use core::f64::consts::FRAC_PI_4;
 
@@ -36,7 +36,10 @@ where
         mut parts: P,
         mut numbers: V,
         mut multipliers: C,
-    ) -> Result<Self, NoOrbit> {
+    ) -> Result<Self, NoOrbit>
+    where
+        S: Plain,
+    {
         let zero = S::constant(0.0);
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
         for (index, mode) in dynamics.modes.iter().enumerate() {

@@ -158,9 +158,8 @@ where
         OrbitMotion::of_contact(self)
     }
 
-    /// The motion of a mass, by its place in the description; none if there is no such mass.
-    pub fn mass(&self, index: usize) -> Option<OrbitMotion<'_, 'a, S, P, V, C>> {
-        let shape = self.setting.dynamics.shape(index)?;
-        Some(OrbitMotion::of_mass(self, shape))
+    /// The motion of a mass, by its place in the description; rest if there is no such mass.
+    pub fn mass(&self, index: usize) -> OrbitMotion<'_, 'a, S, P, V, C> {
+        OrbitMotion::of_mass(self, self.setting.dynamics.shape(index))
     }
 }

@@ -15,7 +15,7 @@ mod sum;
 mod walk;
 
 pub use part::Part;
-pub use run::{Segment, Simulation};
+pub use run::{Moment, Segment, Simulation};
 pub use setting::Setting;
 pub use walk::MAX_STEPS;
 
@@ -74,10 +74,11 @@ impl<'a, S: Float> Dynamics<'a, S> {
         self.modes.get(..self.in_contact()).unwrap_or_default()
     }
 
-    /// The shape of a mass, one component a mode.
-    pub(crate) fn shape(&self, mass: usize) -> Option<&'a [S]> {
+    /// The shape of a mass, one component a mode; empty if there is no such mass.
+    pub(crate) fn shape(&self, mass: usize) -> &'a [S] {
         let modes = self.modes.len();
-        self.shapes.get(mass * modes..(mass + 1) * modes)
+        let mut shapes = self.shapes.chunks_exact(modes.max(1));
+        shapes.nth(mass).unwrap_or_default()
     }
 
     /// The held modes, each with the shares of all modes that the contact drives.

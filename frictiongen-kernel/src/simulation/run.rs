@@ -3,7 +3,7 @@
 use super::segment::{self, Stance, leap};
 use super::{Contact, Dynamics, Event, Part, Setting};
 use crate::errors::OutOfDomain;
-use crate::scalar::Float;
+use crate::scalar::{Float, Plain};
 
 /// A segment of the motion: the contact sticks, or slides one way.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +16,27 @@ pub struct Segment<S> {
     pub contact: Contact,
     /// What ends it; none if it goes on.
     pub event: Option<Event>,
+}
+
+/// A mass at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment<S> {
+    displacement: S,
+    velocity: S,
+}
+
+impl<S: Float> Moment<S> {
+    /// x̄.
+    #[must_use]
+    pub fn displacement(&self) -> S {
+        self.displacement
+    }
+
+    /// dx̄/dτ.
+    #[must_use]
+    pub fn velocity(&self) -> S {
+        self.velocity
+    }
 }
 
 /// An exact run in time, from event to event.  An iterator over its segments; one in which nothing
@@ -44,7 +65,10 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         beta: S,
         state: Option<(&[S], &[S])>,
         mut parts: P,
-    ) -> Result<Self, OutOfDomain> {
+    ) -> Result<Self, OutOfDomain>
+    where
+        S: Plain,
+    {
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
         if let Some((displacements, velocities)) = state {
             let finite = |values: &[S]| values.iter().all(|value| value.is_finite());
@@ -80,18 +104,14 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         self.stance.contact
     }
 
-    /// x̄ of a mass now, by its place in the description; none if there is no such mass.
+    /// A mass now, by its place in the description; at rest if there is no such mass.
     #[must_use]
-    pub fn displacement(&self, mass: usize) -> Option<S> {
-        let shape = self.setting.dynamics.shape(mass)?;
-        Some(self.sum(shape, |part| part.y))
-    }
-
-    /// dx̄/dτ of a mass now.
-    #[must_use]
-    pub fn velocity(&self, mass: usize) -> Option<S> {
-        let shape = self.setting.dynamics.shape(mass)?;
-        Some(self.sum(shape, |part| part.x * part.u))
+    pub fn mass(&self, index: usize) -> Moment<S> {
+        let shape = self.setting.dynamics.shape(index);
+        Moment {
+            displacement: self.sum(shape, |part| part.y),
+            velocity: self.sum(shape, |part| part.x * part.u),
+        }
     }
 
     /// z̄ and dz̄/dτ, the relative motion in the contact, now.

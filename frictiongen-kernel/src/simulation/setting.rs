@@ -5,7 +5,7 @@ use super::{Dynamics, rotated};
 use crate::complex::Complex;
 use crate::errors::OutOfDomain;
 use crate::regime::{check_beta, check_ratio};
-use crate::scalar::Float;
+use crate::scalar::{Float, Plain};
 
 /// A scene at one frequency ratio and one friction ratio.
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +35,10 @@ impl<'a, S: Float> Setting<'a, S> {
         r: S,
         beta: S,
         parts: &mut [Part<S>],
-    ) -> Result<Self, OutOfDomain> {
+    ) -> Result<Self, OutOfDomain>
+    where
+        S: Plain,
+    {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let r = check_ratio(r, "r")?;
         let (low, high) = S::inverse_ratio_range();

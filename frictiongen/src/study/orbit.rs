@@ -4,9 +4,9 @@ use super::at::SystemAt;
 use super::error::UnknownMass;
 use super::system::System;
 use crate::{Complex, NoOrbit};
-use frictiongen_kernel::Float;
 use frictiongen_kernel::orbit::{self, Orbit, OrbitMotion};
 use frictiongen_kernel::simulation::Part;
+use frictiongen_kernel::{Float, Plain};
 
 /// A steady state of a system, as the kernel holds it.
 pub type SystemOrbitState<'a, S = f64> = Orbit<'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>>;
@@ -22,7 +22,7 @@ pub struct SystemOrbit<'a, S = f64> {
     state: SystemOrbitState<'a, S>,
 }
 
-impl<'a, S: Float> SystemAt<'a, S> {
+impl<'a, S: Plain> SystemAt<'a, S> {
     /// The steady state at β = F/P that is reached from rest, in any regime.
     ///
     /// ```
@@ -97,7 +97,7 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         if !self.system.modal.on_moving_base && self.system.modal.contact == (index, None) {
             return Some(self.contact());
         }
-        self.state.mass(index)
+        (index < self.system.scene().masses.len()).then(|| self.state.mass(index))
     }
 
     /// The relative motion in the contact.

@@ -3,8 +3,8 @@
 use super::error::UnknownMass;
 use super::system::System;
 use crate::OutOfDomain;
-use frictiongen_kernel::Float;
-use frictiongen_kernel::simulation::{Dynamics, Part, Segment, Simulation};
+use frictiongen_kernel::simulation::{Dynamics, Moment, Part, Segment, Simulation};
+use frictiongen_kernel::{Float, Plain};
 
 /// An exact run in time of a system, from event to event: an iterator over its segments.
 #[derive(Clone, Debug)]
@@ -13,7 +13,7 @@ pub struct SystemSimulation<'a, S = f64> {
     run: Simulation<'a, S, Vec<Part<S>>>,
 }
 
-impl<S: Float> System<S> {
+impl<S: Plain> System<S> {
     pub(super) fn dynamics(&self) -> Dynamics<'_, S> {
         self.transient().dynamics()
     }
@@ -40,7 +40,7 @@ impl<S: Float> System<S> {
     /// let mut run = system.simulation(0.3, 0.4)?;
     /// let stops = run.by_ref().take(100).filter(|segment| segment.event == Some(Event::Stop));
     /// assert!(stops.count() > 40);
-    /// assert!(run.displacement("block")?.abs() < 1.0);
+    /// assert!(run.mass("block")?.displacement().abs() < 1.0);
     /// # Ok(())
     /// # }
     /// ```
@@ -78,29 +78,12 @@ impl<S: Float> System<S> {
 }
 
 impl<'a, S: Float> SystemSimulation<'a, S> {
-    /// x̄ of a mass now.
+    /// A mass now.
     ///
     /// # Errors
     /// [`UnknownMass`] if there is none of this name.
-    pub fn displacement(&self, name: &str) -> Result<S, UnknownMass> {
-        self.of_mass(name, |run, mass| run.displacement(mass))
-    }
-
-    /// dx̄/dτ of a mass now.
-    ///
-    /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
-    pub fn velocity(&self, name: &str) -> Result<S, UnknownMass> {
-        self.of_mass(name, |run, mass| run.velocity(mass))
-    }
-
-    fn of_mass(
-        &self,
-        name: &str,
-        of: impl Fn(&Simulation<'a, S, Vec<Part<S>>>, usize) -> Option<S>,
-    ) -> Result<S, UnknownMass> {
-        let index = self.system.mass_index(name)?;
-        of(&self.run, index).ok_or_else(|| self.system.unknown(name))
+    pub fn mass(&self, name: &str) -> Result<Moment<S>, UnknownMass> {
+        Ok(self.run.mass(self.system.mass_index(name)?))
     }
 
     /// The run itself: phase, cycles, relative motion, friction force.

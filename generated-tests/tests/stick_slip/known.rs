@@ -68,7 +68,7 @@ fn one_of_a_continuum() {
         }
         for _ in 0..8 {
             let _ = run.advance(TAU);
-            let found = run.displacement("block").expect("a mass");
+            let found = run.mass("block").expect("a mass").displacement();
             let tau = run.run().phase() - orbit.state().origin();
             let steady = orbit.mass_at(0).expect("a mass").displacement(tau);
             *worst = worst.max((found - steady).abs());

@@ -1,4 +1,5 @@
 //! Stick-slip motion in time and its steady states.
 
+mod emitted;
 mod known;
 mod reference;
