@@ -110,9 +110,9 @@ impl fmt::Display for NoOrbit {
                 "no steady state: nothing damps mode {}, which the load drives and the contact does not touch",
                 mode.wrapping_add(1)
             ),
-            Self::Unstable => f.write_str("no steady state: the one there is is unstable"),
+            Self::Unstable => f.write_str("no steady state: the one that was found is unstable, and the motion leaves it"),
             Self::Unsettled => f.write_str(
-                "no steady state: the motion does not come to repeat from cycle to cycle",
+                "no steady state: the motion does not come to repeat from cycle to cycle, though it may after several",
             ),
         }
     }
