@@ -23,6 +23,7 @@ pub mod simulation;
 pub mod special;
 pub mod steady;
 pub mod trig;
+pub mod two_stops;
 pub mod wave;
 
 pub use num_complex::Complex;
