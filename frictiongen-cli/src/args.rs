@@ -45,6 +45,7 @@ States:
   unbounded  none: on an undamped resonance
   undamped   none: nothing damps a mode that the load drives and the contact does not touch
   unstable   none was found that deviations do not leave
+  subharmonic  none: the motion from rest repeats after several cycles instead of one
   unsettled  none: the motion from rest does not come to repeat from cycle to cycle
   crowded    a cycle has more than 64 segments
 

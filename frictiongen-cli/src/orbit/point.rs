@@ -113,6 +113,7 @@ pub fn answer(
         Err(NoOrbit::Unbounded) => ("unbounded", None),
         Err(NoOrbit::Undamped(_)) => ("undamped", None),
         Err(NoOrbit::Unstable) => ("unstable", None),
+        Err(NoOrbit::Subharmonic(_)) => ("subharmonic", None),
         Err(NoOrbit::Unsettled) => ("unsettled", None),
     };
     Ok(Point {

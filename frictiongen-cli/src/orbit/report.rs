@@ -134,7 +134,7 @@ impl Report for OrbitReport {
             Column::given(&["r"], &self.r),
             Column::given(&["beta"], &self.beta),
             Column::words(&["regime"], ["continuous"]),
-            Column::words(&["state"], ["unbounded"]),
+            Column::words(&["state"], ["subharmonic"]),
             Column::words(&["symmetry"], ["asymmetric"]),
             Column::counts(&["stops"]),
             Column::counts(&["reversals"]),

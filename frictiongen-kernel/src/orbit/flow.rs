@@ -115,6 +115,28 @@ impl<S: Float> Flow<'_, '_, S> {
         }
     }
 
+    /// The largest difference from another state.
+    pub(super) fn distance(&self, state: &[S]) -> S {
+        let states = self.modes.iter().zip(state.chunks_exact(2));
+        states.fold(S::constant(0.0), |most, (part, state)| match state {
+            [y, u] => most.max((part.y - *y).abs()).max((part.u - *u).abs()),
+            _ => most,
+        })
+    }
+
+    /// Twice the energy of the difference between this state and another.
+    pub(super) fn energy_between(&self, state: &[S]) -> S {
+        let modes = self.modes.iter().zip(self.setting.dynamics.driven());
+        let states = modes.zip(state.chunks_exact(2));
+        states.fold(S::constant(0.0), |sum, ((part, mode), state)| match state {
+            [y, u] => {
+                let (y, u) = (part.y - *y, part.u - *u);
+                sum + mode.resonance * mode.resonance * (y * y + u * u)
+            }
+            _ => sum,
+        })
+    }
+
     /// The largest of the state's numbers.
     pub(super) fn scale(&self) -> S {
         let driven = self.setting.dynamics.in_contact();

@@ -13,6 +13,10 @@ pub const MAX_CYCLES: u32 = 2048;
 /// Nearer to the unit circle than this many roundings, a multiplier counts as on it.
 pub(super) const ON_CIRCLE: f64 = 4096.0;
 const NEWTON_STEPS: u32 = 12;
+/// A motion that repeats after so many cycles at most is told to be subharmonic.
+const MOST_REPEATED: u32 = 16;
+/// For so many cycles at most is a motion followed that should come near to a fixed point.
+const MOST_FOLLOWED: u32 = 64;
 /// Half a cycle of the continuous regime.
 const ONE_REVERSAL: Pattern = Pattern {
     stops: 0,
@@ -62,36 +66,53 @@ pub(super) fn settle<S: Float>(
         // A section where no event is near.
         let middle = flow.middle * S::pi();
         flow.on(middle, None)?;
-        let here = flow.stance;
-        flow.save(room.state);
         let [last, before, ..] = halves;
         for symmetric in [true, false] {
             let steady = if symmetric { settled[0] } else { settled[1] };
-            let wanted = if symmetric { last } else { last.and(before) };
             if !monotone && steady == 0 {
                 continue;
             }
+            flow.save(room.state);
             let mut candidate = Candidate {
                 symmetric,
-                steady,
-                wanted,
+                wanted: if symmetric { last } else { last.and(before) },
                 monotone,
                 cycles,
+                here: flow.stance,
             };
-            match candidate.try_from(flow, room) {
+            let verdict = candidate.try_from(flow, room);
+            cycles = candidate.cycles;
+            match verdict {
                 Ok(Verdict::Found(found)) => return Ok(found),
                 Ok(Verdict::Wait) => {
-                    flow.restore(room.state, &here);
+                    flow.restore(room.state, &candidate.here);
                     break;
                 }
                 Ok(Verdict::No) => {}
                 Err(error) => failure = error,
             }
-            flow.restore(room.state, &here);
+            flow.restore(room.state, &candidate.here);
         }
         wanted = cycles * 2;
     }
-    Err(failure)
+    Err(subharmonic(flow, room)?.unwrap_or(failure))
+}
+
+/// Whether the motion repeats after several cycles instead of one.
+fn subharmonic<S: Float>(
+    flow: &mut Flow<'_, '_, S>,
+    room: &mut Room<'_, S>,
+) -> Result<Option<NoOrbit>, NoOrbit> {
+    flow.save(room.other);
+    let same = flow.scale() * S::constant(1e-9_f64.max(1024.0 * S::EPSILON));
+    for cycles in 1..=MOST_REPEATED {
+        flow.half(None)?;
+        flow.half(None)?;
+        if flow.distance(room.other) <= same {
+            return Ok((cycles > 1).then_some(NoOrbit::Subharmonic(cycles)));
+        }
+    }
+    Ok(None)
 }
 
 /// What a fixed point is good for.
@@ -102,16 +123,20 @@ enum Verdict {
     No,
 }
 
-struct Candidate {
+struct Candidate<S> {
     symmetric: bool,
-    steady: u32,
+    /// The pattern of the motion so far.
     wanted: Pattern,
+    /// μ = 1.
     monotone: bool,
+    /// How many cycles the motion has gone through.
     cycles: u32,
+    /// How the contact stands in the motion, whose state is in `Room::state`.
+    here: Stance<S>,
 }
 
-impl Candidate {
-    fn try_from<S: Float>(
+impl<S: Float> Candidate<S> {
+    fn try_from(
         &mut self,
         flow: &mut Flow<'_, '_, S>,
         room: &mut Room<'_, S>,
@@ -120,13 +145,7 @@ impl Candidate {
             return Ok(Verdict::No);
         };
         let scale = flow.scale();
-        let far = flow.modes.iter().zip(room.state.chunks_exact(2)).fold(
-            S::constant(0.0),
-            |most, (part, state)| match state {
-                [y, u] => most.max((part.y - *y).abs()).max((part.u - *u).abs()),
-                _ => most,
-            },
-        );
+        let far = flow.distance(room.state);
         let largest = multipliers(flow, room, self.symmetric)?;
         let one = S::constant(1.0);
         let margin = S::constant(ON_CIRCLE * S::EPSILON);
@@ -138,10 +157,9 @@ impl Candidate {
             return self.marginal(flow, room, far, scale, self.cycles);
         }
         // With μ = 1 two motions never part, so there is no second steady state to mistake this for.
-        // With μ > 1 the motion must already be near, or have kept the pattern for long.
-        let near = far <= scale * S::constant(0.05) && pattern == self.wanted;
-        let kept = pattern == self.wanted && (self.steady >= 64 || pattern.stops == 0);
-        if self.monotone || near || kept {
+        let near = far <= scale * S::constant(1e-9_f64.max(1024.0 * S::EPSILON));
+        let same = pattern == self.wanted;
+        if self.monotone || (same && (near || self.attracts(flow, room, largest)?)) {
             if self.symmetric && pattern == ONE_REVERSAL {
                 closed::set(flow);
             }
@@ -153,8 +171,50 @@ impl Candidate {
         Ok(Verdict::No)
     }
 
+    /// Whether the motion keeps the pattern and comes as near to the fixed point, on which the flow
+    /// stands, as its multipliers promise: with μ > 1 other steady states may lie close by.
+    fn attracts(
+        &mut self,
+        flow: &mut Flow<'_, '_, S>,
+        room: &mut Room<'_, S>,
+        largest: S,
+    ) -> Result<bool, NoOrbit> {
+        let fixed = flow.stance;
+        flow.save(room.other);
+        flow.restore(room.state, &self.here);
+        let before = flow.energy_between(room.other);
+        let rate = if self.symmetric {
+            largest * largest
+        } else {
+            largest
+        };
+        let mut promised = S::constant(1.0);
+        let mut cycles = 0;
+        let mut keeps = true;
+        while keeps && cycles < MOST_FOLLOWED && S::constant(0.01) < promised {
+            let (first, second) = (flow.half(None)?, flow.half(None)?);
+            keeps = if self.symmetric {
+                first == self.wanted && second == self.wanted
+            } else {
+                first.and(second) == self.wanted
+            };
+            promised = promised * rate;
+            cycles += 1;
+        }
+        self.cycles += cycles;
+        self.here = flow.stance;
+        flow.save(room.state);
+        let after = flow.energy_between(room.other).sqrt();
+        let enough = S::constant(0.1) + S::constant(0.9) * promised;
+        if !keeps || !(after <= enough * before.sqrt()) {
+            return Ok(false);
+        }
+        flow.restore(room.other, &fixed);
+        Ok(true)
+    }
+
     /// A steady state with neighbours that are steady too: the motion itself must say which.
-    fn marginal<S: Float>(
+    fn marginal(
         &self,
         flow: &mut Flow<'_, '_, S>,
         room: &mut Room<'_, S>,
