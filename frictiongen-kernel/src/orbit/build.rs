@@ -53,6 +53,7 @@ where
             modes,
             held,
             middle: zero,
+            stuck: zero,
         };
         let driven = dynamics.in_contact();
         let room = numbers.as_mut();

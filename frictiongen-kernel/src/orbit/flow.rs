@@ -44,6 +44,8 @@ pub(super) struct Flow<'f, 'a, S> {
     /// Where the longest segment of the last half cycle had its middle, as half-turns after the
     /// section.
     pub middle: S,
+    /// For how long the contact stuck in the last half cycle.
+    pub stuck: S,
 }
 
 impl<S: Float> Flow<'_, '_, S> {
@@ -68,6 +70,7 @@ impl<S: Float> Flow<'_, '_, S> {
         let zero = S::constant(0.0);
         let mut pattern = Pattern::default();
         let (mut left, mut longest) = (tau, zero);
+        self.stuck = zero;
         for _ in 0..MOST_EVENTS {
             let stance = self.stance;
             let end = leap(self.setting, self.modes, self.held, stance, left);
@@ -77,6 +80,9 @@ impl<S: Float> Flow<'_, '_, S> {
             }
             if let Some(columns) = &mut columns {
                 tangent::through(self.setting, self.modes, self.held, &stance, &end, columns);
+            }
+            if stance.contact == Contact::Stuck {
+                self.stuck = self.stuck + end.tau;
             }
             self.stance = end.stance;
             left = left - end.tau;
