@@ -47,6 +47,8 @@
 //! | `at.motion(beta)` | the exact continuous motion, `FrameMotion`, or [`NotContinuous`] |
 //! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::steady::Motion): `amplitude`, `amplitude_monoharmonic`, `phase`, `displacement`, `velocity`, `harmonic` |
 //! | `at.stuck()` | the response with the contact stuck, or [`StuckResonance`] |
+//! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
+//! | `Frame::simulation(r, beta)`, `simulation_from(r, beta, state)` | the exact motion in time, `FrameSimulation`: `next` and `advance` give its [`Segment`](kernel::simulation::Segment)s, `upper()` where a mass is |
 //! | `Frame::limits_into(&rs, &mut continuous, &mut sliding)` | both limits over a slice |
 //!
 //! # Fields of a description

@@ -42,8 +42,12 @@ where
     {
         let zero = S::constant(0.0);
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
+        let sticks = start.is_none() && !(beta < sliding);
         for (index, mode) in dynamics.modes.iter().enumerate() {
-            bounded(&dynamics, mode, index, r, beta)?;
+            settles(&dynamics, mode, index)?;
+            if !sticks {
+                bounded(mode, r, beta)?;
+            }
         }
         let clean = parts.clone();
         let (modes, held) = setting.split(parts.as_mut());
@@ -67,7 +71,6 @@ where
             other,
             multipliers: multipliers.as_mut(),
         };
-        let from_rest = start.is_none();
         let mut marks = [Mark {
             t: zero,
             length: zero,
@@ -87,7 +90,7 @@ where
             setting.load_state(displacements, velocities, flow.modes);
             flow.stance = setting.stance(flow.modes, zero);
         }
-        let (found, count) = if from_rest && !(beta < sliding) {
+        let (found, count) = if sticks {
             let found = stuck(&mut flow, &mut room)?;
             if let Some(first) = marks.first_mut() {
                 first.length = S::pi() + S::pi();
@@ -119,28 +122,29 @@ where
     }
 }
 
-/// Nothing, unless a mode grows without bound or never settles.
-fn bounded<S: Float>(
+/// Nothing, unless the load drives a mode for ever that neither damping nor the contact touches.
+fn settles<S: Float>(
     dynamics: &Dynamics<'_, S>,
     mode: &Mode<S>,
     index: usize,
-    r: S,
-    beta: S,
 ) -> Result<(), NoOrbit> {
-    if mode.kind != Kind::Undamped || mode.load.is_zero() {
+    if mode.kind != Kind::Undamped || mode.load.is_zero() || mode.in_contact {
         return Ok(());
     }
+    let below = |other: &&Mode<S>| other.resonance < mode.resonance;
+    let earlier = dynamics.modes.iter().filter(below).count();
+    let equal = dynamics.modes.iter().take(index);
+    let twins = equal.filter(|other| other.resonance == mode.resonance);
+    Err(NoOrbit::Undamped(earlier + twins.count()))
+}
+
+/// Nothing, unless a sliding mode grows without bound.
+fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
     // β_n = (π/4)|φᵀp/φᵀw|: friction takes less than the load gives (6.2, 6.26).
     let threshold = S::constant(FRAC_PI_4) * mode.load.abs();
-    if mode.resonance == r && beta * mode.contact.abs() < threshold {
+    let resonant = mode.kind == Kind::Undamped && mode.resonance == r;
+    if resonant && beta * mode.contact.abs() < threshold {
         return Err(NoOrbit::Unbounded);
-    }
-    if !mode.in_contact {
-        let below = |other: &&Mode<S>| other.resonance < mode.resonance;
-        let earlier = dynamics.modes.iter().filter(below).count();
-        let equal = dynamics.modes.iter().take(index);
-        let twins = equal.filter(|other| other.resonance == mode.resonance);
-        return Err(NoOrbit::Undamped(earlier + twins.count()));
     }
     Ok(())
 }

@@ -91,7 +91,7 @@ impl<'a, S: Float> Matrix<'a, S> {
     /// The eigenvalues; the matrix is used up.  Reduction to Hessenberg form by elimination, then
     /// the double-shift QR iteration of Francis.
     pub(super) fn eigenvalues(&mut self, out: &mut [Complex<S>]) {
-        self.to_hessenberg();
+        self.reduce();
         let mut end = self.size;
         let mut rounds = 0;
         while end > 0 {
@@ -116,7 +116,7 @@ impl<'a, S: Float> Matrix<'a, S> {
         }
     }
 
-    fn to_hessenberg(&mut self) {
+    fn reduce(&mut self) {
         let n = self.size;
         for k in 1..n.saturating_sub(1) {
             let mut pivot = k;

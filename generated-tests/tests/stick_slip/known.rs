@@ -162,6 +162,23 @@ fn at_the_sliding_limit() {
     }
 }
 
+/// Between β*_lim and β_n on the resonance: too little friction to bound a sliding motion, but from
+/// rest none begins.
+#[test]
+fn stuck_on_a_resonance() {
+    let base = block("base", "stiction: 1.5");
+    let mut scene = base.scene().clone();
+    scene.contact.to = frictiongen::study::scene::Node::Base;
+    let moving = System::<f64>::try_from(scene).expect("a scene");
+    let at = moving.at(1.0).expect("in the domain");
+    let orbit = at.orbit(0.7).expect("it sticks");
+    assert_eq!(orbit.stuck_fraction(), 1.0);
+    assert!((amplitude(&orbit) - 1.0).abs() < 1e-15);
+    // Torn loose it slides, and grows.
+    let torn = at.orbit_from(0.7, (&[5.0], &[5.0]));
+    assert_eq!(torn.map(|orbit| orbit.stops()), Err(NoOrbit::Unbounded));
+}
+
 #[test]
 fn where_there_is_none() {
     let wall = block("block", "");
