@@ -37,6 +37,30 @@ Quantities:
 
 ";
 
+const ORBITS: &str = "\
+States:
+  stable     small deviations die
+  marginal   some deviation stays, or dies more slowly than any power: one of a continuum of
+             steady states, or at its end; also the stuck contact, which stays where it is
+  unbounded  none: on an undamped resonance
+  undamped   none: nothing damps a mode that the load drives and the contact does not touch
+  unstable   none was found that deviations do not leave
+  subharmonic  none: the motion from rest repeats after several cycles instead of one
+  unsettled  none: the motion from rest does not come to repeat from cycle to cycle
+  crowded    a cycle has more than 64 segments
+
+Quantities:
+  stops       how often the contact stops in a cycle
+  reversals   how often it changes its direction without a stop
+  stuck       the part of the cycle for which it sticks
+  multiplier  by how much the deviation that dies most slowly is multiplied in a cycle
+  amplitude   largest displacement of the cycle over P/k1, for base motion over Y
+  phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]
+  X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
+              X_0 is the mean
+
+";
+
 /// Exact solutions of mass-spring chains with one Coulomb friction contact.
 #[derive(Debug, Parser)]
 #[command(name = "frictiongen", version)]
@@ -55,6 +79,9 @@ pub enum Command {
     /// Regime, amplitudes, phases and harmonics over frequency and friction
     #[command(after_help = format!("{RESPONSES}{GRIDS}"))]
     Response(ResponseArguments),
+    /// The steady state from rest over frequency and friction, stops included
+    #[command(after_help = format!("{ORBITS}{GRIDS}"))]
+    Orbit(OrbitArguments),
     /// The Rust that the macro emits for a description
     Expand(ExpandArguments),
 }
@@ -108,6 +135,29 @@ pub struct ResponseArguments {
     #[arg(long, value_name = "NAME")]
     pub mass: Vec<String>,
     /// Also the harmonics X_1, X_3, ... up to this one
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub harmonics: Option<String>,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
+}
+
+/// Of `frictiongen orbit`.
+#[derive(Debug, Args)]
+pub struct OrbitArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// Frequency ratios r = omega sqrt(m1/k1)
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    pub r: String,
+    /// Friction ratios beta = F/P, for base motion F/(k1 Y)
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    pub beta: String,
+    /// Only this mass; may be given more than once [default: every mass]
+    #[arg(long, value_name = "NAME")]
+    pub mass: Vec<String>,
+    /// Also the harmonics X_0, X_1, ... up to this one
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
     /// The format.

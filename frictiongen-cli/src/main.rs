@@ -4,6 +4,7 @@
 //! CSV or JSON to standard output. The exit status is 0, or 2 with the reason on standard error.
 
 mod args;
+mod asked;
 mod csv;
 mod expand;
 mod failure;
@@ -12,6 +13,7 @@ mod input;
 mod json;
 mod limits;
 mod number;
+mod orbit;
 mod output;
 mod progress;
 mod response;
@@ -42,6 +44,7 @@ fn run(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Limits(arguments) => limits::run(arguments),
         Command::Response(arguments) => response::run(arguments),
+        Command::Orbit(arguments) => orbit::run(arguments),
         Command::Expand(arguments) => expand::run(arguments),
     }
 }

@@ -7,6 +7,8 @@ use std::borrow::Cow;
 pub enum Value<'a> {
     /// A number, never NaN and never −0.
     Number(f64),
+    /// A count.
+    Count(usize),
     /// A word.
     Text(&'a str),
     /// Nothing to say: an empty cell.
@@ -29,6 +31,12 @@ impl From<Option<f64>> for Value<'_> {
     }
 }
 
+impl From<usize> for Value<'_> {
+    fn from(value: usize) -> Self {
+        Self::Count(value)
+    }
+}
+
 impl<'a> From<&'a str> for Value<'a> {
     fn from(value: &'a str) -> Self {
         Self::Text(value)
@@ -40,6 +48,7 @@ impl Value<'_> {
     pub fn exact(&self) -> Cow<'_, str> {
         match self {
             Self::Number(value) => Cow::Owned(format!("{value:?}")),
+            Self::Count(value) => Cow::Owned(value.to_string()),
             Self::Text(text) => Cow::Borrowed(text),
             Self::Missing => Cow::Borrowed(""),
         }
@@ -52,6 +61,7 @@ impl Value<'_> {
                 if *value < 0.0 { "-inf" } else { "inf" }.into()
             }
             Self::Number(value) => (*value).into(),
+            Self::Count(value) => (*value).into(),
             Self::Text(text) => (*text).into(),
             Self::Missing => serde_json::Value::Null,
         }

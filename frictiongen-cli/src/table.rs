@@ -10,6 +10,8 @@ enum Style {
     Words,
     /// Numbers given by the user, with this many decimals.
     Given(usize),
+    /// Counts.
+    Counts,
     /// Numbers computed.
     Computed,
 }
@@ -49,6 +51,11 @@ impl Column {
         Self::new(title, Style::Given(most), widest.unwrap_or(0))
     }
 
+    /// Of counts.
+    pub fn counts(title: &[&str]) -> Self {
+        Self::new(title, Style::Counts, 1)
+    }
+
     /// Of numbers computed.
     pub fn computed(title: &[&str]) -> Self {
         Self::new(title, Style::Computed, COMPUTED_WIDTH)
@@ -58,6 +65,7 @@ impl Column {
         match (value, self.style) {
             (Value::Number(value), Style::Given(decimals)) => given(*value, decimals),
             (Value::Number(value), _) => computed(*value),
+            (Value::Count(value), _) => value.to_string(),
             (Value::Text(text), _) => (*text).to_owned(),
             (Value::Missing, _) => String::new(),
         }
@@ -67,7 +75,7 @@ impl Column {
         let width = self.width;
         match self.style {
             Style::Words => format!("{text:<width$}"),
-            Style::Given(_) | Style::Computed => format!("{text:>width$}"),
+            Style::Given(_) | Style::Counts | Style::Computed => format!("{text:>width$}"),
         }
     }
 }

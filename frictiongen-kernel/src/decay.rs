@@ -171,6 +171,16 @@ impl<S: Float> Basis<S> {
 }
 
 impl<S: Float> Damped<S> {
+    /// From ζ, √|1 − ζ²| and the kind that goes with them.
+    pub(crate) fn new(kind: Kind, zeta: S, q: S) -> Self {
+        Self {
+            kind,
+            zeta,
+            q,
+            q_defect: zeta * zeta / (S::constant(1.0) + q),
+        }
+    }
+
     fn light(&self, x: S, at: &Instant<S>) -> Basis<S> {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         let decay = self.zeta * x * at.tau;

@@ -37,6 +37,26 @@ pub enum NotContinuous {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StuckResonance;
 
+/// Why there is no steady state to report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoOrbit {
+    /// r, β or the state to start from.
+    OutOfDomain(OutOfDomain),
+    /// A cycle has more than 64 segments.
+    TooManyEvents,
+    /// On an undamped resonance, with too little friction to bound the amplitude.
+    Unbounded,
+    /// Nothing damps this mode, counted from 0 in the order of the natural frequencies: the contact
+    /// does not touch it, the load drives it, and its free vibration never dies.
+    Undamped(usize),
+    /// Every steady state that was found is unstable, and the motion did not come to rest on another.
+    Unstable,
+    /// The motion repeats after so many cycles of the excitation instead of one.
+    Subharmonic(u32),
+    /// No motion that repeats after a cycle within [`MAX_CYCLES`](crate::orbit::MAX_CYCLES).
+    Unsettled,
+}
+
 /// Any error of a solver, so that one function can use `?` on all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
@@ -46,6 +66,8 @@ pub enum Error {
     NotContinuous(NotContinuous),
     /// See [`StuckResonance`].
     StuckResonance(StuckResonance),
+    /// See [`NoOrbit`].
+    NoOrbit(NoOrbit),
 }
 
 impl fmt::Display for OutOfDomain {
@@ -77,12 +99,38 @@ impl fmt::Display for StuckResonance {
     }
 }
 
+impl fmt::Display for NoOrbit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfDomain(error) => error.fmt(f),
+            Self::TooManyEvents => {
+                f.write_str("no steady state: a cycle has more than 64 segments")
+            }
+            Self::Unbounded => f.write_str("no steady state: on an undamped resonance this friction ratio does not bound the amplitude"),
+            Self::Undamped(mode) => write!(
+                f,
+                "no steady state: nothing damps mode {}, which the load drives and the contact does not touch",
+                mode.wrapping_add(1)
+            ),
+            Self::Unstable => f.write_str("no steady state: the one that was found is unstable, and the motion leaves it"),
+            Self::Subharmonic(cycles) => write!(
+                f,
+                "no steady state: the motion repeats after {cycles} cycles of the excitation"
+            ),
+            Self::Unsettled => f.write_str(
+                "no steady state: the motion does not come to repeat from cycle to cycle",
+            ),
+        }
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::OutOfDomain(error) => error.fmt(f),
             Self::NotContinuous(error) => error.fmt(f),
             Self::StuckResonance(error) => error.fmt(f),
+            Self::NoOrbit(error) => error.fmt(f),
         }
     }
 }
@@ -90,6 +138,7 @@ impl fmt::Display for Error {
 impl core::error::Error for OutOfDomain {}
 impl core::error::Error for NotContinuous {}
 impl core::error::Error for StuckResonance {}
+impl core::error::Error for NoOrbit {}
 impl core::error::Error for Error {}
 
 impl From<OutOfDomain> for Error {
@@ -113,5 +162,17 @@ impl From<NotContinuous> for Error {
 impl From<StuckResonance> for Error {
     fn from(error: StuckResonance) -> Self {
         Self::StuckResonance(error)
+    }
+}
+
+impl From<OutOfDomain> for NoOrbit {
+    fn from(error: OutOfDomain) -> Self {
+        Self::OutOfDomain(error)
+    }
+}
+
+impl From<NoOrbit> for Error {
+    fn from(error: NoOrbit) -> Self {
+        Self::NoOrbit(error)
     }
 }

@@ -4,7 +4,7 @@
 //! subtractions, multiplications, divisions and square roots: the results have the same bits on
 //! every host.  The polynomials are minimax, from `tools/coefficients.py constants`.
 
-use crate::scalar::{Float, Scalar};
+use crate::scalar::{Float, Plain, Scalar};
 use crate::trig::{double, polynomial, single};
 
 /// Correctly rounded √x.
@@ -162,6 +162,8 @@ macro_rules! real {
                 $float::is_finite(self)
             }
         }
+
+        impl Plain for $float {}
     };
 }
 

@@ -15,13 +15,16 @@ pub mod limits;
 pub mod locals;
 pub mod mode;
 pub mod motion;
+pub mod orbit;
 pub mod regime;
 pub mod scalar;
 pub mod search;
+pub mod simulation;
 pub mod special;
 pub mod steady;
 pub mod trig;
+pub mod two_stops;
 pub mod wave;
 
 pub use num_complex::Complex;
-pub use scalar::{Float, Scalar};
+pub use scalar::{Float, Plain, Scalar};

@@ -106,3 +106,10 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
         self.to_f64().is_finite()
     }
 }
+
+/// A scalar that carries nothing beside its value.
+///
+/// Events and steady states are found by iteration, which stops as soon as the value is right: a
+/// derivative that came along might not be right yet.  The motion in time asks for this trait, so
+/// that dual numbers are refused when the program is compiled.
+pub trait Plain: Float {}

@@ -6,4 +6,5 @@ pub mod modal;
 pub mod scene;
 pub mod sensitivity;
 mod special;
+pub mod transient;
 pub mod validate;

@@ -286,7 +286,6 @@ impl<T: Float> Modal<T> {
     /// The modal data in a scalar, rounded once from double-double by `to`.
     #[must_use]
     pub fn reduced<S>(&self, to: impl Fn(T) -> S) -> Reduced<S> {
-        let one = T::constant(1.0);
         let zero = T::constant(0.0);
         let driven: Vec<usize> = (0..self.resonances.len())
             .filter(|i| {
@@ -301,20 +300,7 @@ impl<T: Float> Modal<T> {
                 let resonance = pick(&self.resonances, i);
                 let zeta = pick(&self.damping_ratios, i);
                 let (load, contact) = (pick(&self.loads, i), pick(&self.contacts, i));
-                let q = ((one - zeta) * (one + zeta)).abs().sqrt();
-                Mode {
-                    kind: kind(zeta),
-                    in_contact: !contact.vanishes(),
-                    resonance: to(resonance),
-                    zeta: to(zeta),
-                    q: to(q),
-                    q_defect: to(zeta * zeta / (one + q)),
-                    load: to(load),
-                    contact: to(contact),
-                    residue: to(contact * load),
-                    mobility: to(contact * contact),
-                    static_residue: to(contact * load / (resonance * resonance)),
-                }
+                mode(resonance, zeta, load, contact, &to)
             })
             .collect();
         let masses = self.shapes.first().map_or(0, Vec::len);
@@ -395,6 +381,31 @@ impl<T: Float> Modal<T> {
     }
 }
 
+/// The constants of a mode in a scalar, rounded once by `to`.
+pub(crate) fn mode<T: Float, S>(
+    resonance: T,
+    zeta: T,
+    load: T,
+    contact: T,
+    to: &impl Fn(T) -> S,
+) -> Mode<S> {
+    let one = T::constant(1.0);
+    let q = ((one - zeta) * (one + zeta)).abs().sqrt();
+    Mode {
+        kind: kind(zeta),
+        in_contact: !contact.vanishes(),
+        resonance: to(resonance),
+        zeta: to(zeta),
+        q: to(q),
+        q_defect: to(zeta * zeta / (one + q)),
+        load: to(load),
+        contact: to(contact),
+        residue: to(contact * load),
+        mobility: to(contact * contact),
+        static_residue: to(contact * load / (resonance * resonance)),
+    }
+}
+
 /// A projection on a unit vector, exactly zero where only noise is left of it.
 fn projected(vector: &[Dd], on: &[Dd], noise: f64) -> Dd {
     cleaned(dot(vector, on), dot(on, on).sqrt(), noise)
@@ -428,7 +439,7 @@ fn cleaned<T: Float>(value: T, size: T, noise: f64) -> T {
     }
 }
 
-fn kind<T: Float>(zeta: T) -> Kind {
+pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
     // By the value that is rounded to, so that the form and the constant agree.
     let zeta = zeta.to_f64();
     if zeta == 0.0 {

@@ -87,9 +87,9 @@ pub enum Provide {
     Motion(Option<Vec<usize>>),
     /// The response while the contact is stuck.
     Stuck,
-    /// Periodic orbits (not built yet).
+    /// The steady state in any regime.
     Orbit,
-    /// Event-driven simulation (not built yet).
+    /// The exact motion in time.
     Simulation,
     /// A fixed-step real-time stepper (not built yet).
     Stepper,

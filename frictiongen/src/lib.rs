@@ -47,6 +47,8 @@
 //! | `at.motion(beta)` | the exact continuous motion, `FrameMotion`, or [`NotContinuous`] |
 //! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::steady::Motion): `amplitude`, `amplitude_monoharmonic`, `phase`, `displacement`, `velocity`, `harmonic` |
 //! | `at.stuck()` | the response with the contact stuck, or [`StuckResonance`] |
+//! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
+//! | `Frame::simulation(r, beta)`, `simulation_from(r, beta, state)` | the exact motion in time, `FrameSimulation`: `next` and `advance` give its [`Segment`](kernel::simulation::Segment)s, `upper()` where a mass is |
 //! | `Frame::limits_into(&rs, &mut continuous, &mut sliding)` | both limits over a slice |
 //!
 //! # Fields of a description
@@ -60,7 +62,7 @@
 //! | `damping` | `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)` | `none` |
 //! | `stiction` | μ = static over kinetic friction, at least 1 | 1 |
 //! | `scalar` | `f64`, `f32` | `f64` |
-//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck` | `[limits, motion]` |
+//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation` | `[limits, motion]` |
 //! | `crate` | path of this crate, when it is renamed | `::frictiongen` |
 //!
 //! # Conventions
@@ -78,7 +80,9 @@ pub mod study;
 
 pub use frictiongen_kernel as kernel;
 pub use frictiongen_kernel::Complex;
-pub use frictiongen_kernel::errors::{Error, NotContinuous, OutOfDomain, Regime, StuckResonance};
+pub use frictiongen_kernel::errors::{
+    Error, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance,
+};
 /// Turns the description of a scene into its solver; see the [crate's documentation](crate).
 pub use frictiongen_macros::friction_system;
 #[cfg(feature = "study")]

@@ -162,4 +162,14 @@ shown! {
         stiction: 1.5,
         provide: [motion(m3)],
     }
+    /// The motion in time and the steady state in any regime.
+    struct Stopping {
+        masses: { lower: 1.0, upper: 0.9 },
+        springs: { base - lower: 1.0, lower - upper: 1.1 },
+        contact: upper - wall,
+        excitation: base,
+        damping: modal[0.010, 0.012],
+        stiction: 1.2,
+        provide: [orbit, simulation],
+    }
 }

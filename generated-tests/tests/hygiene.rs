@@ -30,7 +30,7 @@ friction_system! {
         contact: upper - wall,
         excitation: base,
         damping: modal[0.010, 0.012],
-        provide: [limits, motion, stuck],
+        provide: [limits, motion, stuck, orbit, simulation],
     }
 }
 
@@ -49,6 +49,17 @@ macro_rules! same_as_frame {
         let found = found.motion(0.3).expect("continuous").$upper();
         assert!(expected.amplitude().to_bits() == found.amplitude().to_bits());
         assert!(expected.phase().to_bits() == found.phase().to_bits());
+        let (expected, found) = (Frame::at(0.3), <$scene>::at(0.3));
+        let expected = expected.expect("in the domain").orbit(0.4);
+        let found = found.expect("in the domain").orbit(0.4);
+        let (expected, found) = (expected.expect("steady"), found.expect("steady"));
+        assert!(expected.stops() == 2 && found.stops() == 2);
+        let (expected, found) = (expected.upper().amplitude(), found.$upper().amplitude());
+        assert!(expected.to_bits() == found.to_bits());
+        let mut expected = Frame::simulation(0.3, 0.4).expect("in the domain");
+        let mut found = <$scene>::simulation(0.3, 0.4).expect("in the domain");
+        let ends = (expected.advance(9.0), found.advance(9.0));
+        assert!(ends.0 == ends.1 && expected.upper() == found.$upper());
     }};
 }
 
@@ -66,7 +77,7 @@ mod with_a_renamed_facade {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck],
+            provide: [limits, motion, stuck, orbit, simulation],
         }
     }
 }
@@ -87,7 +98,7 @@ mod without_a_prelude {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck],
+            provide: [limits, motion, stuck, orbit, simulation],
         }
     }
 
@@ -100,7 +111,7 @@ mod without_a_prelude {
             excitation: base,
             damping: modal(0.01),
             scalar: f32,
-            provide: [limits, motion, stuck],
+            provide: [limits, motion, stuck, orbit, simulation],
         }
     }
 }
@@ -124,6 +135,7 @@ mod among_types_of_the_same_names {
         Result Option Ok Err Some None Box Vec String Default Error Copied Into From
         Scalar Float Mode Modes ModeAt ModeResponse Kind Chain ContactAt Others Damped Undamped Decay
         Carrier Friction Share Motion Wave Complex Regime NotContinuous OutOfDomain StuckResonance
+        Orbit OrbitMotion NoOrbit Simulation Segment Moment Part Dynamics HeldMode
         Iterator IntoIterator Steady LimitsAt FrictionSystem Of f32 usize str bool u8
     }
 
@@ -133,6 +145,8 @@ mod among_types_of_the_same_names {
     pub(super) mod kernel {}
     pub(super) mod regime {}
     pub(super) mod steady {}
+    pub(super) mod orbit {}
+    pub(super) mod simulation {}
     pub(super) mod frictiongen {}
 
     ::frictiongen::friction_system! {
@@ -143,7 +157,7 @@ mod among_types_of_the_same_names {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck],
+            provide: [limits, motion, stuck, orbit, simulation],
         }
     }
 }
@@ -187,7 +201,7 @@ mod with_masses_called_like_variables {
             contact: r - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck],
+            provide: [limits, motion, stuck, orbit, simulation],
         }
     }
 
@@ -201,7 +215,7 @@ mod with_masses_called_like_variables {
             contact: mode_1 - limit,
             excitation: inverse_r,
             damping: modal(0.01),
-            provide: [limits, motion, stuck],
+            provide: [limits, motion, stuck, orbit, simulation],
         }
     }
 
@@ -227,7 +241,7 @@ mod with_masses_called_like_variables {
             contact: name - wall,
             excitation: u,
             damping: modal(0.01),
-            provide: [limits, motion, stuck],
+            provide: [limits, motion, stuck, orbit, simulation],
         }
     }
 }
@@ -241,6 +255,9 @@ fn masses_have_the_names_of_variables() {
     let at = Many::at(0.1).expect("in the domain");
     assert!(at.motion(1e-9).expect("continuous").modes().amplitude() > 0.0);
     assert!(at.stuck().expect("damped").beta().re.is_finite());
+    assert!(at.orbit(1e-9).expect("steady").map().amplitude() > 0.0);
+    let run = Many::simulation(0.1, 1e-9).expect("in the domain");
+    assert!(run.map().displacement() == 0.0);
 }
 
 /// Nothing but the limits is used: no method is dead code.
@@ -251,7 +268,7 @@ mod hardly_used {
             springs: { base - lower: 1190.0, lower - upper: 1323.0 },
             contact: upper - wall,
             excitation: base,
-            provide: [limits, motion, stuck],
+            provide: [limits, motion, stuck, orbit, simulation],
         }
     }
 
@@ -287,7 +304,7 @@ fn scenes_side_by_side_and_inside_functions() {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck],
+            provide: [limits, motion, stuck, orbit, simulation],
         }
     }
     friction_system! {
@@ -324,7 +341,7 @@ mod seen_from {
                 contact: upper - wall,
                 excitation: base,
                 damping: modal[0.010, 0.012],
-                provide: [limits, motion, stuck],
+                provide: [limits, motion, stuck, orbit, simulation],
             }
         }
     }
@@ -335,7 +352,10 @@ mod seen_from {
         let at: inside::FrameAt = inside::Frame::at(0.9).expect("in the domain");
         let motion: inside::FrameMotion = at.motion(0.3).expect("continuous");
         let stuck: inside::FrameStuck = at.stuck().expect("damped");
-        let _ = (motion, stuck);
+        let orbit: inside::FrameOrbit = at.orbit(0.3).expect("steady");
+        let run: inside::FrameSimulation =
+            inside::Frame::simulation(0.9, 0.3).expect("in the domain");
+        let _ = (motion, stuck, orbit, run);
     }
 }
 
@@ -356,7 +376,7 @@ macro_rules! scene {
                 contact: $upper - wall,
                 excitation: base,
                 damping: modal[0.010, 0.012],
-                provide: [limits, motion, stuck],
+                provide: [limits, motion, stuck, orbit, simulation],
             }
         }
     };
@@ -372,7 +392,7 @@ macro_rules! frame {
                 contact: upper - wall,
                 excitation: base,
                 damping: modal[0.010, 0.012],
-                provide: [limits, motion, stuck],
+                provide: [limits, motion, stuck, orbit, simulation],
             }
         }
     };
@@ -392,7 +412,7 @@ handed_on! {
         contact: upper - wall,
         excitation: base,
         damping: modal[0.010, 0.012],
-        provide: [limits, motion, stuck],
+        provide: [limits, motion, stuck, orbit, simulation],
     }
 }
 

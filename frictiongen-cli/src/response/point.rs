@@ -1,11 +1,10 @@
 //! Computes the response at one frequency ratio and one friction ratio.
 
-use super::report::Mass;
+use crate::asked::{Mass, polar};
 use crate::failure::Failure;
 use crate::output::Visitor;
 use frictiongen::study::{SystemAt, SystemMotion, SystemSteady};
 use frictiongen::{Complex, NotContinuous, OutOfDomain};
-use std::f64::consts::PI;
 
 /// The response at one frequency ratio and one friction ratio.
 #[derive(Debug)]
@@ -50,12 +49,6 @@ impl Movement {
             ..Self::default()
         }
     }
-}
-
-/// |z|, and −arg z in (−π, π].
-pub fn polar(z: Complex<f64>) -> (f64, f64) {
-    let lag = -z.im.atan2(z.re);
-    (z.re.hypot(z.im), if lag == -PI { PI } else { lag })
 }
 
 /// What is asked at every point.

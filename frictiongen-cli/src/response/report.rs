@@ -1,7 +1,8 @@
 //! Writes responses: a table line for each part that moves, a CSV line and a JSON object for each
 //! point.
 
-use super::point::{Movement, Point, Question, polar};
+use super::point::{Movement, Point, Question};
+use crate::asked::{Mass, polar};
 use crate::failure::Failure;
 use crate::json::object;
 use crate::number::Value;
@@ -10,15 +11,6 @@ use crate::summary::Summary;
 use crate::table::Column;
 use frictiongen::System;
 use serde_json::Value as Json;
-
-/// A mass asked for.
-#[derive(Clone, Debug)]
-pub struct Mass {
-    /// Its place in the description.
-    pub index: usize,
-    /// Its name.
-    pub name: String,
-}
 
 /// What is computed.
 pub struct ResponseReport {

@@ -112,17 +112,12 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     Part { types, items }
 }
 
-fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>) -> TokenStream {
+/// A mode as a constant.
+pub(super) fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>) -> TokenStream {
     let Mode {
         kind, in_contact, ..
     } = mode;
-    let kind = match kind {
-        Kind::Undamped => code!(Undamped),
-        Kind::Light => code!(Light),
-        Kind::Heavy => code!(Heavy),
-        Kind::Critical => code!(Critical),
-        Kind::Over => code!(Over),
-    };
+    let kind = self::kind(*kind);
     let of = |value| emission.literal(value);
     let (resonance, zeta, q) = (of(mode.resonance), of(mode.zeta), of(mode.q));
     let (q_defect, load, contact) = (of(mode.q_defect), of(mode.load), of(mode.contact));
@@ -142,6 +137,17 @@ fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>) -> TokenStream {
             mobility: #mobility,
             static_residue: #static_residue,
         }
+    }
+}
+
+/// The name of a kind of decay.
+pub(super) fn kind(kind: Kind) -> TokenStream {
+    match kind {
+        Kind::Undamped => code!(Undamped),
+        Kind::Light => code!(Light),
+        Kind::Heavy => code!(Heavy),
+        Kind::Critical => code!(Critical),
+        Kind::Over => code!(Over),
     }
 }
 

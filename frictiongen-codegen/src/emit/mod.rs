@@ -1,9 +1,13 @@
 //! Emits a scene's solver: one file for each group of emitted items.
 
 mod constants;
+mod dynamics;
 mod frequency;
 mod limits;
 mod motion;
+mod names;
+mod orbit;
+mod simulation;
 mod stuck;
 mod trace;
 
@@ -11,7 +15,8 @@ use crate::Description;
 use crate::graph::print::scalar;
 use frictiongen_model::modal::{Modal, Reduced};
 use frictiongen_model::scene::{Precision, Provide, Scene};
-use proc_macro2::{Ident, Span, TokenStream};
+use names::{IMPORTED, field, local, names};
+use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
 pub use trace::traces;
@@ -41,6 +46,8 @@ struct Emission<'a> {
     at: Ident,
     motion: Ident,
     stuck: Ident,
+    simulation: Ident,
+    orbit: Ident,
     facade: &'a syn::Path,
     /// From this many modes on passes are emitted.
     passes_from: usize,
@@ -50,17 +57,32 @@ struct Emission<'a> {
 struct Wanted<'a> {
     motion: Option<Vec<(usize, &'a Ident)>>,
     stuck: bool,
+    simulation: bool,
+    orbit: bool,
     unbuilt: Vec<&'static str>,
 }
 
 impl Emission<'_> {
-    fn names(&self) -> [Ident; 4] {
+    fn names(&self) -> [Ident; 6] {
         [
             self.name.clone(),
             self.at.clone(),
             self.motion.clone(),
             self.stuck.clone(),
+            self.simulation.clone(),
+            self.orbit.clone(),
         ]
+    }
+
+    fn rename(&mut self, scene: &Ident) {
+        [
+            self.name,
+            self.at,
+            self.motion,
+            self.stuck,
+            self.simulation,
+            self.orbit,
+        ] = names(scene);
     }
 
     fn modes(&self) -> usize {
@@ -94,6 +116,8 @@ impl Emission<'_> {
         let mut wanted = Wanted {
             motion: None,
             stuck: false,
+            simulation: false,
+            orbit: false,
             unbuilt: Vec::new(),
         };
         let all = || {
@@ -118,8 +142,8 @@ impl Emission<'_> {
                     wanted.motion = Some(merged);
                 }
                 Provide::Stuck => wanted.stuck = true,
-                Provide::Orbit => wanted.unbuilt.push("orbit"),
-                Provide::Simulation => wanted.unbuilt.push("simulation"),
+                Provide::Orbit => wanted.orbit = true,
+                Provide::Simulation => wanted.simulation = true,
                 Provide::Stepper => wanted.unbuilt.push("stepper"),
             }
         }
@@ -168,7 +192,7 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     } else {
         code!(Undamped)
     };
-    let [name, at, motion, stuck] = names(&description.name);
+    let [name, at, motion, stuck, simulation, orbit] = names(&description.name);
     let mut emission = Emission {
         description,
         scene,
@@ -181,13 +205,24 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
         at,
         motion,
         stuck,
+        simulation,
+        orbit,
         facade: &description.facade,
         passes_from,
     };
     let wanted = emission.wanted();
+    let has = [
+        true,
+        true,
+        wanted.motion.is_some(),
+        wanted.stuck,
+        wanted.simulation,
+        wanted.orbit,
+    ];
+    let in_time = wanted.simulation || wanted.orbit;
     let unbuilt = wanted.unbuilt.iter().map(|item| {
         let message = format!(
-            "`{item}` under `provide` is not built yet: leave it out; `limits`, `motion` and `stuck` are there"
+            "`{item}` under `provide` is not built yet: leave it out; the other items are there"
         );
         code!(::core::compile_error!(#message);)
     });
@@ -200,15 +235,8 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     let mut aliases = TokenStream::new();
     if clashes {
         // Within the block the scene goes by other names than what is imported there.
-        let [name, at, motion, stuck] = names(&format_ident!("Emitted{}", description.name));
-        (emission.name, emission.at, emission.motion, emission.stuck) = (name, at, motion, stuck);
+        emission.rename(&format_ident!("Emitted{}", description.name));
         (_, items) = parts(&emission);
-        let has = [
-            true,
-            true,
-            emission.wanted().motion.is_some(),
-            emission.wanted().stuck,
-        ];
         for ((alias, own), _) in emission
             .names()
             .into_iter()
@@ -221,6 +249,15 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     }
     let facade = emission.facade;
     let scalar = &emission.scalar;
+    let in_time = in_time.then(|| {
+        code! {
+            use #facade::NoOrbit;
+            use #facade::kernel::orbit::{Orbit, OrbitMotion};
+            use #facade::kernel::simulation::{
+                Dynamics, HeldMode, Moment, Part, Segment, Simulation,
+            };
+        }
+    });
     let block = code! {
             use #facade::kernel::chain::{Chain, ContactAt, ModeAt, Others};
             use #facade::kernel::decay::{Damped, Decay, Undamped};
@@ -230,6 +267,7 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
             use #facade::kernel::wave::Wave;
             use #facade::kernel::{Complex, Scalar, regime};
             use #facade::{NotContinuous, OutOfDomain, Regime, StuckResonance};
+            #in_time
             use ::core::iter::{IntoIterator, Iterator};
             use ::core::option::Option::{self, None, Some};
             use ::core::result::Result::{self, Err, Ok};
@@ -262,53 +300,6 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     }
 }
 
-/// What emitted code imports: a scene may have the same name.
-const IMPORTED: [&str; 33] = [
-    "Chain",
-    "ContactAt",
-    "ModeAt",
-    "Others",
-    "Damped",
-    "Decay",
-    "Undamped",
-    "Kind",
-    "Mode",
-    "ModeResponse",
-    "Carrier",
-    "Friction",
-    "Share",
-    "Motion",
-    "Wave",
-    "Complex",
-    "Scalar",
-    "regime",
-    "steady",
-    "NotContinuous",
-    "OutOfDomain",
-    "Regime",
-    "StuckResonance",
-    "IntoIterator",
-    "Iterator",
-    "Option",
-    "None",
-    "Some",
-    "Result",
-    "Err",
-    "Ok",
-    "f64",
-    "f32",
-];
-
-/// The names of the emitted types.
-fn names(scene: &Ident) -> [Ident; 4] {
-    [
-        scene.clone(),
-        suffixed(scene, "At"),
-        suffixed(scene, "Motion"),
-        suffixed(scene, "Stuck"),
-    ]
-}
-
 /// Everything that is emitted, types and what stays hidden.
 fn parts(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     let wanted = emission.wanted();
@@ -325,7 +316,17 @@ fn parts(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     let mut items = constants.items;
     items.extend(frequency.items);
     items.extend(limits);
-    for part in [motion, stuck].into_iter().flatten() {
+    let in_time = wanted.simulation || wanted.orbit;
+    let dynamics = in_time.then(|| dynamics::emit(emission));
+    let (mut simulation, mut orbit) = (None, None);
+    if let Some(dynamics) = dynamics {
+        simulation = wanted
+            .simulation
+            .then(|| simulation::emit(emission, &dynamics));
+        orbit = wanted.orbit.then(|| orbit::emit(emission, &dynamics));
+        items.extend(dynamics.items);
+    }
+    for part in [motion, stuck, simulation, orbit].into_iter().flatten() {
         types.extend(part.types);
         items.extend(part.items);
     }
@@ -338,17 +339,6 @@ struct Part {
     items: TokenStream,
 }
 
-fn suffixed(name: &Ident, suffix: &str) -> Ident {
-    let mut ident = format_ident!("{}{}", name, suffix);
-    ident.set_span(name.span());
-    ident
-}
-
-/// A local name that the user's code cannot capture.
-fn local(name: &str) -> Ident {
-    Ident::new(name, Span::mixed_site())
-}
-
 /// The derives of emitted types, by paths that hold without a prelude.
 fn derives() -> TokenStream {
     code! {
@@ -358,12 +348,9 @@ fn derives() -> TokenStream {
     }
 }
 
-/// `field: value`, or `field` alone where the value has its name.
-fn field(name: &str, value: &TokenStream) -> TokenStream {
-    let ident = local(name);
-    if value.to_string() == name {
-        code!(#value)
-    } else {
-        code!(#ident: #value)
+/// The derives of types that are too large to be copied unasked.
+fn not_copied() -> TokenStream {
+    code! {
+        #[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug)]
     }
 }

@@ -3,7 +3,7 @@
 use super::tables::LN_2;
 use super::{Dd, INVERSE_FACTORIAL, two_product, two_sum};
 use crate::float::POWER_400;
-use crate::scalar::{Float, Scalar};
+use crate::scalar::{Float, Plain, Scalar};
 use crate::trig::double;
 
 /// Σ v^k/(first + 2k)!, down from the term of 1/last!.
@@ -224,3 +224,5 @@ impl Float for Dd {
         Self::to_f64(self)
     }
 }
+
+impl Plain for Dd {}

@@ -1,6 +1,6 @@
 //! What goes wrong at run time.
 
-use crate::{Error, NotContinuous, OutOfDomain, StuckResonance};
+use crate::{Error, NoOrbit, NotContinuous, OutOfDomain, StuckResonance};
 use frictiongen_codegen::Diagnostics;
 use frictiongen_model::validate::SceneError;
 
@@ -121,6 +121,12 @@ impl From<NotContinuous> for StudyError {
 
 impl From<StuckResonance> for StudyError {
     fn from(error: StuckResonance) -> Self {
+        Self::Solver(error.into())
+    }
+}
+
+impl From<NoOrbit> for StudyError {
+    fn from(error: NoOrbit) -> Self {
         Self::Solver(error.into())
     }
 }

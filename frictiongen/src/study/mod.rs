@@ -5,7 +5,9 @@ mod builder;
 mod error;
 mod large;
 mod motion;
+mod orbit;
 mod sensitivity;
+mod simulation;
 mod system;
 
 pub use at::SystemAt;
@@ -13,7 +15,9 @@ pub use builder::Builder;
 pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
+pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
 pub use sensitivity::{Sensitive, Varied};
+pub use simulation::SystemSimulation;
 pub use system::System;
 
 /// What a description says: masses, springs, contact, excitation, damping.

@@ -45,6 +45,18 @@ pub type Sensitive = Dual<Dd>;
 /// # Ok(())
 /// # }
 /// ```
+///
+/// Steady states with stops and motions in time are found by iteration, which ends when the value is
+/// right; whether the derivative is too is not said, so they are refused:
+///
+/// ```compile_fail,E0599
+/// # use frictiongen::study::{Sensitive, System};
+/// fn stops(system: &System) -> Option<usize> {
+///     let varied = system.unvaried();
+///     let orbit = varied.at(Sensitive::fixed(0.3.into())).ok()?.orbit(Sensitive::fixed(0.4.into()));
+///     Some(orbit.ok()?.stops())
+/// }
+/// ```
 #[derive(Clone, Debug)]
 pub struct Varied {
     system: System<Sensitive>,

@@ -12,7 +12,9 @@ use frictiongen_kernel::mode::ModeResponse;
 use frictiongen_kernel::{Float, Scalar, regime};
 use frictiongen_model::modal::{Modal, Reduced};
 use frictiongen_model::scene::Scene;
+use frictiongen_model::transient::Transient;
 use frictiongen_model::validate::validate;
+use std::sync::OnceLock;
 
 /// A scene at run time.
 ///
@@ -42,6 +44,7 @@ pub struct System<S = f64> {
     reference: S,
     pub(super) unbounded: Vec<S>,
     pub(super) invisible: Vec<S>,
+    transient: OnceLock<Transient<S>>,
 }
 
 impl<S: Float> std::str::FromStr for System<S> {
@@ -93,7 +96,14 @@ impl<S: Float> System<S> {
             reference: to(data.reference),
             unbounded: all(data.unbounded(false)),
             invisible: all(data.unbounded(true)),
+            transient: OnceLock::new(),
         }
+    }
+
+    /// What the motion in time needs, worked out when it is first asked for.
+    pub(super) fn transient(&self) -> &Transient<S> {
+        self.transient
+            .get_or_init(|| Transient::of(&self.scene, &self.modal, rounded::<S>))
     }
 
     /// The scene as it was described.

@@ -4,16 +4,15 @@
 //! A printed number is held to half a unit of its last digit, unless the test says why it is off;
 //! a number that comes out of a search for a root is held to half a unit of the last digit stated.
 //!
-//! Left out because they need orbits with stops: F09 (largest transmissibility of any sliding
-//! state), F33 (stops per cycle), F34 (time responses against integration), F35, F36 (orbits
-//! without stops beyond β_lim), F37 (an orbit with two stops).  Of F11 and F12 the asymmetric orbits
-//! are left out, the limits are here; of F10 the integration.
+//! Left out: F09 (largest transmissibility of any sliding state), F34 (time responses), and of F10
+//! the integration.
 
 use frictiongen::study::{System, SystemMotion};
 
 mod chains;
 mod oscillating;
 mod single;
+mod stops;
 
 /// A fixed-free chain m1, m2, … with springs base - m1, m1 - m2, …; `gamma` and `kappa` list the
 /// ratios.

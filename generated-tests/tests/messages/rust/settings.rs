@@ -314,7 +314,7 @@ struct Frame {
     contact: upper - wall,
     excitation: base,
     damping: modal[0.010, 0.012],
-    provide: [limits, orbit],
+    provide: [limits, stepper],
 }
 }
 }

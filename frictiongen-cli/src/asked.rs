@@ -1,0 +1,77 @@
+//! What is asked of commands that go over frequency and friction: points, masses, harmonics.
+
+use crate::failure::Failure;
+use crate::grid::{self, MOST_POINTS, Quantity};
+use frictiongen::study::UnknownMass;
+use frictiongen::{Complex, System};
+use std::f64::consts::PI;
+
+/// The highest harmonic there may be.
+const MOST_HARMONICS: u32 = 9999;
+
+/// A mass asked for.
+#[derive(Clone, Debug)]
+pub struct Mass {
+    /// Its place in the description.
+    pub index: usize,
+    /// Its name.
+    pub name: String,
+}
+
+/// Frequency ratios and friction ratios.
+pub fn grids(r: &str, beta: &str) -> Result<(Vec<f64>, Vec<f64>), Failure> {
+    let r = grid::parse(r, Quantity::FrequencyRatio).map_err(Failure::new)?;
+    let beta = grid::parse(beta, Quantity::FrictionRatio).map_err(Failure::new)?;
+    if r.len().saturating_mul(beta.len()) > MOST_POINTS {
+        return Err(Failure::new(format_args!(
+            "--r and --beta: more than {MOST_POINTS} points together, the most there may be"
+        )));
+    }
+    Ok((r, beta))
+}
+
+/// The highest harmonic asked for, if any is.
+pub fn harmonics(highest: Option<&str>) -> Result<Option<u32>, Failure> {
+    let Some(text) = highest else {
+        return Ok(None);
+    };
+    match text.trim().parse() {
+        Ok(highest @ 1..=MOST_HARMONICS) => Ok(Some(highest)),
+        _ => Err(Failure::new(format_args!(
+            "--harmonics `{text}`: a whole number from 1 to {MOST_HARMONICS} is needed"
+        ))),
+    }
+}
+
+/// The masses asked for, each once, or all.
+pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
+    let known = || system.scene().masses.iter().enumerate();
+    let all = known().map(|(index, mass)| Mass {
+        index,
+        name: mass.name.clone(),
+    });
+    if names.is_empty() {
+        return Ok(all.collect());
+    }
+    let mut masses: Vec<Mass> = Vec::new();
+    for name in names {
+        let Some(mass) = all.clone().find(|mass| mass.name == *name) else {
+            let name = name.clone();
+            let known = known().map(|(_, mass)| mass.name.clone()).collect();
+            return Err(Failure::new(format_args!(
+                "--mass: {}",
+                UnknownMass { name, known }
+            )));
+        };
+        if masses.iter().all(|known| known.index != mass.index) {
+            masses.push(mass);
+        }
+    }
+    Ok(masses)
+}
+
+/// |z|, and −arg z in (−π, π].
+pub fn polar(z: Complex<f64>) -> (f64, f64) {
+    let lag = -z.im.atan2(z.re);
+    (z.re.hypot(z.im), if lag == -PI { PI } else { lag })
+}

@@ -1,0 +1,39 @@
+//! `frictiongen orbit`: the steady state over frequency and friction, stops included.
+
+mod point;
+mod report;
+
+use crate::args::OrbitArguments;
+use crate::asked;
+use crate::failure::Failure;
+use crate::output;
+use crate::summary::Summary;
+use frictiongen::System;
+use frictiongen_codegen::Limits;
+use report::OrbitReport;
+
+/// Runs the command.
+pub fn run(arguments: &OrbitArguments) -> Result<(), Failure> {
+    let (r, beta) = asked::grids(&arguments.r, &arguments.beta)?;
+    if r.iter().any(|r| *r == 0.0 || r.is_infinite()) {
+        return Err(Failure::new(
+            "--r: a motion in time needs a frequency ratio above 0 and below infinity",
+        ));
+    }
+    let orders = match asked::harmonics(arguments.harmonics.as_deref())? {
+        Some(highest) => (0..=highest).collect(),
+        None => Vec::new(),
+    };
+    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let system = System::try_from(description.scene).map_err(Failure::new)?;
+    let masses = asked::masses(&system, &arguments.mass)?;
+    let summary = Summary::of(&system);
+    let report = OrbitReport {
+        system,
+        r,
+        beta,
+        masses,
+        orders,
+    };
+    output::print(&report, &summary, &arguments.format)
+}

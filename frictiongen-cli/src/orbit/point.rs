@@ -1,0 +1,126 @@
+//! Computes the steady state at one frequency ratio and one friction ratio.
+
+use crate::asked::Mass;
+use frictiongen::study::{SystemAt, SystemOrbit, SystemOrbitMotion};
+use frictiongen::{Complex, NoOrbit, OutOfDomain, Regime};
+
+/// The steady state at one frequency ratio and one friction ratio.
+#[derive(Debug)]
+pub struct Point {
+    /// r.
+    pub r: f64,
+    /// β.
+    pub beta: f64,
+    /// Continuous, stick-slip or stuck.
+    pub regime: &'static str,
+    /// Stable, marginal, or why there is none.
+    pub state: &'static str,
+    /// What there is.
+    pub orbit: Option<Steady>,
+}
+
+/// A steady state.
+#[derive(Debug)]
+pub struct Steady {
+    /// Whether half a cycle repeats with the opposite sign.
+    pub symmetric: bool,
+    /// How often the contact stops.
+    pub stops: usize,
+    /// How often it reverses without a stop.
+    pub reversals: usize,
+    /// The part of the cycle for which it sticks.
+    pub stuck_fraction: f64,
+    /// When it sticks: start and length in τ.
+    pub sticking: Vec<(f64, f64)>,
+    /// Floquet multipliers.
+    pub multipliers: Vec<Complex<f64>>,
+    /// The contact and the masses asked for, in their order.
+    pub movements: Vec<Movement>,
+}
+
+/// How the contact or a mass moves.
+#[derive(Clone, Debug)]
+pub struct Movement {
+    /// Largest displacement.
+    pub amplitude: f64,
+    /// Its lag.
+    pub phase: f64,
+    /// The harmonics asked for, in ascending order.
+    pub harmonics: Vec<Complex<f64>>,
+}
+
+impl Movement {
+    fn of(motion: &SystemOrbitMotion<'_, '_>, orders: &[u32]) -> Self {
+        Self {
+            amplitude: motion.amplitude(),
+            phase: motion.phase(),
+            harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
+        }
+    }
+}
+
+impl Steady {
+    fn of(orbit: &SystemOrbit<'_>, masses: &[Mass], orders: &[u32]) -> Self {
+        let contact = std::iter::once(orbit.contact());
+        let masses = masses.iter().filter_map(|mass| orbit.mass_at(mass.index));
+        Self {
+            symmetric: orbit.is_symmetric(),
+            stops: orbit.stops(),
+            reversals: orbit.reversals(),
+            stuck_fraction: orbit.stuck_fraction(),
+            sticking: orbit.state().sticking_intervals().collect(),
+            multipliers: orbit.multipliers().to_vec(),
+            movements: contact
+                .chain(masses)
+                .map(|motion| Movement::of(&motion, orders))
+                .collect(),
+        }
+    }
+
+    /// The largest modulus of a multiplier.
+    pub fn largest_multiplier(&self) -> f64 {
+        let moduli = self
+            .multipliers
+            .iter()
+            .map(|value| value.re.hypot(value.im));
+        moduli.fold(0.0, f64::max)
+    }
+}
+
+/// Computes a point.
+pub fn answer(
+    at: &SystemAt<'_>,
+    (r, beta): (f64, f64),
+    masses: &[Mass],
+    orders: &[u32],
+) -> Result<Point, OutOfDomain> {
+    let regime = match at.regime(beta)? {
+        Regime::Continuous => "continuous",
+        Regime::StickSlip => "stick-slip",
+        Regime::Stuck => "stuck",
+    };
+    let (state, orbit) = match at.orbit(beta) {
+        Ok(orbit) => {
+            let state = match (orbit.is_marginal(), orbit.is_stable()) {
+                (true, _) => "marginal",
+                (false, true) => "stable",
+                (false, false) => "unstable",
+            };
+            (state, Some(Steady::of(&orbit, masses, orders)))
+        }
+        Err(NoOrbit::OutOfDomain(error)) => return Err(error),
+        Err(NoOrbit::TooManyEvents) => ("crowded", None),
+        Err(NoOrbit::Unbounded) => ("unbounded", None),
+        Err(NoOrbit::Undamped(_)) => ("undamped", None),
+        Err(NoOrbit::Unstable) => ("unstable", None),
+        Err(NoOrbit::Subharmonic(_)) => ("subharmonic", None),
+        Err(NoOrbit::Unsettled) => ("unsettled", None),
+    };
+    Ok(Point {
+        r,
+        beta,
+        regime,
+        state,
+        orbit,
+    })
+}

@@ -1,0 +1,83 @@
+//! The names in emitted code.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::format_ident;
+
+/// What emitted code imports: a scene may have the same name.
+pub(super) const IMPORTED: [&str; 42] = [
+    "Chain",
+    "ContactAt",
+    "ModeAt",
+    "Others",
+    "Damped",
+    "Decay",
+    "Undamped",
+    "Kind",
+    "Mode",
+    "ModeResponse",
+    "Carrier",
+    "Friction",
+    "Share",
+    "Motion",
+    "Wave",
+    "Complex",
+    "Scalar",
+    "regime",
+    "steady",
+    "NotContinuous",
+    "OutOfDomain",
+    "Regime",
+    "StuckResonance",
+    "IntoIterator",
+    "Iterator",
+    "Option",
+    "None",
+    "Some",
+    "Result",
+    "Err",
+    "Ok",
+    "f64",
+    "f32",
+    "Dynamics",
+    "HeldMode",
+    "Moment",
+    "NoOrbit",
+    "Orbit",
+    "OrbitMotion",
+    "Part",
+    "Segment",
+    "Simulation",
+];
+
+/// The names of the emitted types.
+pub(super) fn names(scene: &Ident) -> [Ident; 6] {
+    [
+        scene.clone(),
+        suffixed(scene, "At"),
+        suffixed(scene, "Motion"),
+        suffixed(scene, "Stuck"),
+        suffixed(scene, "Simulation"),
+        suffixed(scene, "Orbit"),
+    ]
+}
+
+fn suffixed(name: &Ident, suffix: &str) -> Ident {
+    let mut ident = format_ident!("{}{}", name, suffix);
+    ident.set_span(name.span());
+    ident
+}
+
+/// A local name that the user's code cannot capture.
+pub(super) fn local(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+/// `field: value`, or `field` alone where the value has its name.
+pub(super) fn field(name: &str, value: &TokenStream) -> TokenStream {
+    let ident = local(name);
+    if value.to_string() == name {
+        code!(#value)
+    } else {
+        code!(#ident: #value)
+    }
+}

@@ -1,0 +1,302 @@
+//! From a scene, r and β to its steady state.
+
+use super::flow::Flow;
+use super::solve::{Found, ON_CIRCLE, Room, multipliers, settle};
+use super::{MAX_SEGMENTS, Mark, Orbit};
+use crate::complex::Complex;
+use crate::errors::NoOrbit;
+use crate::mode::{Kind, Mode};
+use crate::scalar::{Float, Plain};
+use crate::simulation::{Contact, Dynamics, Part, Setting, Stance, leap};
+use core::f64::consts::FRAC_PI_4;
+
+impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
+where
+    S: Float,
+    P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
+    V: AsRef<[S]> + AsMut<[S]>,
+    C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+{
+    /// The steady state at r and β that is reached from a state at a maximum of the excitation, or
+    /// from rest where none is given.  From rest the sliding limit decides: from `sliding` = β*_lim
+    /// on the contact is stuck.
+    ///
+    /// # Errors
+    /// [`NoOrbit`] says why there is none.
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "one question and the room for its answer"
+    )]
+    pub fn new(
+        dynamics: Dynamics<'a, S>,
+        r: S,
+        beta: S,
+        sliding: S,
+        start: Option<(&[S], &[S])>,
+        mut parts: P,
+        mut numbers: V,
+        mut multipliers: C,
+    ) -> Result<Self, NoOrbit>
+    where
+        S: Plain,
+    {
+        let zero = S::constant(0.0);
+        let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
+        let sticks = start.is_none() && !(beta < sliding);
+        for (index, mode) in dynamics.modes.iter().enumerate() {
+            settles(&dynamics, mode, index)?;
+            if !sticks {
+                bounded(mode, r, beta)?;
+            }
+        }
+        let clean = parts.clone();
+        let (modes, held) = setting.split(parts.as_mut());
+        let mut flow = Flow {
+            stance: setting.stance(modes, zero),
+            setting: &setting,
+            modes,
+            held,
+            middle: zero,
+            stuck: zero,
+        };
+        let driven = dynamics.in_contact();
+        let room = numbers.as_mut();
+        let (states, rest) =
+            room.split_at_mut(room.len().min(MAX_SEGMENTS * 2 * dynamics.modes.len()));
+        let (matrix, rest) = rest.split_at_mut(rest.len().min(4 * driven * driven));
+        let (state, other) = rest.split_at_mut(rest.len() / 2);
+        let mut room = Room {
+            matrix,
+            state,
+            other,
+            multipliers: multipliers.as_mut(),
+        };
+        let mut marks = [Mark {
+            t: zero,
+            length: zero,
+            contact: Contact::Stuck,
+            departing: None,
+            event: None,
+            relative: zero,
+        }; MAX_SEGMENTS];
+        if let Some((displacements, velocities)) = start {
+            if !displacements
+                .iter()
+                .chain(velocities)
+                .all(|value| value.is_finite())
+            {
+                return Err(crate::errors::OutOfDomain { argument: "state" }.into());
+            }
+            setting.load_state(displacements, velocities, flow.modes);
+            flow.stance = setting.stance(flow.modes, zero);
+        }
+        let (found, count) = if sticks {
+            let found = stuck(&mut flow, &mut room)?;
+            if let Some(first) = marks.first_mut() {
+                first.length = S::pi() + S::pi();
+            }
+            save(&flow, states, 0);
+            (found, 1)
+        } else {
+            let found = if beta.is_zero() {
+                linear(&mut flow, &mut room)?
+            } else {
+                settle(&mut flow, &mut room)?
+            };
+            let count = recorded(&mut flow, &mut marks, states)?;
+            let symmetric = found.symmetric || is_symmetric(&mut flow, &mut room)?;
+            (Found { symmetric, ..found }, count)
+        };
+        let origin = origin(marks.get(..count).unwrap_or_default());
+        Ok(Self {
+            setting,
+            parts: clean,
+            numbers,
+            multipliers,
+            marks,
+            count,
+            symmetric: found.symmetric,
+            marginal: found.marginal,
+            origin,
+        })
+    }
+}
+
+/// Nothing, unless the load drives a mode for ever that neither damping nor the contact touches.
+fn settles<S: Float>(
+    dynamics: &Dynamics<'_, S>,
+    mode: &Mode<S>,
+    index: usize,
+) -> Result<(), NoOrbit> {
+    if mode.kind != Kind::Undamped || mode.load.is_zero() || mode.in_contact {
+        return Ok(());
+    }
+    let below = |other: &&Mode<S>| other.resonance < mode.resonance;
+    let earlier = dynamics.modes.iter().filter(below).count();
+    let equal = dynamics.modes.iter().take(index);
+    let twins = equal.filter(|other| other.resonance == mode.resonance);
+    Err(NoOrbit::Undamped(earlier + twins.count()))
+}
+
+/// Nothing, unless a sliding mode grows without bound.
+fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
+    // β_n = (π/4)|φᵀp/φᵀw|: friction takes less than the load gives (6.2, 6.26).
+    let threshold = S::constant(FRAC_PI_4) * mode.load.abs();
+    let resonant = mode.kind == Kind::Undamped && mode.resonance == r;
+    if resonant && beta * mode.contact.abs() < threshold {
+        return Err(NoOrbit::Unbounded);
+    }
+    Ok(())
+}
+
+/// The state while the contact never slides (6.11, 6.27, 6.33): every held mode in its steady motion
+/// about the contact's middle.
+fn stuck<S: Float>(flow: &mut Flow<'_, '_, S>, room: &mut Room<'_, S>) -> Result<Found, NoOrbit> {
+    let zero = S::constant(0.0);
+    let at = (zero, S::constant(1.0));
+    for part in flow.held.iter_mut() {
+        part.settle(at).ok_or(NoOrbit::Unbounded)?;
+    }
+    settle_free(flow, at)?;
+    let driven = flow.setting.dynamics.in_contact();
+    let states = flow.modes.iter_mut().take(driven);
+    let states = states.map(|part| (&mut part.y, &mut part.u));
+    let lifted = flow.setting.lifted(zero, at);
+    flow.setting.release(flow.held, lifted, states);
+    flow.stance.contact = Contact::Stuck;
+    flow.stance.departing = None;
+    // A deviation of the contact stays where it is, one of its velocity is gone at once, and the
+    // held modes' decay by themselves.
+    let one = S::constant(1.0);
+    let two_pi = S::pi() + S::pi();
+    let mut out = room.multipliers.iter_mut();
+    for (out, re) in out.by_ref().zip([one, zero]) {
+        *out = Complex::new(re, zero);
+    }
+    for part in flow.held.iter() {
+        for multiplier in part.multipliers(two_pi) {
+            if let Some(out) = out.next() {
+                *out = multiplier;
+            }
+        }
+    }
+    Ok(Found {
+        symmetric: true,
+        marginal: true,
+    })
+}
+
+/// β = 0: every mode in its steady motion.
+fn linear<S: Float>(flow: &mut Flow<'_, '_, S>, room: &mut Room<'_, S>) -> Result<Found, NoOrbit> {
+    let at = (S::constant(0.0), S::constant(1.0));
+    let driven = flow.setting.dynamics.in_contact();
+    for part in flow.modes.iter_mut().take(driven) {
+        part.settle(at).ok_or(NoOrbit::Unbounded)?;
+    }
+    settle_free(flow, at)?;
+    flow.stance = flow.setting.stance(flow.modes, S::constant(0.0));
+    let largest = multipliers(flow, room, true)?;
+    Ok(Found {
+        symmetric: true,
+        marginal: S::constant(1.0 - ON_CIRCLE * S::EPSILON) < largest,
+    })
+}
+
+/// Sets the modes that the contact does not touch to their steady motion.
+fn settle_free<S: Float>(flow: &mut Flow<'_, '_, S>, at: (S, S)) -> Result<(), NoOrbit> {
+    let driven = flow.setting.dynamics.in_contact();
+    for part in flow.modes.iter_mut().skip(driven) {
+        part.settle(at).ok_or(NoOrbit::Unbounded)?;
+    }
+    Ok(())
+}
+
+fn save<S: Float>(flow: &Flow<'_, '_, S>, states: &mut [S], index: usize) {
+    let size = 2 * flow.setting.dynamics.modes.len();
+    if let Some(state) = states.get_mut(index * size..(index + 1) * size) {
+        flow.save(state);
+    }
+}
+
+/// Goes once round, from event to event, and notes every segment; how many there are.
+fn recorded<S: Float>(
+    flow: &mut Flow<'_, '_, S>,
+    marks: &mut [Mark<S>; MAX_SEGMENTS],
+    states: &mut [S],
+) -> Result<usize, NoOrbit> {
+    let zero = S::constant(0.0);
+    let cycle = S::pi() + S::pi();
+    // To the first event; from the section itself where there is none.
+    let section: Stance<S> = flow.stance;
+    let mut left = cycle;
+    loop {
+        let end = leap(flow.setting, flow.modes, flow.held, flow.stance, left);
+        flow.stance = end.stance;
+        left = left - end.tau;
+        if end.event.is_some() {
+            break;
+        }
+        if !(zero < left) {
+            flow.stance = section;
+            break;
+        }
+    }
+    settle_free(flow, flow.stance.t.sin_cos_pi())?;
+    let slack = S::constant(1e-9_f64.max(1024.0 * S::EPSILON));
+    left = cycle;
+    let mut count = 0;
+    while slack < left {
+        let stance = flow.stance;
+        save(flow, states, count);
+        let relative = flow.setting.relative(flow.modes, stance.t.sin_cos_pi());
+        let end = leap(flow.setting, flow.modes, flow.held, stance, left + slack);
+        let length = if left - slack < end.tau {
+            left
+        } else {
+            end.tau
+        };
+        let mark = marks.get_mut(count).ok_or(NoOrbit::TooManyEvents)?;
+        *mark = Mark {
+            t: stance.t,
+            length,
+            contact: stance.contact,
+            departing: stance.departing,
+            event: end.event,
+            relative,
+        };
+        left = left - length;
+        flow.stance = end.stance;
+        // A segment of no length was an attempt to leave that came to nothing.
+        if zero < length {
+            count += 1;
+        }
+    }
+    Ok(count)
+}
+
+/// Whether half a cycle takes the state to its opposite.
+fn is_symmetric<S: Float>(
+    flow: &mut Flow<'_, '_, S>,
+    room: &mut Room<'_, S>,
+) -> Result<bool, NoOrbit> {
+    flow.save(room.other);
+    flow.half(None)?;
+    flow.save(room.state);
+    let apart = room.state.iter().zip(room.other.iter());
+    let apart = apart.fold(S::constant(0.0), |most, (a, b)| most.max((*a + *b).abs()));
+    Ok(apart <= flow.scale() * S::constant(1e-9_f64.max(1024.0 * S::EPSILON)))
+}
+
+/// Where the relative motion leaves its maximum: the start of the segment with the largest z̄.
+fn origin<S: Float>(marks: &[Mark<S>]) -> S {
+    let mut best: Option<&Mark<S>> = None;
+    for mark in marks
+        .iter()
+        .filter(|mark| mark.contact == Contact::Backward)
+    {
+        if best.is_none_or(|best| best.relative < mark.relative) {
+            best = Some(mark);
+        }
+    }
+    best.map_or(S::constant(0.0), |mark| mark.t)
+}

@@ -1,0 +1,164 @@
+//! The motion over half a cycle or a whole one, from a section at a fixed phase of the excitation.
+
+use super::tangent;
+use crate::errors::NoOrbit;
+use crate::scalar::Float;
+use crate::simulation::{Contact, Event, Part, Setting, Stance, leap};
+
+/// No half cycle is followed through more events than this.
+const MOST_EVENTS: u32 = 4096;
+
+/// What happens in half a cycle, or in a whole one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Pattern {
+    pub stops: u32,
+    pub reversals: u32,
+    pub slips: u32,
+}
+
+impl Pattern {
+    fn note(&mut self, event: Event) {
+        match event {
+            Event::Stop => self.stops += 1,
+            Event::Slip => self.slips += 1,
+            Event::Reversal => self.reversals += 1,
+        }
+    }
+
+    /// Both together.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self {
+            stops: self.stops + other.stops,
+            reversals: self.reversals + other.reversals,
+            slips: self.slips + other.slips,
+        }
+    }
+}
+
+/// The state at the section, and what moves it on.
+pub(super) struct Flow<'f, 'a, S> {
+    pub setting: &'f Setting<'a, S>,
+    pub modes: &'f mut [Part<S>],
+    pub held: &'f mut [Part<S>],
+    pub stance: Stance<S>,
+    /// Where the longest segment of the last half cycle had its middle, as half-turns after the
+    /// section.
+    pub middle: S,
+    /// For how long the contact stuck in the last half cycle.
+    pub stuck: S,
+}
+
+impl<S: Float> Flow<'_, '_, S> {
+    /// How many numbers a state has.
+    pub(super) fn size(&self) -> usize {
+        2 * self.setting.dynamics.in_contact()
+    }
+
+    /// Half a cycle on; deviations in `columns` go along.
+    pub(super) fn half(&mut self, columns: Option<&mut [S]>) -> Result<Pattern, NoOrbit> {
+        let start = self.stance.t;
+        let pattern = self.on(S::pi(), columns)?;
+        // Exactly half a cycle, whatever the sum of the lengths says.
+        let (one, two) = (S::constant(1.0), S::constant(2.0));
+        let t = start + one;
+        self.stance.t = if t < two { t } else { t - two };
+        Ok(pattern)
+    }
+
+    /// Moves on by τ.
+    pub(super) fn on(&mut self, tau: S, mut columns: Option<&mut [S]>) -> Result<Pattern, NoOrbit> {
+        let zero = S::constant(0.0);
+        let mut pattern = Pattern::default();
+        let (mut left, mut longest) = (tau, zero);
+        self.stuck = zero;
+        for _ in 0..MOST_EVENTS {
+            let stance = self.stance;
+            let end = leap(self.setting, self.modes, self.held, stance, left);
+            if longest < end.tau {
+                longest = end.tau;
+                self.middle = (tau - left + end.tau * S::constant(0.5)) * S::inverse_pi();
+            }
+            if let Some(columns) = &mut columns {
+                tangent::through(self.setting, self.modes, self.held, &stance, &end, columns);
+            }
+            if stance.contact == Contact::Stuck {
+                self.stuck = self.stuck + end.tau;
+            }
+            self.stance = end.stance;
+            left = left - end.tau;
+            match end.event {
+                Some(event) => pattern.note(event),
+                None if !(zero < left) => return Ok(pattern),
+                None => {}
+            }
+            if !(zero < left) {
+                return Ok(pattern);
+            }
+        }
+        Err(NoOrbit::TooManyEvents)
+    }
+
+    /// The state, copied out.
+    pub(super) fn save(&self, state: &mut [S]) {
+        for (part, state) in self.modes.iter().zip(state.chunks_exact_mut(2)) {
+            if let [y, u] = state {
+                (*y, *u) = (part.y, part.u);
+            }
+        }
+    }
+
+    /// The state, set anew; how the contact stands is kept if it sticks, else read off.
+    pub(super) fn restore(&mut self, state: &[S], stance: &Stance<S>) {
+        for (part, state) in self.modes.iter_mut().zip(state.chunks_exact(2)) {
+            if let [y, u] = state {
+                (part.y, part.u) = (*y, *u);
+            }
+        }
+        self.stance = *stance;
+        self.stance.departing = None;
+        if stance.contact != Contact::Stuck {
+            self.stance = self.setting.stance(self.modes, stance.t);
+        }
+    }
+
+    /// The largest difference from another state.
+    pub(super) fn distance(&self, state: &[S]) -> S {
+        let states = self.modes.iter().zip(state.chunks_exact(2));
+        states.fold(S::constant(0.0), |most, (part, state)| match state {
+            [y, u] => most.max((part.y - *y).abs()).max((part.u - *u).abs()),
+            _ => most,
+        })
+    }
+
+    /// Twice the energy of the difference between this state and another.
+    pub(super) fn energy_between(&self, state: &[S]) -> S {
+        let modes = self.modes.iter().zip(self.setting.dynamics.driven());
+        let states = modes.zip(state.chunks_exact(2));
+        states.fold(S::constant(0.0), |sum, ((part, mode), state)| match state {
+            [y, u] => {
+                let (y, u) = (part.y - *y, part.u - *u);
+                sum + mode.resonance * mode.resonance * (y * y + u * u)
+            }
+            _ => sum,
+        })
+    }
+
+    /// The largest of the state's numbers.
+    pub(super) fn scale(&self) -> S {
+        let driven = self.setting.dynamics.in_contact();
+        self.modes
+            .iter()
+            .take(driven)
+            .fold(S::constant(0.0), |most, part| {
+                most.max(part.y.abs()).max(part.u.abs())
+            })
+    }
+}
+
+/// Deviations in every direction: the unit matrix.
+pub(super) fn unit<S: Float>(columns: &mut [S], size: usize) {
+    for (index, entry) in columns.iter_mut().enumerate() {
+        let own = index % (size + 1) == 0;
+        *entry = S::constant(if own { 1.0 } else { 0.0 });
+    }
+}

@@ -1,0 +1,294 @@
+//! The steady motion of the contact or of a mass as something to ask.
+
+use super::gauss::{PANEL, SIXTEEN};
+use super::{Mark, Orbit};
+use crate::complex::{self, Complex};
+use crate::scalar::Float;
+use crate::simulation::{Contact, Part, Setting, Stance, Sum, rotated};
+
+/// The steady motion of the contact or of a mass, in an [`Orbit`].
+#[derive(Debug)]
+pub struct OrbitMotion<'o, 'a, S, P, V, C> {
+    orbit: &'o Orbit<'a, S, P, V, C>,
+    /// The mass's shape; none for the contact.
+    shape: Option<&'a [S]>,
+}
+
+impl<S, P, V, C> Clone for OrbitMotion<'_, '_, S, P, V, C> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<S, P, V, C> Copy for OrbitMotion<'_, '_, S, P, V, C> {}
+
+/// The largest |x̄| so far, and the lag of the best of its places.
+struct Best<S> {
+    value: S,
+    lag: Option<S>,
+}
+
+impl<'o, 'a, S, P, V, C> OrbitMotion<'o, 'a, S, P, V, C>
+where
+    S: Float,
+    P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
+    V: AsRef<[S]> + AsMut<[S]>,
+    C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+{
+    pub(super) fn of_contact(orbit: &'o Orbit<'a, S, P, V, C>) -> Self {
+        Self { orbit, shape: None }
+    }
+
+    pub(super) fn of_mass(orbit: &'o Orbit<'a, S, P, V, C>, shape: &'a [S]) -> Self {
+        Self {
+            orbit,
+            shape: Some(shape),
+        }
+    }
+
+    /// The largest |x̄| of the cycle (P/k₁; for base motion Y).
+    pub fn amplitude(&self) -> S {
+        self.best().value
+    }
+
+    /// The lag of the motion's largest |x̄| behind the excitation's maximum, rad, in (−π, π]; by half
+    /// a turn more where x̄ is negative there.  Of equal ones the smallest |lag| counts, then the
+    /// positive one.
+    pub fn phase(&self) -> S {
+        self.best().lag.unwrap_or(S::constant(0.0))
+    }
+
+    /// x̄ at τ, counted from where the relative motion in the contact leaves its maximum.
+    pub fn displacement(&self, tau: S) -> S {
+        self.asked(tau, |sum, tau| sum.local(tau).value)
+    }
+
+    /// dx̄/dτ at τ, counted from where the relative motion in the contact leaves its maximum.
+    pub fn velocity(&self, tau: S) -> S {
+        self.asked(tau, |sum, tau| sum.local(tau).slope)
+    }
+
+    /// X_n, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the excitation; X_0 is the mean.
+    pub fn harmonic(&self, n: u32) -> Complex<S> {
+        let (zero, half) = (S::constant(0.0), S::constant(0.5));
+        let order = S::constant(f64::from(n));
+        let mut total = complex::real(zero);
+        self.each(|mark, sum| {
+            let turning = (sum.rate + order) * mark.length * S::constant(1.0 / PANEL);
+            let mut panels = S::constant(1.0);
+            while panels < turning {
+                panels = panels + S::constant(1.0);
+            }
+            let width = mark.length / panels;
+            let mut start = zero;
+            let mut done = zero;
+            while done < panels {
+                for (node, weight) in SIXTEEN {
+                    for side in [-node, node] {
+                        let tau = start + width * half * S::constant(1.0 + side);
+                        let t = (mark.t + tau * S::inverse_pi()) * order;
+                        let (sine, cosine) = t.sin_cos_pi();
+                        let value = sum.local(tau).value * S::constant(weight) * width * half;
+                        total.re = total.re + value * cosine;
+                        total.im = total.im - value * sine;
+                    }
+                }
+                start = start + width;
+                done = done + S::constant(1.0);
+            }
+        });
+        let factor = if n == 0 { half } else { S::constant(1.0) };
+        complex::scale(total, S::inverse_pi() * factor)
+    }
+
+    fn best(&self) -> Best<S> {
+        let zero = S::constant(0.0);
+        let mut best = Best {
+            value: zero,
+            lag: None,
+        };
+        if self.is_contact() {
+            self.at_events(&mut best);
+        } else {
+            self.each(|mark, sum| {
+                sum.peaks(best.value, |tau, value| {
+                    best.note(mark.t + tau * S::inverse_pi(), value);
+                    best.value
+                });
+            });
+        }
+        best
+    }
+
+    /// Whether the motion is the relative one in the contact, up to what the contact carries.
+    fn is_contact(&self) -> bool {
+        self.shape.is_none()
+    }
+
+    /// The relative motion is largest where its velocity is zero: at events, and all along a stop.
+    fn at_events(&self, best: &mut Best<S>) {
+        let zero = S::constant(0.0);
+        for mark in self.orbit.marks() {
+            best.note(mark.t, mark.relative);
+            if mark.contact == Contact::Stuck {
+                let turns = mark.length * S::inverse_pi();
+                best.note(mark.t + turns, mark.relative);
+                // The excitation's maximum, or for a negative one its minimum, within the stop.
+                let target = if mark.relative < zero { 1.0 } else { 0.0 };
+                for target in [target, target + 2.0].map(S::constant) {
+                    if mark.t <= target && target <= mark.t + turns {
+                        best.note(target, mark.relative);
+                    }
+                }
+            }
+        }
+    }
+
+    fn asked(&self, tau: S, question: impl Fn(&Sum<'_, S>, S) -> S) -> S {
+        let (zero, two) = (S::constant(0.0), S::constant(2.0));
+        let t = self.orbit.origin + tau * S::inverse_pi();
+        // The segment that started last.
+        let mut found: Option<(usize, S)> = None;
+        for (index, mark) in self.orbit.marks().iter().enumerate() {
+            let since = t - mark.t;
+            let since = since - (since * S::constant(0.5)).floor() * two;
+            if found.is_none_or(|(_, best)| since < best) {
+                found = Some((index, since));
+            }
+        }
+        let Some((index, since)) = found else {
+            return zero;
+        };
+        let mut parts = self.orbit.parts.clone();
+        match self.sum(index, parts.as_mut()) {
+            Some((_, sum)) => question(&sum, since * S::pi()),
+            None => zero,
+        }
+    }
+
+    fn each(&self, mut question: impl FnMut(&Mark<S>, &Sum<'_, S>)) {
+        let mut parts = self.orbit.parts.clone();
+        for index in 0..self.orbit.count {
+            if let Some((mark, sum)) = self.sum(index, parts.as_mut()) {
+                question(mark, &sum);
+            }
+        }
+    }
+
+    /// The motion in one segment.
+    fn sum<'p>(&self, index: usize, parts: &'p mut [Part<S>]) -> Option<(&'o Mark<S>, Sum<'p, S>)> {
+        let setting = &self.orbit.setting;
+        let mark = self.orbit.marks.get(index)?;
+        let size = 2 * setting.dynamics.modes.len();
+        let state = self.orbit.numbers.as_ref();
+        let state = state.get(index * size..(index + 1) * size)?;
+        for (part, state) in parts.iter_mut().zip(state.chunks_exact(2)) {
+            if let [y, u] = state {
+                (part.y, part.u) = (*y, *u);
+            }
+        }
+        let stance = Stance {
+            t: mark.t,
+            contact: mark.contact,
+            departing: mark.departing,
+            wedged: false,
+        };
+        Some((mark, self.aimed(setting, parts, &stance, mark.length)))
+    }
+
+    fn aimed<'p>(
+        &self,
+        setting: &Setting<'a, S>,
+        parts: &'p mut [Part<S>],
+        stance: &Stance<S>,
+        reach: S,
+    ) -> Sum<'p, S> {
+        let zero = S::constant(0.0);
+        let (modes, held) = setting.split(parts);
+        let driven = setting.dynamics.in_contact();
+        let mut constant = zero;
+        let mut carrier = complex::real(zero);
+        let component = |index: usize| -> S {
+            let contact = || setting.dynamics.modes.get(index).map(|mode| mode.contact);
+            let component = match self.shape {
+                Some(shape) => shape.get(index).copied(),
+                None => contact(),
+            };
+            component.unwrap_or(zero)
+        };
+        if self.shape.is_none() {
+            carrier = complex::real(-setting.base);
+        }
+        let sticks = stance.contact == Contact::Stuck;
+        if sticks {
+            let (_, offset) = setting.stick(modes, held, stance, reach);
+            for (part, (_, shares)) in held.iter_mut().zip(setting.dynamics.held_modes()) {
+                part.weight = [zero; 2];
+                for (index, share) in shares.iter().enumerate() {
+                    for (weight, share) in part.weight.iter_mut().zip(share) {
+                        *weight = *weight + component(index) * *share;
+                    }
+                }
+            }
+            for (index, mode) in setting.dynamics.driven().iter().enumerate() {
+                let lift = component(index) * setting.lift(mode.contact, mode.resonance);
+                constant = constant + lift * offset;
+                carrier.re = carrier.re + lift * setting.base;
+            }
+        } else {
+            let _ = setting.slide(modes, stance, reach);
+            for (index, part) in modes.iter_mut().enumerate().take(driven) {
+                part.weight = [component(index), zero];
+                constant = constant + component(index) * part.centre;
+            }
+        }
+        for (index, part) in modes.iter_mut().enumerate().skip(driven) {
+            part.weight = [component(index), zero];
+        }
+        // The modes that the contact does not touch stand between those that it does and the held.
+        let modes = setting.dynamics.modes.len();
+        let range = if sticks {
+            driven..parts.len()
+        } else {
+            0..modes
+        };
+        let parts = parts.get_mut(range).unwrap_or_default();
+        for part in parts.iter_mut() {
+            part.aim();
+            carrier = complex::add(carrier, part.carrier());
+        }
+        let at = stance.t.sin_cos_pi();
+        let (sine, cosine) = at;
+        let cosines = rotated(carrier, sine, cosine);
+        let sines = -(carrier.re * sine) - carrier.im * cosine;
+        Sum::new(parts, constant, (cosines, sines), at, reach)
+    }
+}
+
+impl<S: Float> Best<S> {
+    /// Notes a value at an instant, in half-turns of the excitation.
+    fn note(&mut self, t: S, value: S) {
+        let (one, two) = (S::constant(1.0), S::constant(2.0));
+        let near = S::constant(1.0 - 64.0 * S::EPSILON);
+        let size = value.abs();
+        if size < self.value * near {
+            return;
+        }
+        let t = if value < S::constant(0.0) { t + one } else { t };
+        let t = t - (t * S::constant(0.5)).floor() * two;
+        let lag = if one < t { t - two } else { t } * S::pi();
+        let clear = self.value < size * near;
+        self.value = self.value.max(size);
+        // Twins differ by rounding: of lags of nearly equal size the positive one counts.
+        let same = S::constant(1e-9_f64.max(64.0 * S::EPSILON));
+        let better = match self.lag {
+            Some(known) if !clear => {
+                let gain = known.abs() - lag.abs();
+                same < gain || (gain.abs() <= same && known < lag)
+            }
+            _ => true,
+        };
+        if better {
+            self.lag = Some(lag);
+        }
+    }
+}

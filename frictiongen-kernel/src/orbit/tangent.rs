@@ -1,0 +1,97 @@
+//! How small deviations grow along a motion: closed forms between events, and at each event the
+//! jump (saltation) that comes from its being met a little earlier or later.
+
+use crate::scalar::Float;
+use crate::simulation::{Contact, End, Part, Setting, Stance};
+
+/// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.
+/// `modes` and `held` are the parts as the segment has left them; what `held` says is used up.
+pub(super) fn through<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &[Part<S>],
+    held: &mut [Part<S>],
+    stance: &Stance<S>,
+    end: &End<S>,
+    columns: &mut [S],
+) {
+    let size = 2 * setting.dynamics.in_contact();
+    let t = end.tau * S::inverse_pi();
+    if stance.contact == Contact::Stuck {
+        for column in columns.chunks_exact_mut(size) {
+            stuck(setting, held, t, end, column);
+        }
+    } else {
+        for (index, part) in modes.iter().enumerate().take(size / 2) {
+            let turn = part.turn(t, end.tau);
+            for column in columns.chunks_exact_mut(size) {
+                if let Some([y, u]) = column.get_mut(2 * index..2 * index + 2) {
+                    [*y, *u] = part.turned([*y, *u], &turn);
+                }
+            }
+        }
+    }
+    if end.event.is_some() {
+        for column in columns.chunks_exact_mut(size) {
+            jump(setting, stance, end, column);
+        }
+    }
+}
+
+/// Stuck, a deviation of the contact stays, and the held modes carry the rest.
+fn stuck<S: Float>(
+    setting: &Setting<'_, S>,
+    held: &mut [Part<S>],
+    t: S,
+    end: &End<S>,
+    column: &mut [S],
+) {
+    let zero = S::constant(0.0);
+    let driven = setting.dynamics.driven();
+    let states = column.chunks_exact(2).map(|state| match state {
+        [y, u] => [*y, *u],
+        _ => [zero; 2],
+    });
+    let moved = driven
+        .iter()
+        .zip(states.clone())
+        .fold(zero, |sum, (mode, [y, _])| sum + mode.contact * y);
+    setting.project(states, (moved, zero), held);
+    for part in held.iter_mut() {
+        let turn = part.turn(t, end.tau);
+        [part.y, part.u] = part.turned([part.y, part.u], &turn);
+    }
+    let states = column.chunks_exact_mut(2).filter_map(|state| match state {
+        [y, u] => Some((y, u)),
+        _ => None,
+    });
+    setting.release(held, (moved, zero), states);
+}
+
+/// The event comes δτ = −δf/f′ later; meanwhile the state moves on by the slope before it instead of
+/// that after it, which differ by the jump of the contact force.
+fn jump<S: Float>(setting: &Setting<'_, S>, stance: &Stance<S>, end: &End<S>, column: &mut [S]) {
+    let (zero, two) = (S::constant(0.0), S::constant(2.0));
+    let driven = setting.dynamics.driven();
+    let mut deviation = zero;
+    for (mode, state) in driven.iter().zip(column.chunks_exact(2)) {
+        let [y, u] = state else { continue };
+        let sigma = mode.resonance;
+        deviation = deviation
+            + mode.contact
+                * if stance.contact == Contact::Stuck {
+                    // Of the contact force, times −m*.
+                    sigma * sigma * (*y + two * mode.zeta * *u)
+                } else {
+                    sigma / setting.r * *u
+                };
+    }
+    if stance.contact == Contact::Stuck {
+        deviation = -(deviation / setting.dynamics.chain.mobility);
+    }
+    let later = -(deviation / end.slope);
+    for (mode, state) in driven.iter().zip(column.chunks_exact_mut(2)) {
+        if let [_, u] = state {
+            *u = *u - end.jump * mode.contact / (setting.r * mode.resonance) * later;
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! The largest |value| of a sum between two events, by the same walk that finds events.
+
+use super::sum::Sum;
+use super::walk::{Start, Walk, first_reach};
+use crate::scalar::Float;
+
+/// Values closer than this many roundings count as equal.
+const EQUAL: f64 = 64.0;
+/// No segment of a smooth sum has more peaks worth climbing than this.
+const MAX_CLIMBS: u32 = 256;
+
+impl<S: Float> Sum<'_, S> {
+    /// Calls `note` with the place and the value of every local extreme that comes up to `level`
+    /// within rounding when it is met; `note` answers with the new level.
+    pub(crate) fn peaks(&self, mut level: S, mut note: impl FnMut(S, S) -> S) {
+        let (zero, two) = (S::constant(0.0), S::constant(2.0));
+        let near = S::constant(1.0 - EQUAL * S::EPSILON);
+        let mut from = zero;
+        for end in [zero, self.reach] {
+            let value = self.local(end).value;
+            if level * near <= value.abs() {
+                level = note(end, value);
+            }
+        }
+        for _ in 0..MAX_CLIMBS {
+            let Walk::Zero(tau, _) = first_reach(self, level * near, from, Start::Anywhere) else {
+                return;
+            };
+            let (top, value, curve) = self.climbed(tau);
+            level = note(top, value);
+            // Past the summit by as much as it takes to be below the level again.
+            let fall = S::constant(4.0 * EQUAL * S::EPSILON) * value.abs();
+            let width = (two * fall / curve.abs()).sqrt();
+            let mut step = if width.is_finite() { width } else { self.reach };
+            from = tau.max(top) + step;
+            while from < self.reach && level * near <= self.local(from).value.abs() {
+                step = step * two;
+                from = from + step;
+            }
+            if !(from < self.reach) {
+                return;
+            }
+        }
+    }
+
+    /// The extreme next to an instant, by Newton's method on the slope, never downhill.
+    fn climbed(&self, tau: S) -> (S, S, S) {
+        let zero = S::constant(0.0);
+        let mut at = tau;
+        let mut local = self.local(at);
+        let sign = S::constant(1.0).copysign(local.value);
+        let mut trust = S::constant(0.25);
+        for _ in 0..60 {
+            let (slope, curve) = (sign * local.slope, sign * local.curve);
+            let newton = if curve < zero {
+                -(slope / curve)
+            } else {
+                trust.copysign(slope)
+            };
+            let step = newton.max(-trust).min(trust);
+            let next = (at + step).max(zero).min(self.reach);
+            if next == at || slope.is_zero() {
+                break;
+            }
+            let there = self.local(next);
+            let near = curve < zero && step.abs() < S::constant(1e-3);
+            if sign * there.value < sign * local.value && !near {
+                trust = step.abs() * S::constant(0.5);
+                continue;
+            }
+            (at, local) = (next, there);
+            if near && step.abs() < S::constant(4.0 * S::EPSILON) {
+                break;
+            }
+        }
+        (at, local.value, local.curve)
+    }
+}

@@ -1,0 +1,318 @@
+//! One segment of the motion: from an event to the next.
+
+use super::part::{Part, Turn};
+use super::setting::Setting;
+use super::sum::Sum;
+use super::walk::{Start, Walk, first_reach, first_zero};
+use super::{Contact, Event, rotated};
+use crate::complex::{self, Complex};
+use crate::scalar::Float;
+
+/// How the contact stands at an instant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stance<S> {
+    /// The excitation's phase in half-turns, in [0, 2).
+    pub t: S,
+    /// Whether it sticks.
+    pub contact: Contact,
+    /// At an event: how fast the relative velocity grows from zero, in the direction of sliding.
+    pub departing: Option<S>,
+    /// It has just failed to leave: what rounding says of its grip does not count.
+    pub wedged: bool,
+}
+
+/// How a segment ends.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct End<S> {
+    /// Its length, in τ.
+    pub tau: S,
+    /// What ends it, if it is not the reach.
+    pub event: Option<Event>,
+    /// How the contact stands then.
+    pub stance: Stance<S>,
+    /// At an event, the slope of the function whose zero it is: z̄″ before, or F′.
+    pub slope: S,
+    /// How much the contact force jumps at the event: before less after.
+    pub jump: S,
+}
+
+/// Sine and cosine of the excitation's angle.
+pub(crate) fn phase<S: Float>(t: S) -> (S, S) {
+    t.sin_cos_pi()
+}
+
+/// A phase moved on by τ, in [0, 2).
+pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
+    let two = S::constant(2.0);
+    let t = t + tau * S::inverse_pi();
+    let t = t - (t * S::constant(0.5)).floor() * two;
+    if t < two { t } else { t - two }
+}
+
+impl<S: Float> Setting<'_, S> {
+    /// How the contact stands in a state that nothing is known of.
+    pub(crate) fn stance(&self, parts: &[Part<S>], t: S) -> Stance<S> {
+        let at = phase(t);
+        let (velocity, size) = self.relative_velocity(parts, at);
+        let mut stance = Stance {
+            t,
+            contact: Contact::along(velocity),
+            departing: None,
+            wedged: false,
+        };
+        if velocity.abs() <= size * S::constant(8.0 * S::EPSILON) {
+            let force = self.holding(parts, at);
+            if force.abs() <= self.grip() {
+                stance.contact = Contact::Stuck;
+            } else {
+                stance.contact = Contact::along(force);
+                stance.departing = Some(self.acceleration(force.abs() - self.beta));
+            }
+        }
+        stance
+    }
+
+    /// Sets the parts of the modes to sliding, and the function z̄′ times its sign.
+    pub(crate) fn slide<'p>(
+        &self,
+        modes: &'p mut [Part<S>],
+        stance: &Stance<S>,
+        reach: S,
+    ) -> Sum<'p, S> {
+        let at = phase(stance.t);
+        let sign: S = stance.contact.sign();
+        let zero = S::constant(0.0);
+        let mut carrier = Complex::new(zero, -(self.base * sign));
+        for (part, mode) in modes.iter_mut().zip(self.dynamics.driven()) {
+            let lambda = mode.resonance * mode.resonance;
+            part.centre = -(sign * self.beta * mode.contact / lambda);
+            part.start(at);
+            part.weight = [zero, sign * mode.contact * part.x];
+            part.aim();
+            carrier = complex::add(carrier, part.carrier());
+        }
+        let driven = self.dynamics.in_contact().min(modes.len());
+        let (modes, others) = modes.split_at_mut(driven);
+        for part in others {
+            part.start(at);
+        }
+        let (sine, cosine) = at;
+        let cosines = rotated(carrier, sine, cosine);
+        let sines = -(carrier.re * sine) - carrier.im * cosine;
+        Sum::new(modes, zero, (cosines, sines), at, reach)
+    }
+
+    /// Sets the held modes to the state of the modes, and the function F.
+    pub(crate) fn stick<'p>(
+        &self,
+        modes: &mut [Part<S>],
+        held: &'p mut [Part<S>],
+        stance: &Stance<S>,
+        reach: S,
+    ) -> (Sum<'p, S>, S) {
+        let at = phase(stance.t);
+        let (sine, cosine) = at;
+        let offset = self.relative(modes, at);
+        let lifted = self.lifted(offset, at);
+        self.project(modes.iter().map(|part| [part.y, part.u]), lifted, held);
+        let zero = S::constant(0.0);
+        let (constant, mut carrier) = self.held_force(offset);
+        for (part, mode) in held.iter_mut().zip(self.dynamics.held) {
+            part.start(at);
+            part.weight = [-mode.force, zero];
+            part.aim();
+            carrier = complex::add(carrier, part.carrier());
+        }
+        let driven = self.dynamics.in_contact();
+        for part in modes.iter_mut().skip(driven) {
+            part.start(at);
+        }
+        let cosines = rotated(carrier, sine, cosine);
+        let sines = -(carrier.re * sine) - carrier.im * cosine;
+        (
+            Sum::new(held, constant, (cosines, sines), at, reach),
+            offset,
+        )
+    }
+
+    /// y and u of the held modes for a state (y, u) of the modes, less what a displacement of the
+    /// contact lifts: z and r·z′.
+    pub(crate) fn project(
+        &self,
+        states: impl Iterator<Item = [S; 2]> + Clone,
+        (z, rate): (S, S),
+        held: &mut [Part<S>],
+    ) {
+        let two = S::constant(2.0);
+        for (part, (mode, shares)) in held.iter_mut().zip(self.dynamics.held_modes()) {
+            let (mut first, mut second) = (S::constant(0.0), S::constant(0.0));
+            let driven = self.dynamics.driven().iter().zip(states.clone());
+            for ((driven, [y, u]), [g, h]) in driven.zip(shares) {
+                let sigma = driven.resonance;
+                let lift = self.lift(driven.contact, sigma);
+                let y = y - lift * z;
+                let v = sigma * u - lift * rate + two * driven.zeta * sigma * y;
+                first = first + *g * v - mode.frequency * *h * y;
+                second = second + *h * v + mode.frequency * (*g - two * mode.zeta * *h) * y;
+            }
+            let [m11, m12, m22] = mode.inverse;
+            part.y = m11 * first + m12 * second;
+            part.u = m12 * first + m22 * second;
+        }
+    }
+
+    /// The state of the modes for y and u of the held modes and a displacement of the contact.
+    pub(crate) fn release<'s>(
+        &self,
+        held: &[Part<S>],
+        (z, rate): (S, S),
+        states: impl Iterator<Item = (&'s mut S, &'s mut S)>,
+    ) {
+        let two = S::constant(2.0);
+        let driven = self.dynamics.in_contact();
+        let modes = self.dynamics.driven().iter().enumerate();
+        for ((index, mode), (y, u)) in modes.zip(states) {
+            let lift = self.lift(mode.contact, mode.resonance);
+            let (mut sum_y, mut sum_u) = (lift * z, lift * rate);
+            let shares = self.dynamics.shares.iter().skip(index).step_by(driven);
+            for ((part, of), [g, h]) in held.iter().zip(self.dynamics.held).zip(shares) {
+                sum_y = sum_y + *g * part.y + *h * part.u;
+                let slope = (*g - two * of.zeta * *h) * part.u - *h * part.y;
+                sum_u = sum_u + of.frequency * slope;
+            }
+            (*y, *u) = (sum_y, sum_u / mode.resonance);
+        }
+    }
+}
+
+/// Moves every part on by τ from its start.
+pub(crate) fn advanced<S: Float>(parts: &mut [Part<S>], tau: S, from: (S, S), to: (S, S)) {
+    let t = tau * S::inverse_pi();
+    for part in parts {
+        let turn: Turn<S> = part.turn(t, tau);
+        let [y, u] = part.at(&turn, t, from, to);
+        (part.y, part.u) = (y, u);
+    }
+}
+
+/// From a stance to the next event, or as far as `reach`.
+pub(crate) fn leap<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &mut [Part<S>],
+    held: &mut [Part<S>],
+    stance: Stance<S>,
+    reach: S,
+) -> End<S> {
+    if stance.contact == Contact::Stuck {
+        stuck(setting, modes, held, stance, reach)
+    } else {
+        sliding(setting, modes, stance, reach)
+    }
+}
+
+/// A segment that ends with no event.
+fn quiet<S: Float>(tau: S, stance: Stance<S>) -> End<S> {
+    let zero = S::constant(0.0);
+    End {
+        tau,
+        event: None,
+        stance: Stance {
+            t: moved(stance.t, tau),
+            departing: None,
+            wedged: false,
+            ..stance
+        },
+        slope: zero,
+        jump: zero,
+    }
+}
+
+fn sliding<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &mut [Part<S>],
+    stance: Stance<S>,
+    reach: S,
+) -> End<S> {
+    let zero = S::constant(0.0);
+    let from = phase(stance.t);
+    let sum = setting.slide(modes, &stance, reach);
+    let start = stance.departing.map_or(Start::Anywhere, Start::Zero);
+    let (tau, ends) = match first_zero(&sum, start) {
+        Walk::Zero(tau, _) => (tau, true),
+        Walk::Until(tau) => (tau, false),
+        Walk::NoStart => {
+            let mut end = quiet(zero, stance);
+            end.stance.contact = Contact::Stuck;
+            end.stance.wedged = true;
+            return end;
+        }
+    };
+    let mut end = quiet(tau, stance);
+    let to = phase(end.stance.t);
+    advanced(modes, tau, from, to);
+    if !ends {
+        return end;
+    }
+    let sign: S = stance.contact.sign();
+    let force = setting.holding(modes, to);
+    end.slope = setting.acceleration(force - sign * setting.beta);
+    if force.abs() <= setting.grip() {
+        end.event = Some(Event::Stop);
+        end.stance.contact = Contact::Stuck;
+        end.jump = sign * setting.beta - force;
+    } else if zero < force * sign {
+        // It touched zero and goes on.
+        end.stance.departing = Some(setting.acceleration(force.abs() - setting.beta));
+    } else {
+        end.event = Some(Event::Reversal);
+        end.stance.contact = stance.contact.reversed();
+        end.stance.departing = Some(setting.acceleration(force.abs() - setting.beta));
+        end.jump = (sign + sign) * setting.beta;
+    }
+    end
+}
+
+fn stuck<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &mut [Part<S>],
+    held: &mut [Part<S>],
+    stance: Stance<S>,
+    reach: S,
+) -> End<S> {
+    let from = phase(stance.t);
+    let (sum, offset) = setting.stick(modes, held, &stance, reach);
+    let start = if stance.wedged {
+        Start::Held
+    } else {
+        Start::Anywhere
+    };
+    let (tau, breaks) = match first_reach(&sum, setting.grip(), S::constant(0.0), start) {
+        Walk::Zero(tau, negative) => (tau, Some(negative)),
+        Walk::Until(tau) => (tau, None),
+        Walk::NoStart => (reach, None),
+    };
+    let slope = sum.local(tau).slope;
+    let mut end = quiet(tau, stance);
+    let to = phase(end.stance.t);
+    advanced(held, tau, from, to);
+    let driven = setting.dynamics.in_contact().min(modes.len());
+    let (modes, others) = modes.split_at_mut(driven);
+    advanced(others, tau, from, to);
+    let states = modes.iter_mut().map(|part| (&mut part.y, &mut part.u));
+    setting.release(held, setting.lifted(offset, to), states);
+    if let Some(negative) = breaks {
+        let contact = if negative {
+            Contact::Backward
+        } else {
+            Contact::Forward
+        };
+        let sign: S = contact.sign();
+        let excess = setting.grip() - setting.beta;
+        end.event = Some(Event::Slip);
+        end.stance.contact = contact;
+        end.stance.departing = Some(setting.acceleration(excess));
+        end.slope = slope;
+        end.jump = sign * excess;
+    }
+    end
+}

@@ -1,0 +1,178 @@
+//! A scene at one frequency ratio and one friction ratio: what all its segments share.
+
+use super::part::Part;
+use super::{Dynamics, rotated};
+use crate::complex::Complex;
+use crate::errors::OutOfDomain;
+use crate::regime::{check_beta, check_ratio};
+use crate::scalar::{Float, Plain};
+
+/// A scene at one frequency ratio and one friction ratio.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting<'a, S> {
+    pub(crate) dynamics: Dynamics<'a, S>,
+    /// r, within the range in which the formulas are evaluated.
+    pub(crate) r: S,
+    /// β.
+    pub(crate) beta: S,
+    /// s: 1 if the contact rubs on the moving base.
+    pub(crate) base: S,
+    /// wᵀΓ⁻¹p + s r², the load on the held contact at a maximum of the excitation, times m*.
+    load: S,
+    /// Σ c_i/λ_i = wᵀK̄⁻¹w.
+    receptance: S,
+    /// Σ 2ζ_i c_i/σ_i over that.
+    drag: S,
+}
+
+impl<'a, S: Float> Setting<'a, S> {
+    /// The scene at r and β; `parts` are filled: one for each mode, then one for each held mode.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative, zero and infinite r, and NaN, negative and infinite β.
+    pub fn new(
+        dynamics: Dynamics<'a, S>,
+        r: S,
+        beta: S,
+        parts: &mut [Part<S>],
+    ) -> Result<Self, OutOfDomain>
+    where
+        S: Plain,
+    {
+        let (zero, one) = (S::constant(0.0), S::constant(1.0));
+        let r = check_ratio(r, "r")?;
+        let (low, high) = S::inverse_ratio_range();
+        let inverse = one / r;
+        if !(low < inverse && inverse < high) {
+            return Err(OutOfDomain { argument: "r" });
+        }
+        let beta = check_beta(beta)?;
+        let base = if dynamics.chain.on_moving_base.is_some() {
+            one
+        } else {
+            zero
+        };
+        let (mut load, mut receptance, mut drag) = (base * r * r, zero, zero);
+        for mode in dynamics.driven() {
+            load = load + mode.residue;
+            receptance = receptance + mode.mobility / (mode.resonance * mode.resonance);
+            drag = drag + (mode.zeta + mode.zeta) * mode.mobility / mode.resonance;
+        }
+        let setting = Self {
+            dynamics,
+            r,
+            beta,
+            base,
+            load,
+            receptance,
+            drag: drag / receptance,
+        };
+        setting.fill(parts);
+        Ok(setting)
+    }
+
+    fn fill(&self, parts: &mut [Part<S>]) {
+        let (modes, held) = self.split(parts);
+        for (part, mode) in modes.iter_mut().zip(self.dynamics.modes) {
+            *part = Part::of_mode(mode, self.r);
+        }
+        let (zero, two) = (S::constant(0.0), S::constant(2.0));
+        for (part, (mode, shares)) in held.iter_mut().zip(self.dynamics.held_modes()) {
+            // The load on each mode, less what moves the held contact along with the base.
+            let mut sums = [Complex::new(zero, zero); 2];
+            for (driven, share) in self.dynamics.driven().iter().zip(shares) {
+                let lift = self.base * self.lift(driven.contact, driven.resonance);
+                let re = driven.load + lift * self.r * self.r;
+                let im = -(lift * two * driven.zeta * driven.resonance * self.r);
+                for (sum, share) in sums.iter_mut().zip(share) {
+                    *sum = Complex::new(sum.re + *share * re, sum.im + *share * im);
+                }
+            }
+            let [first, second] = sums;
+            let [m11, m12, m22] = mode.inverse;
+            let mixed = |a: S, b: S| {
+                Complex::new(a * first.re + b * second.re, a * first.im + b * second.im)
+            };
+            *part = Part::of_held(mode, self.r, [mixed(m11, m12), mixed(m12, m22)]);
+        }
+    }
+
+    /// The parts of the modes and of the held modes.
+    pub(crate) fn split<'p>(
+        &self,
+        parts: &'p mut [Part<S>],
+    ) -> (&'p mut [Part<S>], &'p mut [Part<S>]) {
+        let modes = self.dynamics.modes.len().min(parts.len());
+        let (modes, rest) = parts.split_at_mut(modes);
+        let held = self.dynamics.held.len().min(rest.len());
+        (modes, rest.split_at_mut(held).0)
+    }
+
+    /// μβ.
+    pub(crate) fn grip(&self) -> S {
+        self.dynamics.chain.stiction * self.beta
+    }
+
+    /// L_i: how a held displacement of the contact lifts a mode.
+    pub(crate) fn lift(&self, contact: S, resonance: S) -> S {
+        contact / (resonance * resonance * self.receptance)
+    }
+
+    /// The contact's relative displacement z̄ for these displacements of the modes.
+    pub(crate) fn relative(&self, parts: &[Part<S>], (_, cosine): (S, S)) -> S {
+        let modes = self.dynamics.driven().iter().zip(parts);
+        modes.fold(-(self.base * cosine), |sum, (mode, part)| {
+            sum + mode.contact * part.y
+        })
+    }
+
+    /// The contact's relative velocity z̄′, and the size of its terms.
+    pub(crate) fn relative_velocity(&self, parts: &[Part<S>], (sine, _): (S, S)) -> (S, S) {
+        let own = self.base * sine;
+        let modes = self.dynamics.driven().iter().zip(parts);
+        modes.fold((own, own.abs()), |(sum, size), (mode, part)| {
+            let term = mode.contact * part.x * part.u;
+            (sum + term, size + term.abs())
+        })
+    }
+
+    /// The contact force that would keep the relative velocity as it is.
+    pub(crate) fn holding(&self, parts: &[Part<S>], (_, cosine): (S, S)) -> S {
+        let two = S::constant(2.0);
+        let modes = self.dynamics.driven().iter().zip(parts);
+        let sum = modes.fold(self.load * cosine, |sum, (mode, part)| {
+            let lambda = mode.resonance * mode.resonance;
+            sum - mode.contact * lambda * (part.y + two * mode.zeta * part.u)
+        });
+        sum / self.dynamics.chain.mobility
+    }
+
+    /// The relative acceleration z̄″ under a contact force of which `excess` is more than it takes
+    /// to keep the velocity.
+    pub(crate) fn acceleration(&self, excess: S) -> S {
+        self.dynamics.chain.mobility * excess / (self.r * self.r)
+    }
+
+    /// The constant and the carrier of the contact force while z̄ = z₀ + s cos τ_e, held modes left
+    /// out.
+    pub(crate) fn held_force(&self, offset: S) -> (S, Complex<S>) {
+        let mobility = self.dynamics.chain.mobility;
+        let base = self.base;
+        (
+            -(offset / self.receptance),
+            Complex::new(
+                self.load / mobility - base / self.receptance,
+                -(self.r * self.drag * base / mobility),
+            ),
+        )
+    }
+
+    /// The displacements of a mode that the contact holds at z, per scaled velocity too.
+    pub(crate) fn lifted(&self, offset: S, (sine, cosine): (S, S)) -> (S, S) {
+        let z = Complex::new(self.base, S::constant(0.0));
+        (
+            offset + rotated(z, sine, cosine),
+            -(self.base * sine) * self.r,
+        )
+    }
+}

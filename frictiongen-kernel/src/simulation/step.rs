@@ -1,0 +1,104 @@
+//! How far a function that is positive now stays positive, from what its third derivative can do.
+
+use crate::scalar::Float;
+
+/// The smallest positive root of f + f′h + f″h²/2 − Bh³/6 for f ≥ 0, f′ > 0 if f = 0: up to there the
+/// function is positive wherever |f‴| ≤ B.  Never beyond the root, to rounding; at most `most`.
+pub(super) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
+    let (zero, half) = (S::constant(0.0), S::constant(0.5));
+    let sixth = S::constant(1.0 / 6.0);
+    let value = |h: S| f + h * (slope + h * (curve * half - bound * h * sixth));
+    let tangent = |h: S| slope + h * (curve - bound * h * half);
+    if zero < value(most) && (zero <= slope || zero < least(f, slope, curve, bound)) {
+        return most;
+    }
+    // p is convex up to its inflection and concave from there on.
+    let inflection = (curve / bound).max(zero);
+    let discriminant = curve * curve + (bound + bound) * slope;
+    let mut from = inflection;
+    if zero < discriminant {
+        let root = discriminant.sqrt();
+        if slope < zero && zero < curve {
+            // A dip: the smaller root of p′, in the form that does not cancel.
+            let dip = -(slope + slope) / (curve + root);
+            if value(dip) <= zero {
+                return from_left(value, tangent);
+            }
+        }
+        if zero < curve + root {
+            from = (curve + root) / bound;
+        }
+    } else if !(zero < value(inflection)) {
+        return from_left(value, tangent);
+    }
+    // From the right of the root p falls ever more steeply: Newton's method stays there.
+    let top = value(from);
+    let fall = tangent(from);
+    let steep = -(curve - bound * from);
+    // Three upper bounds: the tangent there, what it bends by, and the cube alone.
+    let mut h = from + (top * S::constant(6.0) / bound).max(S::constant(1.0));
+    if fall < zero {
+        h = h.min(from - top / fall);
+    }
+    if zero < steep {
+        h = h.min(from + ((top + top) / steep).sqrt());
+    }
+    if most < h {
+        h = most;
+        if zero <= value(h) {
+            return h;
+        }
+    }
+    for _ in 0..12 {
+        let (p, q) = (value(h), tangent(h));
+        if !(p < zero) || !(q < zero) {
+            break;
+        }
+        let next = (h - p / q).max(from);
+        if !(next < h) {
+            break;
+        }
+        let close = h - next <= h * S::constant(1e-3);
+        h = next;
+        if close {
+            break;
+        }
+    }
+    let p = value(h);
+    if p < zero {
+        // The chord of a concave function ends short of its root.
+        from + (h - from) * (top / (top - p))
+    } else {
+        h
+    }
+}
+
+/// The value at the bottom of a dip, or where there is none the value itself.
+fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
+    let discriminant = curve * curve + (bound + bound) * slope;
+    let zero = S::constant(0.0);
+    if slope < zero && zero < curve && zero < discriminant {
+        let dip = -(slope + slope) / (curve + discriminant.sqrt());
+        f + dip * (slope + dip * (curve * S::constant(0.5) - bound * dip * S::constant(1.0 / 6.0)))
+    } else {
+        f
+    }
+}
+
+/// Newton's method from 0 on a convex fall: it never steps beyond the root.
+fn from_left<S: Float>(value: impl Fn(S) -> S, tangent: impl Fn(S) -> S) -> S {
+    let zero = S::constant(0.0);
+    let mut h = zero;
+    for _ in 0..12 {
+        let (p, q) = (value(h), tangent(h));
+        if !(zero < p) || !(q < zero) {
+            break;
+        }
+        let step = -(p / q);
+        h = h + step;
+        if step <= h * S::constant(1e-3) {
+            break;
+        }
+    }
+    h
+}

@@ -1,0 +1,180 @@
+//! A function of time between two events: a carrier at the excitation's frequency and a sum over
+//! oscillators, with its derivatives and what the third of them cannot exceed.
+
+use super::part::Part;
+use crate::scalar::Float;
+
+/// A function about one instant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Local<S> {
+    pub value: S,
+    pub slope: S,
+    pub curve: S,
+    /// What |f‴| cannot exceed from there on, over the reach.
+    pub bound: S,
+}
+
+/// constant + cosine·cos τ + sine·sin τ + what is left of the parts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sum<'a, S> {
+    pub parts: &'a [Part<S>],
+    pub constant: S,
+    pub cosine: S,
+    pub sine: S,
+    /// Sine and cosine of the excitation's angle at the start.
+    pub phase: (S, S),
+    /// How far the function is asked for, in τ.
+    pub reach: S,
+    /// What rounding can do to a value.
+    pub noise: S,
+    /// The largest rate at which a derivative can exceed what it derives.
+    pub(crate) rate: S,
+    /// The bounds of the carrier and of the parts beside a resonance.
+    bound: S,
+}
+
+impl<'a, S: Float> Sum<'a, S> {
+    /// The parts are aimed already.
+    pub(crate) fn new(
+        parts: &'a [Part<S>],
+        constant: S,
+        (cosine, sine): (S, S),
+        phase: (S, S),
+        reach: S,
+    ) -> Self {
+        let (one, two, four) = (S::constant(1.0), S::constant(2.0), S::constant(4.0));
+        let mut noise = constant.abs() + cosine.abs() + sine.abs();
+        let mut rate = one;
+        let mut bound = cosine.abs() + sine.abs();
+        for part in parts {
+            let [a, b] = part.value;
+            noise = noise + a.abs() + b.abs();
+            rate = rate.max(part.x * (one + part.zeta + part.zeta));
+            if part.near {
+                // |y⁗|, |y‴| ≤ 4 + 4τ for |x − 1| ≪ 1 and a unit force.
+                let [of_y, of_u] = part.weight;
+                let push = part.push() * (of_y.abs() + of_u.abs()) * two;
+                bound = bound + push * (four + four * reach);
+                noise = noise + push * (one + reach);
+            }
+        }
+        Self {
+            parts,
+            constant,
+            cosine,
+            sine,
+            phase,
+            reach,
+            noise: noise * S::constant(4.0 * S::EPSILON),
+            rate,
+            bound,
+        }
+    }
+
+    /// The function after τ.
+    #[inline]
+    pub(crate) fn local(&self, tau: S) -> Local<S> {
+        let t = tau * S::inverse_pi();
+        let (sine, cosine) = t.sin_cos_pi();
+        let turning = self.cosine * cosine + self.sine * sine;
+        let mut local = Local {
+            value: self.constant + turning,
+            slope: self.sine * cosine - self.cosine * sine,
+            curve: -turning,
+            bound: self.bound,
+        };
+        for part in self.parts {
+            let turn = part.turn(t, tau);
+            let [a, b] = part.value;
+            let value = a * turn.c + b * turn.s;
+            let [a, b] = part.slope;
+            let slope = a * turn.c + b * turn.s;
+            local.value = local.value + value;
+            local.slope = local.slope + slope;
+            let loss = (part.zeta + part.zeta) * part.x;
+            local.curve = local.curve - part.x * part.x * value - loss * slope;
+            local.bound = local.bound + part.bound * turn.kept;
+            if part.near {
+                let [value, slope, curve, third] = part.grown(t, self.phase);
+                let [of_y, of_u] = part.weight;
+                let of_u = of_u / part.x;
+                local.value = local.value + of_y * value + of_u * slope;
+                local.slope = local.slope + of_y * slope + of_u * curve;
+                local.curve = local.curve + of_y * curve + of_u * third;
+            }
+        }
+        local
+    }
+
+    /// The function shortly after the start from its derivatives there, the first two of which are
+    /// known better than the sum gives them: value, slope and curve after τ, and the largest τ for
+    /// which they hold to rounding.
+    pub(super) fn series(&self, value: S, slope: S) -> Series<S> {
+        let mut terms = [S::constant(0.0); ORDER];
+        let (mut cosine, mut sine) = (self.cosine, self.sine);
+        for (order, term) in terms.iter_mut().enumerate() {
+            *term = if order == 0 {
+                self.constant + cosine
+            } else {
+                cosine
+            };
+            (cosine, sine) = (sine, -cosine);
+        }
+        for part in self.parts {
+            let mut pair = part.value;
+            for term in &mut terms {
+                *term = *term + pair[0];
+                pair = part.derived(pair);
+            }
+            if part.near {
+                part.grown_series(self.phase, &mut terms);
+            }
+        }
+        let [first, second, ..] = &mut terms;
+        (*first, *second) = (value, slope);
+        Series {
+            terms,
+            reach: S::constant(0.03) / self.rate,
+        }
+    }
+}
+
+/// How many derivatives a series has.
+const ORDER: usize = 9;
+
+/// A function by its derivatives at the start.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Series<S> {
+    terms: [S; ORDER],
+    /// Up to here what is left out is below rounding.
+    pub reach: S,
+}
+
+impl<S: Float> Series<S> {
+    /// Value, slope and curve.
+    pub(super) fn at(&self, tau: S, bound: S) -> Local<S> {
+        let zero = S::constant(0.0);
+        let (mut value, mut slope, mut curve) = (zero, zero, zero);
+        for (order, term) in self.terms.iter().enumerate().rev() {
+            let n = order as f64;
+            value = *term + value * tau * S::constant(1.0 / (n + 1.0));
+            if order >= 1 {
+                slope = *term + slope * tau * S::constant(1.0 / n);
+            }
+            if order >= 2 {
+                curve = *term + curve * tau * S::constant(1.0 / (n - 1.0));
+            }
+        }
+        Local {
+            value,
+            slope,
+            curve,
+            bound,
+        }
+    }
+
+    /// The derivative of this order at the start.
+    pub(super) fn term(&self, order: usize) -> S {
+        self.terms.get(order).copied().unwrap_or(S::constant(0.0))
+    }
+}

@@ -1,0 +1,254 @@
+//! The frequencies of the chain with its contact held: the roots of Σ c_i/(s² + 2ζ_iσ_i s + λ_i).
+//!
+//! Without damping they lie one between each pair of neighbouring resonances; with damping they are
+//! followed from there by the simultaneous iteration of Aberth and Ehrlich.
+
+use frictiongen_kernel::Complex;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::complex;
+use frictiongen_kernel::dd::Dd;
+
+/// A mode that the contact drives: σ = √λ, ζ, and its share c of the contact mobility.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Driven {
+    pub sigma: Dd,
+    pub zeta: Dd,
+    pub mobility: Dd,
+}
+
+/// Two roots as s² + 2αs + ω².
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair {
+    /// ω.
+    pub omega: Dd,
+    /// α/ω.
+    pub zeta: Dd,
+}
+
+/// The roots, in pairs, ascending by ω.  `modes` ascend and differ.
+pub(super) fn pairs(modes: &[Driven]) -> Vec<Pair> {
+    let zero = Dd::ZERO;
+    let undamped: Vec<Dd> = modes
+        .windows(2)
+        .map(|neighbours| match neighbours {
+            [low, high] => between(modes, low.sigma, high.sigma),
+            _ => zero,
+        })
+        .collect();
+    if modes.iter().all(|mode| mode.zeta == zero) {
+        let pair = |omega| Pair { omega, zeta: zero };
+        return undamped.into_iter().map(pair).collect();
+    }
+    let mut roots = start(modes, &undamped);
+    iterate::<f64>(modes, &mut roots, 100, 1e-14);
+    iterate::<Dd>(modes, &mut roots, 30, 1e-29);
+    paired(roots)
+}
+
+/// The undamped root between two neighbouring resonances: Σ c_i/(λ_i − ω²) rises from −∞ to ∞.
+/// Regula falsi on the sum times both neighbouring denominators, with the Illinois rule.
+fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
+    let value = |omega: Dd| {
+        modes.iter().fold(Dd::ZERO, |sum, mode| {
+            let gap = |sigma: Dd| (sigma - omega) * (sigma + omega);
+            // Of the neighbours' terms one denominator cancels.
+            let weight = if mode.sigma == low {
+                gap(high)
+            } else if mode.sigma == high {
+                gap(low)
+            } else {
+                gap(low) * gap(high) / gap(mode.sigma)
+            };
+            sum + mode.mobility * weight
+        })
+    };
+    let (mut a, mut b) = (low, high);
+    let (mut at_a, mut at_b) = (value(a), value(b));
+    let half = Dd::from(0.5);
+    let mut last = None;
+    for step in 0..200 {
+        let mut c = b - at_b * (b - a) / (at_b - at_a);
+        // The two weights of very different modes would hold one end for long.
+        if step % 8 == 7 || !(a < c && c < b) {
+            c = (a + b) * half;
+        }
+        if !(a < c && c < b) {
+            break;
+        }
+        let at_c = value(c);
+        if at_c.is_zero() {
+            return c;
+        }
+        let lower = (at_c < Dd::ZERO) == (at_a < Dd::ZERO);
+        if lower {
+            (a, at_a) = (c, at_c);
+        } else {
+            (b, at_b) = (c, at_c);
+        }
+        // The same end kept twice: its weight is halved.
+        if last == Some(lower) {
+            if lower {
+                at_b = at_b * half;
+            } else {
+                at_a = at_a * half;
+            }
+        }
+        last = Some(lower);
+        if (b - a).abs() <= b * Dd::from(1e-31) {
+            break;
+        }
+    }
+    (a + b) * half
+}
+
+/// First guesses: the undamped frequencies, with the damping that their shapes see.  Slightly uneven,
+/// so that a pair that becomes two decays can part.
+fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
+    let mut roots = Vec::new();
+    for (index, omega) in undamped.iter().enumerate() {
+        let (mut weight, mut damping) = (Dd::ZERO, Dd::ZERO);
+        for mode in modes {
+            let gap = (mode.sigma - *omega) * (mode.sigma + *omega);
+            if gap.is_zero() {
+                continue;
+            }
+            let share = mode.mobility / (gap * gap);
+            weight = weight + share;
+            damping = damping + share * mode.zeta * mode.sigma;
+        }
+        let zeta = (damping / weight / *omega).to_f64();
+        let uneven = 1.0 + 1e-3 * (index % 7 + 1) as f64;
+        let (first, second) = if zeta < 1.0 {
+            let (re, im) = (-zeta - 1e-9, (1.0 - zeta * zeta).sqrt());
+            (
+                Complex::new(re, im),
+                Complex::new(re * uneven, -im * uneven),
+            )
+        } else {
+            let root = (zeta * zeta - 1.0).sqrt();
+            let slow = 1.0 / (zeta + root);
+            (
+                Complex::new(-slow, 1e-4 * slow),
+                Complex::new(-(zeta + root), -2e-4 * (zeta + root)),
+            )
+        };
+        for root in [first, second] {
+            roots.push(Complex::new(
+                Dd::from(root.re) * *omega,
+                Dd::from(root.im) * *omega,
+            ));
+        }
+    }
+    roots
+}
+
+/// Simultaneous corrections of all roots, each by Newton's method without the others.
+fn iterate<S: Float>(modes: &[Driven], roots: &mut [Complex<Dd>], steps: usize, tolerance: f64) {
+    let to = |value: Dd| S::constant(value.hi) + S::constant(value.lo);
+    let of = |value: S| {
+        let high = value.to_f64();
+        Dd::from(high) + Dd::from((value - S::constant(high)).to_f64())
+    };
+    let modes: Vec<(S, S, S)> = modes
+        .iter()
+        .map(|mode| (to(mode.sigma), to(mode.zeta), to(mode.mobility)))
+        .collect();
+    let mut own: Vec<Complex<S>> = roots
+        .iter()
+        .map(|root| Complex::new(to(root.re), to(root.im)))
+        .collect();
+    for _ in 0..steps {
+        let mut largest = 0.0_f64;
+        for index in 0..own.len() {
+            let Some(&s) = own.get(index) else { continue };
+            let mut newton = slope_over_value(&modes, s);
+            for (other, root) in own.iter().enumerate() {
+                let apart = complex::add(s, complex::scale(*root, S::constant(-1.0)));
+                if other != index && !(apart.re.is_zero() && apart.im.is_zero()) {
+                    let pull = complex::reciprocal(apart, true);
+                    newton = Complex::new(newton.re - pull.re, newton.im - pull.im);
+                }
+            }
+            let step = complex::reciprocal(newton, true);
+            if !(step.re.is_finite() && step.im.is_finite()) {
+                continue;
+            }
+            let size = complex::modulus(s, true).to_f64();
+            largest = largest.max(complex::modulus(step, true).to_f64() / size);
+            if let Some(root) = own.get_mut(index) {
+                *root = Complex::new(s.re - step.re, s.im - step.im);
+            }
+        }
+        if largest < tolerance {
+            break;
+        }
+    }
+    for (root, own) in roots.iter_mut().zip(own) {
+        *root = Complex::new(of(own.re), of(own.im));
+    }
+}
+
+/// P′/P of the polynomial P = Σ c_i Π_{j≠i} d_j, with d = s² + 2ζσs + σ².
+fn slope_over_value<S: Float>(modes: &[(S, S, S)], s: Complex<S>) -> Complex<S> {
+    let zero = complex::real(S::constant(0.0));
+    let (mut value, mut slope, mut others) = (zero, zero, zero);
+    let two = S::constant(2.0);
+    for (sigma, zeta, mobility) in modes {
+        let rate = two * *zeta * *sigma;
+        let d = complex::add(
+            complex::mul(s, Complex::new(s.re + rate, s.im), true),
+            complex::real(*sigma * *sigma),
+        );
+        let inverse = complex::reciprocal(d, true);
+        let derivative = Complex::new(s.re * two + rate, s.im * two);
+        let ratio = complex::mul(derivative, inverse, true);
+        let share = complex::scale(inverse, *mobility);
+        value = complex::add(value, share);
+        slope = complex::add(slope, complex::mul(share, ratio, true));
+        others = complex::add(others, ratio);
+    }
+    let own = complex::mul(slope, complex::reciprocal(value, true), true);
+    Complex::new(others.re - own.re, others.im - own.im)
+}
+
+/// Conjugate roots joined, real ones two by two in the order of their size.
+fn paired(mut roots: Vec<Complex<Dd>>) -> Vec<Pair> {
+    let mut pairs = Vec::new();
+    let mut real: Vec<Dd> = Vec::new();
+    while let Some(root) = roots.pop() {
+        let size = complex::modulus(root, true);
+        if root.im.abs() <= size * Dd::from(1e-13) {
+            real.push(root.re);
+            continue;
+        }
+        let distance = |other: &Complex<Dd>| {
+            let apart = Complex::new(other.re - root.re, other.im + root.im);
+            complex::modulus(apart, true).to_f64()
+        };
+        let partner = (0..roots.len()).min_by(|a, b| {
+            let of = |i: &usize| roots.get(*i).map_or(f64::INFINITY, distance);
+            of(a).total_cmp(&of(b))
+        });
+        let Some(partner) = partner else { continue };
+        let partner = roots.swap_remove(partner);
+        let product = root.re * partner.re - root.im * partner.im;
+        pairs.push(pair(root.re + partner.re, product));
+    }
+    real.sort_by(|a, b| a.to_f64().total_cmp(&b.to_f64()));
+    for two in real.chunks(2) {
+        if let [a, b] = two {
+            pairs.push(pair(*a + *b, *a * *b));
+        }
+    }
+    pairs.sort_by(|a, b| a.omega.to_f64().total_cmp(&b.omega.to_f64()));
+    pairs
+}
+
+fn pair(sum: Dd, product: Dd) -> Pair {
+    let omega = product.abs().sqrt();
+    let zeta = -sum * Dd::from(0.5) / omega;
+    Pair {
+        omega,
+        zeta: if zeta < Dd::ZERO { Dd::ZERO } else { zeta },
+    }
+}

@@ -1,0 +1,107 @@
+//! Runs in time of a run-time system.
+
+use super::error::UnknownMass;
+use super::system::System;
+use crate::OutOfDomain;
+use frictiongen_kernel::simulation::{Dynamics, Moment, Part, Segment, Simulation};
+use frictiongen_kernel::{Float, Plain};
+
+/// An exact run in time of a system, from event to event: an iterator over its segments.
+#[derive(Clone, Debug)]
+pub struct SystemSimulation<'a, S = f64> {
+    system: &'a System<S>,
+    run: Simulation<'a, S, Vec<Part<S>>>,
+}
+
+impl<S: Plain> System<S> {
+    pub(super) fn dynamics(&self) -> Dynamics<'_, S> {
+        self.transient().dynamics()
+    }
+
+    /// One part for each mode and each held mode.
+    pub(super) fn parts(&self) -> Vec<Part<S>> {
+        let dynamics = self.dynamics();
+        vec![Part::empty(); dynamics.modes.len() + dynamics.held.len()]
+    }
+
+    /// The exact motion in time from rest, the excitation at its maximum.
+    ///
+    /// ```
+    /// use frictiongen::kernel::simulation::Event;
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let system: frictiongen::System = "struct Block {
+    ///     masses: { block: 1 },
+    ///     springs: { base - block: 1 },
+    ///     contact: block - wall,
+    ///     excitation: block,
+    /// }"
+    /// .parse()?;
+    /// let mut run = system.simulation(0.3, 0.4)?;
+    /// let stops = run.by_ref().take(100).filter(|segment| segment.event == Some(Event::Stop));
+    /// assert!(stops.count() > 40);
+    /// assert!(run.mass("block")?.displacement().abs() < 1.0);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] unless r is positive and finite and β finite and not negative.
+    pub fn simulation(&self, r: S, beta: S) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
+        let run = Simulation::new(self.dynamics(), r, beta, None, self.parts())?;
+        Ok(SystemSimulation { system: self, run })
+    }
+
+    /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] also for a state that is not finite or not one number for each mass.
+    pub fn simulation_from(
+        &self,
+        r: S,
+        beta: S,
+        state: (&[S], &[S]),
+    ) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
+        self.check_state(state)?;
+        let run = Simulation::new(self.dynamics(), r, beta, Some(state), self.parts())?;
+        Ok(SystemSimulation { system: self, run })
+    }
+
+    pub(super) fn check_state(&self, (x, v): (&[S], &[S])) -> Result<(), OutOfDomain> {
+        let masses = self.scene().masses.len();
+        if x.len() == masses && v.len() == masses {
+            Ok(())
+        } else {
+            Err(OutOfDomain { argument: "state" })
+        }
+    }
+}
+
+impl<'a, S: Float> SystemSimulation<'a, S> {
+    /// A mass now.
+    ///
+    /// # Errors
+    /// [`UnknownMass`] if there is none of this name.
+    pub fn mass(&self, name: &str) -> Result<Moment<S>, UnknownMass> {
+        Ok(self.run.mass(self.system.mass_index(name)?))
+    }
+
+    /// The run itself: phase, cycles, relative motion, friction force.
+    #[must_use]
+    pub fn run(&self) -> &Simulation<'a, S, Vec<Part<S>>> {
+        &self.run
+    }
+
+    /// Moves on to the next event, at most by `reach` in τ.
+    pub fn advance(&mut self, reach: S) -> Segment<S> {
+        self.run.advance(reach)
+    }
+}
+
+impl<S: Float> Iterator for SystemSimulation<'_, S> {
+    type Item = Segment<S>;
+
+    fn next(&mut self) -> Option<Segment<S>> {
+        self.run.next()
+    }
+}

@@ -1,0 +1,77 @@
+//! Runs of a million events: none is missed, and the phase does not drift.
+
+use frictiongen::System;
+use frictiongen::kernel::simulation::{Contact, Event};
+
+/// A million in release, a tenth of it otherwise.
+const EVENTS: u64 = if cfg!(debug_assertions) {
+    100_000
+} else {
+    1_000_000
+};
+
+/// After the transient every cycle has its `per_cycle` events, each at the phase at which the fixed
+/// point of the map, found without running, has it.
+fn run(text: &str, r: f64, beta: f64, per_cycle: u64) {
+    let system: System = text.parse().expect("a scene");
+    let mut run = system.simulation(r, beta).expect("in the domain");
+    while run.run().cycles() < 500 {
+        let _ = run.next();
+    }
+    let from = run.run().cycles();
+    let orbit = system
+        .at(r)
+        .expect("in the domain")
+        .orbit(beta)
+        .expect("steady");
+    let mut phases: Vec<f64> = orbit
+        .state()
+        .sticking_intervals()
+        .flat_map(|(start, length)| [start, start + length])
+        .collect();
+    for phase in &mut phases {
+        *phase = phase.rem_euclid(std::f64::consts::TAU);
+    }
+    assert_eq!(phases.len() as u64, per_cycle);
+    let (mut events, mut worst) = (0, 0.0_f64);
+    let mut contact = run.run().contact();
+    while events < EVENTS {
+        let segment = run.next().expect("it never ends");
+        assert_eq!(segment.contact, contact);
+        contact = run.run().contact();
+        let Some(event) = segment.event else { continue };
+        events += 1;
+        // What ends a segment fits what it was and what comes.
+        match event {
+            Event::Stop => assert!(segment.contact != Contact::Stuck && contact == Contact::Stuck),
+            Event::Slip => assert!(segment.contact == Contact::Stuck && contact != Contact::Stuck),
+            Event::Reversal => assert_eq!(contact, segment.contact.reversed()),
+        }
+        let phase = run.run().phase();
+        let nearest = phases.iter().map(|expected| {
+            let apart = (phase - expected).abs();
+            apart.min(std::f64::consts::TAU - apart)
+        });
+        worst = worst.max(nearest.fold(f64::MAX, f64::min));
+    }
+    // So many cycles, and not one event fewer or more.
+    assert_eq!(run.run().cycles() - from, EVENTS / per_cycle, "{text}");
+    // The last event like the first; stops where the velocity grazes have half the digits.
+    assert!(worst < 1e-9, "{text}: {worst:e}");
+}
+
+#[test]
+fn one_mass() {
+    let block = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
+        contact: block - wall, excitation: block }";
+    run(block, 0.3, 0.4, 4);
+    run(block, 0.1, 0.2, 8);
+}
+
+#[test]
+fn two_masses_with_stiction() {
+    let frame = "struct Frame { masses: { lower: 3.27, upper: 3.25 },
+        springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+        contact: upper - wall, excitation: base, damping: modal[0.010, 0.012], stiction: 1.2 }";
+    run(frame, 0.3, 0.4, 4);
+}

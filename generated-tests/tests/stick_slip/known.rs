@@ -1,0 +1,204 @@
+//! Steady states that are easily got wrong.
+
+use frictiongen::study::SystemOrbit;
+use frictiongen::{NoOrbit, System};
+use std::f64::consts::TAU;
+
+fn block(excitation: &str, rest: &str) -> System {
+    format!(
+        "struct Block {{ masses: {{ block: 1 }}, springs: {{ base - block: 1 }},
+        contact: block - wall, excitation: {excitation}, {rest} }}"
+    )
+    .parse()
+    .expect("a scene")
+}
+
+fn orbit(system: &System, r: f64, beta: f64) -> SystemOrbit<'_> {
+    let orbit = system.at(r).expect("in the domain").orbit(beta);
+    orbit.unwrap_or_else(|error| panic!("r = {r}, β = {beta}: {error}"))
+}
+
+fn amplitude(orbit: &SystemOrbit<'_>) -> f64 {
+    orbit.mass_at(0).expect("a mass").amplitude()
+}
+
+#[test]
+fn six_reversals_without_a_stop() {
+    let wall = block("block", "");
+    for (r, beta, largest) in [
+        (1.0 / 3.0, 0.01, 0.983_595_621),
+        (0.2, 0.005, 0.993_884_883),
+    ] {
+        let orbit = orbit(&wall, r, beta);
+        assert_eq!((orbit.stops(), orbit.reversals()), (0, 6), "r = {r}");
+        assert!((amplitude(&orbit) - largest).abs() < 1e-9, "r = {r}");
+        assert_eq!(orbit.stuck_fraction(), 0.0);
+    }
+    let orbit = orbit(&wall, 1.0 / 3.0, 0.05);
+    assert_eq!((orbit.stops(), orbit.reversals()), (2, 2));
+}
+
+#[test]
+fn steady_states_that_are_approached_slowly() {
+    let wall = block("block", "");
+    for (r, beta, half) in [(0.325, 0.1, 0.999_957_840), (0.22, 0.05, 0.999_999_548_70)] {
+        let orbit = orbit(&wall, r, beta);
+        assert!(orbit.is_symmetric() && orbit.is_stable() && !orbit.is_marginal());
+        let multipliers = orbit.multipliers().iter();
+        let largest = multipliers.fold(0.0_f64, |most, value| most.max(value.norm()));
+        // Known to as many digits as are printed.
+        assert!((largest.sqrt() - half).abs() < 1e-9, "{}", largest.sqrt());
+    }
+}
+
+/// r = 1/2: a free vibration in step with every second half cycle costs nothing until it makes the
+/// contact stop.
+#[test]
+fn one_of_a_continuum() {
+    let base = block("base", "");
+    let orbit = orbit(&base, 0.5, 0.04);
+    assert!(orbit.is_marginal() && orbit.is_stable() && !orbit.is_symmetric());
+    assert_eq!((orbit.stops(), orbit.reversals()), (0, 2));
+    // The motion from rest tends to it, ever more slowly: the stop's share falls as n^(−1/2).
+    let mut run = base.simulation(0.5, 0.04).expect("in the domain");
+    let mut apart = [0.0_f64; 2];
+    for (cycles, worst) in [200, 20_000].into_iter().zip(&mut apart) {
+        while run.run().cycles() < cycles {
+            let _ = run.advance(TAU);
+        }
+        for _ in 0..8 {
+            let _ = run.advance(TAU);
+            let found = run.mass("block").expect("a mass").displacement();
+            let tau = run.run().phase() - orbit.state().origin();
+            let steady = orbit.mass_at(0).expect("a mass").displacement(tau);
+            *worst = worst.max((found - steady).abs());
+        }
+    }
+    let [early, late] = apart;
+    assert!(early < 0.1 && late < 0.2 * early, "{apart:?}");
+}
+
+/// β_lim on one side, the closed form on the other; β*_lim the same for the stuck response.
+#[test]
+fn the_closed_form_on_either_side() {
+    let scenes = [
+        block("block", "damping: modal(0.02)"),
+        block("base", "stiction: 1.3, damping: modal(0.1)"),
+        "struct Frame {
+            masses: { lower: 3.27, upper: 3.25 },
+            springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+            contact: upper - wall, excitation: base, damping: modal[0.010, 0.012], stiction: 1.2,
+        }"
+        .parse()
+        .expect("a scene"),
+        "struct Five {
+            masses: { a: 1.0, b: 1.2, c: 0.9, d: 1.1, e: 1.0 },
+            springs: { base - a: 1.0, a - b: 1.3, b - c: 1.0, c - d: 0.8, d - e: 1.0 },
+            contact: b - d, excitation: e, damping: rayleigh(0.01, 0.02),
+        }"
+        .parse()
+        .expect("a scene"),
+    ];
+    let mut continuous = 0;
+    for (index, system) in scenes.iter().enumerate() {
+        for r in [0.31, 0.57, 0.93, 1.4, 2.3] {
+            let at = system.at(r).expect("in the domain");
+            let what = format!("scene {index}, r = {r}");
+            let masses = 0..system.scene().masses.len();
+            let beta = at.continuous_limit() * 0.9;
+            if let Ok(motion) = at.motion(beta) {
+                continuous += 1;
+                let orbit = orbit(system, r, beta);
+                assert_eq!((orbit.stops(), orbit.reversals()), (0, 2), "{what}");
+                for mass in masses.clone() {
+                    let found = orbit.mass_at(mass).expect("a mass");
+                    let expected = motion.mass_at(mass).expect("a mass");
+                    let size = expected.amplitude();
+                    assert!((found.amplitude() - size).abs() < 1e-12 * size, "{what}");
+                    assert!((found.phase() - expected.phase()).abs() < 1e-9, "{what}");
+                    for tau in [0.0, 0.7, 2.1, 4.0] {
+                        let apart = found.displacement(tau) - expected.displacement(tau);
+                        assert!(apart.abs() < 1e-11 * size, "{what}: {apart:e}");
+                        let apart = found.velocity(tau) - expected.velocity(tau);
+                        assert!(apart.abs() < 1e-10 * size, "{what}: {apart:e}");
+                    }
+                    for n in [1, 2, 3, 5] {
+                        let apart = (found.harmonic(n) - expected.harmonic(n)).norm();
+                        assert!(apart < 1e-11 * size, "{what}: {apart:e}");
+                    }
+                }
+            }
+            let stuck = at.stuck().expect("a response");
+            for beta in [at.sliding_limit(), at.sliding_limit() * 1.5] {
+                let orbit = orbit(system, r, beta);
+                assert_eq!((orbit.stops(), orbit.reversals()), (0, 0), "{what}");
+                assert_eq!(orbit.stuck_fraction(), 1.0, "{what}");
+                for mass in masses.clone() {
+                    let expected = stuck.mass_at(mass).expect("a mass");
+                    let found = orbit.mass_at(mass).expect("a mass");
+                    let apart = (found.harmonic(1) - expected).norm();
+                    assert!(apart < 1e-12 * (1.0 + expected.norm()), "{what}: {apart:e}");
+                    let apart = found.amplitude() - expected.norm();
+                    assert!(apart.abs() < 1e-12 * (1.0 + expected.norm()), "{what}");
+                }
+            }
+        }
+    }
+    assert!(continuous > 12, "{continuous}");
+}
+
+/// Below β*_lim by rounding only, nothing false moves; at β = β*_lim the limit decides.
+#[test]
+fn at_the_sliding_limit() {
+    let base = block("base", "");
+    for r in [0.1, 0.3, 0.7, 1.3, 2.0] {
+        let at = base.at(r).expect("in the domain");
+        let orbit = at.orbit(at.sliding_limit()).expect("stuck");
+        assert_eq!(orbit.stuck_fraction(), 1.0);
+        assert_eq!(amplitude(&orbit), 0.0);
+        let below = at.sliding_limit() * (1.0 - 1e-9);
+        let orbit = at.orbit(below).expect("hardly sliding");
+        assert!(amplitude(&orbit) < 1e-8, "r = {r}");
+    }
+}
+
+/// Between β*_lim and β_n on the resonance: too little friction to bound a sliding motion, but from
+/// rest none begins.
+#[test]
+fn stuck_on_a_resonance() {
+    let base = block("base", "stiction: 1.5");
+    let mut scene = base.scene().clone();
+    scene.contact.to = frictiongen::study::scene::Node::Base;
+    let moving = System::<f64>::try_from(scene).expect("a scene");
+    let at = moving.at(1.0).expect("in the domain");
+    let orbit = at.orbit(0.7).expect("it sticks");
+    assert_eq!(orbit.stuck_fraction(), 1.0);
+    assert!((amplitude(&orbit) - 1.0).abs() < 1e-15);
+    // Torn loose it slides, and grows.
+    let torn = at.orbit_from(0.7, (&[5.0], &[5.0]));
+    assert_eq!(torn.map(|orbit| orbit.stops()), Err(NoOrbit::Unbounded));
+}
+
+#[test]
+fn where_there_is_none() {
+    let wall = block("block", "");
+    let error = |system: &System, r: f64, beta: f64| {
+        let at = system.at(r).expect("in the domain");
+        at.orbit(beta).map(|orbit| orbit.stops()).expect_err("none")
+    };
+    assert_eq!(error(&wall, 1.0, 0.5), NoOrbit::Unbounded);
+    assert!(matches!(error(&wall, 0.0, 0.5), NoOrbit::OutOfDomain(_)));
+    assert!(matches!(
+        error(&wall, 0.5, f64::NAN),
+        NoOrbit::OutOfDomain(_)
+    ));
+    // A symmetric pair: the load drives a mode that the contact does not touch.
+    let pair: System = "struct Pair {
+        masses: { left: 1, right: 1 },
+        springs: { base - left: 1, left - right: 1, right - wall: 1 },
+        contact: left - right, excitation: left,
+    }"
+    .parse()
+    .expect("a scene");
+    assert_eq!(error(&pair, 0.6, 0.1), NoOrbit::Undamped(0));
+}

@@ -1,0 +1,9 @@
+//! Stick-slip motion in time and its steady states.
+
+mod emitted;
+mod energy;
+mod events;
+mod known;
+mod multipliers;
+mod reference;
+mod two_stops;
