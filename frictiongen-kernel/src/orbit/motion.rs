@@ -3,6 +3,7 @@
 use super::gauss::{PANEL, SIXTEEN};
 use super::{Mark, Orbit};
 use crate::complex::{self, Complex};
+use crate::pairs::pairs;
 use crate::scalar::Float;
 use crate::simulation::{Contact, Part, Setting, Stance, Sum, rotated};
 
@@ -181,7 +182,7 @@ where
         let size = 2 * setting.dynamics.modes.len();
         let state = self.orbit.numbers.as_ref();
         let state = state.get(index * size..(index + 1) * size)?;
-        for (part, state) in parts.iter_mut().zip(state.chunks_exact(2)) {
+        for (part, state) in parts.iter_mut().zip(pairs(state)) {
             if let [y, u] = state {
                 (part.y, part.u) = (*y, *u);
             }
