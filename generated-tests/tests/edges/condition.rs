@@ -19,7 +19,6 @@ pub enum Asked {
     SlidingLimit,
     ContactAmplitude,
     ContactPhase,
-    Amplitude(usize),
     /// At τ = 1.
     Displacement(usize),
 }
@@ -39,7 +38,6 @@ pub fn answer<S: Float>(data: &Data<S>, r: S, beta: S, asked: Asked) -> S {
         Asked::SlidingLimit => at.sliding_limit(),
         Asked::ContactAmplitude => at.contact(beta).amplitude(),
         Asked::ContactPhase => at.contact(beta).phase(),
-        Asked::Amplitude(mass) => at.mass(mass, beta).amplitude(),
         Asked::Displacement(mass) => at.mass(mass, beta).displacement(S::constant(1.0)),
     }
 }
@@ -112,7 +110,7 @@ pub fn modal_condition<S: Float>(system: &System<S>, question: Question) -> f64 
             (Quantity::Load(mode), modal.loads[mode]),
             (Quantity::Contact(mode), modal.contacts[mode]),
         ]);
-        if let Asked::Amplitude(mass) | Asked::Displacement(mass) = question.asked {
+        if let Asked::Displacement(mass) = question.asked {
             let shape = Quantity::Shape { mode, mass };
             quantities.push((shape, modal.shapes[mode][mass]));
         }

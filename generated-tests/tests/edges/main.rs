@@ -2,6 +2,7 @@
 //! spread and of nearly equal frequencies.
 
 mod condition;
+mod continuity;
 mod frequencies;
 mod linear;
 mod nearly_equal;

@@ -34,7 +34,6 @@ fn ask(system: &System, r: f64, beta: f64, asked: Asked) -> f64 {
         Asked::SlidingLimit => at.sliding_limit(),
         Asked::ContactAmplitude => motion().contact().amplitude(),
         Asked::ContactPhase => motion().contact().phase(),
-        Asked::Amplitude(k) => mass(k).amplitude(),
         Asked::Displacement(k) => mass(k).displacement(1.0),
     }
 }
