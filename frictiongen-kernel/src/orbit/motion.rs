@@ -134,8 +134,9 @@ where
                 let turns = mark.length * S::inverse_pi();
                 best.note(mark.t + turns, mark.relative);
                 // The excitation's maximum, or for a negative one its minimum, within the stop.
-                let target = if mark.relative < zero { 1.0 } else { 0.0 };
-                for target in [target, target + 2.0].map(S::constant) {
+                let (one, two) = (S::constant(1.0), S::constant(2.0));
+                let target = if mark.relative < zero { one } else { zero };
+                for target in [target, target + two] {
                     if mark.t <= target && target <= mark.t + turns {
                         best.note(target, mark.relative);
                     }
