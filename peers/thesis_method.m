@@ -1,6 +1,6 @@
 % The thesis's numerical method (3.6.1, 6.3.1), as a peer for frictiongen's orbits.
 %
-%   octave --no-gui --quiet thesis_method.m MASSES CONTACT EXCITED ZETA R BETA [CYCLES [RELTOL [ABSTOL]]]
+%   octave --no-gui --quiet thesis_method.m MASSES CONTACT EXCITED ZETA R BETA [CYCLES [RELTOL [ABSTOL [INITIALSTEP]]]]
 %
 % The scene as in stepper.c.  Sliding: ode45 until the contact's velocity is zero.  Stuck: one mass
 % alone waits until fzero finds its release; with more, ode45 goes on with the contact's mass held,
@@ -60,11 +60,13 @@ endfunction
 
 numbers = cellfun (@str2double, argv ());
 if numel (numbers) < 6
-  error ("MASSES CONTACT EXCITED ZETA R BETA [CYCLES [RELTOL [ABSTOL]]]");
+  error ("MASSES CONTACT EXCITED ZETA R BETA [CYCLES [RELTOL [ABSTOL [INITIALSTEP]]]]");
 endif
-cycles = 200; tolerances = [1e-6, 1e-12];
+cycles = 200; relative_tolerance = 1e-6; absolute_tolerance = 1e-12; first = [];
 if numel (numbers) > 6, cycles = numbers(7); endif
-tolerances(1:numel (numbers) - 7) = numbers(8:end);
+if numel (numbers) > 7, relative_tolerance = numbers(8); endif
+if numel (numbers) > 8, absolute_tolerance = numbers(9); endif
+if numel (numbers) > 9, first = numbers(10); endif
 [n, contact, excited, zeta, r, beta] = num2cell (numbers(1:6)){:};
 
 % Loading ode45 itself is not counted.
@@ -85,7 +87,7 @@ t = 0; x = zeros (2*n, 1);
 force = load_of (t, x, s);
 way = sign (force) * (abs (force) > beta);
 relative = absolute = count = reversals = 0;
-keep = odeset ("RelTol", tolerances(1), "AbsTol", tolerances(2));
+keep = odeset ("RelTol", relative_tolerance, "AbsTol", absolute_tolerance, "InitialStep", first);
 while t < last
   was = way;
   if way
