@@ -1,5 +1,13 @@
 //! The numbers of docs/stick-slip.md, recomputed by the commands that the page prints.
 
+#![allow(
+    clippy::expect_used,
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    reason = "a test may fail"
+)]
+
 mod common;
 
 use common::{cells, output};
