@@ -218,7 +218,7 @@ impl<S: Scalar> Chain<S> {
     }
 
     #[inline(always)]
-    fn plus(&self, a: Complex<S>, b: Complex<S>) -> Complex<S> {
+    pub(crate) fn plus(&self, a: Complex<S>, b: Complex<S>) -> Complex<S> {
         if self.damped {
             complex::add(a, b)
         } else {
@@ -229,7 +229,7 @@ impl<S: Scalar> Chain<S> {
     /// A mode's term of V.  On a moving base the relative motion is what counts, and v − 1 =
     /// (1 − 2iζx)/(x² − 1 + 2iζx) replaces v: the difference from the base is then never taken.
     #[inline]
-    fn load_term(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Complex<S> {
+    pub(crate) fn load_term(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Complex<S> {
         if self.on_moving_base.is_none() {
             return complex::scale(at.response, mode.residue);
         }
@@ -238,72 +238,5 @@ impl<S: Scalar> Chain<S> {
             complex::mul(at.response, lag, self.damped),
             mode.static_residue,
         )
-    }
-
-    /// For each mode, V and H without that mode's own term, as needed where the own terms cancel:
-    /// sums from both ends, never a difference from the total.
-    pub fn without_each(
-        &self,
-        modes: &[Mode<S>],
-        at: &[ModeAt<S>],
-        scale: S,
-        inverse_r: S,
-        out: &mut [Others<S>],
-    ) {
-        let mut others = Others::zero();
-        for ((mode, at), out) in modes.iter().zip(at).zip(out.iter_mut()) {
-            *out = others;
-            others = self.joined(others, self.own(mode, at));
-        }
-        others = Others::zero();
-        for ((mode, at), out) in modes.iter().zip(at).zip(out.iter_mut()).rev() {
-            *out = self.joined(*out, others);
-            if let Some(at_rest) = self.on_moving_base {
-                let r2 = S::constant(1.0) / (inverse_r * inverse_r);
-                let kept = (at_rest - mode.static_residue) * scale;
-                out.v = complex::scale(self.plus(out.v, complex::real(kept)), r2);
-            }
-            others = self.joined(others, self.own(mode, at));
-        }
-    }
-
-    fn own(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Others<S> {
-        Others {
-            v: self.load_term(mode, at),
-            h: complex::scale(at.response, mode.mobility),
-            u: (mode.mobility * at.u).named("velocity_share", None),
-        }
-    }
-
-    fn joined(&self, a: Others<S>, b: Others<S>) -> Others<S> {
-        Others {
-            v: self.plus(a.v, b.v),
-            h: self.plus(a.h, b.h),
-            u: a.u + b.u,
-        }
-    }
-}
-
-/// The sums V, H, U over all modes but one.
-#[derive(Clone, Copy, Debug)]
-pub struct Others<S> {
-    /// V without the mode.
-    pub v: Complex<S>,
-    /// H without the mode.
-    pub h: Complex<S>,
-    /// U without the mode.
-    pub u: S,
-}
-
-impl<S: Scalar> Others<S> {
-    /// No other mode.
-    #[must_use]
-    pub fn zero() -> Self {
-        let zero = S::constant(0.0);
-        Self {
-            v: complex::real(zero),
-            h: complex::real(zero),
-            u: zero,
-        }
     }
 }

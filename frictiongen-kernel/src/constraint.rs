@@ -135,7 +135,7 @@ impl<S: Float> Chain<S> {
 
 impl<S: Float> Chain<S> {
     /// β, if the motion at it is continuous and bounded; else which regime it is instead.
-    /// `unbounded` are the undamped resonances that the load drives.
+    /// `unbounded` are the undamped resonances that the load drives, `at_infinity` is β_lim for r → ∞.
     ///
     /// # Errors
     /// Every [`NotContinuous`].
@@ -145,6 +145,7 @@ impl<S: Float> Chain<S> {
         r: S,
         beta: S,
         sliding: S,
+        at_infinity: S,
         unbounded: &[S],
         contact: &ContactAt<S>,
         modes: &[Mode<S>],
@@ -154,6 +155,15 @@ impl<S: Float> Chain<S> {
         let beta = check_beta(beta)?;
         if !(beta < sliding) {
             return Err(NotContinuous::Stuck);
+        }
+        if !r.is_finite() {
+            // The limit itself decides, not the sums at a large r, which round it otherwise.  On a moving
+            // base it is infinite: no friction is felt there, and the formulas must not feel it either.
+            if !(beta < at_infinity) {
+                return Err(NotContinuous::StickSlip);
+            }
+            let felt = at_infinity.is_finite();
+            return Ok(if felt { beta } else { S::constant(0.0) });
         }
         if !(S::constant(0.0) < r && self.is_continuous(beta, contact, modes, at, waves)) {
             return Err(NotContinuous::StickSlip);

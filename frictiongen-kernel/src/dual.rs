@@ -228,6 +228,9 @@ impl<S: Float> Float for Dual<S> {
     fn floor(self) -> Self {
         Self::fixed(self.value.floor())
     }
+    fn held(self) -> Self {
+        Self::fixed(self.value)
+    }
     fn vanishes(self) -> bool {
         self.value.is_zero() && self.slope.is_zero()
     }

@@ -2,6 +2,7 @@
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 pub mod absorber;
+mod apart;
 pub mod chain;
 pub mod complex;
 pub mod constraint;

@@ -2,11 +2,12 @@
 //!
 //! The response of mode i, V-part and friction together, has a pole wherever the mode resonates,
 //! which the two parts share and which cancels in part.  Written with ν = p v/V and
-//! κ = (p v U − w u V)/V, where U and V are taken without mode i (its own terms cancel), nothing
-//! is left to cancel: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 + g)(1 − d) − g +
+//! κ = (p v U − w u V)/V, where U and V are taken without mode i wherever its own terms would cancel,
+//! nothing is left to cancel: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 + g)(1 − d) − g +
 //! uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).
 
-use crate::chain::{Chain, ContactAt, ModeAt, Others};
+use crate::apart::{Apart, Parted, Partner};
+use crate::chain::{Chain, ContactAt, ModeAt};
 use crate::complex::{self, Complex};
 use crate::mode::Mode;
 use crate::scalar::Scalar;
@@ -155,29 +156,50 @@ impl<S: Scalar> Chain<S> {
         shape: &[S],
         modes: &[Mode<S>],
         at: &[ModeAt<S>],
-        others: &[Others<S>],
         contact: &ContactAt<S>,
         friction: &Friction<S>,
+        inverse_r: S,
     ) -> Carrier<S> {
-        let zero = S::constant(0.0);
-        let mut ratio = complex::real(zero);
-        let mut mismatch = complex::real(zero);
-        let mut constant = zero;
-        for (index, (((component, mode), at), others)) in
-            shape.iter().zip(modes).zip(at).zip(others).enumerate()
-        {
-            let driven = complex::scale(at.response, *component * mode.load);
-            let driven = named(driven, ["driven_re", "driven_im"], Some(index));
-            let rubbed = *component * mode.contact;
-            let difference = complex::scale(driven, others.u);
-            let back = (-(rubbed * at.u)).named("rubbed_back", Some(index));
-            let back = complex::scale(others.v, back);
-            ratio = self.sum(ratio, driven);
-            mismatch = self.sum(mismatch, self.sum(difference, back));
+        let known = modes.iter().zip(at.iter().copied());
+        let apart = self.apart(known.clone(), Partner::U, contact, inverse_r);
+        let known = shape.iter().zip(known).enumerate();
+        let parts = known.map(|(index, (component, (mode, at)))| (index, *component, mode, at));
+        self.carrier_of(parts, &apart, contact, friction)
+    }
+
+    /// The carrier that these modes make: number, component, constants and functions of each.
+    pub(crate) fn carrier_of<'a>(
+        &self,
+        parts: impl Iterator<Item = (usize, S, &'a Mode<S>, ModeAt<S>)>,
+        apart: &Apart<S>,
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+    ) -> Carrier<S>
+    where
+        S: 'a,
+    {
+        let (mut driven, mut rubbed) = (Parted::zero(), Parted::zero());
+        let mut constant = S::constant(0.0);
+        for (index, component, mode, at) in parts {
+            let free = complex::scale(at.response, component * mode.load);
+            let free = named(free, ["driven_re", "driven_im"], Some(index));
+            driven = driven.with(self, apart, index, free);
+            let residue = component * mode.contact;
+            let back = (-(residue * at.u)).named("rubbed_back", Some(index));
+            rubbed = rubbed.with(self, apart, index, complex::real(back));
             if self.damped {
-                constant = constant - rubbed * (at.g / (at.x * at.x));
+                constant = constant - residue * (at.g / (at.x * at.x));
             }
         }
+        let ratio = self.plus(driven.own, driven.rest);
+        // Products of sums: a far mass moves by V_k U − U_k V, and what is common must stay so.
+        let part = |driven, u, rubbed: Complex<S>, v| {
+            self.plus(complex::scale(driven, u), complex::scale(v, rubbed.re))
+        };
+        let mismatch = self.plus(
+            part(driven.own, apart.own.u, rubbed.own, apart.own.v),
+            part(driven.rest, apart.rest.u, rubbed.rest, apart.rest.v),
+        );
         let ratio = named(ratio, ["response_re", "response_im"], None);
         let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
         let inverse_v = complex::reciprocal(contact.v, self.damped);
@@ -207,36 +229,32 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    #[inline(always)]
-    fn sum(&self, a: Complex<S>, b: Complex<S>) -> Complex<S> {
-        if self.damped {
-            complex::add(a, b)
-        } else {
-            complex::real(a.re + b.re)
-        }
-    }
-
-    /// x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck, without
-    /// the modes' own terms, which cancel.
+    /// x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck.
     pub fn stuck(
         &self,
         shape: &[S],
         modes: &[Mode<S>],
         at: &[ModeAt<S>],
-        others: &[Others<S>],
         contact: &ContactAt<S>,
         inverse_r: S,
     ) -> Complex<S> {
-        let mut sum = complex::real(S::constant(0.0));
-        for (index, (((component, mode), at), others)) in
-            shape.iter().zip(modes).zip(at).zip(others).enumerate()
-        {
-            let free = complex::scale(others.h, mode.load);
-            let held = complex::scale(others.v, -mode.contact);
-            let force = complex::scale(self.sum(free, held), *component);
-            let force = named(force, ["force_re", "force_im"], Some(index));
-            sum = self.sum(sum, complex::mul(at.response, force, self.damped));
+        let known = modes.iter().zip(at.iter().copied());
+        let apart = self.apart(known.clone(), Partner::H, contact, inverse_r);
+        let (mut driven, mut rubbed) = (Parted::zero(), Parted::zero());
+        for (index, (component, (mode, at))) in shape.iter().zip(known).enumerate() {
+            let free = complex::scale(at.response, *component * mode.load);
+            driven = driven.with(self, &apart, index, free);
+            let back = complex::scale(at.response, -(*component * mode.contact));
+            rubbed = rubbed.with(self, &apart, index, back);
         }
+        let part = |driven, h, rubbed, v| {
+            let mul = |a, b| complex::mul(a, b, self.damped);
+            self.plus(mul(driven, h), mul(rubbed, v))
+        };
+        let sum = self.plus(
+            part(driven.own, apart.own.h, rubbed.own, apart.own.v),
+            part(driven.rest, apart.rest.h, rubbed.rest, apart.rest.v),
+        );
         let sum = named(sum, ["held_re", "held_im"], None);
         let inverse_h = complex::reciprocal(contact.h, self.damped);
         let unscale = (inverse_r * inverse_r / contact.scale).named("unscale", None);

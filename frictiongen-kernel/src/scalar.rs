@@ -101,6 +101,11 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
     fn vanishes(self) -> bool {
         self.is_zero()
     }
+    /// The value alone: where something is looked at does not move with what it depends on.
+    #[must_use]
+    fn held(self) -> Self {
+        self
+    }
     /// Whether the value is neither infinite nor NaN.
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()

@@ -1,7 +1,7 @@
 //! The steady continuous motion as something to ask: exact amplitude, displacement at any time,
 //! harmonics.  Run-time systems and emitted solvers share it.
 
-use crate::chain::{Chain, ContactAt, ModeAt, Others};
+use crate::chain::{Chain, ContactAt, ModeAt};
 use crate::complex::Complex;
 use crate::decay::{Decay, Instant};
 use crate::mode::Mode;
@@ -209,19 +209,6 @@ fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
 }
 
 impl<S: Float> Chain<S> {
-    /// The sums without each mode, for an array of modes.
-    pub fn others<const N: usize>(
-        &self,
-        modes: &[Mode<S>; N],
-        at: &[ModeAt<S>; N],
-        scale: S,
-        inverse_r: S,
-    ) -> [Others<S>; N] {
-        let mut others = [Others::zero(); N];
-        self.without_each(modes, at, scale, inverse_r, &mut others);
-        others
-    }
-
     /// The waves of a motion, for an array of modes; `residue` takes a mode and the component of
     /// its shape.
     #[allow(

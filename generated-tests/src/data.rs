@@ -1,7 +1,7 @@
 //! A scene read from its modal data as they stand in some scalar: what separates the rounding of an
 //! evaluation from the rounding of its data.
 
-use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt, Others};
+use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt};
 use frictiongen_kernel::decay::{Damped, Decay};
 use frictiongen_kernel::mode::{Kind, Mode, ModeResponse};
 use frictiongen_kernel::motion::Friction;
@@ -153,19 +153,6 @@ impl<S: Float> DataAt<'_, S> {
         }
     }
 
-    fn others(&self) -> Vec<Others<S>> {
-        let modes = &self.data.reduced.modes;
-        let mut others = vec![Others::zero(); modes.len()];
-        self.chain().without_each(
-            modes,
-            &self.modes,
-            self.contact.scale,
-            self.inverse_r,
-            &mut others,
-        );
-        others
-    }
-
     fn friction(&self, beta: S) -> Friction<S> {
         self.chain().friction(&self.contact, self.inverse_r, beta)
     }
@@ -207,9 +194,9 @@ impl<S: Float> DataAt<'_, S> {
             &shapes[mass],
             modes,
             &self.modes,
-            &self.others(),
             &self.contact,
             &friction,
+            self.inverse_r,
         );
         let waves = self.waves(&friction, |mode, i| shapes[mass][i] * mode.contact);
         Motion::of_mass(friction, carrier, waves)
@@ -243,7 +230,6 @@ impl<S: Float> DataAt<'_, S> {
             &shapes[mass],
             modes,
             &self.modes,
-            &self.others(),
             &self.contact,
             self.inverse_r,
         )

@@ -133,7 +133,7 @@ mod among_types_of_the_same_names {
     }
     in_the_way! {
         Result Option Ok Err Some None Box Vec String Default Error Copied Into From
-        Scalar Float Mode Modes ModeAt ModeResponse Kind Chain ContactAt Others Damped Undamped Decay
+        Scalar Float Mode Modes ModeAt ModeResponse Kind Chain ContactAt Damped Undamped Decay
         Carrier Friction Share Motion Wave Complex Regime NotContinuous OutOfDomain StuckResonance
         Orbit OrbitMotion NoOrbit Simulation Segment Moment Part Dynamics HeldMode
         Iterator IntoIterator Steady LimitsAt FrictionSystem Of f32 usize str bool u8

@@ -259,7 +259,7 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
         }
     });
     let block = code! {
-            use #facade::kernel::chain::{Chain, ContactAt, ModeAt, Others};
+            use #facade::kernel::chain::{Chain, ContactAt, ModeAt};
             use #facade::kernel::decay::{Damped, Decay, Undamped};
             use #facade::kernel::mode::{Kind, Mode, ModeResponse};
             use #facade::kernel::motion::{Carrier, Friction, Share};

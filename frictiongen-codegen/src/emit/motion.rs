@@ -6,14 +6,13 @@ use crate::graph::{Expr, Graph};
 use frictiongen_kernel::motion::{Carrier, Share};
 use proc_macro2::{Ident, Literal, TokenStream};
 
-const TAKEN: [&str; 9] = [
+const TAKEN: [&str; 8] = [
     "r",
     "inverse_r",
     "contact",
     "modes",
     "beta",
     "friction",
-    "others",
     "carrier",
     "waves",
 ];
@@ -77,6 +76,7 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
                     r,
                     beta,
                     self.sliding_limit(),
+                    #name::CONTINUOUS_AT_INFINITY,
                     &#unbounded,
                     &contact,
                     &#name::MODES,
@@ -336,8 +336,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
             pub fn #method(&self) -> #returned {
                 const SHAPE: [#scalar; #modes] = #shape;
                 #opening
-                let others = #name::CHAIN.others(&#name::MODES, &modes, contact.scale, inverse_r);
-                let carrier = #name::CHAIN.carrier(&SHAPE, &#name::MODES, &modes, &others, &contact, &friction);
+                let carrier = #name::CHAIN.carrier(&SHAPE, &#name::MODES, &modes, &contact, &friction, inverse_r);
                 let waves = #name::CHAIN.waves::<#decay, _>(
                     |mode, component| component * mode.contact,
                     &#name::MODES, &SHAPE, &modes, &contact, &friction, inverse_r,
@@ -357,15 +356,14 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
     let contact = tracer.contact("contact");
     let inverse_r = graph.input("inverse_r");
     let at = tracer.modes_at();
-    let others = tracer.others(&at, contact.scale, inverse_r);
     let components = tracer.reduced.shapes.get(mass).cloned().unwrap_or_default();
     let carrier = chain.carrier(
         &components,
         &tracer.reduced.modes,
         &at,
-        &others,
         &contact,
         &tracer.friction(),
+        inverse_r,
     );
     let mut outputs = carrier_outputs(&carrier).to_vec();
     for index in &rubbed {

@@ -4,11 +4,10 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
 /// What emitted code imports: a scene may have the same name.
-pub(super) const IMPORTED: [&str; 42] = [
+pub(super) const IMPORTED: [&str; 41] = [
     "Chain",
     "ContactAt",
     "ModeAt",
-    "Others",
     "Damped",
     "Decay",
     "Undamped",

@@ -120,8 +120,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
                 const SHAPE: [#scalar; #modes] = #shape_constant;
                 let #at { inverse_r, contact, modes, .. } = self.at;
                 #absorbed
-                let others = #name::CHAIN.others(&#name::MODES, &modes, contact.scale, inverse_r);
-                #name::CHAIN.stuck(&SHAPE, &#name::MODES, &modes, &others, &contact, inverse_r)
+                #name::CHAIN.stuck(&SHAPE, &#name::MODES, &modes, &contact, inverse_r)
             }
         };
     }
@@ -130,13 +129,11 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
     let contact = tracer.contact("contact");
     let inverse_r = graph.input("inverse_r");
     let modes_at = tracer.modes_at();
-    let others = tracer.others(&modes_at, contact.scale, inverse_r);
     let components = tracer.reduced.shapes.get(mass).cloned().unwrap_or_default();
     let amplitude = tracer.reduced.chain.stuck(
         &components,
         &tracer.reduced.modes,
         &modes_at,
-        &others,
         &contact,
         inverse_r,
     );

@@ -4,7 +4,7 @@ use super::rounded;
 use crate::graph::count::Count;
 use crate::graph::print::{Printed, print};
 use crate::graph::{Expr, Graph, Operand};
-use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt, Others};
+use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt};
 use frictiongen_kernel::complex::Complex;
 use frictiongen_kernel::mode::ModeResponse;
 use frictiongen_kernel::motion::{Friction, Share};
@@ -85,18 +85,6 @@ impl<'g> Tracer<'g> {
             phase: of("phase"),
             unscale: of("unscale"),
         }
-    }
-
-    pub fn others(
-        &self,
-        at: &[ModeAt<Expr<'g>>],
-        scale: Expr<'g>,
-        inverse_r: Expr<'g>,
-    ) -> Vec<Others<Expr<'g>>> {
-        let Reduced { modes, chain, .. } = &self.reduced;
-        let mut others = vec![Others::zero(); modes.len()];
-        chain.without_each(modes, at, scale, inverse_r, &mut others);
-        others
     }
 
     /// The whole frequency stage, unrolled.
@@ -181,15 +169,14 @@ pub fn traces<S: frictiongen_kernel::Float>(
     ]
     .map(|(name, value)| (name.to_owned(), value.operand()))
     .to_vec();
-    let others = tracer.others(&at, contact.scale, inverse);
     for (index, (shape, mass)) in tracer.reduced.shapes.iter().zip(&scene.masses).enumerate() {
         let carrier = chain.carrier(
             shape,
             &tracer.reduced.modes,
             &at,
-            &others,
             &contact,
             &friction,
+            inverse,
         );
         for (field, value) in [
             ("constant", carrier.constant),
@@ -201,14 +188,7 @@ pub fn traces<S: frictiongen_kernel::Float>(
         if modal.held(index).is_some() {
             continue;
         }
-        let stuck = chain.stuck(
-            shape,
-            &tracer.reduced.modes,
-            &at,
-            &others,
-            &contact,
-            inverse,
-        );
+        let stuck = chain.stuck(shape, &tracer.reduced.modes, &at, &contact, inverse);
         named.push((format!("{}.stuck.re", mass.name), stuck.re.operand()));
         named.push((format!("{}.stuck.im", mass.name), stuck.im.operand()));
     }

@@ -3,13 +3,13 @@
 //! Beside a resonance the fixed point is badly conditioned, while the closed form loses nothing.
 
 use super::flow::Flow;
-use crate::chain::{Chain, ContactAt, ModeAt, Others};
-use crate::complex;
+use crate::apart::Partner;
+use crate::chain::{Chain, ContactAt, ModeAt};
 use crate::mode::Mode;
 use crate::scalar::Float;
 use crate::simulation::{Contact, Dynamics, Stance};
 
-/// The sums over all modes that the contact drives, but the one at `without`.
+/// The sums over all modes that the contact drives.
 struct Sums<'a, S> {
     chain: Chain<S>,
     modes: &'a [Mode<S>],
@@ -51,32 +51,6 @@ impl<'a, S: Float> Sums<'a, S> {
         }
         self.chain.completed(&sum, self.inverse_r)
     }
-
-    fn others(&self, without: usize) -> Others<S> {
-        let mut sum = ContactAt::zero(self.scale);
-        let mut at_rest = self.chain.on_moving_base;
-        for (index, mode) in self.modes.iter().enumerate() {
-            if index == without {
-                at_rest = at_rest.map(|value| value - mode.static_residue);
-                continue;
-            }
-            let response = mode.response(self.inverse_r, 0);
-            let at = self.chain.scaled(&response, self.scale, self.single, 0);
-            sum = self
-                .chain
-                .joined_by(&sum, mode, &response, &at, self.single);
-        }
-        if let Some(value) = at_rest {
-            let r2 = S::constant(1.0) / (self.inverse_r * self.inverse_r);
-            let v = complex::add(sum.v, complex::real(value * self.scale));
-            sum.v = complex::scale(v, r2);
-        }
-        Others {
-            v: sum.v,
-            h: sum.h,
-            u: sum.u,
-        }
-    }
 }
 
 /// Sets the flow to the closed form's state at a maximum of the relative motion.
@@ -88,15 +62,15 @@ pub(super) fn set<S: Float>(flow: &mut Flow<'_, '_, S>) {
     let friction = dynamics
         .chain
         .friction(&contact, sums.inverse_r, flow.setting.beta);
-    for (index, (part, mode)) in flow.modes.iter_mut().zip(sums.modes).enumerate() {
-        let carrier = dynamics.chain.carrier(
-            &[one],
-            core::slice::from_ref(mode),
-            &[sums.at(mode)],
-            &[sums.others(index)],
-            &contact,
-            &friction,
-        );
+    let known = sums.modes.iter().map(|mode| (mode, sums.at(mode)));
+    let apart = dynamics
+        .chain
+        .apart(known.clone(), Partner::U, &contact, sums.inverse_r);
+    for (index, (part, (mode, at))) in flow.modes.iter_mut().zip(known).enumerate() {
+        let alone = core::iter::once((index, one, mode, at));
+        let carrier = dynamics
+            .chain
+            .carrier_of(alone, &apart, &contact, &friction);
         part.y = carrier.constant + carrier.cosine;
         part.u = carrier.sine / part.x;
     }

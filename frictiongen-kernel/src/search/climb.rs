@@ -24,6 +24,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let step = newton.max(-trust).min(trust);
             let (next, flipped) = self.moved(tau + step);
             if next == tau || slope == zero {
+                // The same place, but by one more step of how it moves with what it depends on.
+                tau = next;
                 break;
             }
             let (at_next, _) = self.local(next);

@@ -95,6 +95,7 @@ pub fn largest_from<S: Float, D: Decay<S>>(
     guess: S,
 ) -> Peak<S> {
     let mut search = Search::new(sum, question);
+    let guess = guess.held();
     let local = search.local(guess).0;
     search.climb(guess, local, local.value < S::constant(0.0));
     search.walk();
@@ -169,6 +170,8 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
         let (mut skipped, mut by_series) = (false, false);
         while tau < end && self.peak.evaluations < MAX_EVALUATIONS {
+            // How the walk's steps move would grow from step to step, without bound.
+            tau = tau.held();
             if self.question.weight == Weight::Sine && !skipped {
                 // Away from the ends sin τ alone keeps the quotient below the level.
                 let edge = S::pi() * S::constant(0.5) * self.sum.amplitude_bound() / self.level();

@@ -4,7 +4,7 @@ use super::motion::{SystemMotion, SystemStuck};
 use super::system::System;
 use crate::system::{LimitsAt, MotionAt};
 use crate::{NotContinuous, OutOfDomain, Regime, StuckResonance};
-use frictiongen_kernel::chain::{ContactAt, ModeAt, Others};
+use frictiongen_kernel::chain::{ContactAt, ModeAt};
 use frictiongen_kernel::decay::{Damped, Decay};
 use frictiongen_kernel::wave::Wave;
 use frictiongen_kernel::{Float, regime};
@@ -104,19 +104,6 @@ impl<'a, S: Float> SystemAt<'a, S> {
         ))
     }
 
-    fn others(&self) -> Vec<Others<S>> {
-        let Reduced { modes, chain, .. } = &self.system.reduced;
-        let mut others = vec![Others::zero(); modes.len()];
-        chain.without_each(
-            modes,
-            &self.modes,
-            self.contact.scale,
-            self.inverse_r,
-            &mut others,
-        );
-        others
-    }
-
     /// The exact continuous motion at β = F/P.
     ///
     /// # Errors
@@ -138,6 +125,7 @@ impl<'a, S: Float> SystemAt<'a, S> {
             *r,
             beta,
             self.sliding_limit(),
+            system.reduced.ends.continuous_at_infinity,
             &system.unbounded,
             contact,
             constants,
@@ -146,7 +134,6 @@ impl<'a, S: Float> SystemAt<'a, S> {
         )?;
         Ok(SystemMotion {
             at: self.clone(),
-            others: self.others(),
             friction: chain.friction(&self.contact, self.inverse_r, beta),
         })
     }
@@ -163,10 +150,7 @@ impl<'a, S: Float> SystemAt<'a, S> {
             .reduced
             .chain
             .stuck_admitted(*r, contact, &system.invisible)?;
-        Ok(SystemStuck {
-            at: self.clone(),
-            others: self.others(),
-        })
+        Ok(SystemStuck { at: self.clone() })
     }
 }
 

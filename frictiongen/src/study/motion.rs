@@ -5,7 +5,6 @@ use super::error::UnknownMass;
 use crate::system::{ContinuousMotion, Of, Steady, StuckAt};
 use crate::{Complex, StuckResonance};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::chain::Others;
 use frictiongen_kernel::decay::{Damped, Decay};
 use frictiongen_kernel::mode::Mode;
 use frictiongen_kernel::motion::Friction;
@@ -17,7 +16,6 @@ use frictiongen_model::modal::Reduced;
 #[derive(Clone, Debug)]
 pub struct SystemMotion<'a, S = f64> {
     pub(super) at: SystemAt<'a, S>,
-    pub(super) others: Vec<Others<S>>,
     pub(super) friction: Friction<S>,
 }
 
@@ -55,6 +53,7 @@ impl<S: Float> SystemMotion<'_, S> {
             system,
             contact,
             modes,
+            inverse_r,
             ..
         } = &self.at;
         let Reduced {
@@ -67,14 +66,7 @@ impl<S: Float> SystemMotion<'_, S> {
         if chain.on_moving_base.is_none() && system.modal.contact == (index, None) {
             return Some(self.contact());
         }
-        let carrier = chain.carrier(
-            shape,
-            constants,
-            modes,
-            &self.others,
-            contact,
-            &self.friction,
-        );
+        let carrier = chain.carrier(shape, constants, modes, contact, &self.friction, *inverse_r);
         let residue = |mode: &Mode<S>, component: S| component * mode.contact;
         let waves = self.waves(|mode, i| residue(mode, shape.get(i).copied().unwrap_or(mode.zeta)));
         Some(Motion::of_mass(self.friction, carrier, waves))
@@ -115,7 +107,6 @@ impl<S: Float> SystemMotion<'_, S> {
 #[derive(Clone, Debug)]
 pub struct SystemStuck<'a, S = f64> {
     pub(super) at: SystemAt<'a, S>,
-    pub(super) others: Vec<Others<S>>,
 }
 
 impl<S: Float> SystemStuck<'_, S> {
@@ -153,7 +144,7 @@ impl<S: Float> SystemStuck<'_, S> {
             let amplitude = chain.stuck_under(force, shape, constants, modes, contact, *inverse_r);
             return Some(Complex::new(amplitude, S::constant(0.0)));
         }
-        Some(chain.stuck(shape, constants, modes, &self.others, contact, *inverse_r))
+        Some(chain.stuck(shape, constants, modes, contact, *inverse_r))
     }
 }
 

@@ -156,6 +156,25 @@ pub fn explained(
     (ratio(condition), slopes)
 }
 
+/// The stationary instant next to `tau`, by Newton's method on the exact motion; none where it leaves
+/// the place or finds no end.
+pub fn stationary(given: &Given, mass: usize, tau: Dd) -> Option<Dd> {
+    let motion = given.0.at(given.1.r).mass(mass, given.1.beta);
+    let mut at = tau;
+    for _ in 0..60 {
+        let velocity = motion.velocity(Dual::variable(at));
+        let step = velocity.value / velocity.slope;
+        at = at - step;
+        if !((at - tau).abs().to_f64() < 0.1) {
+            return None;
+        }
+        if step.abs().to_f64() <= 1e-19 {
+            return Some(at);
+        }
+    }
+    None
+}
+
 /// The smallest displacement of the inputs, all in the direction that moves the answer, between
 /// whose ends the exact answer passes `got`.
 pub fn displaced(
@@ -188,19 +207,67 @@ pub fn displaced(
                 let motion = data.at(place.r).mass(mass, place.beta);
                 motion.displacement(tau).abs()
             }
+            (Asked::Phase(mass), _) => {
+                // The maximum nearest to the answer: nothing else moves into its place.
+                let carrier = data.at(place.r).contact(place.beta).phase();
+                match stationary(&moved, mass, got.re - carrier) {
+                    Some(tau) => carrier + tau,
+                    None => Dd::from(f64::NAN),
+                }
+            }
             _ => answer(&data, &place, asked).re,
         };
         moved - got.re
     };
     let mut k = 1.0;
     while k <= bar {
+        let part = |part: i32| k * f64::from(part) / f64::from(PARTS);
         let values: Vec<f64> = (-PARTS..=PARTS)
-            .map(|part| at(k * f64::from(part) / f64::from(PARTS)).to_f64())
+            .map(|number| at(part(number)).to_f64())
             .collect();
         if values.iter().any(|v| *v <= 0.0) && values.iter().any(|v| *v >= 0.0) {
             return Some(k);
         }
+        // All on one side: a pole or a zero, narrower than a step, may reach the other side.
+        let side = values.first().map_or(1.0, |first| first.signum());
+        for (number, three) in (1 - PARTS..PARTS).zip(values.windows(3)) {
+            let [left, middle, right] = three else {
+                continue;
+            };
+            if side * middle <= side * left && side * middle <= side * right {
+                let beyond = |k| side * at(k).to_f64();
+                if lowest(beyond, part(number - 1), part(number + 1), 0.0).1 <= 0.0 {
+                    return Some(k);
+                }
+            }
+        }
         k *= 2.0;
     }
     None
+}
+
+/// Where a function with one minimum is smallest, and what it is there, by golden section; the first
+/// value that is not above `enough` is low enough.
+pub fn lowest(of: impl Fn(f64) -> f64, from: f64, to: f64, enough: f64) -> (f64, f64) {
+    const GOLDEN: f64 = 0.618_033_988_749_894_8;
+    let (mut low, mut high) = (from, to);
+    let inner = |low: f64, high: f64| (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+    let (mut a, mut b) = inner(low, high);
+    let (mut at_a, mut at_b) = (of(a), of(b));
+    // 0.618⁹⁰ = 1.5e-19.
+    for _ in 0..90 {
+        if at_a <= enough || at_b <= enough {
+            break;
+        }
+        if at_a < at_b {
+            (high, b, at_b) = (b, a, at_a);
+            a = inner(low, high).0;
+            at_a = of(a);
+        } else {
+            (low, a, at_a) = (a, b, at_b);
+            b = inner(low, high).1;
+            at_b = of(b);
+        }
+    }
+    if at_a < at_b { (a, at_a) } else { (b, at_b) }
 }

@@ -7,36 +7,23 @@
 //! looked up at displaced inputs instead.
 
 use crate::asked::{Asked, Place, answer};
-use crate::condition::{Given, PLAIN, displaced, explained, modulus};
+use crate::condition::{Given, PLAIN, displaced, explained, lowest, modulus, stationary};
 use frictiongen_kernel::dd::Dd;
 use frictiongen_kernel::dual::Dual;
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::data::{Data, DataMotion};
 
-/// The stationary instant next to `tau`, by Newton's method on the exact motion; none where it leaves
-/// the place or finds no end.
-fn stationary(given: &Given, mass: usize, tau: Dd) -> Option<Dd> {
-    let motion = given.0.at(given.1.r).mass(mass, given.1.beta);
-    let mut at = tau;
-    for _ in 0..60 {
-        let velocity = motion.velocity(Dual::variable(at));
-        let step = velocity.value / velocity.slope;
-        at = at - step;
-        if !((at - tau).abs().to_f64() < 0.1) {
-            return None;
-        }
-        if step.abs().to_f64() <= 1e-19 {
-            return Some(at);
-        }
-    }
-    None
-}
-
-/// Where the exact motion is at its largest.
-fn searched(motion: &DataMotion<Dd>) -> Dd {
-    let places = motion.peak().places;
-    let mut places = places.iter().flatten();
-    places.next().map_or(Dd::from(0.0), |place| place.tau)
+/// Where the exact motion is at its largest: next to where it was found to be, which need not be a
+/// stationary point.
+fn largest(motion: &DataMotion<Dd>, hint: Option<Dd>) -> Dd {
+    const ABOUT: f64 = 0.1;
+    let Some(hint) = hint else {
+        let places = motion.peak().places;
+        let mut places = places.iter().flatten();
+        return places.next().map_or(Dd::from(0.0), |place| place.tau);
+    };
+    let below = |away: f64| -motion.displacement(hint + Dd::from(away)).abs().to_f64();
+    hint + Dd::from(lowest(below, -ABOUT, ABOUT, f64::NEG_INFINITY).0)
 }
 
 /// An angle's distance, within half a turn.
@@ -112,7 +99,7 @@ fn answered(
             // The search has its own tests; here the maximum that it found is what is compared.
             match hint.and_then(|tau| stationary(&given, mass, tau)) {
                 Some(tau) => beside(tau),
-                None => beside(searched(&motion)),
+                None => beside(largest(&motion, hint)),
             }
         }
         _ => {
@@ -139,7 +126,7 @@ fn phase(
     let asked = Asked::Phase(mass);
     let real = |value: Dd| Complex::new(value, Dd::from(0.0));
     let found = hint.and_then(|tau| stationary(&given, mass, tau));
-    let tau = found.unwrap_or_else(|| searched(&motion));
+    let tau = found.unwrap_or_else(|| largest(&motion, hint));
     let (top, largest) = (Some(tau), motion.displacement(tau).abs());
     let amplitude = Asked::Amplitude(mass);
     // Where so small a change of the inputs can undo the whole motion, it has no phase.
@@ -147,9 +134,10 @@ fn phase(
     let whole = largest / Dd::from(epsilon);
     let undone = || explained(&given, amplitude, top, whole, largest).0;
     let Some(tau) = stationary(&given, mass, got - carrier) else {
+        let found = along_the_limit(&given, asked, None, real(got), limits);
         return Error {
             forward: f64::INFINITY,
-            backward: undone(),
+            backward: found.unwrap_or_else(undone),
         };
     };
     let want = real(carrier + tau);
@@ -217,16 +205,28 @@ fn compared(
     }
     let given = (data.read(Dual::fixed), place.read(Dual::fixed));
     let (mut backward, slopes) = explained(&given, asked, top, off / epsilon, size);
-    if !(backward <= bar) && !matches!(asked, Asked::Phase(_)) {
+    if !(backward <= bar) {
         let found = displaced(&given, asked, top, got, &slopes, epsilon, bar);
         backward = found.unwrap_or(backward);
     }
-    if !(backward <= bar) && matches!(asked, Asked::ContactAmplitude | Asked::ContactPhase) {
-        // Q vanishes as a square root does, and has no slope at its end: along what moves the limit.
-        let limit = Asked::WithoutSearch;
-        let slopes = explained(&given, limit, None, Dd::from(f64::MAX), size).1;
-        let found = displaced(&given, asked, top, got, &slopes, epsilon, bar);
+    if !(backward <= bar) && asked.is_motion() {
+        let found = along_the_limit(&given, asked, top, got, (epsilon.to_f64(), bar));
         backward = found.unwrap_or(backward);
     }
     Error { forward, backward }
+}
+
+/// Q vanishes as a square root does and has no slope at its end, and beside a pole of U the slopes change
+/// within a rounding: the displacement that explains a motion, along what moves the limit.
+fn along_the_limit(
+    given: &Given,
+    asked: Asked,
+    top: Option<Dd>,
+    got: Complex<Dd>,
+    (epsilon, bar): (f64, f64),
+) -> Option<f64> {
+    let limit = answer(&given.0, &given.1, Asked::WithoutSearch).re.value;
+    let all = Dd::from(f64::MAX);
+    let slopes = explained(given, Asked::WithoutSearch, None, all, limit).1;
+    displaced(given, asked, top, got, &slopes, Dd::from(epsilon), bar)
 }

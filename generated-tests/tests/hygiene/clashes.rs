@@ -111,7 +111,7 @@ macro_rules! scenes {
 }
 
 scenes! {
-    chain Chain  mode Mode  kind Kind  others Others  damped Damped  undamped Undamped  decay Decay
+    chain Chain  mode Mode  kind Kind  damped Damped  undamped Undamped  decay Decay
     carrier Carrier  friction_ Friction  share Share  motion Motion  wave Wave  complex Complex
     scalar Scalar  contact Contact  regime Regime  option Option  result Result  ok Ok  none None
     iterator Iterator  self_ Scene  system System  of Of  steady Steady

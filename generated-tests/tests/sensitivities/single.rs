@@ -138,3 +138,29 @@ fn frequency_and_friction_ratio() {
     }
     outcome.report("r and β");
 }
+
+/// A search for S that takes hundreds of steps: how they moved with r grew from one to the next until
+/// it was no number.
+#[test]
+fn a_long_search() {
+    let text = "struct A { masses: { a: 0.93, b: 3.2, c: 1.2, d: 1.6, e: 0.39, f: 0.88, g: 0.55, h: 2.7,
+         i: 1.6, j: 1.7, k: 1.5, l: 1.4, m: 0.96, n: 1.9 },
+         springs: { base - a: 0.72, a - b: 0.53, b - c: 1.1, c - d: 1.4, d - e: 0.83, e - f: 1.9, f - g: 0.43,
+         g - h: 1.2, h - i: 1.5, i - j: 0.63, j - k: 0.56, k - l: 1.2, l - m: 0.46, m - n: 0.47 },
+         contact: m - base, excitation: g, damping: modal[2.4, 7e-3, 2e-9, 1e-6, 3e-5, 8e-8, 7.7, 1.0, 9e-9,
+         1e-3, 0.99994, 0.36, 0.07, 2e-9] }";
+    let exact: System<Dd> = text.parse().expect("a valid scene");
+    let limit = |r: Dd| exact.at(r).expect("in the domain").continuous_limit();
+    // Beside the thirty-first sub-harmonic of the third mode, whose damping all but vanishes.
+    let r = exact.resonances()[2] / Dd::from(31.0) * Dd::from(1.0 - 3e-8);
+    let unvaried = exact.unvaried();
+    let at = unvaried.at(Dual::variable(r)).expect("in the domain");
+    let slope = at.continuous_limit().slope;
+    // β_lim is a smooth function of r over some 1e-8 here, and differences at 1e-12 lose (1e-4)² of it.
+    let h = r * Dd::from(1e-12);
+    let difference = (limit(r + h) - limit(r - h)) / (h + h);
+    assert!(
+        ((slope - difference) / difference).abs().to_f64() < 1e-6,
+        "{slope:?}, by differences {difference:?}"
+    );
+}

@@ -1,5 +1,6 @@
 //! Stick-slip motion in time and its steady states.
 
+mod amplitudes;
 mod emitted;
 mod energy;
 mod events;

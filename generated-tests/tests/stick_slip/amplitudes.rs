@@ -1,0 +1,49 @@
+//! The largest |x̄| of a mass with stops, against its samples and against the contact's.
+
+use frictiongen::friction_system;
+
+friction_system! {
+    struct Slow {
+        masses: { m1: 1.0, m2: 1.0 },
+        springs: { base - m1: 1.0, m1 - m2: 1.0 },
+        contact: m2 - wall,
+        excitation: m1,
+        damping: modal[0.1 / 0.6180339887498949, 0.1 / 1.618033988749895],
+        provide: [limits, orbit],
+    }
+}
+
+/// While the contact is stuck the mass in it does not move, but for rounding: a level that is met only
+/// by rounding's slope was looked for far beyond the stop's end.
+#[test]
+fn of_masses_that_hardly_move() {
+    const SAMPLES: u32 = 400;
+    let mut compared = 0;
+    for k in 0..1500_u32 {
+        let r = 0.3 + 1.7 * f64::from(k) / 1500.0;
+        let beta = 0.2 + 0.6 * f64::from(k % 7) / 7.0;
+        let Ok(orbit) = Slow::at(r).expect("in the domain").orbit(beta) else {
+            continue;
+        };
+        compared += 1;
+        // The contact's is read off the events.
+        let (mass, contact) = (orbit.mass(1).amplitude(), orbit.contact().amplitude());
+        assert!(
+            (mass - contact).abs() <= 1e-9 * contact.max(1e-6),
+            "r = {r}, β = {beta}: {mass:e}, of the contact {contact:e}"
+        );
+        let first = orbit.mass(0);
+        let sample = |i| {
+            let turn = f64::from(i) / f64::from(SAMPLES);
+            first.displacement(turn * core::f64::consts::TAU).abs()
+        };
+        let sampled = (0..SAMPLES).map(sample).fold(0.0, f64::max);
+        let amplitude = first.amplitude();
+        // Samples at 2π/400 miss at most (π/400)²/2 = 3e-5 of a sinusoid, 1e-3 of its tenth harmonic.
+        assert!(
+            sampled <= amplitude * (1.0 + 1e-12) && amplitude <= sampled * (1.0 + 1e-3),
+            "r = {r}, β = {beta}: {amplitude:e}, of samples {sampled:e}"
+        );
+    }
+    assert!(compared > 1000, "{compared}");
+}
