@@ -155,6 +155,11 @@ impl<S: Float> Chain<S> {
         if !(beta < sliding) {
             return Err(NotContinuous::Stuck);
         }
+        if !r.is_finite() && !sliding.is_finite() {
+            // On a moving base the limits grow as r²: at r = ∞ no friction is felt, and the formulas,
+            // evaluated at a finite r, must not feel it either.
+            return Ok(S::constant(0.0));
+        }
         if !(S::constant(0.0) < r && self.is_continuous(beta, contact, modes, at, waves)) {
             return Err(NotContinuous::StickSlip);
         }

@@ -50,6 +50,15 @@ pub struct Share<S> {
     pub gain: S,
 }
 
+/// With damping V may be so small that it has no square, or no reciprocal.  It is lifted by powers of
+/// two, which leave every other result its bits.
+const SMALL: f64 = 1.0 / (1_u64 << 40) as f64;
+/// 2^80: the square of what is [`SMALL`] times this neither vanishes in `f32` nor overflows.
+const SQUARED: f64 = 1.0 / (SMALL * SMALL);
+/// 2^24: the smallest `f32` times this has a finite reciprocal, and V, which on a moving base grows to
+/// r² = 2^100, does not overflow.
+const LIFT: f64 = (1_u32 << 24) as f64;
+
 /// The angle moved by a turn into (−π, π], from within a turn of it.
 #[inline]
 fn wrapped<S: Scalar>(angle: S) -> S {
@@ -82,6 +91,12 @@ impl<S: Scalar> Chain<S> {
         let root = if self.on_moving_base.is_some() {
             // Both grow as r⁴ there, and their product would overflow at large r.
             less.sqrt() * more.sqrt()
+        } else if self.damped {
+            let small = excitation.lt(S::constant(SMALL));
+            let one = S::constant(1.0);
+            let lift = S::select(small, S::constant(SQUARED), one);
+            let unlift = S::select(small, S::constant(1.0 / SQUARED), one);
+            ((less * lift) * (more * lift)).sqrt() * unlift
         } else {
             (less * more).sqrt()
         };
@@ -180,7 +195,13 @@ impl<S: Scalar> Chain<S> {
         }
         let ratio = named(ratio, ["response_re", "response_im"], None);
         let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
-        let inverse_v = complex::reciprocal(contact.v, self.damped);
+        let lift = S::constant(if self.damped { LIFT } else { 1.0 });
+        let v = if self.damped {
+            complex::scale(contact.v, lift)
+        } else {
+            contact.v
+        };
+        let inverse_v = complex::reciprocal(v, self.damped);
         let response = complex::scale(ratio, friction.unscale);
         let ratio = complex::mul(ratio, inverse_v, self.damped);
         let mismatch = complex::mul(mismatch, inverse_v, self.damped);
@@ -191,8 +212,10 @@ impl<S: Scalar> Chain<S> {
             ..
         } = *friction;
         if self.damped {
+            let weight = (beta * unscale).named("friction_weight", None);
+            let (root, beta) = (root * lift, beta * lift);
             Carrier {
-                constant: constant * (beta * unscale).named("friction_weight", None),
+                constant: constant * weight,
                 cosine: (root * ratio.re + beta * mismatch.im) * unscale,
                 sine: (beta * mismatch.re - root * ratio.im) * unscale,
                 response,

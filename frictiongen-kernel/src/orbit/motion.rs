@@ -22,6 +22,9 @@ impl<S, P, V, C> Clone for OrbitMotion<'_, '_, S, P, V, C> {
 }
 impl<S, P, V, C> Copy for OrbitMotion<'_, '_, S, P, V, C> {}
 
+/// A harmonic is integrated over so many panels of a segment at most.
+const MOST_PANELS: f64 = (1_u32 << 14) as f64;
+
 /// The largest |x̄| so far, and the lag of the best of its places.
 struct Best<S> {
     value: S,
@@ -69,16 +72,16 @@ where
     }
 
     /// X_n, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the excitation; X_0 is the mean.
+    /// Where n or a mode's own vibration within a segment goes beyond some 10⁴ turns, what vibrates so
+    /// fast is told by its order of magnitude alone.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
         let order = S::constant(f64::from(n));
         let mut total = complex::real(zero);
         self.each(|mark, sum| {
             let turning = (sum.rate + order) * mark.length * S::constant(1.0 / PANEL);
-            let mut panels = S::constant(1.0);
-            while panels < turning {
-                panels = panels + S::constant(1.0);
-            }
+            let most = S::constant(MOST_PANELS);
+            let panels = -(-turning.max(S::constant(1.0)).min(most)).floor();
             let width = mark.length / panels;
             let mut start = zero;
             let mut done = zero;
