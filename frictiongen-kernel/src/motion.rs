@@ -94,8 +94,8 @@ impl<S: Scalar> Chain<S> {
         } else if self.damped {
             let small = excitation.lt(S::constant(SMALL));
             let one = S::constant(1.0);
-            let lift = S::select(small, S::constant(SQUARED), one);
-            let unlift = S::select(small, S::constant(1.0 / SQUARED), one);
+            let lift = S::select(small, S::constant(SQUARED), one).named("lift", None);
+            let unlift = S::select(small, S::constant(1.0 / SQUARED), one).named("unlift", None);
             ((less * lift) * (more * lift)).sqrt() * unlift
         } else {
             (less * more).sqrt()
