@@ -17,10 +17,11 @@ locals! {
     inverse_size kept_share lag larger larger_2 limit load loss lost_share mismatch_im
     mismatch_re mode mode_1 mode_2 mode_3 mode_4 modes nearness_im nearness_re
     negative_lost_share of omega one_and_kept orbit others_h_im others_h_re others_u others_v_im
-    others_v_re phase plain_detuning pole_weight product product_2 product_3 product_4 product_5
-    product_6 question r ratio ratio_2 re receptance response response_im response_re responses
-    reversal rise rs rubbed_back run scalar scale share size sliding slow_decay slow_exponent
-    slow_kept_share smaller_share smaller_share_2 spread state stuck sum sum_2 sum_3 swing u
-    u_scaled unit_im unit_nearness_im unit_nearness_re unit_re unscale v_im v_re value
-    velocity_share velocity_share_2 velocity_share_3 waves
+    others_v_re phase plain_detuning pole_weight product product_10 product_2 product_3
+    product_4 product_5 product_6 product_7 product_8 product_9 question r ratio ratio_2 re
+    receptance response response_im response_re responses reversal rise rs rubbed_back run
+    scalar scale share size sliding slow_decay slow_exponent slow_kept_share smaller_share
+    smaller_share_2 spread state stuck sum sum_2 sum_3 swing u u_scaled unit_im unit_nearness_im
+    unit_nearness_re unit_re unscale v_im v_re value velocity_share velocity_share_2
+    velocity_share_3 waves
 }

@@ -51,6 +51,10 @@ pub struct Share<S> {
     pub gain: S,
 }
 
+/// 2^24: the smallest `f32` times this has a finite reciprocal, and V, which on a moving base grows to
+/// r² = 2^100, does not overflow.
+const LIFT: f64 = (1_u32 << 24) as f64;
+
 /// The angle moved by a turn into (−π, π], from within a turn of it.
 #[inline]
 fn wrapped<S: Scalar>(angle: S) -> S {
@@ -80,8 +84,9 @@ impl<S: Scalar> Chain<S> {
         let zero = S::constant(0.0);
         let less = (excitation - velocity_part).max(zero);
         let more = (excitation + velocity_part).max(zero);
-        let root = if self.on_moving_base.is_some() {
-            // Both grow as r⁴ there, and their product would overflow at large r.
+        let root = if self.damped || self.on_moving_base.is_some() {
+            // Both grow as r⁴ on a moving base, and with damping V may be all but zero: their product
+            // would overflow or vanish.
             less.sqrt() * more.sqrt()
         } else {
             (less * more).sqrt()
@@ -202,7 +207,13 @@ impl<S: Scalar> Chain<S> {
         );
         let ratio = named(ratio, ["response_re", "response_im"], None);
         let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
-        let inverse_v = complex::reciprocal(contact.v, self.damped);
+        let lift = S::constant(if self.damped { LIFT } else { 1.0 });
+        let v = if self.damped {
+            complex::scale(contact.v, lift)
+        } else {
+            contact.v
+        };
+        let inverse_v = complex::reciprocal(v, self.damped);
         let response = complex::scale(ratio, friction.unscale);
         let ratio = complex::mul(ratio, inverse_v, self.damped);
         let mismatch = complex::mul(mismatch, inverse_v, self.damped);
@@ -213,8 +224,10 @@ impl<S: Scalar> Chain<S> {
             ..
         } = *friction;
         if self.damped {
+            let weight = (beta * unscale).named("friction_weight", None);
+            let (root, beta) = (root * lift, beta * lift);
             Carrier {
-                constant: constant * (beta * unscale).named("friction_weight", None),
+                constant: constant * weight,
                 cosine: (root * ratio.re + beta * mismatch.im) * unscale,
                 sine: (beta * mismatch.re - root * ratio.im) * unscale,
                 response,

@@ -1,7 +1,7 @@
 //! The regime between the two limits, and the ends of both arguments' ranges.
 
 use crate::errors::{OutOfDomain, Regime};
-use crate::scalar::Float;
+use crate::scalar::{Float, Scalar};
 
 /// r, checked: NaN and negative values are out of the domain, 0 and ∞ are not.
 #[inline]
@@ -11,6 +11,25 @@ pub fn check_ratio<S: Float>(value: S, argument: &'static str) -> Result<S, OutO
     } else {
         Err(OutOfDomain { argument })
     }
+}
+
+/// How far a natural frequency may be from 1 before the range of r gives way to it.
+const ROOM: f64 = 1024.0;
+
+/// The smallest and the largest 1/r at which a chain with these resonances is evaluated: those of the
+/// scalar, and less where a resonance is so far from 1 that the square of √λ/r would overflow or vanish.
+pub fn inverse_ratio_range<S: Float>(resonances: impl Iterator<Item = S>) -> (S, S) {
+    let (low, high) = S::inverse_ratio_range();
+    let (mut smallest, mut largest) = (1.0 / ROOM, ROOM);
+    for resonance in resonances {
+        let resonance = resonance.to_f64();
+        smallest = Scalar::min(smallest, resonance);
+        largest = Scalar::max(largest, resonance);
+    }
+    (
+        low * S::constant(1.0 / ROOM / smallest),
+        high * S::constant(ROOM / largest),
+    )
 }
 
 /// β, checked: NaN, negative and infinite values are out of the domain.

@@ -83,7 +83,9 @@ impl<S: Float> Data<S> {
     /// The scene at r, 0 < r < ∞.
     pub fn at(&self, r: S) -> DataAt<'_, S> {
         let Reduced { modes, chain, .. } = &self.reduced;
-        let (low, high) = S::inverse_ratio_range();
+        let (low, high) = frictiongen_kernel::regime::inverse_ratio_range(
+            modes.iter().map(|mode| mode.resonance),
+        );
         let inverse_r = (S::constant(1.0) / r).max(low).min(high);
         let mut responses = vec![ModeResponse::zero(); modes.len()];
         let scale = Chain::responses(modes, inverse_r, &mut responses);

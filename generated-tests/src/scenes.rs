@@ -2,6 +2,17 @@
 //!
 //! The texts are the reference's own `description` of each scene; a test compares them.
 
+use frictiongen::{FrictionSystem, MotionAt, StuckAt};
+
+/// What wants to see every scene.
+pub trait Visitor {
+    /// A scene, with its name and precision.
+    fn see<F>(&mut self, name: &'static str, system: F)
+    where
+        F: FrictionSystem + 'static,
+        for<'a> F::At<'a>: MotionAt<Scalar = F::Scalar> + StuckAt<Scalar = F::Scalar>;
+}
+
 /// Emits every scene twice, and lists them.
 macro_rules! scenes {
     ($(struct $name:ident { $($body:tt)* })*) => {
@@ -26,6 +37,11 @@ macro_rules! scenes {
         pub fn compare_single(references: &[serde_json::Value]) -> Vec<crate::reference::Worst> {
             let mut references = references.iter();
             vec![$(crate::reference::compare(&single::$name, references.next().expect(stringify!($name)))),*]
+        }
+        /// Shows a visitor every scene, in both precisions.
+        pub fn visit(visitor: &mut impl Visitor) {
+            $(visitor.see(concat!(stringify!($name), " in f64"), double::$name);
+            visitor.see(concat!(stringify!($name), " in f32"), single::$name);)*
         }
         /// The scenes' texts, as the macro saw them.
         pub const TEXTS: &[&str] = &[$(stringify!(struct $name { $($body)* })),*];

@@ -40,8 +40,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         _ => straight(emission),
     };
     let (low, high) = match emission.precision {
-        frictiongen_model::scene::Precision::F64 => range::<f64>(),
-        frictiongen_model::scene::Precision::F32 => range::<f32>(),
+        frictiongen_model::scene::Precision::F64 => range::<f64>(emission),
+        frictiongen_model::scene::Precision::F32 => range::<f32>(emission),
     };
     let (low, high) = (emission.literal(low), emission.literal(high));
     let operations = format!(" Operations: {operations}.");
@@ -67,8 +67,9 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     Part { types, items }
 }
 
-fn range<S: frictiongen_kernel::Float>() -> (f64, f64) {
-    let (low, high) = S::inverse_ratio_range();
+fn range<S: frictiongen_kernel::Float>(emission: &Emission<'_>) -> (f64, f64) {
+    let resonances = emission.reduced.modes.iter().map(|mode| mode.resonance);
+    let (low, high) = frictiongen_kernel::regime::inverse_ratio_range(resonances.map(S::constant));
     (low.to_f64(), high.to_f64())
 }
 

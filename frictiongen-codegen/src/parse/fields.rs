@@ -1,6 +1,7 @@
 //! The fields between the braces, in any order.
 
 use frictiongen_model::scene::Precision;
+use frictiongen_model::validate::is_keyword;
 
 use super::forms;
 use super::graph;
@@ -196,7 +197,7 @@ fn facade(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<syn::Path> {
     )
 }
 
-/// Words joined by `::`.
+/// Words joined by `::`, none where Rust takes no path.
 pub(crate) fn path(reader: &mut Reader<'_>) -> Option<syn::Path> {
     let leading = colons(reader);
     let mut path = syn::Path {
@@ -204,6 +205,9 @@ pub(crate) fn path(reader: &mut Reader<'_>) -> Option<syn::Path> {
         segments: syn::punctuated::Punctuated::new(),
     };
     loop {
+        if reader.peek(0).is_some_and(in_no_path) {
+            return None;
+        }
         let word = reader.take_word()?;
         path.segments.push_value(syn::PathSegment::from(word.ident));
         match colons(reader) {
@@ -211,6 +215,14 @@ pub(crate) fn path(reader: &mut Reader<'_>) -> Option<syn::Path> {
             None => return Some(path),
         }
     }
+}
+
+/// A keyword that Rust takes in no path.
+fn in_no_path(token: &Token) -> bool {
+    let Kind::Word { text, .. } = &token.kind else {
+        return false;
+    };
+    is_keyword(text) && !["crate", "self", "super"].contains(&text.as_str())
 }
 
 fn colons(reader: &mut Reader<'_>) -> Option<syn::Token![::]> {

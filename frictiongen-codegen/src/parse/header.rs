@@ -119,6 +119,13 @@ fn attribute(
     }
 }
 
+/// Whether Rust takes the path without `in`.
+fn is_short(path: &syn::Path) -> bool {
+    ["crate", "self", "super"]
+        .iter()
+        .any(|word| path.is_ident(word))
+}
+
 /// Reads `pub`, `pub(crate)`, `pub(in path)` or nothing.
 pub(crate) fn visibility(reader: &mut Reader<'_>, problems: &mut Problems) -> syn::Visibility {
     let place = reader.place();
@@ -135,12 +142,14 @@ pub(crate) fn visibility(reader: &mut Reader<'_>, problems: &mut Problems) -> sy
         syn::Token![in](inside.place.span())
     });
     match fields::path(&mut inside.reader) {
-        Some(path) if inside.reader.is_empty() => syn::Visibility::Restricted(syn::VisRestricted {
-            pub_token,
-            paren_token: syn::token::Paren(inside.place.span()),
-            in_token,
-            path: Box::new(path),
-        }),
+        Some(path) if inside.reader.is_empty() && (in_token.is_some() || is_short(&path)) => {
+            syn::Visibility::Restricted(syn::VisRestricted {
+                pub_token,
+                paren_token: syn::token::Paren(inside.place.span()),
+                in_token,
+                path: Box::new(path),
+            })
+        }
         _ => {
             problems.report(
                 inside.place,

@@ -22,6 +22,9 @@ impl<S, P, V, C> Clone for OrbitMotion<'_, '_, S, P, V, C> {
 }
 impl<S, P, V, C> Copy for OrbitMotion<'_, '_, S, P, V, C> {}
 
+/// A harmonic is integrated over so many panels of a segment at most.
+const MOST_PANELS: f64 = (1_u32 << 14) as f64;
+
 /// The largest |x̄| so far, and the lag of the best of its places.
 struct Best<S> {
     value: S,
@@ -69,30 +72,33 @@ where
     }
 
     /// X_n, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the excitation; X_0 is the mean.
+    /// Where n or a mode's own vibration within a segment goes beyond some 10⁴ turns, what vibrates so
+    /// fast is told by its order of magnitude alone.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
         let order = S::constant(f64::from(n));
         let mut total = complex::real(zero);
         self.each(|mark, sum| {
             let turning = (sum.rate + order) * mark.length * S::constant(1.0 / PANEL);
-            let mut panels = S::constant(1.0);
-            while panels < turning {
-                panels = panels + S::constant(1.0);
-            }
+            let most = S::constant(MOST_PANELS);
+            let panels = -(-turning.max(S::constant(1.0)).min(most)).floor();
             let width = mark.length / panels;
             let mut start = zero;
             let mut done = zero;
             while done < panels {
+                // Panel by panel: in one long sum the rounding of each term would add up.
+                let mut panel = complex::real(zero);
                 for (node, weight) in SIXTEEN {
                     for side in [-node, node] {
                         let tau = start + width * half * S::constant(1.0 + side);
                         let t = (mark.t + tau * S::inverse_pi()) * order;
                         let (sine, cosine) = t.sin_cos_pi();
-                        let value = sum.local(tau).value * S::constant(weight) * width * half;
-                        total.re = total.re + value * cosine;
-                        total.im = total.im - value * sine;
+                        let value = sum.local(tau).value * S::constant(weight);
+                        panel.re = panel.re + value * cosine;
+                        panel.im = panel.im - value * sine;
                     }
                 }
+                total = complex::add(total, complex::scale(panel, width * half));
                 start = start + width;
                 done = done + S::constant(1.0);
             }

@@ -33,9 +33,17 @@ impl<S: Float> Sum<'_, S> {
             // Past the summit by as much as it takes to be below the level again.
             let fall = S::constant(4.0 * EQUAL * S::EPSILON) * value.abs();
             let width = (two * fall / curve.abs()).sqrt();
-            let mut step = if width.is_finite() { width } else { self.reach };
+            let mut step = if !width.is_finite() {
+                self.reach
+            } else if zero < width {
+                width
+            } else {
+                // Flat at zero, as far as numbers go.
+                self.reach * S::constant(1.0 / f64::from(MAX_CLIMBS))
+            };
             from = tau.max(top) + step;
-            while from < self.reach && level * near <= self.local(from).value.abs() {
+            while from < self.reach && zero < level && level * near <= self.local(from).value.abs()
+            {
                 step = step * two;
                 from = from + step;
             }

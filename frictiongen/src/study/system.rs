@@ -163,9 +163,9 @@ impl<S: Float> System<S> {
     /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
     pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
         let r = regime::check_ratio(r, "r")?;
-        let (low, high) = S::inverse_ratio_range();
-        let inverse_r = (S::constant(1.0) / r).max(low).min(high);
         let Reduced { modes, chain, .. } = &self.reduced;
+        let (low, high) = regime::inverse_ratio_range(modes.iter().map(|mode| mode.resonance));
+        let inverse_r = (S::constant(1.0) / r).max(low).min(high);
         let mut responses = vec![ModeResponse::zero(); modes.len()];
         let scale = Chain::responses(modes, inverse_r, &mut responses);
         let mut modes_at = vec![ModeAt::zero(); modes.len()];

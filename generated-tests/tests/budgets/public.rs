@@ -22,6 +22,7 @@ const NO_NUMBERS: [(&str, &[&str]); 3] = [
             "dd::Dd::new",
             "regime::check_beta",
             "regime::check_ratio",
+            "regime::inverse_ratio_range",
             "regime::regime",
             "regime::with_ends",
             "scalar::Float::held",

@@ -1,0 +1,93 @@
+//! Mutated inputs, the same in every run: bytes, characters and tokens of a corpus are changed,
+//! repeated, spliced, and given to a check that must neither panic, nor take long, nor complain.
+
+pub mod bits;
+mod mutate;
+mod random;
+
+pub use mutate::Mutator;
+pub use random::Random;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// What no input may take, on a slow machine, without optimisation, and beside other tests.
+const LONGEST: Duration = Duration::from_secs(20);
+/// Findings that are shown before a run ends.
+const ENOUGH: usize = 5;
+
+/// The files of a folder of the corpus, in the order of their names.
+///
+/// # Errors
+/// Those of the file system.
+pub fn corpus(folder: &str) -> std::io::Result<Vec<Vec<u8>>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("corpus")
+        .join(folder);
+    let mut paths = std::fs::read_dir(folder)?
+        .map(|entry| entry.map(|entry| entry.path()))
+        .collect::<Result<Vec<PathBuf>, _>>()?;
+    paths.sort();
+    paths.into_iter().map(std::fs::read).collect()
+}
+
+/// What a run did.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// How many inputs were given.
+    pub count: u64,
+    /// What was found, with the input.
+    pub findings: Vec<String>,
+}
+
+/// Gives `count` inputs to a check, fewer if the seconds in the environment's SECONDS_EACH are over first.
+/// With SHOW set, every input is printed before it is given: the last is the one that hangs.
+pub fn run<I: std::fmt::Debug>(
+    count: u64,
+    mut next: impl FnMut() -> I,
+    check: impl Fn(&I) -> Result<(), String>,
+) -> Outcome {
+    let mut findings = Vec::new();
+    let seconds = std::env::var("SECONDS_EACH").ok();
+    let longest = seconds.and_then(|seconds| seconds.parse().ok());
+    let shown = std::env::var_os("SHOW").is_some();
+    let (start, mut given) = (Instant::now(), 0);
+    for number in 0..count {
+        if longest.is_some_and(|longest| start.elapsed() >= Duration::from_secs(longest)) {
+            break;
+        }
+        let input = next();
+        given = number + 1;
+        if shown {
+            eprintln!("{input:?}");
+        }
+        let begin = Instant::now();
+        let outcome = catch_unwind(AssertUnwindSafe(|| check(&input)));
+        let problem = match outcome {
+            Err(_) => Some("panicked".to_owned()),
+            Ok(Err(problem)) => Some(problem),
+            Ok(Ok(())) if begin.elapsed() > LONGEST => Some(format!("took {:?}", begin.elapsed())),
+            Ok(Ok(())) => None,
+        };
+        if let Some(problem) = problem {
+            findings.push(format!("input {number}, {input:?}: {problem}"));
+            if findings.len() == ENOUGH {
+                break;
+            }
+        }
+    }
+    Outcome {
+        count: given,
+        findings,
+    }
+}
+
+/// The most memory that this process has held so far, where the system tells (Linux), in bytes.
+#[must_use]
+pub fn most_memory() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
+    let kibibytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(kibibytes << 10)
+}

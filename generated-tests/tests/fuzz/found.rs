@@ -1,0 +1,173 @@
+//! What the long form has found, each as a test of its own.
+
+use crate::text::expanded;
+use frictiongen::{FrictionSystem, MotionAt, Regime, System, friction_system};
+
+/// Was taken as a visibility, and emitted, which is no Rust.
+#[test]
+fn a_visibility_that_is_none() {
+    let rest =
+        "struct C { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - wall, excitation: a }";
+    for faulty in ["pub(m)", "pub(crate::a)", "pub(::crate)"] {
+        let text = format!("{faulty} {rest}");
+        let errors = text.parse::<System>().expect_err("no visibility");
+        assert!(errors.to_string().contains("a visibility is"), "{errors}");
+        expanded(&text).expect("Rust all the same");
+    }
+    for sound in [
+        "",
+        "pub",
+        "pub(crate)",
+        "pub(self)",
+        "pub(super)",
+        "pub(in crate::a)",
+    ] {
+        assert!(
+            format!("{sound} {rest}").parse::<System>().is_ok(),
+            "{sound}"
+        );
+    }
+}
+
+/// Were taken as paths of the facade, and emitted, which is no Rust.
+#[test]
+fn a_facade_that_is_no_path() {
+    let scene = |facade: &str| {
+        format!(
+            "struct C {{ masses: {{ a: 1 }}, springs: {{ base - a: 1 }}, contact: a - wall, excitation: a, \
+             crate: {facade} }}"
+        )
+    };
+    for faulty in [
+        "in::frictiongen",
+        "struct",
+        "_",
+        "_ ::frictiongen",
+        "a::pub",
+    ] {
+        let text = scene(faulty);
+        assert!(text.parse::<System>().is_err(), "{faulty}");
+        expanded(&text).expect("Rust all the same");
+    }
+    for sound in [
+        "::frictiongen",
+        "crate::facade",
+        "super::renamed",
+        "r#in::facade",
+    ] {
+        assert!(scene(sound).parse::<System>().is_ok(), "{sound}");
+        expanded(&scene(sound)).expect("Rust");
+    }
+}
+
+friction_system! {
+    /// Its second resonance lies at 3.2e5.
+    struct Spread {
+        masses: { a: 1.0, b: 1e-6 },
+        springs: { base - a: 1.0, a - b: 1e5 },
+        contact: b - base,
+        excitation: base,
+        scalar: f32,
+        provide: [limits, motion],
+    }
+}
+
+/// √λ/r had a square beyond `f32` at the smallest r at which the formulas were evaluated.
+#[test]
+fn a_high_resonance_at_a_small_ratio() {
+    for r in [1e-45_f32, 1.6e-37, 1.5e-18, 1e-12] {
+        let at = Spread::at(r).expect("a ratio");
+        assert!(at.continuous_limit() >= 0.0, "{r}: {at:?}");
+        assert!(at.continuous_limit_without_search() >= 0.0, "{r}: {at:?}");
+        assert!(at.continuous_limit_per_mode() >= 0.0, "{r}: {at:?}");
+    }
+}
+
+/// With friction on the moving base both limits are infinite at r = ∞, and the motion is that without
+/// friction; a large β was said to stick and slip.
+#[test]
+fn any_friction_on_a_moving_base_at_infinity() {
+    let at = FrictionSystem::at(&Spread, f32::INFINITY).expect("a ratio");
+    for beta in [0.0, 1.0, f32::MAX] {
+        assert_eq!(at.regime(beta), Ok(Regime::Continuous));
+        let motion = MotionAt::motion(&at, beta).expect("continuous");
+        // The base moves, the mass stays.
+        assert_eq!(motion.contact().amplitude(), 1.0);
+    }
+}
+
+friction_system! {
+    /// All but undamped.
+    struct Faint {
+        masses: { a: 1.0, b: 1.0 },
+        springs: { base - a: 1.0, a - b: 1.0 },
+        contact: b - wall,
+        excitation: a,
+        damping: modal(1e-30),
+        scalar: f32,
+        provide: [limits, motion],
+    }
+}
+
+/// Far above all resonances V loses all but its damping's part to rounding, and 1/V overflowed.
+#[test]
+fn a_response_too_small_for_its_reciprocal() {
+    for r in [1.4839235e11_f32, 1e13, 1e15] {
+        let at = Faint::at(r).expect("a ratio");
+        let motion = at.motion(0.0).expect("without friction there is a motion");
+        let mass = motion.a();
+        // Without friction, x̄ of the loaded mass is 1/r² there.
+        assert!(
+            (mass.amplitude() * r * r - 1.0).abs() < 1e-5,
+            "{}",
+            mass.amplitude()
+        );
+        assert!((mass.amplitude_monoharmonic() * r * r - 1.0).abs() < 1e-5);
+    }
+}
+
+friction_system! {
+    struct Still {
+        masses: { a: 1.0, b: 1.0 },
+        springs: { base - a: 1.0, a - b: 1.0 },
+        contact: b - wall,
+        excitation: a,
+        scalar: f32,
+        provide: [limits, orbit],
+    }
+}
+
+/// Panels were counted one by one up to the modes' own rate, which in `f32` never came to an end.
+#[test]
+fn a_harmonic_far_below_the_resonances() {
+    for r in [1e-9_f32, 1e-6] {
+        let orbit = Still::at(r).expect("a ratio").orbit(10.0).expect("stuck");
+        // The held mass is pushed against both springs.
+        let x = orbit.a().harmonic(1);
+        // 2^14 panels, whose sum is rounded as often: at most by 2^14 · 2^-25 of it.
+        assert!((x.re - 0.5).abs() < 2.5e-4 && x.im.abs() < 2.5e-4, "{x:?}");
+        assert!(orbit.a().harmonic(u32::MAX).re.abs() <= 1.0);
+    }
+}
+
+friction_system! {
+    struct Fast {
+        masses: { a: 1.0, b: 0.7 },
+        springs: { base - a: 1.0, a - b: 1.3 },
+        contact: a - b,
+        excitation: b,
+        damping: modal(1.0),
+        scalar: f32,
+        provide: [limits, orbit],
+    }
+}
+
+/// A motion too small for its numbers is flat at zero, and the search for its peak stood still.
+#[test]
+fn a_motion_that_is_all_zero() {
+    let at = Fast::at(2.6789888e8).expect("a ratio");
+    let orbit = at.orbit(at.continuous_limit() * 1.000_494_4);
+    let orbit = orbit.expect("a steady state");
+    // x̄ is below 1/r² there, which is 1.4e-17.
+    assert!(orbit.a().amplitude() < 2e-17, "{}", orbit.a().amplitude());
+}

@@ -1,0 +1,165 @@
+//! Run-time systems of random scenes: everything that is asked of emitted ones, runs in time, steady
+//! states with stops, and derivatives.
+
+use crate::functions::{Asked, answered, promise, question};
+use crate::{long, moving, none, once_in};
+use frictiongen::kernel::Plain;
+use frictiongen::study::Sensitive;
+use frictiongen::{FrictionSystem, System};
+use fuzzing::{Random, bits};
+
+/// What is asked of which scene.
+#[derive(Debug)]
+struct Question {
+    text: String,
+    single: bool,
+    asked: Vec<Asked>,
+    /// Whether the dear questions are asked too: a run in time, a steady state, derivatives.
+    dear: bool,
+}
+
+/// Questions for each scene, as a scene costs more than an answer.
+const QUESTIONS: usize = 16;
+
+/// A sound scene of up to four masses, its numbers over several decades.
+fn scene(random: &mut Random) -> String {
+    let masses = 1 + random.below(4);
+    let size = |random: &mut Random| {
+        let decades = if random.once_in(8) { 12.0 } else { 2.0 };
+        format!("{:e}", 10_f64.powf((random.unit() - 0.5) * decades))
+    };
+    let bodies: Vec<String> = (0..masses)
+        .map(|mass| format!("m{mass}: {}", size(random)))
+        .collect();
+    let mut springs = vec![format!("base - m0: {}", size(random))];
+    for mass in 1..masses {
+        springs.push(format!("m{} - m{mass}: {}", mass - 1, size(random)));
+    }
+    if random.once_in(3) {
+        springs.push(format!("m{} - wall: {}", masses - 1, size(random)));
+    }
+    let rubs = random.below(masses);
+    let other = random.below(masses);
+    let contact = match random.below(3) {
+        0 if other != rubs => format!("m{rubs} - m{other}"),
+        1 => format!("m{rubs} - base"),
+        _ => format!("m{rubs} - wall"),
+    };
+    let excitation = match random.below(2) {
+        0 => "base".to_owned(),
+        _ => format!("m{}", random.below(masses)),
+    };
+    let damping = match random.below(5) {
+        0 => "none".to_owned(),
+        1 => "modal(1)".to_owned(),
+        2 => format!("modal({:e})", 10_f64.powf(-random.unit() * 30.0)),
+        3 => format!("rayleigh({}, {})", random.unit() * 0.2, random.unit() * 0.2),
+        _ => format!("modal({})", random.unit() * 3.0),
+    };
+    let stiction = 1.0 + random.below(3) as f64 * random.unit();
+    format!(
+        "struct R {{ masses: {{ {} }}, springs: {{ {} }}, contact: {contact}, excitation: {excitation}, \
+         damping: {damping}, stiction: {stiction} }}",
+        bodies.join(", "),
+        springs.join(", "),
+    )
+}
+
+fn holds<S: Plain>(question: &Question) -> Result<(), String> {
+    // Not every random scene is sound: two springs may join the same pair.
+    let Ok(system) = question.text.parse::<System<S>>() else {
+        return Ok(());
+    };
+    for asked in &question.asked {
+        answered(&system, asked).map_err(|problem| format!("{asked:?}: {problem}"))?;
+    }
+    match question.asked.first() {
+        Some(asked) if question.dear => {
+            dear(&system, asked).map_err(|problem| format!("{asked:?}: {problem}"))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn dear<S: Plain>(system: &System<S>, asked: &Asked) -> Result<(), String> {
+    let (r, masses) = (S::constant(asked.r), system.masses());
+    let Ok(at) = system.at(r) else {
+        return Ok(());
+    };
+    let beta = asked.beta(at.continuous_limit(), at.sliding_limit());
+    if let Ok(mut run) = system.simulation(r, beta) {
+        for _ in 0..24 {
+            let segment = run.advance(S::pi() + S::pi());
+            let length = segment.length;
+            promise(S::constant(0.0) <= length, || {
+                format!("a segment of {length:?}")
+            })?;
+            let (z, velocity) = run.run().relative();
+            promise(z == z && velocity == velocity, || "a run of NaN".to_owned())?;
+        }
+    }
+    if let Ok(orbit) = at.orbit(beta) {
+        moving::orbit(
+            orbit.state(),
+            masses,
+            S::constant(asked.tau),
+            asked.order % 12,
+        )?;
+    }
+    // Derivatives are promised where the functions have them, not on their edges: no panic is.
+    let _ = system.sensitivities(|varied| {
+        let at = varied.at(Sensitive::fixed(asked.r.into()))?;
+        Ok::<_, frictiongen::OutOfDomain>(at.continuous_limit() + at.sliding_limit())
+    });
+    Ok(())
+}
+
+fn fuzz(count: u64, seed: u64, often: u64) {
+    let mut random = Random::new(seed);
+    let mut number = 0_u64;
+    let next = || {
+        number += 1;
+        let single = random.once_in(2);
+        let landmarks = [0.1, 0.5, 1.0, 2.0];
+        let asked = (0..QUESTIONS)
+            .map(|_| {
+                question(&mut random, 0, &landmarks, |random, marks| {
+                    if single {
+                        f64::from(bits::single(random, marks))
+                    } else {
+                        bits::double(random, marks)
+                    }
+                })
+            })
+            .collect();
+        Question {
+            text: scene(&mut random),
+            single,
+            asked,
+            dear: once_in(often, number),
+        }
+    };
+    let findings = fuzzing::run(count.div_ceil(QUESTIONS as u64), next, |question| {
+        if question.single {
+            holds::<f32>(question)
+        } else {
+            holds::<f64>(question)
+        }
+    });
+    let dear = findings.count / often;
+    println!(
+        "random systems: {QUESTIONS} questions each, {dear} with steady states and derivatives"
+    );
+    none("random systems", &findings);
+}
+
+#[test]
+fn random_systems_answer_by_numbers() {
+    fuzz(3_200, 21, 4);
+}
+
+#[test]
+#[ignore = "a million questions to random systems: minutes"]
+fn a_million_questions_to_systems() {
+    fuzz(long(), 22, 4);
+}
