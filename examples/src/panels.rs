@@ -56,7 +56,10 @@ impl Sweep<'_> {
     /// The lag over r, degrees.
     #[must_use]
     pub fn lag(&self, title: &str, label: &str, of: Of, low: f64, high: f64) -> Panel {
-        self.panel(title, Axis::new(label, low, high), of, Part::Lag)
+        // Where the contact stops, the maximum is a plateau, and its lag means nothing (3.6.1).
+        let beyond = self.beyond && self.measure == Measure::Fundamental;
+        let sweep = Self { beyond, ..*self };
+        sweep.panel(title, Axis::new(label, low, high), of, Part::Lag)
     }
 
     fn panel(&self, title: &str, y: Axis, of: Of, part: Part) -> Panel {

@@ -1,0 +1,436 @@
+//! Chapter 6: chains of two, three and five masses.  `cargo run --release --example chapter6`
+
+use frictiongen::friction_system;
+use frictiongen_examples::figure::{Figure, Panel};
+use frictiongen_examples::panels::{Sweep, cycle, regimes};
+use frictiongen_examples::scene;
+use frictiongen_examples::scene::{Measure, Of, Scene};
+use std::error::Error;
+use std::f64::consts::PI;
+
+friction_system! {
+    /// Three equal storeys, the middle one in contact (6.2).
+    pub struct Three {
+        masses: { m1: 1.0, m2: 1.0, m3: 1.0 },
+        springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0 },
+        contact: m2 - wall,
+        excitation: m1,
+        provide: [limits, motion, stuck, orbit, simulation],
+    }
+}
+
+/// Two equal storeys, loaded below.
+macro_rules! two {
+    ($name:ident, $contact:ident, $stiction:literal) => {
+        friction_system! {
+            /// Two equal storeys.
+            pub struct $name {
+                masses: { m1: 1.0, m2: 1.0 },
+                springs: { base - m1: 1.0, m1 - m2: 1.0 },
+                contact: $contact - wall,
+                excitation: m1,
+                stiction: $stiction,
+                provide: [limits, motion, stuck, orbit, simulation],
+            }
+        }
+        scene!($name);
+    };
+}
+
+two!(Lower, m1, 1.0);
+two!(Lower12, m1, 1.2);
+two!(Lower15, m1, 1.5);
+two!(Upper, m2, 1.0);
+two!(Upper12, m2, 1.2);
+two!(Upper15, m2, 1.5);
+
+/// Five equal storeys, loaded below.
+macro_rules! five {
+    ($name:ident, $contact:ident) => {
+        friction_system! {
+            /// Five equal storeys.
+            pub struct $name {
+                masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, m5: 1.0 },
+                springs: {
+                    base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - m5: 1.0
+                },
+                contact: $contact - wall,
+                excitation: m1,
+                provide: [limits, motion, stuck, orbit, simulation],
+            }
+        }
+        scene!($name);
+    };
+}
+
+five!(FiveLow, m1);
+five!(FiveMiddle, m3);
+
+/// The rig of 6.4: r₁ = 0.3419 s ω, γ = 0.9772, κ = 1.1119, in units of m₁ and k₁.
+macro_rules! rig {
+    ($name:ident, $contact:ident - $other:ident) => {
+        friction_system! {
+            /// The two-storey frame of the rig.
+            pub struct $name {
+                masses: { m1: 1.0, m2: 0.9772 },
+                springs: { base - m1: 1.0, m1 - m2: 1.1119 },
+                contact: $contact - $other,
+                excitation: base,
+                provide: [limits, motion, stuck, orbit, simulation],
+            }
+        }
+        scene!($name);
+    };
+}
+
+rig!(RigLower, m1 - wall);
+rig!(RigUpper, m2 - wall);
+rig!(RigBase, m1 - base);
+
+friction_system! {
+    /// Friction between the two masses, γ = κ = 0.5 (6.23).
+    pub struct Between {
+        masses: { m1: 1.0, m2: 0.5 },
+        springs: { base - m1: 1.0, m1 - m2: 0.5 },
+        contact: m1 - m2,
+        excitation: m1,
+        provide: [limits, motion, stuck, orbit, simulation],
+    }
+}
+
+friction_system! {
+    /// The wall moves with the base (6.25).
+    pub struct Joined {
+        masses: { m1: 1.0, m2: 1.0 },
+        springs: { base - m1: 1.0, m1 - m2: 1.0 },
+        contact: m1 - base,
+        excitation: base,
+        provide: [limits, motion, stuck, orbit, simulation],
+    }
+}
+
+scene!(Three, Between, Joined);
+
+const M1: Of = Of::Mass(0);
+const M2: Of = Of::Mass(1);
+const FIVE: [(&str, Of); 5] = [
+    ("m₁", M1),
+    ("m₂", M2),
+    ("m₃", Of::Mass(2)),
+    ("m₄", Of::Mass(3)),
+    ("m₅", Of::Mass(4)),
+];
+const LOWER: [f64; 5] = [0.0, 0.2, 0.4, 0.6, 0.8];
+const UPPER: [f64; 8] = [0.0, 0.2, 0.4, 0.5, 1.0, 1.5, 2.0, 5.0];
+
+fn sweep<'a>(scene: &'a dyn Scene, betas: &'a [f64]) -> Sweep<'a> {
+    Sweep {
+        scene,
+        from: 0.0,
+        to: 2.5,
+        betas,
+        measure: Measure::Peak,
+        markers: 0.0,
+        beyond: true,
+    }
+}
+
+/// Amplitude and lag of both masses, row by row.
+fn masses(sweep: &Sweep, top: f64) -> Vec<Panel> {
+    vec![
+        sweep.amplitude("(a) m₁, amplitude", "X̄₁", M1, top),
+        sweep.lag("(a) m₁, phase", "lag, degrees", M1, -90.0, 270.0),
+        sweep.amplitude("(b) m₂, amplitude", "X̄₂", M2, top),
+        sweep.lag("(b) m₂, phase", "lag, degrees", M2, -90.0, 270.0),
+    ]
+}
+
+/// Draws amplitude and lag of every one of five masses, as two files.
+fn five(number: &str, title: &str, scene: &dyn Scene, betas: &[f64]) -> Result<(), Box<dyn Error>> {
+    let sweep = sweep(scene, betas);
+    let amplitudes = FIVE.map(|(name, of)| sweep.amplitude(name, "X̄", of, 5.0));
+    let lags = FIVE.map(|(name, of)| sweep.lag(name, "lag, degrees", of, -90.0, 270.0));
+    Figure::new(
+        &format!("{number}a"),
+        &format!("{title}, amplitudes"),
+        2,
+        amplitudes.into(),
+    )
+    .save()?;
+    Figure::new(
+        &format!("{number}b"),
+        &format!("{title}, phases"),
+        2,
+        lags.into(),
+    )
+    .save()
+}
+
+/// Lags of five masses at β = 0.4, with the simulation.
+fn lags(scene: &dyn Scene) -> Vec<Panel> {
+    let sweep = Sweep {
+        markers: 0.1,
+        beyond: false,
+        ..sweep(scene, &[0.4])
+    };
+    FIVE.iter()
+        .map(|(name, of)| {
+            sweep.lag(
+                &format!("(b) {name}, β = 0.4"),
+                "lag, degrees",
+                *of,
+                -90.0,
+                270.0,
+            )
+        })
+        .collect()
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    walls()?;
+    fives()?;
+    rigs()?;
+    moving()
+}
+
+/// Three and two storeys against a fixed wall.
+fn walls() -> Result<(), Box<dyn Error>> {
+    let betas = [0.0, 0.2, 0.4, 0.6, 1.0, 1.5, 2.0];
+    let three = Sweep {
+        beyond: false,
+        ..sweep(&Three, &betas)
+    };
+    let mut panel = three.amplitude("contact m₂-wall, load on m₁", "X̄₁", M1, 4.0);
+    panel.curves.push(three.stuck(&panel.y, M1));
+    Figure::new(
+        "6.2",
+        "continuous transmissibility of m₁, three masses",
+        1,
+        vec![panel],
+    )
+    .save()?;
+
+    let two = [("m₁", M1), ("m₂", M2)];
+    Figure::new(
+        "6.5",
+        "two masses, contact and load on m₁: motion over half a cycle",
+        2,
+        vec![
+            cycle(
+                "(a) r = 0.8, β = 0.4, μ = 1",
+                &Lower,
+                (0.8, 0.4),
+                &two,
+                (PI, 3.0),
+            ),
+            cycle(
+                "(b) r = 2, β = 0.3, μ = 1.2",
+                &Lower12,
+                (2.0, 0.3),
+                &two,
+                (PI, 1.5),
+            ),
+        ],
+    )
+    .save()?;
+    let lower = Sweep {
+        markers: 0.1,
+        ..sweep(&Lower, &LOWER)
+    };
+    Figure::new(
+        "6.6",
+        "two masses, contact and load on m₁",
+        2,
+        masses(&lower, 5.0),
+    )
+    .save()?;
+    Figure::new(
+        "6.7",
+        "motion regimes, contact and load on m₁",
+        3,
+        vec![
+            regimes("(a) μ = 1", &Lower, 2.5, 1.2),
+            regimes("(b) μ = 1.2", &Lower12, 2.5, 1.2),
+            regimes("(c) μ = 1.5", &Lower15, 2.5, 1.2),
+        ],
+    )
+    .save()?;
+    Figure::new(
+        "6.12",
+        "two masses, contact on m₂, load on m₁: motion over half a cycle",
+        2,
+        vec![
+            cycle(
+                "(a) r = 0.8, β = 0.4, μ = 1",
+                &Upper,
+                (0.8, 0.4),
+                &two,
+                (PI, 3.0),
+            ),
+            cycle(
+                "(b) r = 1.4, β = 0.5, μ = 1.2",
+                &Upper12,
+                (1.4, 0.5),
+                &two,
+                (PI, 2.5),
+            ),
+        ],
+    )
+    .save()?;
+    let upper = Sweep {
+        markers: 0.1,
+        ..sweep(&Upper, &UPPER)
+    };
+    Figure::new(
+        "6.13",
+        "two masses, contact on m₂, load on m₁",
+        2,
+        masses(&upper, 5.0),
+    )
+    .save()?;
+    Figure::new(
+        "6.14",
+        "motion regimes, contact on m₂, load on m₁",
+        3,
+        vec![
+            regimes("(a) μ = 1", &Upper, 2.5, 3.0),
+            regimes("(b) μ = 1.2", &Upper12, 2.5, 3.0),
+            regimes("(c) μ = 1.5", &Upper15, 2.5, 3.0),
+        ],
+    )
+    .save()
+}
+
+/// Five storeys.
+fn fives() -> Result<(), Box<dyn Error>> {
+    five(
+        "6.8",
+        "five masses, contact and load on m₁",
+        &FiveLow,
+        &LOWER,
+    )?;
+    let mut panels = vec![cycle(
+        "(a) r = 1.6, β = 0.6",
+        &FiveLow,
+        (1.6, 0.6),
+        &FIVE,
+        (PI, 3.0),
+    )];
+    panels.extend(lags(&FiveLow));
+    Figure::new(
+        "6.9",
+        "five masses, contact and load on m₁: motion and phases",
+        2,
+        panels,
+    )
+    .save()?;
+    Figure::new(
+        "6.10",
+        "motion regimes of five masses, contact and load on m₁",
+        1,
+        vec![regimes("μ = 1", &FiveLow, 2.5, 1.2)],
+    )
+    .save()?;
+    let betas = [0.0, 0.2, 0.4, 0.6, 1.0, 2.0];
+    five(
+        "6.15",
+        "five masses, contact on m₃, load on m₁",
+        &FiveMiddle,
+        &betas,
+    )?;
+    let mut panels = vec![cycle(
+        "(a) r = 0.9, β = 0.3",
+        &FiveMiddle,
+        (0.9, 0.3),
+        &FIVE,
+        (PI, 3.0),
+    )];
+    panels.extend(lags(&FiveMiddle));
+    Figure::new(
+        "6.16",
+        "five masses, contact on m₃, load on m₁: motion and phases",
+        2,
+        panels,
+    )
+    .save()?;
+    Figure::new(
+        "6.17",
+        "motion regimes of five masses, contact on m₃, load on m₁",
+        1,
+        vec![regimes("μ = 1", &FiveMiddle, 2.5, 3.0)],
+    )
+    .save()
+}
+
+/// The rig, amplitudes and phases of the first harmonic.
+fn rigs() -> Result<(), Box<dyn Error>> {
+    let rig = |scene, betas| Sweep {
+        measure: Measure::Fundamental,
+        ..sweep(scene, betas)
+    };
+    let lower = rig(&RigLower, &[0.2, 0.4, 0.6]);
+    Figure::new("6.20", "the rig, contact m₁-wall", 2, masses(&lower, 5.0)).save()?;
+    let upper = rig(&RigUpper, &[0.2, 0.5, 1.0, 1.5, 2.0]);
+    Figure::new("6.21", "the rig, contact m₂-wall", 2, masses(&upper, 5.0)).save()?;
+    let joined = rig(&RigBase, &[0.5, 0.75, 1.0, 2.0]);
+    Figure::new("6.28", "the rig, contact m₁-base", 2, masses(&joined, 5.0)).save()?;
+    Figure::new(
+        "6.29",
+        "the rig, relative motion of m₁ and base",
+        2,
+        vec![
+            joined.amplitude("amplitude", "Z̄", Of::Contact, 5.0),
+            joined.lag("phase", "lag, degrees", Of::Contact, -90.0, 270.0),
+        ],
+    )
+    .save()
+}
+
+/// Contacts between parts that move.
+fn moving() -> Result<(), Box<dyn Error>> {
+    let absolute_and_relative = |sweep: &Sweep| {
+        vec![
+            sweep.amplitude("(a) m₁", "X̄₁", M1, 5.0),
+            sweep.amplitude("(a) m₂", "X̄₂", M2, 5.0),
+            sweep.amplitude("(b) relative motion", "Z̄", Of::Contact, 5.0),
+        ]
+    };
+    let betas = [0.0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8];
+    let between = Sweep {
+        markers: 0.1,
+        ..sweep(&Between, &betas)
+    };
+    Figure::new(
+        "6.23",
+        "contact between m₁ and m₂, γ = κ = 0.5",
+        3,
+        absolute_and_relative(&between),
+    )
+    .save()?;
+    Figure::new(
+        "6.24",
+        "motion regimes, contact between m₁ and m₂",
+        1,
+        vec![regimes("γ = κ = 0.5, μ = 1", &Between, 2.5, 1.2)],
+    )
+    .save()?;
+    let betas = [0.2, 0.5, 0.8, 1.0, 1.5, 2.0];
+    let joined = Sweep {
+        markers: 0.1,
+        ..sweep(&Joined, &betas)
+    };
+    Figure::new(
+        "6.25",
+        "joined base and wall, contact on m₁",
+        3,
+        absolute_and_relative(&joined),
+    )
+    .save()?;
+    Figure::new(
+        "6.26",
+        "motion regimes, joined base and wall, contact on m₁",
+        1,
+        vec![regimes("γ = κ = μ = 1", &Joined, 2.5, 4.0)],
+    )
+    .save()
+}
