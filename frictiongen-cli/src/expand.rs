@@ -4,11 +4,11 @@ use crate::args::ExpandArguments;
 use crate::failure::{Failure, reason};
 use frictiongen_codegen::{Limits, pretty};
 use std::fs;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::Path;
 
 /// Runs the command.
-pub fn run(arguments: &ExpandArguments) -> Result<(), Failure> {
+pub fn run(arguments: &ExpandArguments, out: &mut dyn Write) -> Result<(), Failure> {
     // What a macro would refuse is refused here too.
     let description = arguments.file.description(&Limits::MACRO)?;
     let source = pretty(&description).map_err(|error| {
@@ -19,7 +19,6 @@ pub fn run(arguments: &ExpandArguments) -> Result<(), Failure> {
     match arguments.output.as_deref() {
         Some(path) => write_file(path, arguments.file.path(), &source),
         None => {
-            let mut out = io::stdout().lock();
             out.write_all(source.as_bytes())?;
             Ok(out.flush()?)
         }

@@ -1,7 +1,6 @@
 //! Why a command ends early, and what its user is told.
 
-use std::io::{self, Write};
-use std::process::ExitCode;
+use std::io;
 
 /// Why a command ends early.
 #[derive(Debug)]
@@ -25,19 +24,6 @@ impl Failure {
         } else {
             Self::new(format_args!("cannot write the output: {}", reason(error)))
         }
-    }
-
-    /// Tells the user, and gives the exit status.
-    pub fn report(self) -> ExitCode {
-        let Self::Lines(lines) = self else {
-            return ExitCode::SUCCESS;
-        };
-        let mut stderr = io::stderr().lock();
-        for line in lines {
-            // Nowhere is left to report to if this fails.
-            let _ = writeln!(stderr, "{line}");
-        }
-        ExitCode::from(2)
     }
 }
 

@@ -9,14 +9,20 @@ use crate::summary::Summary;
 use crate::table::Column;
 use frictiongen::System;
 use frictiongen_codegen::Limits;
+use std::io::Write;
 
 /// Runs the command.
-pub fn run(arguments: &LimitsArguments) -> Result<(), Failure> {
+pub fn run(arguments: &LimitsArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let r = grid::parse(&arguments.r, Quantity::FrequencyRatio).map_err(Failure::new)?;
     let description = arguments.file.description(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let summary = Summary::of(&system);
-    output::print(&LimitsReport { system, r }, &summary, &arguments.format)
+    output::print(
+        &LimitsReport { system, r },
+        &summary,
+        &arguments.format,
+        out,
+    )
 }
 
 struct LimitsReport {

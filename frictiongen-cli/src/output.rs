@@ -7,7 +7,7 @@ use crate::progress::Progress;
 use crate::summary::Summary;
 use crate::table::Column;
 use crate::{csv, json, table};
-use std::io::{self, BufWriter, Write};
+use std::io::{BufWriter, Write};
 
 /// What a command computes, and how a point of it is written.
 pub trait Report {
@@ -33,13 +33,14 @@ pub trait Report {
 /// What takes the points.
 pub type Visitor<'a, P> = &'a mut dyn FnMut(&P) -> Result<(), Failure>;
 
-/// Writes a report to standard output.
+/// Writes a report.
 pub fn print<R: Report>(
     report: &R,
     summary: &Summary,
     format: &FormatArguments,
+    out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+    let mut out = BufWriter::with_capacity(1 << 16, out);
     let mut progress = Progress::new(report.len());
     if format.json {
         let mut writer = json::Writer::begin(&mut out, summary)?;

@@ -10,6 +10,10 @@ use crate::scalar::Float;
 use crate::search::{self, Peak, Question, Weight};
 use crate::wave::{Sum, Wave};
 
+/// By how many roundings β must be below a limit that is not the exact one to be below that as well:
+/// four that a search may miss, and those of a limit, with room.
+const CLEAR: f64 = 32.0;
+
 impl<S: Float> Chain<S> {
     /// r²E·max(S, H_c + μm*/r²): the velocity constraint by a guaranteed search over the half
     /// period (5.54, 7.36, with the maximum of the sum), started at the break-away term.
@@ -115,7 +119,10 @@ impl<S: Float> Chain<S> {
         let quadrature = beta * contact.u;
         let root = ((excitation - quadrature) * (excitation + quadrature)).sqrt();
         let allowed = S::constant(1.0 - 1e-3) * root / beta;
-        if break_away < allowed && allowed.is_finite() {
+        // Where U is so much larger than S that rounding decides on what β allows, this says nothing.
+        let beyond = beta * S::constant(1.0 + CLEAR * S::RESOLUTION);
+        let clear = beyond < self.continuous_limit(contact, allowed);
+        if break_away < allowed && allowed.is_finite() && clear {
             let peak = self.constraint_above(contact, at, waves, allowed);
             if peak.value <= allowed {
                 return true;

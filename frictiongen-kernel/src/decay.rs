@@ -139,7 +139,7 @@ impl<S: Float> Decay<S> for Damped<S> {
             Kind::Undamped => Undamped.basis(x, at),
             Kind::Light => self.light(x, at),
             Kind::Heavy => self.heavy(x, at),
-            Kind::Critical => Self::critical(x, at),
+            Kind::Critical => self.critical(x, at),
             Kind::Over => self.overdamped(x, at),
         }
     }
@@ -226,14 +226,20 @@ impl<S: Float> Damped<S> {
         Basis::damped(x, self.zeta, free, slope, one_minus_d, at)
     }
 
-    fn critical(x: S, at: &Instant<S>) -> Basis<S> {
+    /// To first order in q² = 1 − ζ², whose value is 0, for derivatives with respect to ζ.
+    fn critical(&self, x: S, at: &Instant<S>) -> Basis<S> {
         let one = S::constant(1.0);
-        let zero = S::constant(0.0);
-        let decay = x * at.tau;
+        let time = x * at.tau;
+        let decay = self.zeta * time;
         let kept = (-decay).exp();
-        let (free, slope) = (kept * at.tau, kept * (one - decay));
-        let one_minus_d = one_minus_d(decay, kept, one - kept * (one + decay), zero, zero);
-        Basis::damped(x, one, free, slope, one_minus_d, at)
+        let square = time * time * ((one - self.zeta) * (one + self.zeta));
+        let versine = square * S::constant(0.5);
+        let sinc_defect = square / S::constant(6.0);
+        let (cosine, sinc) = (one - versine, one - sinc_defect);
+        let (free, slope) = (kept * (at.tau * sinc), kept * (cosine - decay * sinc));
+        let direct = one - kept * (cosine + decay * sinc);
+        let one_minus_d = one_minus_d(decay, kept, direct, versine, sinc_defect);
+        Basis::damped(x, self.zeta, free, slope, one_minus_d, at)
     }
 
     fn overdamped(&self, x: S, at: &Instant<S>) -> Basis<S> {

@@ -16,6 +16,7 @@ pub mod locals;
 pub mod mode;
 pub mod motion;
 pub mod orbit;
+mod pairs;
 pub mod regime;
 pub mod scalar;
 pub mod search;

@@ -146,23 +146,29 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
-    /// ζ = 1: the limit q → 0 of both neighbours.
+    /// ζ = 1: the limit q → 0 of both neighbours, to first order in q² = 1 − ζ²: its value is 0, but a
+    /// derivative with respect to ζ moves it.
     #[inline]
     fn critical(&self, x: S, at: Option<usize>) -> ModeResponse<S> {
         let one = S::constant(1.0);
         let (denominator, size) = self.denominator(x, at);
-        let decay = (S::pi() * x).named("half_period_decay", at);
+        let decay = (S::pi() * self.zeta * x).named("half_period_decay", at);
         let m = (-(-decay).exp_m1().named("negative_lost_share", at)).named("lost_share", at);
         let e = (one - m).named("kept_share", at);
-        let k = (size / ((one + e) * (one + e))).named("pole_weight", at);
-        let b_over_x = (S::pi() + S::pi()) * e * k;
+        // θ², θ = πqx.
+        let angle = S::pi() * x;
+        let square = angle * angle * ((one - self.zeta) * (one + self.zeta));
+        let sinc_defect = square / S::constant(6.0);
+        let k = (size / ((one + e) * (one + e) - e * square)).named("pole_weight", at);
+        let b_over_x = (S::pi() + S::pi()) * e * (k - k * sinc_defect);
+        let defect = decay.scaled_sinh_defect() + S::constant(2.0) * e * decay * sinc_defect;
         ModeResponse {
             x,
             denominator,
             size,
             u: b_over_x.named("u", at),
-            g: (decay.scaled_sinh_defect() * k).named("g", at),
-            reversal: ((one + e) * m * k + b_over_x * x).named("reversal", at),
+            g: (defect * k).named("g", at),
+            reversal: ((one + e) * m * k + self.zeta * b_over_x * x).named("reversal", at),
         }
     }
 

@@ -163,7 +163,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
             let re = (wave.x - order) * (wave.x + order);
             let im = S::constant(2.0) * wave.decay.zeta() * order * wave.x;
             let size = re.abs() + im;
-            if wave.gain == zero || size == zero {
+            if wave.gain.vanishes() || size == zero {
                 continue;
             }
             let (re, im) = (re / size, im / size);

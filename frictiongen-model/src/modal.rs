@@ -350,12 +350,10 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// Whether any mode is damped.
+    /// Whether any mode is damped, or would be if the variable of a derivative moved.
     #[must_use]
     pub fn is_damped(&self) -> bool {
-        self.damping_ratios
-            .iter()
-            .any(|zeta| T::constant(0.0) < *zeta)
+        self.damping_ratios.iter().any(|zeta| !zeta.vanishes())
     }
 
     /// The limits at r = 0 and r = ∞.
@@ -440,11 +438,12 @@ fn cleaned<T: Float>(value: T, size: T, noise: f64) -> T {
 }
 
 pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
+    if zeta.vanishes() {
+        return Kind::Undamped;
+    }
     // By the value that is rounded to, so that the form and the constant agree.
     let zeta = zeta.to_f64();
-    if zeta == 0.0 {
-        Kind::Undamped
-    } else if zeta < 0.5 {
+    if zeta < 0.5 {
         Kind::Light
     } else if zeta < 1.0 {
         Kind::Heavy

@@ -1,6 +1,6 @@
 //! What is called, measured and compared: one list for each scalar.
 
-use crate::{Five, Pair, PairDouble, Sdof, least};
+use crate::{Five, Pair, PairDouble, Sdof, least, stopping};
 use frictiongen::Error;
 
 /// Where a call is made: frequency ratio, friction ratio, τ.
@@ -89,7 +89,10 @@ macro_rules! calls {
     };
 }
 
-calls! { f32 SINGLE 20:
+/// Ten times the friction of the continuous motions: the contact stops.
+const STOPPING: f32 = 10.0;
+
+calls! { f32 SINGLE 22:
     sdof_without_search "SDOF f32" "limits without search" |at| {
         let at = Sdof::at(at.r)?;
         [at.continuous_limit_without_search(), at.sliding_limit()]
@@ -153,6 +156,16 @@ calls! { f32 SINGLE 20:
     pair_stuck "2DOF f32" "stuck response" |at| {
         let stuck = Pair::at(at.r)?.stuck()?.lower();
         [stuck.re, stuck.im]
+    };
+    stopping_sdof "SDOF f32, [orbit]" "steady state: amplitude of the contact, stuck fraction" |at| {
+        let at_r = stopping::Sdof::at(at.r)?;
+        let orbit = at_r.orbit(at.beta * STOPPING)?;
+        [orbit.contact().amplitude(), orbit.stuck_fraction()]
+    };
+    stopping_five "5DOF damped f32, [orbit]" "steady state: amplitude of the contact, stuck fraction" |at| {
+        let at_r = stopping::Five::at(at.r)?;
+        let orbit = at_r.orbit(at.beta * STOPPING)?;
+        [orbit.contact().amplitude(), orbit.stuck_fraction()]
     };
     five_without_search "5DOF damped f32" "limits without search" |at| {
         let at = Five::at(at.r)?;

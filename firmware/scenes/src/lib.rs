@@ -37,6 +37,34 @@ pub mod least {
     }
 }
 
+/// Scenes whose contact stops: the steady state with its stops.
+pub mod stopping {
+    frictiongen::friction_system! {
+        /// One mass on a wall, the classic.
+        pub struct Sdof {
+            masses: { mass_1: 1.0 },
+            springs: { base - mass_1: 1.0 },
+            contact: mass_1 - wall,
+            excitation: mass_1,
+            scalar: f32,
+            provide: [orbit],
+        }
+    }
+
+    frictiongen::friction_system! {
+        /// Five damped masses, the third rubbing on the moving base.
+        pub struct Five {
+            masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, upper: 0.5 },
+            springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - upper: 1.0 },
+            contact: m3 - base,
+            excitation: base,
+            damping: modal(0.02),
+            scalar: f32,
+            provide: [orbit],
+        }
+    }
+}
+
 frictiongen::friction_system! {
     /// One mass on a wall, the classic.
     pub struct Sdof {

@@ -11,9 +11,10 @@ use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen_codegen::Limits;
 use report::OrbitReport;
+use std::io::Write;
 
 /// Runs the command.
-pub fn run(arguments: &OrbitArguments) -> Result<(), Failure> {
+pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let (r, beta) = asked::grids(&arguments.r, &arguments.beta)?;
     if r.iter().any(|r| *r == 0.0 || r.is_infinite()) {
         return Err(Failure::new(
@@ -35,5 +36,5 @@ pub fn run(arguments: &OrbitArguments) -> Result<(), Failure> {
         masses,
         orders,
     };
-    output::print(&report, &summary, &arguments.format)
+    output::print(&report, &summary, &arguments.format, out)
 }

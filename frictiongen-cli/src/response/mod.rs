@@ -11,9 +11,10 @@ use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen_codegen::Limits;
 use report::ResponseReport;
+use std::io::Write;
 
 /// Runs the command.
-pub fn run(arguments: &ResponseArguments) -> Result<(), Failure> {
+pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let (r, beta) = asked::grids(&arguments.r, &arguments.beta)?;
     let orders = match asked::harmonics(arguments.harmonics.as_deref())? {
         Some(highest) => (1..=highest).step_by(2).collect(),
@@ -30,5 +31,5 @@ pub fn run(arguments: &ResponseArguments) -> Result<(), Failure> {
         masses,
         orders,
     };
-    output::print(&report, &summary, &arguments.format)
+    output::print(&report, &summary, &arguments.format, out)
 }

@@ -9,6 +9,7 @@ use super::flow::unit;
 use super::matrix::Matrix;
 use super::solve::Room;
 use crate::errors::NoOrbit;
+use crate::pairs::{pairs, pairs_mut};
 use crate::scalar::Float;
 
 /// The flow stands on the symmetric member, and `room.state` is the motion in the same section; sets
@@ -23,7 +24,7 @@ pub(super) fn member<S: Float>(
     let scale = flow.scale();
     // The direction of the family: the eigenvector for 1 of the half-period map, by inverse
     // iteration from the difference of the motion and the symmetric member.
-    for (part, state) in flow.modes.iter().zip(room.state.chunks_exact_mut(2)) {
+    for (part, state) in flow.modes.iter().zip(pairs_mut(room.state)) {
         if let [y, u] = state {
             (*y, *u) = (*y - part.y, *u - part.u);
         }
@@ -34,7 +35,9 @@ pub(super) fn member<S: Float>(
         unit(room.matrix, size);
         flow.half(Some(room.matrix))?;
         flow.restore(room.other, &stance);
-        room.other.copy_from_slice(room.state);
+        for (other, state) in room.other.iter_mut().zip(room.state.iter()) {
+            *other = *state;
+        }
         let shift = one + S::constant(1e-8_f64.max(256.0 * S::EPSILON));
         if !Matrix::new(room.matrix, size).solve_shifted(shift, room.other) {
             return Err(NoOrbit::Unsettled);
@@ -49,7 +52,7 @@ pub(super) fn member<S: Float>(
     flow.save(room.other);
     let shifted = |flow: &mut Flow<'_, '_, S>, share: S| -> Result<bool, NoOrbit> {
         let set = |flow: &mut Flow<'_, '_, S>| {
-            let states = room.other.chunks_exact(2).zip(room.state.chunks_exact(2));
+            let states = pairs(room.other).zip(pairs(room.state));
             for (part, (from, along)) in flow.modes.iter_mut().zip(states) {
                 if let ([y, u], [dy, du]) = (from, along) {
                     (part.y, part.u) = (*y + share * *dy, *u + share * *du);
@@ -59,7 +62,7 @@ pub(super) fn member<S: Float>(
         };
         set(flow);
         let pattern = flow.half(None)?.and(flow.half(None)?);
-        let states = room.other.chunks_exact(2).zip(room.state.chunks_exact(2));
+        let states = pairs(room.other).zip(pairs(room.state));
         let apart = flow
             .modes
             .iter()

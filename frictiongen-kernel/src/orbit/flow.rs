@@ -2,6 +2,7 @@
 
 use super::tangent;
 use crate::errors::NoOrbit;
+use crate::pairs::{pairs, pairs_mut};
 use crate::scalar::Float;
 use crate::simulation::{Contact, Event, Part, Setting, Stance, leap};
 
@@ -100,7 +101,7 @@ impl<S: Float> Flow<'_, '_, S> {
 
     /// The state, copied out.
     pub(super) fn save(&self, state: &mut [S]) {
-        for (part, state) in self.modes.iter().zip(state.chunks_exact_mut(2)) {
+        for (part, state) in self.modes.iter().zip(pairs_mut(state)) {
             if let [y, u] = state {
                 (*y, *u) = (part.y, part.u);
             }
@@ -109,7 +110,7 @@ impl<S: Float> Flow<'_, '_, S> {
 
     /// The state, set anew; how the contact stands is kept if it sticks, else read off.
     pub(super) fn restore(&mut self, state: &[S], stance: &Stance<S>) {
-        for (part, state) in self.modes.iter_mut().zip(state.chunks_exact(2)) {
+        for (part, state) in self.modes.iter_mut().zip(pairs(state)) {
             if let [y, u] = state {
                 (part.y, part.u) = (*y, *u);
             }
@@ -123,7 +124,7 @@ impl<S: Float> Flow<'_, '_, S> {
 
     /// The largest difference from another state.
     pub(super) fn distance(&self, state: &[S]) -> S {
-        let states = self.modes.iter().zip(state.chunks_exact(2));
+        let states = self.modes.iter().zip(pairs(state));
         states.fold(S::constant(0.0), |most, (part, state)| match state {
             [y, u] => most.max((part.y - *y).abs()).max((part.u - *u).abs()),
             _ => most,
@@ -133,7 +134,7 @@ impl<S: Float> Flow<'_, '_, S> {
     /// Twice the energy of the difference between this state and another.
     pub(super) fn energy_between(&self, state: &[S]) -> S {
         let modes = self.modes.iter().zip(self.setting.dynamics.driven());
-        let states = modes.zip(state.chunks_exact(2));
+        let states = modes.zip(pairs(state));
         states.fold(S::constant(0.0), |sum, ((part, mode), state)| match state {
             [y, u] => {
                 let (y, u) = (part.y - *y, part.u - *u);
@@ -158,7 +159,7 @@ impl<S: Float> Flow<'_, '_, S> {
 /// Deviations in every direction: the unit matrix.
 pub(super) fn unit<S: Float>(columns: &mut [S], size: usize) {
     for (index, entry) in columns.iter_mut().enumerate() {
-        let own = index % (size + 1) == 0;
+        let own = index.checked_rem(size + 1) == Some(0);
         *entry = S::constant(if own { 1.0 } else { 0.0 });
     }
 }

@@ -59,7 +59,9 @@ impl<'a, S: Float> Matrix<'a, S> {
             }
             if pivot != k {
                 self.swap_rows(pivot, k, k);
-                b.swap(pivot, k);
+                let (one, other) = (value(b, pivot), value(b, k));
+                give(b, pivot, other);
+                give(b, k, one);
             }
             let (diagonal, own) = (self.at(k, k), value(b, k));
             for row in k + 1..n {
@@ -274,6 +276,12 @@ fn reflector<S: Float>(x: [S; 3]) -> Option<([S; 3], S)> {
 
 fn value<S: Float>(b: &[S], k: usize) -> S {
     b.get(k).copied().unwrap_or(S::constant(0.0))
+}
+
+fn give<S>(b: &mut [S], k: usize, value: S) {
+    if let Some(b) = b.get_mut(k) {
+        *b = value;
+    }
 }
 
 fn put<S: Float>(out: &mut [Complex<S>], k: usize, eigenvalue: Complex<S>) {

@@ -3,6 +3,7 @@
 use super::gauss::{PANEL, SIXTEEN};
 use super::{Mark, Orbit};
 use crate::complex::{self, Complex};
+use crate::pairs::pairs;
 use crate::scalar::Float;
 use crate::simulation::{Contact, Part, Setting, Stance, Sum, rotated};
 
@@ -133,8 +134,9 @@ where
                 let turns = mark.length * S::inverse_pi();
                 best.note(mark.t + turns, mark.relative);
                 // The excitation's maximum, or for a negative one its minimum, within the stop.
-                let target = if mark.relative < zero { 1.0 } else { 0.0 };
-                for target in [target, target + 2.0].map(S::constant) {
+                let (one, two) = (S::constant(1.0), S::constant(2.0));
+                let target = if mark.relative < zero { one } else { zero };
+                for target in [target, target + two] {
                     if mark.t <= target && target <= mark.t + turns {
                         best.note(target, mark.relative);
                     }
@@ -181,7 +183,7 @@ where
         let size = 2 * setting.dynamics.modes.len();
         let state = self.orbit.numbers.as_ref();
         let state = state.get(index * size..(index + 1) * size)?;
-        for (part, state) in parts.iter_mut().zip(state.chunks_exact(2)) {
+        for (part, state) in parts.iter_mut().zip(pairs(state)) {
             if let [y, u] = state {
                 (part.y, part.u) = (*y, *u);
             }

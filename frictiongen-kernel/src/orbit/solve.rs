@@ -5,6 +5,7 @@ use super::flow::{Flow, Pattern, unit};
 use super::matrix::Matrix;
 use crate::complex::{self, Complex};
 use crate::errors::NoOrbit;
+use crate::pairs::pairs_mut;
 use crate::scalar::Float;
 use crate::simulation::{Contact, Stance};
 
@@ -272,7 +273,7 @@ fn newton<S: Float>(
         // δ = (1 − A)⁻¹(F(x) − x), in the place of F(x).
         let scale = flow.scale().max(S::constant(1e-290));
         let sign = if symmetric { -one } else { one };
-        for (part, state) in flow.modes.iter_mut().zip(room.other.chunks_exact_mut(2)) {
+        for (part, state) in flow.modes.iter_mut().zip(pairs_mut(room.other)) {
             if let [y, u] = state {
                 let difference = [sign * part.y - *y, sign * part.u - *u];
                 (part.y, part.u) = (*y, *u);
@@ -288,7 +289,7 @@ fn newton<S: Float>(
             return Ok(None);
         }
         let mut step = zero;
-        for (part, state) in flow.modes.iter_mut().zip(room.other.chunks_exact_mut(2)) {
+        for (part, state) in flow.modes.iter_mut().zip(pairs_mut(room.other)) {
             if let [y, u] = state {
                 step = step.max(y.abs()).max(u.abs());
                 (*y, *u) = (part.y + *y, part.u + *u);

@@ -1,6 +1,7 @@
 //! How small deviations grow along a motion: closed forms between events, and at each event the
 //! jump (saltation) that comes from its being met a little earlier or later.
 
+use crate::pairs::{pairs, pairs_mut};
 use crate::scalar::Float;
 use crate::simulation::{Contact, End, Part, Setting, Stance};
 
@@ -17,13 +18,13 @@ pub(super) fn through<S: Float>(
     let size = 2 * setting.dynamics.in_contact();
     let t = end.tau * S::inverse_pi();
     if stance.contact == Contact::Stuck {
-        for column in columns.chunks_exact_mut(size) {
+        for column in columns.chunks_exact_mut(size.max(1)) {
             stuck(setting, held, t, end, column);
         }
     } else {
         for (index, part) in modes.iter().enumerate().take(size / 2) {
             let turn = part.turn(t, end.tau);
-            for column in columns.chunks_exact_mut(size) {
+            for column in columns.chunks_exact_mut(size.max(1)) {
                 if let Some([y, u]) = column.get_mut(2 * index..2 * index + 2) {
                     [*y, *u] = part.turned([*y, *u], &turn);
                 }
@@ -31,7 +32,7 @@ pub(super) fn through<S: Float>(
         }
     }
     if end.event.is_some() {
-        for column in columns.chunks_exact_mut(size) {
+        for column in columns.chunks_exact_mut(size.max(1)) {
             jump(setting, stance, end, column);
         }
     }
@@ -47,7 +48,7 @@ fn stuck<S: Float>(
 ) {
     let zero = S::constant(0.0);
     let driven = setting.dynamics.driven();
-    let states = column.chunks_exact(2).map(|state| match state {
+    let states = pairs(column).map(|state| match state {
         [y, u] => [*y, *u],
         _ => [zero; 2],
     });
@@ -60,7 +61,7 @@ fn stuck<S: Float>(
         let turn = part.turn(t, end.tau);
         [part.y, part.u] = part.turned([part.y, part.u], &turn);
     }
-    let states = column.chunks_exact_mut(2).filter_map(|state| match state {
+    let states = pairs_mut(column).filter_map(|state| match state {
         [y, u] => Some((y, u)),
         _ => None,
     });
@@ -73,7 +74,7 @@ fn jump<S: Float>(setting: &Setting<'_, S>, stance: &Stance<S>, end: &End<S>, co
     let (zero, two) = (S::constant(0.0), S::constant(2.0));
     let driven = setting.dynamics.driven();
     let mut deviation = zero;
-    for (mode, state) in driven.iter().zip(column.chunks_exact(2)) {
+    for (mode, state) in driven.iter().zip(pairs(column)) {
         let [y, u] = state else { continue };
         let sigma = mode.resonance;
         deviation = deviation
@@ -89,7 +90,7 @@ fn jump<S: Float>(setting: &Setting<'_, S>, stance: &Stance<S>, end: &End<S>, co
         deviation = -(deviation / setting.dynamics.chain.mobility);
     }
     let later = -(deviation / end.slope);
-    for (mode, state) in driven.iter().zip(column.chunks_exact_mut(2)) {
+    for (mode, state) in driven.iter().zip(pairs_mut(column)) {
         if let [_, u] = state {
             *u = *u - end.jump * mode.contact / (setting.r * mode.resonance) * later;
         }

@@ -83,8 +83,13 @@ impl<'a, S: Float> Dynamics<'a, S> {
 
     /// The held modes, each with the shares of all modes that the contact drives.
     pub(crate) fn held_modes(&self) -> impl Iterator<Item = (&'a HeldMode<S>, &'a [[S; 2]])> {
-        let shares = self.shares.chunks(self.in_contact());
-        self.held.iter().zip(shares)
+        // By ranges: an iterator over chunks could panic where the compiler loses their size.
+        let (shares, size) = (self.shares, self.in_contact());
+        let held = self.held.iter().enumerate();
+        held.map(move |(index, mode)| {
+            let start = index * size;
+            (mode, shares.get(start..start + size).unwrap_or_default())
+        })
     }
 }
 

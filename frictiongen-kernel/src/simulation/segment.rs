@@ -174,7 +174,12 @@ impl<S: Float> Setting<'_, S> {
         for ((index, mode), (y, u)) in modes.zip(states) {
             let lift = self.lift(mode.contact, mode.resonance);
             let (mut sum_y, mut sum_u) = (lift * z, lift * rate);
-            let shares = self.dynamics.shares.iter().skip(index).step_by(driven);
+            let shares = self
+                .dynamics
+                .shares
+                .iter()
+                .skip(index)
+                .step_by(driven.max(1));
             for ((part, of), [g, h]) in held.iter().zip(self.dynamics.held).zip(shares) {
                 sum_y = sum_y + *g * part.y + *h * part.u;
                 let slope = (*g - two * of.zeta * *h) * part.u - *h * part.y;

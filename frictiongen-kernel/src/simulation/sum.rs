@@ -153,18 +153,45 @@ pub(crate) struct Series<S> {
 impl<S: Float> Series<S> {
     /// Value, slope and curve.
     pub(super) fn at(&self, tau: S, bound: S) -> Local<S> {
-        let zero = S::constant(0.0);
-        let (mut value, mut slope, mut curve) = (zero, zero, zero);
-        for (order, term) in self.terms.iter().enumerate().rev() {
-            let n = order as f64;
-            value = *term + value * tau * S::constant(1.0 / (n + 1.0));
-            if order >= 1 {
-                slope = *term + slope * tau * S::constant(1.0 / n);
-            }
-            if order >= 2 {
-                curve = *term + curve * tau * S::constant(1.0 / (n - 1.0));
-            }
-        }
+        // Written out: in a loop the reciprocals are double-precision divisions on the target.
+        let [c0, c1, c2, c3, c4, c5, c6, c7, c8] = self.terms;
+        let [h2, h3, h4, h5, h6, h7, h8] = [
+            S::constant(1.0 / 2.0),
+            S::constant(1.0 / 3.0),
+            S::constant(1.0 / 4.0),
+            S::constant(1.0 / 5.0),
+            S::constant(1.0 / 6.0),
+            S::constant(1.0 / 7.0),
+            S::constant(1.0 / 8.0),
+        ];
+        let horner = |terms: &[(S, S)], last: S| {
+            let terms = terms.iter();
+            terms.fold(last, |sum, (term, factor)| *term + sum * tau * *factor)
+        };
+        let one = S::constant(1.0);
+        let value = [
+            (c7, h8),
+            (c6, h7),
+            (c5, h6),
+            (c4, h5),
+            (c3, h4),
+            (c2, h3),
+            (c1, h2),
+            (c0, one),
+        ];
+        let slope = [
+            (c7, h7),
+            (c6, h6),
+            (c5, h5),
+            (c4, h4),
+            (c3, h3),
+            (c2, h2),
+            (c1, one),
+        ];
+        let curve = [(c7, h6), (c6, h5), (c5, h4), (c4, h3), (c3, h2), (c2, one)];
+        let value = horner(&value, c8);
+        let slope = horner(&slope, c8);
+        let curve = horner(&curve, c8);
         Local {
             value,
             slope,

@@ -321,12 +321,22 @@ fn single_precision() {
     single(12);
 }
 
-/// `SCENES=100000 cargo test --release -p generated-tests --test backward -- --ignored --nocapture`
+fn asked() -> u64 {
+    let asked = std::env::var("SCENES").ok();
+    asked.and_then(|text| text.parse().ok()).unwrap_or(10_000)
+}
+
+/// `SCENES=100000 cargo test --release -p generated-tests --test backward long_double -- --ignored
+/// --nocapture`
 #[test]
 #[ignore = "hours; the number of scenes is SCENES"]
-fn long() {
-    let asked = std::env::var("SCENES").ok();
-    let scenes = asked.and_then(|text| text.parse().ok()).unwrap_or(10_000);
-    single(scenes);
-    double(scenes);
+fn long_double() {
+    double(asked());
+}
+
+/// The same in single precision.
+#[test]
+#[ignore = "hours; the number of scenes is SCENES"]
+fn long_single() {
+    single(asked());
 }

@@ -68,7 +68,7 @@ const NO_NUMBERS: [(&str, &[&str]); 3] = [
 
 /// Functions of whole scenes, whose error is the scene's as much as theirs, and the test that
 /// measures them.
-const WHOLE_SCENES: [(&str, &[&str]); 3] = [
+const WHOLE_SCENES: [(&str, &[&str]); 4] = [
     (
         "sums over modes and what is made of them: closed_form, backward",
         &[
@@ -110,6 +110,30 @@ const WHOLE_SCENES: [(&str, &[&str]); 3] = [
             "steady::Motion::amplitude",
             "steady::Motion::peak",
             "steady::Motion::phase",
+        ],
+    ),
+    (
+        "motion in time and its steady states: stick_slip",
+        &[
+            "orbit::Orbit::contact",
+            "orbit::Orbit::is_marginal",
+            "orbit::Orbit::is_stable",
+            "orbit::Orbit::is_symmetric",
+            "orbit::Orbit::mass",
+            "orbit::Orbit::multipliers",
+            "orbit::Orbit::origin",
+            "orbit::Orbit::reversals",
+            "orbit::Orbit::sticking_intervals",
+            "orbit::Orbit::stops",
+            "orbit::Orbit::stuck_fraction",
+            "orbit::numbers",
+            "simulation::Contact::reversed",
+            "simulation::Dynamics::in_contact",
+            "two_stops::TwoStops::amplitude",
+            "two_stops::TwoStops::new",
+            "two_stops::TwoStops::phase",
+            "two_stops::TwoStops::slide",
+            "two_stops::TwoStops::stuck_fraction",
         ],
     ),
     (

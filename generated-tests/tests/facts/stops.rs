@@ -85,3 +85,32 @@ fn f37() {
     assert_eq!((orbit.stops(), orbit.reversals()), (2, 0));
     assert!((amplitude(&orbit) - 0.856_729_778_057_8).abs() < 5e-14);
 }
+
+/// From which β on no sliding state of the mass on its base comes up to the base's own motion.
+#[test]
+fn f09() {
+    let system = single("m1 - base", "base", "");
+    let largest = |beta: f64| {
+        let mut largest = 0.0_f64;
+        for step in 40..160 {
+            let at = system.at(f64::from(step) * 0.02).expect("in the domain");
+            if beta < at.sliding_limit() {
+                let orbit = at.orbit(beta).expect("a steady state");
+                largest = largest.max(amplitude(&orbit));
+            }
+        }
+        largest
+    };
+    let (mut above, mut below) = (1.0, 1.2);
+    assert!(1.0 < largest(above) && largest(below) < 1.0);
+    while below - above > 1e-3 {
+        let middle = 0.5 * (above + below);
+        if 1.0 < largest(middle) {
+            above = middle;
+        } else {
+            below = middle;
+        }
+    }
+    // The thesis goes in steps of 0.01.
+    assert!(1.05 < above && below <= 1.06, "{below}");
+}

@@ -1,0 +1,64 @@
+//! Limits, responses, steady states and emitted solvers of friction scenes, on the command line.
+//!
+//! Every command reads one description, computes with [`frictiongen::System`] and writes a table,
+//! CSV or JSON. The program's exit status is 0, or 2 with the reason on standard error.
+
+mod args;
+mod asked;
+mod csv;
+mod expand;
+mod failure;
+mod grid;
+mod input;
+mod json;
+mod limits;
+mod number;
+mod orbit;
+mod output;
+mod progress;
+mod response;
+mod summary;
+mod table;
+
+use args::{Arguments, Command};
+use clap::Parser;
+use failure::Failure;
+use std::ffi::OsString;
+use std::io::Write;
+
+/// Why a command line gave nothing, or not all.
+#[derive(Debug)]
+pub enum Ended {
+    /// It was not understood, or asked for help.
+    Usage(clap::Error),
+    /// The lines to tell the user.
+    Lines(Vec<String>),
+    /// Whoever reads the output has enough.
+    Closed,
+}
+
+impl From<Failure> for Ended {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::Lines(lines) => Self::Lines(lines),
+            Failure::Closed => Self::Closed,
+        }
+    }
+}
+
+/// Runs a command line, the program's name first; what it computes goes to `out`.
+///
+/// # Errors
+/// [`Ended`] says what the user is to be told.
+pub fn run(
+    arguments: impl IntoIterator<Item = OsString>,
+    out: &mut dyn Write,
+) -> Result<(), Ended> {
+    let arguments = Arguments::try_parse_from(arguments).map_err(Ended::Usage)?;
+    Ok(match &arguments.command {
+        Command::Limits(arguments) => limits::run(arguments, out),
+        Command::Response(arguments) => response::run(arguments, out),
+        Command::Orbit(arguments) => orbit::run(arguments, out),
+        Command::Expand(arguments) => expand::run(arguments, out),
+    }?)
+}

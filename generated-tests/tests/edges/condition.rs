@@ -1,0 +1,141 @@
+//! Condition of an answer: Σ|x ∂f/∂x| over what it is computed from, by dual numbers.
+//!
+//! To first order an answer that is exact for inputs k roundings off is k ε Σ|x ∂f/∂x| off.  The inputs
+//! are r and β, and either the modal data (what the closed forms read) or masses, springs, damping and μ
+//! (what a description says).
+
+use frictiongen::study::{Damping, Quantity, Sensitive, System};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::dual::Dual;
+use frictiongen_model::modal::Modal;
+use generated_tests::data::Data;
+
+/// What is asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asked {
+    ContinuousLimit,
+    WithoutSearch,
+    SlidingLimit,
+    ContactAmplitude,
+    ContactPhase,
+    /// At τ = 1.
+    Displacement(usize),
+}
+
+impl Asked {
+    pub fn is_angle(self) -> bool {
+        matches!(self, Self::ContactPhase)
+    }
+}
+
+/// The closed form, whether or not β is below the limits.
+pub fn answer<S: Float>(data: &Data<S>, r: S, beta: S, asked: Asked) -> S {
+    let at = data.at(r);
+    match asked {
+        Asked::ContinuousLimit => at.continuous_limit(),
+        Asked::WithoutSearch => at.continuous_limit_without_search(),
+        Asked::SlidingLimit => at.sliding_limit(),
+        Asked::ContactAmplitude => at.contact(beta).amplitude(),
+        Asked::ContactPhase => at.contact(beta).phase(),
+        Asked::Displacement(mass) => at.mass(mass, beta).displacement(S::constant(1.0)),
+    }
+}
+
+/// The modal data of a system, in a scalar.
+pub fn data<T: Float, S: Float>(modal: &Modal<T>, to: impl Fn(T) -> S) -> Data<S> {
+    Data {
+        reduced: modal.reduced(to),
+        contact: modal.contact,
+    }
+}
+
+/// The place and the question.
+#[derive(Clone, Copy, Debug)]
+pub struct Question {
+    pub r: Dd,
+    pub beta: Dd,
+    pub asked: Asked,
+}
+
+impl Question {
+    pub fn at(r: impl Float, beta: impl Float, asked: Asked) -> Self {
+        let [r, beta] = [r.to_f64(), beta.to_f64()].map(Dd::from);
+        Self { r, beta, asked }
+    }
+}
+
+/// f and ∂f/∂q.
+pub fn along<S: Float>(system: &System<S>, question: Question, quantity: Quantity) -> Sensitive {
+    let modal = system.modal().along(system.scene(), quantity);
+    let data = data(&modal.expect("a quantity of the scene"), |value| value);
+    let Question { r, beta, asked } = question;
+    answer(&data, Dual::fixed(r), Dual::fixed(beta), asked)
+}
+
+/// f, ∂f/∂r and ∂f/∂β.
+pub fn along_place<S: Float>(system: &System<S>, question: Question) -> (Dd, Dd, Dd) {
+    let data = data(&system.modal().fixed(), |value| value);
+    let Question { r, beta, asked } = question;
+    let over_r = answer(&data, Dual::variable(r), Dual::fixed(beta), asked);
+    let over_beta = answer(&data, Dual::fixed(r), Dual::variable(beta), asked);
+    (over_r.value, over_r.slope, over_beta.slope)
+}
+
+/// r ∂f/∂r and β ∂f/∂β, the answer's own size (a half turn for an angle), and Σ|x ∂f/∂x| over the
+/// quantities, each with its value.
+fn over<S: Float>(system: &System<S>, question: Question, quantities: &[(Quantity, Dd)]) -> f64 {
+    let (value, over_r, over_beta) = along_place(system, question);
+    let own = if question.asked.is_angle() {
+        Dd::PI
+    } else {
+        value.abs()
+    };
+    let place = (question.r * over_r).abs() + (question.beta * over_beta).abs();
+    let terms = quantities.iter().filter(|(_, size)| !size.is_zero());
+    terms
+        .map(|(quantity, size)| (*size * along(system, question, *quantity).slope).abs())
+        .fold(own + place, |sum, term| sum + term)
+        .to_f64()
+}
+
+/// Over the modal data: what the closed forms can do at best.
+pub fn modal_condition<S: Float>(system: &System<S>, question: Question) -> f64 {
+    let modal = system.modal();
+    let mut quantities = vec![(Quantity::Stiction, modal.stiction)];
+    for mode in 0..modal.resonances.len() {
+        quantities.extend([
+            (Quantity::Resonance(mode), modal.resonances[mode]),
+            (Quantity::DampingRatio(mode), modal.damping_ratios[mode]),
+            (Quantity::Load(mode), modal.loads[mode]),
+            (Quantity::Contact(mode), modal.contacts[mode]),
+        ]);
+        if let Asked::Displacement(mass) = question.asked {
+            let shape = Quantity::Shape { mode, mass };
+            quantities.push((shape, modal.shapes[mode][mass]));
+        }
+    }
+    over(system, question, &quantities)
+}
+
+/// Over the description.
+pub fn scene_condition<S: Float>(system: &System<S>, question: Question) -> f64 {
+    let scene = system.scene();
+    let mut quantities = vec![(Quantity::Stiction, Dd::from(scene.stiction))];
+    let masses = scene.masses.iter().enumerate();
+    quantities.extend(masses.map(|(i, mass)| (Quantity::Mass(i), Dd::from(mass.value))));
+    let springs = scene.springs.iter().enumerate();
+    quantities
+        .extend(springs.map(|(i, spring)| (Quantity::Stiffness(i), Dd::from(spring.stiffness))));
+    match scene.damping {
+        Damping::Rayleigh { mass, stiffness } => quantities.extend([
+            (Quantity::MassDamping, Dd::from(mass)),
+            (Quantity::StiffnessDamping, Dd::from(stiffness)),
+        ]),
+        _ => {
+            let ratios = system.modal().damping_ratios.iter().enumerate();
+            quantities.extend(ratios.map(|(i, zeta)| (Quantity::DampingRatio(i), *zeta)));
+        }
+    }
+    over(system, question, &quantities)
+}

@@ -1,0 +1,6 @@
+//! Every derivative that dual numbers give, against central differences in double-double.
+
+mod answers;
+mod differences;
+mod scene;
+mod single;
