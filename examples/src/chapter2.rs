@@ -2,6 +2,7 @@
 //! `cargo run --release --example chapter2`
 
 use frictiongen::friction_system;
+use frictiongen_examples::album::Album;
 use frictiongen_examples::figure::Figure;
 use frictiongen_examples::panels::{Sweep, cycle, regimes};
 use frictiongen_examples::scene;
@@ -37,6 +38,7 @@ scene!(Block, Damped);
 const BLOCK: Of = Of::Mass(0);
 
 fn main() -> Result<(), Box<dyn Error>> {
+    let mut album = Album::open(4)?;
     let sweep = Sweep {
         scene: &Block,
         from: 0.0,
@@ -55,14 +57,14 @@ fn main() -> Result<(), Box<dyn Error>> {
             sweep.lag("(b) phase", "lag, degrees", BLOCK, -90.0, 180.0),
         ],
     )
-    .save()?;
+    .save(&mut album)?;
     Figure::new(
         "2.5",
         "motion regimes against a fixed wall",
         1,
         vec![regimes("μ = 1", &Block, 2.5, 1.2)],
     )
-    .save()?;
+    .save(&mut album)?;
     Figure::new(
         "2.6",
         "a response with two stops, r = 0.6, β = 0.6",
@@ -75,7 +77,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             (TAU, 1.5),
         )],
     )
-    .save()?;
+    .save(&mut album)?;
     let damped = Sweep {
         scene: &Damped,
         betas: &[0.0, 0.1, 0.2, 0.3, 0.4, 0.5],
@@ -87,5 +89,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         1,
         vec![damped.amplitude("ζ = 0.2", "X̄", BLOCK, 3.0)],
     )
-    .save()
+    .save(&mut album)?;
+    album.close()
 }

@@ -1,6 +1,7 @@
 //! Chapter 3: one mass on a base that carries the wall.  `cargo run --release --example chapter3`
 
 use frictiongen::friction_system;
+use frictiongen_examples::album::Album;
 use frictiongen_examples::curve::sample;
 use frictiongen_examples::figure::{Axis, Colour, Curve, Figure, Panel, Stroke};
 use frictiongen_examples::panels::{Sweep, cycle, regimes};
@@ -71,6 +72,7 @@ fn sweep<'a>(scene: &'a dyn Scene, betas: &'a [f64]) -> Sweep<'a> {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
+    let mut album = Album::open(11)?;
     let continuous = sweep(&Joined, &BETAS);
     Figure::new(
         "3.2",
@@ -81,15 +83,15 @@ fn main() -> Result<(), Box<dyn Error>> {
             continuous.lag("(b) phase", "lag, degrees", Of::Contact, -90.0, 180.0),
         ],
     )
-    .save()?;
-    Figure::new("3.3", "the function S", 1, vec![constraint()]).save()?;
+    .save(&mut album)?;
+    Figure::new("3.3", "the function S", 1, vec![constraint()]).save(&mut album)?;
     Figure::new(
         "3.4",
         "motion regimes, μ = 1",
         1,
         vec![regimes("μ = 1", &Joined, 2.5, 4.0)],
     )
-    .save()?;
+    .save(&mut album)?;
     Figure::new(
         "3.5",
         "motion regimes for static over kinetic friction μ",
@@ -101,7 +103,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             regimes("(d) μ = 2", &Joined2, 2.5, 4.0),
         ],
     )
-    .save()?;
+    .save(&mut album)?;
     let both = [("mass x̄", MASS), ("relative z̄", Of::Contact)];
     Figure::new(
         "3.6",
@@ -115,7 +117,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             (TAU, 6.0),
         )],
     )
-    .save()?;
+    .save(&mut album)?;
     let near = Sweep {
         from: 1.3,
         to: 1.7,
@@ -130,21 +132,21 @@ fn main() -> Result<(), Box<dyn Error>> {
             near.detail("(b) where the curves invert", "X̄", MASS, (0.6, 1.6)),
         ],
     )
-    .save()?;
+    .save(&mut album)?;
     Figure::new(
         "3.8",
         "phase of the mass behind the base, continuous",
         1,
         vec![continuous.lag("", "lag, degrees", MASS, -15.0, 180.0)],
     )
-    .save()?;
+    .save(&mut album)?;
     Figure::new(
         "3.9",
         "the same with viscous damping in place of friction",
         1,
         vec![viscous()],
     )
-    .save()?;
+    .save(&mut album)?;
     Figure::new(
         "3.11",
         "motion over half a cycle, closed form and simulation",
@@ -166,7 +168,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             ),
         ],
     )
-    .save()?;
+    .save(&mut album)?;
     let betas = [0.2, 0.5, 0.8, 1.0, 1.25, 1.5, 2.0];
     let mut full = sweep(&Joined, &betas);
     full.beyond = true;
@@ -180,7 +182,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             full.amplitude("(b) relative motion", "Z̄", Of::Contact, 5.0),
         ],
     )
-    .save()?;
+    .save(&mut album)?;
     Figure::new(
         "3.15",
         "β = 1 for static over kinetic friction μ",
@@ -190,7 +192,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             stiction("(b) relative motion", "Z̄", Of::Contact),
         ],
     )
-    .save()
+    .save(&mut album)?;
+    album.close()
 }
 
 /// S (2.27) out of the motion itself: z̄' = −Z̄ sin τ + β(…) is negative while Z̄ > βS/r² (3.16).

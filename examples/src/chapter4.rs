@@ -2,6 +2,7 @@
 //! `cargo run --release --example chapter4`
 
 use frictiongen::friction_system;
+use frictiongen_examples::album::Album;
 use frictiongen_examples::figure::Figure;
 use frictiongen_examples::panels::Sweep;
 use frictiongen_examples::scene;
@@ -33,6 +34,7 @@ friction_system! {
 scene!(Fixed, Joined);
 
 fn main() -> Result<(), Box<dyn Error>> {
+    let mut album = Album::open(2)?;
     let plate = Of::Mass(0);
     let fixed = Sweep {
         scene: &Fixed,
@@ -65,7 +67,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 sweep.lag("(b) phase", "lag, degrees", plate, -90.0, 180.0),
             ],
         )
-        .save()?;
+        .save(&mut album)?;
     }
-    Ok(())
+    album.close()
 }

@@ -11,6 +11,8 @@ const BEND: f64 = 3e-4;
 const STEP: f64 = 0.03;
 /// A step beyond this after all halvings, which leave a fraction of a pixel, is a jump: the line breaks.
 const JUMP: f64 = 0.25;
+/// Pixels by which a left-out point may lie off the drawn line; a picture's own rounding is 0.5.
+const SEEN: f64 = 0.3;
 
 /// Pieces of a curve; it breaks where the function has no value, and at jumps.
 pub type Pieces = Vec<Vec<(f64, f64)>>;
@@ -89,11 +91,7 @@ fn pieces(points: &[Point], y: &Axis) -> Pieces {
     }
     pieces.push(piece);
     pieces.retain(|piece| 1 < piece.len());
-    pieces
-        .iter()
-        .flat_map(|piece| clip(piece, y))
-        .map(|piece| thin(&piece, y))
-        .collect()
+    pieces.iter().flat_map(|piece| clip(piece, y)).collect()
 }
 
 /// Cuts off what leaves the axis.
@@ -135,21 +133,25 @@ fn clip(piece: &[(f64, f64)], y: &Axis) -> Pieces {
     clipped
 }
 
-/// Leaves out the points that a straight line already shows.
-fn thin(piece: &[(f64, f64)], y: &Axis) -> Vec<(f64, f64)> {
+/// Leaves out the points that a straight line already shows: those nearer than [`SEEN`] to it, with
+/// axes of the given numbers of pixels.
+#[must_use]
+pub fn thin(
+    piece: &[(f64, f64)],
+    (x, width): (&Axis, f64),
+    (y, height): (&Axis, f64),
+) -> Vec<(f64, f64)> {
+    let pixels: Vec<(f64, f64)> = piece
+        .iter()
+        .map(|point| (x.share(point.0) * width, y.share(point.1) * height))
+        .collect();
     let mut kept: Vec<(f64, f64)> = Vec::new();
     let mut start = 0;
     for end in 1..=piece.len() {
         let straight = end < piece.len()
-            && piece[start + 1..end].iter().all(|(x, value)| {
-                let (a, b) = (piece[start], piece[end]);
-                let share = if a.0 < b.0 {
-                    (x - a.0) / (b.0 - a.0)
-                } else {
-                    0.0
-                };
-                (y.share(*value) - y.share(a.1 + share * (b.1 - a.1))).abs() < BEND
-            });
+            && pixels[start + 1..end]
+                .iter()
+                .all(|point| distance(*point, pixels[start], pixels[end]) < SEEN);
         if !straight {
             kept.push(piece[start]);
             start = end - 1;
@@ -158,4 +160,17 @@ fn thin(piece: &[(f64, f64)], y: &Axis) -> Vec<(f64, f64)> {
     kept.extend(piece.last());
     kept.dedup();
     kept
+}
+
+/// From a point to the segment between two others.
+fn distance(point: (f64, f64), a: (f64, f64), b: (f64, f64)) -> f64 {
+    let along = (b.0 - a.0, b.1 - a.1);
+    let from = (point.0 - a.0, point.1 - a.1);
+    let square = along.0 * along.0 + along.1 * along.1;
+    let share = if 0.0 < square {
+        ((from.0 * along.0 + from.1 * along.1) / square).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    (from.0 - share * along.0).hypot(from.1 - share * along.1)
 }

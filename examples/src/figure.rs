@@ -1,13 +1,15 @@
 //! Figures: panels of curves, as SVG, with their data as CSV.
 
-use crate::curve::Pieces;
+use crate::album::Album;
+use crate::curve::{Pieces, thin};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;
 use std::fmt::Write as _;
-use std::path::Path;
 
 const PANEL: (u32, u32) = (760, 540);
+/// What a panel leaves to its axes.
+const PLOT: (f64, f64) = (670.0, 440.0);
 const LEGEND_ROW: u32 = 30;
 const MARGIN: u32 = 12;
 const LETTER: usize = 10;
@@ -113,18 +115,23 @@ impl Figure {
         }
     }
 
-    /// Writes `figures/figure-<number>.svg` and `.csv` of this crate.
+    /// Leaves to each line the points that its picture shows, and hands the figure to an album.
     ///
     /// # Errors
     /// Where drawing or writing fails.
-    pub fn save(&self) -> Result<(), Box<dyn Error>> {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
-        std::fs::create_dir_all(&folder)?;
-        let name = format!("figure-{}", self.number);
-        std::fs::write(folder.join(format!("{name}.svg")), self.svg()?)?;
-        std::fs::write(folder.join(format!("{name}.csv")), self.csv()?)?;
-        println!("figure {:5} {}", self.number, self.title);
-        Ok(())
+    pub fn save(mut self, album: &mut Album) -> Result<(), Box<dyn Error>> {
+        for panel in &mut self.panels {
+            for curve in panel
+                .curves
+                .iter_mut()
+                .filter(|curve| curve.stroke != Stroke::Circles)
+            {
+                for piece in &mut curve.pieces {
+                    *piece = thin(piece, (&panel.x, PLOT.0), (&panel.y, PLOT.1));
+                }
+            }
+        }
+        album.add(&self.number, &self.svg()?, &self.csv()?)
     }
 
     fn csv(&self) -> Result<String, std::fmt::Error> {

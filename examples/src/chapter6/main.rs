@@ -1,115 +1,14 @@
 //! Chapter 6: chains of two, three and five masses.  `cargo run --release --example chapter6`
 
-use frictiongen::friction_system;
+mod scenes;
+
+use frictiongen_examples::album::Album;
 use frictiongen_examples::figure::{Figure, Panel};
 use frictiongen_examples::panels::{Sweep, cycle, regimes};
-use frictiongen_examples::scene;
 use frictiongen_examples::scene::{Measure, Of, Scene};
+use scenes::*;
 use std::error::Error;
 use std::f64::consts::PI;
-
-friction_system! {
-    /// Three equal storeys, the middle one in contact (6.2).
-    pub struct Three {
-        masses: { m1: 1.0, m2: 1.0, m3: 1.0 },
-        springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0 },
-        contact: m2 - wall,
-        excitation: m1,
-        provide: [limits, motion, stuck, orbit, simulation],
-    }
-}
-
-/// Two equal storeys, loaded below.
-macro_rules! two {
-    ($name:ident, $contact:ident, $stiction:literal) => {
-        friction_system! {
-            /// Two equal storeys.
-            pub struct $name {
-                masses: { m1: 1.0, m2: 1.0 },
-                springs: { base - m1: 1.0, m1 - m2: 1.0 },
-                contact: $contact - wall,
-                excitation: m1,
-                stiction: $stiction,
-                provide: [limits, motion, stuck, orbit, simulation],
-            }
-        }
-        scene!($name);
-    };
-}
-
-two!(Lower, m1, 1.0);
-two!(Lower12, m1, 1.2);
-two!(Lower15, m1, 1.5);
-two!(Upper, m2, 1.0);
-two!(Upper12, m2, 1.2);
-two!(Upper15, m2, 1.5);
-
-/// Five equal storeys, loaded below.
-macro_rules! five {
-    ($name:ident, $contact:ident) => {
-        friction_system! {
-            /// Five equal storeys.
-            pub struct $name {
-                masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, m5: 1.0 },
-                springs: {
-                    base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - m5: 1.0
-                },
-                contact: $contact - wall,
-                excitation: m1,
-                provide: [limits, motion, stuck, orbit, simulation],
-            }
-        }
-        scene!($name);
-    };
-}
-
-five!(FiveLow, m1);
-five!(FiveMiddle, m3);
-
-/// The rig of 6.4: r₁ = 0.3419 s ω, γ = 0.9772, κ = 1.1119, in units of m₁ and k₁.
-macro_rules! rig {
-    ($name:ident, $contact:ident - $other:ident) => {
-        friction_system! {
-            /// The two-storey frame of the rig.
-            pub struct $name {
-                masses: { m1: 1.0, m2: 0.9772 },
-                springs: { base - m1: 1.0, m1 - m2: 1.1119 },
-                contact: $contact - $other,
-                excitation: base,
-                provide: [limits, motion, stuck, orbit, simulation],
-            }
-        }
-        scene!($name);
-    };
-}
-
-rig!(RigLower, m1 - wall);
-rig!(RigUpper, m2 - wall);
-rig!(RigBase, m1 - base);
-
-friction_system! {
-    /// Friction between the two masses, γ = κ = 0.5 (6.23).
-    pub struct Between {
-        masses: { m1: 1.0, m2: 0.5 },
-        springs: { base - m1: 1.0, m1 - m2: 0.5 },
-        contact: m1 - m2,
-        excitation: m1,
-        provide: [limits, motion, stuck, orbit, simulation],
-    }
-}
-
-friction_system! {
-    /// The wall moves with the base (6.25).
-    pub struct Joined {
-        masses: { m1: 1.0, m2: 1.0 },
-        springs: { base - m1: 1.0, m1 - m2: 1.0 },
-        contact: m1 - base,
-        excitation: base,
-        provide: [limits, motion, stuck, orbit, simulation],
-    }
-}
-
-scene!(Three, Between, Joined);
 
 const M1: Of = Of::Mass(0);
 const M2: Of = Of::Mass(1);
@@ -146,7 +45,13 @@ fn masses(sweep: &Sweep, top: f64) -> Vec<Panel> {
 }
 
 /// Draws amplitude and lag of every one of five masses, as two files.
-fn five(number: &str, title: &str, scene: &dyn Scene, betas: &[f64]) -> Result<(), Box<dyn Error>> {
+fn five(
+    album: &mut Album,
+    number: &str,
+    title: &str,
+    scene: &dyn Scene,
+    betas: &[f64],
+) -> Result<(), Box<dyn Error>> {
     let sweep = sweep(scene, betas);
     let amplitudes = FIVE.map(|(name, of)| sweep.amplitude(name, "X̄", of, 5.0));
     let lags = FIVE.map(|(name, of)| sweep.lag(name, "lag, degrees", of, -90.0, 270.0));
@@ -156,14 +61,14 @@ fn five(number: &str, title: &str, scene: &dyn Scene, betas: &[f64]) -> Result<(
         2,
         amplitudes.into(),
     )
-    .save()?;
+    .save(album)?;
     Figure::new(
         &format!("{number}b"),
         &format!("{title}, phases"),
         2,
         lags.into(),
     )
-    .save()
+    .save(album)
 }
 
 /// Lags of five masses at β = 0.4, with the simulation.
@@ -187,14 +92,16 @@ fn lags(scene: &dyn Scene) -> Vec<Panel> {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    walls()?;
-    fives()?;
-    rigs()?;
-    moving()
+    let mut album = Album::open(23)?;
+    walls(&mut album)?;
+    fives(&mut album)?;
+    rigs(&mut album)?;
+    moving(&mut album)?;
+    album.close()
 }
 
 /// Three and two storeys against a fixed wall.
-fn walls() -> Result<(), Box<dyn Error>> {
+fn walls(album: &mut Album) -> Result<(), Box<dyn Error>> {
     let betas = [0.0, 0.2, 0.4, 0.6, 1.0, 1.5, 2.0];
     let three = Sweep {
         beyond: false,
@@ -208,7 +115,7 @@ fn walls() -> Result<(), Box<dyn Error>> {
         1,
         vec![panel],
     )
-    .save()?;
+    .save(album)?;
 
     let two = [("m₁", M1), ("m₂", M2)];
     Figure::new(
@@ -232,7 +139,7 @@ fn walls() -> Result<(), Box<dyn Error>> {
             ),
         ],
     )
-    .save()?;
+    .save(album)?;
     let lower = Sweep {
         markers: 0.1,
         ..sweep(&Lower, &LOWER)
@@ -243,7 +150,7 @@ fn walls() -> Result<(), Box<dyn Error>> {
         2,
         masses(&lower, 5.0),
     )
-    .save()?;
+    .save(album)?;
     Figure::new(
         "6.7",
         "motion regimes, contact and load on m₁",
@@ -254,7 +161,7 @@ fn walls() -> Result<(), Box<dyn Error>> {
             regimes("(c) μ = 1.5", &Lower15, 2.5, 1.2),
         ],
     )
-    .save()?;
+    .save(album)?;
     Figure::new(
         "6.12",
         "two masses, contact on m₂, load on m₁: motion over half a cycle",
@@ -276,7 +183,7 @@ fn walls() -> Result<(), Box<dyn Error>> {
             ),
         ],
     )
-    .save()?;
+    .save(album)?;
     let upper = Sweep {
         markers: 0.1,
         ..sweep(&Upper, &UPPER)
@@ -287,7 +194,7 @@ fn walls() -> Result<(), Box<dyn Error>> {
         2,
         masses(&upper, 5.0),
     )
-    .save()?;
+    .save(album)?;
     Figure::new(
         "6.14",
         "motion regimes, contact on m₂, load on m₁",
@@ -298,12 +205,13 @@ fn walls() -> Result<(), Box<dyn Error>> {
             regimes("(c) μ = 1.5", &Upper15, 2.5, 3.0),
         ],
     )
-    .save()
+    .save(album)
 }
 
 /// Five storeys.
-fn fives() -> Result<(), Box<dyn Error>> {
+fn fives(album: &mut Album) -> Result<(), Box<dyn Error>> {
     five(
+        album,
         "6.8",
         "five masses, contact and load on m₁",
         &FiveLow,
@@ -323,16 +231,17 @@ fn fives() -> Result<(), Box<dyn Error>> {
         2,
         panels,
     )
-    .save()?;
+    .save(album)?;
     Figure::new(
         "6.10",
         "motion regimes of five masses, contact and load on m₁",
         1,
         vec![regimes("μ = 1", &FiveLow, 2.5, 1.2)],
     )
-    .save()?;
+    .save(album)?;
     let betas = [0.0, 0.2, 0.4, 0.6, 1.0, 2.0];
     five(
+        album,
         "6.15",
         "five masses, contact on m₃, load on m₁",
         &FiveMiddle,
@@ -352,28 +261,28 @@ fn fives() -> Result<(), Box<dyn Error>> {
         2,
         panels,
     )
-    .save()?;
+    .save(album)?;
     Figure::new(
         "6.17",
         "motion regimes of five masses, contact on m₃, load on m₁",
         1,
         vec![regimes("μ = 1", &FiveMiddle, 2.5, 3.0)],
     )
-    .save()
+    .save(album)
 }
 
 /// The rig, amplitudes and phases of the first harmonic.
-fn rigs() -> Result<(), Box<dyn Error>> {
+fn rigs(album: &mut Album) -> Result<(), Box<dyn Error>> {
     let rig = |scene, betas| Sweep {
         measure: Measure::Fundamental,
         ..sweep(scene, betas)
     };
     let lower = rig(&RigLower, &[0.2, 0.4, 0.6]);
-    Figure::new("6.20", "the rig, contact m₁-wall", 2, masses(&lower, 5.0)).save()?;
+    Figure::new("6.20", "the rig, contact m₁-wall", 2, masses(&lower, 5.0)).save(album)?;
     let upper = rig(&RigUpper, &[0.2, 0.5, 1.0, 1.5, 2.0]);
-    Figure::new("6.21", "the rig, contact m₂-wall", 2, masses(&upper, 5.0)).save()?;
+    Figure::new("6.21", "the rig, contact m₂-wall", 2, masses(&upper, 5.0)).save(album)?;
     let joined = rig(&RigBase, &[0.5, 0.75, 1.0, 2.0]);
-    Figure::new("6.28", "the rig, contact m₁-base", 2, masses(&joined, 5.0)).save()?;
+    Figure::new("6.28", "the rig, contact m₁-base", 2, masses(&joined, 5.0)).save(album)?;
     Figure::new(
         "6.29",
         "the rig, relative motion of m₁ and base",
@@ -383,11 +292,11 @@ fn rigs() -> Result<(), Box<dyn Error>> {
             joined.lag("phase", "lag, degrees", Of::Contact, -90.0, 270.0),
         ],
     )
-    .save()
+    .save(album)
 }
 
 /// Contacts between parts that move.
-fn moving() -> Result<(), Box<dyn Error>> {
+fn moving(album: &mut Album) -> Result<(), Box<dyn Error>> {
     let absolute_and_relative = |sweep: &Sweep| {
         vec![
             sweep.amplitude("(a) m₁", "X̄₁", M1, 5.0),
@@ -406,14 +315,14 @@ fn moving() -> Result<(), Box<dyn Error>> {
         3,
         absolute_and_relative(&between),
     )
-    .save()?;
+    .save(album)?;
     Figure::new(
         "6.24",
         "motion regimes, contact between m₁ and m₂",
         1,
         vec![regimes("γ = κ = 0.5, μ = 1", &Between, 2.5, 1.2)],
     )
-    .save()?;
+    .save(album)?;
     let betas = [0.2, 0.5, 0.8, 1.0, 1.5, 2.0];
     let joined = Sweep {
         markers: 0.1,
@@ -425,12 +334,12 @@ fn moving() -> Result<(), Box<dyn Error>> {
         3,
         absolute_and_relative(&joined),
     )
-    .save()?;
+    .save(album)?;
     Figure::new(
         "6.26",
         "motion regimes, joined base and wall, contact on m₁",
         1,
         vec![regimes("γ = κ = μ = 1", &Joined, 2.5, 4.0)],
     )
-    .save()
+    .save(album)
 }
