@@ -160,7 +160,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         "two masses, contact on m₂: m₂",
         &twos,
         &betas,
-        M2,
+        // The mass in contact shares the contact's motion.
+        Of::Contact,
         (5.0, -90.0, 270.0),
     )?;
     Figure::new(
@@ -227,8 +228,10 @@ fn responses(
 /// One mass with a dashpot that is chosen at run time.
 fn damped(zeta: f64) -> Result<System, Box<dyn Error>> {
     let text = format!(
-        "masses: {{ block: 1.0 }}, springs: {{ base - block: 1.0 }}, contact: block - wall,
-         excitation: block, damping: modal({zeta:?})"
+        "struct Block {{
+            masses: {{ block: 1.0 }}, springs: {{ base - block: 1.0 }}, contact: block - wall,
+            excitation: block, damping: modal({zeta:?}),
+        }}"
     );
     Ok(text.parse()?)
 }

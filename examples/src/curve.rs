@@ -4,6 +4,8 @@ use crate::figure::Axis;
 
 /// Halvings of an interval of the first grid.
 const DEPTH: usize = 5;
+/// How near, relatively, the end of a curve is approached: it may leave it as a square root.
+const EDGE: f64 = 1e-6;
 const INTERVALS: usize = 150;
 /// How far a curve may stray from its chord, as a share of the axis: under a quarter of a pixel.
 const BEND: f64 = 3e-4;
@@ -12,7 +14,7 @@ const STEP: f64 = 0.03;
 /// A step beyond this after all halvings, which leave a fraction of a pixel, is a jump: the line breaks.
 const JUMP: f64 = 0.25;
 /// Pixels by which a left-out point may lie off the drawn line; a picture's own rounding is 0.5.
-const SEEN: f64 = 0.3;
+const SEEN: f64 = 0.2;
 
 /// Pieces of a curve; it breaks where the function has no value, and at jumps.
 pub type Pieces = Vec<Vec<(f64, f64)>>;
@@ -54,7 +56,8 @@ fn refine(
     depth: usize,
     points: &mut Vec<Point>,
 ) {
-    if depth == 0 {
+    let ends = left.1.is_some() != right.1.is_some();
+    if depth == 0 && (!ends || right.0 - left.0 < EDGE * right.0) {
         return;
     }
     let middle = value(0.5 * (left.0 + right.0));
@@ -67,11 +70,11 @@ fn refine(
         _ => true,
     };
     if finer {
-        refine(value, y, left, middle, depth - 1, points);
+        refine(value, y, left, middle, depth.saturating_sub(1), points);
     }
     points.push(middle);
     if finer {
-        refine(value, y, middle, right, depth - 1, points);
+        refine(value, y, middle, right, depth.saturating_sub(1), points);
     }
 }
 

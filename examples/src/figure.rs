@@ -2,6 +2,7 @@
 
 use crate::album::Album;
 use crate::curve::{Pieces, thin};
+use crate::svg::joined;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;
@@ -174,7 +175,7 @@ impl Figure {
             }
             root.present()?;
         }
-        Ok(text)
+        Ok(joined(&text))
     }
 
     /// The different curves of all panels, in rows that fit the width.
@@ -234,11 +235,11 @@ impl Panel {
                     }
                     Stroke::Dashed => {
                         let style = colour.stroke_width(2);
-                        chart.draw_series(DashedLineSeries::new(points, 9, 6, style))?;
+                        chart.draw_series(DashedLineSeries::new(points, 12, 7, style))?;
                     }
                     Stroke::Dotted => {
                         let style = colour.stroke_width(2);
-                        chart.draw_series(DashedLineSeries::new(points, 2, 5, style))?;
+                        chart.draw_series(DashedLineSeries::new(points, 3, 8, style))?;
                     }
                     Stroke::Circles => {
                         let shown = points.filter(|(x, y)| {
@@ -271,13 +272,13 @@ where
         match curve.stroke {
             Stroke::Solid => area.draw(&dash(start, end))?,
             Stroke::Dashed => {
-                for from in (start..end).step_by(15) {
-                    area.draw(&dash(from, from + 9))?;
+                for from in (start..end).step_by(14) {
+                    area.draw(&dash(from, end.min(from + 9)))?;
                 }
             }
             Stroke::Dotted => {
-                for from in (start..end).step_by(7) {
-                    area.draw(&dash(from, from + 2))?;
+                for from in (start..end).step_by(11) {
+                    area.draw(&dash(from, end.min(from + 3)))?;
                 }
             }
             Stroke::Circles => area.draw(&Circle::new((start + 20, y), 4, colour))?,

@@ -6,3 +6,4 @@ pub mod curve;
 pub mod figure;
 pub mod panels;
 pub mod scene;
+pub mod svg;

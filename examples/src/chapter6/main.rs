@@ -12,10 +12,11 @@ use std::f64::consts::PI;
 
 const M1: Of = Of::Mass(0);
 const M2: Of = Of::Mass(1);
+const M3: Of = Of::Mass(2);
 const FIVE: [(&str, Of); 5] = [
     ("m₁", M1),
     ("m₂", M2),
-    ("m₃", Of::Mass(2)),
+    ("m₃", M3),
     ("m₄", Of::Mass(3)),
     ("m₅", Of::Mass(4)),
 ];
@@ -34,13 +35,14 @@ fn sweep<'a>(scene: &'a dyn Scene, betas: &'a [f64]) -> Sweep<'a> {
     }
 }
 
-/// Amplitude and lag of both masses, row by row.
-fn masses(sweep: &Sweep, top: f64) -> Vec<Panel> {
+/// Amplitude and lag of both masses, row by row; a mass that rubs on a fixed wall is asked as the
+/// contact, whose motion it shares.
+fn masses(sweep: &Sweep, [lower, upper]: [Of; 2], top: f64) -> Vec<Panel> {
     vec![
-        sweep.amplitude("(a) m₁, amplitude", "X̄₁", M1, top),
-        sweep.lag("(a) m₁, phase", "lag, degrees", M1, -90.0, 270.0),
-        sweep.amplitude("(b) m₂, amplitude", "X̄₂", M2, top),
-        sweep.lag("(b) m₂, phase", "lag, degrees", M2, -90.0, 270.0),
+        sweep.amplitude("(a) m₁, amplitude", "X̄₁", lower, top),
+        sweep.lag("(a) m₁, phase", "lag, degrees", lower, -90.0, 270.0),
+        sweep.amplitude("(b) m₂, amplitude", "X̄₂", upper, top),
+        sweep.lag("(b) m₂, phase", "lag, degrees", upper, -90.0, 270.0),
     ]
 }
 
@@ -49,11 +51,12 @@ fn five(
     album: &mut Album,
     number: &str,
     title: &str,
-    scene: &dyn Scene,
+    (scene, contact): (&dyn Scene, Of),
     betas: &[f64],
 ) -> Result<(), Box<dyn Error>> {
     let sweep = sweep(scene, betas);
-    let amplitudes = FIVE.map(|(name, of)| sweep.amplitude(name, "X̄", of, 5.0));
+    let asked = |of| if of == contact { Of::Contact } else { of };
+    let amplitudes = FIVE.map(|(name, of)| sweep.amplitude(name, "X̄", asked(of), 5.0));
     let lags = FIVE.map(|(name, of)| sweep.lag(name, "lag, degrees", of, -90.0, 270.0));
     Figure::new(
         &format!("{number}a"),
@@ -148,7 +151,7 @@ fn walls(album: &mut Album) -> Result<(), Box<dyn Error>> {
         "6.6",
         "two masses, contact and load on m₁",
         2,
-        masses(&lower, 5.0),
+        masses(&lower, [Of::Contact, M2], 5.0),
     )
     .save(album)?;
     Figure::new(
@@ -192,7 +195,7 @@ fn walls(album: &mut Album) -> Result<(), Box<dyn Error>> {
         "6.13",
         "two masses, contact on m₂, load on m₁",
         2,
-        masses(&upper, 5.0),
+        masses(&upper, [M1, Of::Contact], 5.0),
     )
     .save(album)?;
     Figure::new(
@@ -214,7 +217,7 @@ fn fives(album: &mut Album) -> Result<(), Box<dyn Error>> {
         album,
         "6.8",
         "five masses, contact and load on m₁",
-        &FiveLow,
+        (&FiveLow, M1),
         &LOWER,
     )?;
     let mut panels = vec![cycle(
@@ -244,7 +247,7 @@ fn fives(album: &mut Album) -> Result<(), Box<dyn Error>> {
         album,
         "6.15",
         "five masses, contact on m₃, load on m₁",
-        &FiveMiddle,
+        (&FiveMiddle, M3),
         &betas,
     )?;
     let mut panels = vec![cycle(
@@ -278,11 +281,29 @@ fn rigs(album: &mut Album) -> Result<(), Box<dyn Error>> {
         ..sweep(scene, betas)
     };
     let lower = rig(&RigLower, &[0.2, 0.4, 0.6]);
-    Figure::new("6.20", "the rig, contact m₁-wall", 2, masses(&lower, 5.0)).save(album)?;
+    Figure::new(
+        "6.20",
+        "the rig, contact m₁-wall",
+        2,
+        masses(&lower, [Of::Contact, M2], 5.0),
+    )
+    .save(album)?;
     let upper = rig(&RigUpper, &[0.2, 0.5, 1.0, 1.5, 2.0]);
-    Figure::new("6.21", "the rig, contact m₂-wall", 2, masses(&upper, 5.0)).save(album)?;
+    Figure::new(
+        "6.21",
+        "the rig, contact m₂-wall",
+        2,
+        masses(&upper, [M1, Of::Contact], 5.0),
+    )
+    .save(album)?;
     let joined = rig(&RigBase, &[0.5, 0.75, 1.0, 2.0]);
-    Figure::new("6.28", "the rig, contact m₁-base", 2, masses(&joined, 5.0)).save(album)?;
+    Figure::new(
+        "6.28",
+        "the rig, contact m₁-base",
+        2,
+        masses(&joined, [M1, M2], 5.0),
+    )
+    .save(album)?;
     Figure::new(
         "6.29",
         "the rig, relative motion of m₁ and base",
