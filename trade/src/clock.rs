@@ -28,7 +28,12 @@ pub struct Time {
 impl<'a> Job<'a> {
     /// A job of at most `points` calls a pass.
     pub fn new(points: usize, run: impl FnMut(usize) + 'a) -> Self {
-        Self { run: Box::new(run), points, passes: 1, times: Vec::new() }
+        Self {
+            run: Box::new(run),
+            points,
+            passes: 1,
+            times: Vec::new(),
+        }
     }
 
     fn pass(&mut self) -> f64 {
@@ -55,12 +60,16 @@ pub fn interleaved(jobs: &mut [Job<'_>], rounds: usize) -> Vec<Time> {
     for _ in 0..rounds {
         for job in jobs.iter_mut() {
             let seconds = job.pass();
-            job.times.push(seconds / (job.passes * job.points) as f64 * 1e9);
+            job.times
+                .push(seconds / (job.passes * job.points) as f64 * 1e9);
         }
     }
     let time = |job: &mut Job<'_>| {
         job.times.sort_by(f64::total_cmp);
-        Time { median: job.times[job.times.len() / 2], least: job.times[0] }
+        Time {
+            median: job.times[job.times.len() / 2],
+            least: job.times[0],
+        }
     };
     jobs.iter_mut().map(time).collect()
 }

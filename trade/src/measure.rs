@@ -6,7 +6,7 @@ use crate::operations;
 use crate::peers::{Modal, balance, textbook};
 #[cfg(with_c)]
 use crate::peers::{by_hand, stepper};
-use crate::points::{Errors, Extent, Set, asked, timed, with_edges};
+use crate::points::{EXTREME, Errors, Extent, Set, USUAL, asked, edges, usual};
 use crate::scenes::{Label, Orbit, Visitor};
 use frictiongen::kernel::Float;
 use frictiongen::kernel::dd::Dd;
@@ -57,9 +57,11 @@ pub struct Row {
     pub method: Method,
     /// How long.
     pub time: Time,
-    /// Against the same formula in double-double.
+    /// Against the same formula in double-double, all points.
     pub rounding: Errors,
-    /// Against the exact answer.
+    /// Against the exact answer, at usual points.
+    pub usual: Errors,
+    /// Against the exact answer, all points.
     pub error: Errors,
     /// Operations a call, emitted scenes only, without those of a search.
     pub operations: Option<usize>,
@@ -73,10 +75,11 @@ pub struct Measure {
     pub rows: Vec<Row>,
 }
 
-/// Both sets of points of a scalar: for the clock, for the errors; and those with stops.
+/// The points of a scalar: for the clock, for the errors usual and at the edges, and with stops.
 struct Sets<S> {
     timed: Set<S>,
-    judged: Set<S>,
+    usual: Set<S>,
+    edges: Set<S>,
     stops: Set<S>,
 }
 
@@ -111,9 +114,14 @@ impl Reference {
 
     fn sets<S: Float>(&self, extent: &Extent, resonances: &[f64], stops: bool) -> Sets<S> {
         Sets {
-            timed: Set::continuous(&timed(extent.timed), &self.fill, false),
-            judged: Set::continuous(&with_edges(resonances, extent.generic), &self.fill, true),
-            stops: Set::with_stops(&self.system, &self.fill, if stops { extent.orbits } else { 0 }),
+            timed: Set::continuous(&usual(extent.timed), &self.fill, &USUAL[..1]),
+            usual: Set::continuous(&usual(extent.usual), &self.fill, &USUAL),
+            edges: Set::continuous(&edges(resonances), &self.fill, &EXTREME),
+            stops: Set::with_stops(
+                &self.system,
+                &self.fill,
+                if stops { extent.orbits } else { 0 },
+            ),
         }
     }
 }
@@ -126,25 +134,40 @@ struct Entry<'a, S> {
 }
 
 fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Time) -> Row {
-    let set = if entry.method == Method::Orbit { &sets.stops } else { &sets.judged };
-    let answers = asked(entry.fill, entry.method, &set.points);
+    let (method, exact) = (entry.method, entry.method.exact());
+    let errors = |set: &Set<S>, truth| set.errors(&asked(entry.fill, method, &set.points), truth);
     let emitted = matches!(entry.by, By::Double | By::Single);
+    let stops = method == Method::Orbit;
+    let first = if stops { &sets.stops } else { &sets.usual };
+    let (mut rounding, usual) = (errors(first, method), errors(first, exact));
+    let mut error = usual.clone();
+    if !stops {
+        rounding = rounding.with(&errors(&sets.edges, method));
+        error = error.with(&errors(&sets.edges, exact));
+    }
     Row {
         label,
         by: entry.by,
-        method: entry.method,
+        method,
         time,
-        rounding: set.errors(&answers, entry.method),
-        error: set.errors(&answers, entry.method.exact()),
-        operations: emitted.then(|| operations::of(&label, entry.method)).flatten(),
+        rounding,
+        usual,
+        error,
+        operations: emitted.then(|| operations::of(&label, method)).flatten(),
     }
 }
 
 fn job<'a, S: Float>(entry: &Entry<'a, S>, sets: &'a Sets<S>) -> Job<'a> {
-    let set = if entry.method == Method::Orbit { &sets.stops } else { &sets.timed };
+    let set = if entry.method == Method::Orbit {
+        &sets.stops
+    } else {
+        &sets.timed
+    };
     let (method, fill) = (entry.method, entry.fill);
     let mut out = vec![[S::constant(0.0); 2]; set.points.len()];
-    Job::new(set.points.len(), move |count| fill(method, &set.points[..count], &mut out[..count]))
+    Job::new(set.points.len(), move |count| {
+        fill(method, &set.points[..count], &mut out[..count])
+    })
 }
 
 impl Visitor for Measure {
@@ -161,6 +184,9 @@ impl Visitor for Measure {
         for<'a> D::At<'a>: MotionAt<Scalar = f64>,
         for<'a> S::At<'a>: MotionAt<Scalar = f32>,
     {
+        if label.masses > self.extent.masses {
+            return;
+        }
         eprintln!("{}, ζ = {}", label.name, label.zeta);
         let system: System = label.text.parse().expect("a scene");
         let modal = Modal::of(&label, &system);
@@ -180,17 +206,37 @@ impl Visitor for Measure {
         let mut entries = Vec::new();
         let mut entries_single = Vec::new();
         for method in Method::CLOSED {
-            entries.push(Entry { by: By::Double, method, fill: &doubles });
-            entries.push(Entry { by: By::RunTime, method, fill: &run_time });
-            entries_single.push(Entry { by: By::Single, method, fill: &singles });
+            entries.push(Entry {
+                by: By::Double,
+                method,
+                fill: &doubles,
+            });
+            entries.push(Entry {
+                by: By::RunTime,
+                method,
+                fill: &run_time,
+            });
+            entries_single.push(Entry {
+                by: By::Single,
+                method,
+                fill: &singles,
+            });
             #[cfg(with_c)]
             if by_hand::METHODS.contains(&method) {
-                entries.push(Entry { by: By::Hand, method, fill: &by_hand });
+                entries.push(Entry {
+                    by: By::Hand,
+                    method,
+                    fill: &by_hand,
+                });
             }
         }
         if orbit.is_some() && !wide.stops.points.is_empty() && !narrow.stops.points.is_empty() {
             entries.push(entry(By::Double, Method::Orbit, &doubles));
-            entries_single.push(Entry { by: By::Single, method: Method::Orbit, fill: &singles });
+            entries_single.push(Entry {
+                by: By::Single,
+                method: Method::Orbit,
+                fill: &singles,
+            });
         }
         entries.extend(textbook::METHODS.map(|method| entry(By::Textbook, method, &textbook)));
         for (order, fill) in &balances {
@@ -201,17 +247,33 @@ impl Visitor for Measure {
         jobs.extend(entries_single.iter().map(|entry| job(entry, &narrow)));
         let times = interleaved(&mut jobs, self.extent.rounds);
         let (times, times_single) = times.split_at(entries.len());
-        let rows = entries.iter().zip(times).map(|(e, t)| judged(label, e, &wide, *t));
+        let rows = entries
+            .iter()
+            .zip(times)
+            .map(|(e, t)| judged(label, e, &wide, *t));
         self.rows.extend(rows);
-        let rows = entries_single.iter().zip(times_single).map(|(e, t)| judged(label, e, &narrow, *t));
+        let rows = entries_single
+            .iter()
+            .zip(times_single)
+            .map(|(e, t)| judged(label, e, &narrow, *t));
         self.rows.extend(rows);
         #[cfg(with_c)]
         {
             // In the contact's amplitude, which is what it gives.
             let contact = contact_amplitudes(&reference, &wide.timed, self.extent.stepped);
             self.stepped(label, Method::Amplitude, &contact);
-            let stops = asked(&reference.fill, Method::Orbit, &wide_points(&wide.stops, self.extent.stepped));
-            let stops: Vec<_> = wide.stops.points.iter().zip(stops).map(|(p, a)| (*p, a[0])).collect();
+            let stops = asked(
+                &reference.fill,
+                Method::Orbit,
+                &wide_points(&wide.stops, self.extent.stepped),
+            );
+            let stops: Vec<_> = wide
+                .stops
+                .points
+                .iter()
+                .zip(stops)
+                .map(|(p, a)| (*p, a[0]))
+                .collect();
             self.stepped(label, Method::Orbit, &stops);
         }
     }
@@ -219,14 +281,25 @@ impl Visitor for Measure {
 
 #[cfg(with_c)]
 fn wide_points(set: &Set<f64>, count: usize) -> Vec<Pair<Dd>> {
-    set.points.iter().take(count).map(|p| p.map(Dd::from)).collect()
+    set.points
+        .iter()
+        .take(count)
+        .map(|p| p.map(Dd::from))
+        .collect()
 }
 
 #[cfg(with_c)]
 fn contact_amplitudes(reference: &Reference, set: &Set<f64>, count: usize) -> Vec<(Pair<f64>, Dd)> {
     let answer = |point: &Pair<f64>| {
         let [r, beta] = point.map(Dd::from);
-        let amplitude = reference.system.at(r).ok()?.motion(beta).ok()?.contact().amplitude();
+        let amplitude = reference
+            .system
+            .at(r)
+            .ok()?
+            .motion(beta)
+            .ok()?
+            .contact()
+            .amplitude();
         Some((*point, amplitude))
     };
     set.points.iter().take(count).filter_map(answer).collect()
@@ -243,7 +316,10 @@ impl Measure {
                 return;
             };
             let off = ((Dd::from(run.amplitude) - *exact) / *exact).to_f64().abs();
-            error.and(&Errors { sorted: vec![off], none: 0 });
+            error.and(&Errors {
+                sorted: vec![off],
+                none: 0,
+            });
             runs.push(run);
         }
         if runs.is_empty() {
@@ -255,6 +331,7 @@ impl Measure {
             method,
             time: stepper::time(&runs),
             rounding: error.clone(),
+            usual: error.clone(),
             error,
             operations: None,
         });

@@ -1,8 +1,8 @@
 //! What is measured: questions to a scene, asked in the same way of emitted and run-time systems.
 
+use crate::scenes::Orbit;
 use frictiongen::kernel::{Float, Scalar};
 use frictiongen::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady};
-use std::hint::black_box;
 
 /// A question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -63,7 +63,7 @@ pub type Pair<S> = [S; 2];
 pub type Fill<S> = Box<dyn Fn(Method, &[Pair<S>], &mut [Pair<S>])>;
 
 /// The answers of a system, emitted or not.
-pub fn filler<F>(system: F, watched: usize, orbit: Option<fn(F::Scalar, F::Scalar) -> Option<F::Scalar>>) -> Fill<F::Scalar>
+pub fn filler<F>(system: F, watched: usize, orbit: Orbit<F::Scalar>) -> Fill<F::Scalar>
 where
     F: FrictionSystem + 'static,
     for<'a> F::At<'a>: MotionAt<Scalar = F::Scalar>,
@@ -71,12 +71,16 @@ where
     Box::new(move |method, points, out| match method {
         Method::Limits => limits(&system, points, out, |at| at.continuous_limit()),
         Method::WithoutSearch => {
-            limits(&system, points, out, |at| at.continuous_limit_without_search());
+            limits(&system, points, out, |at| {
+                at.continuous_limit_without_search()
+            });
         }
         Method::PerMode => limits(&system, points, out, |at| at.continuous_limit_per_mode()),
         Method::Amplitude => response(&system, watched, points, out, |motion| motion.amplitude()),
         Method::Monoharmonic => {
-            response(&system, watched, points, out, |motion| motion.amplitude_monoharmonic());
+            response(&system, watched, points, out, |motion| {
+                motion.amplitude_monoharmonic()
+            });
         }
         Method::Fundamental => response(&system, watched, points, out, |motion| {
             let first = motion.harmonic(1);
@@ -91,7 +95,7 @@ where
 
 fn each<S: Float>(points: &[Pair<S>], out: &mut [Pair<S>], f: impl Fn(Pair<S>) -> Option<Pair<S>>) {
     for (point, out) in points.iter().zip(out) {
-        *out = f(*black_box(point)).unwrap_or([S::constant(f64::NAN); 2]);
+        *out = f(*point).unwrap_or([S::constant(f64::NAN); 2]);
     }
 }
 

@@ -12,7 +12,9 @@ pub fn of(label: &Label, method: Method) -> Option<usize> {
         Method::Limits => &["at", "continuous_limit", "sliding_limit"],
         Method::WithoutSearch => &["at", "continuous_limit_without_search", "sliding_limit"],
         Method::PerMode => &["at", "continuous_limit_per_mode", "sliding_limit"],
-        Method::Amplitude | Method::Monoharmonic | Method::Fundamental | Method::Orbit => return None,
+        Method::Amplitude | Method::Monoharmonic | Method::Fundamental | Method::Orbit => {
+            return None;
+        }
     };
     functions.iter().map(|name| counted(&code, name)).sum()
 }
@@ -23,6 +25,10 @@ fn counted(code: &str, function: &str) -> Option<usize> {
     let place = code.find(&format!("pub fn {function} ("))?;
     let text = code.get(..place)?;
     let start = text.rfind(MARK)? + MARK.len();
-    let digits: String = text.get(start..)?.chars().take_while(char::is_ascii_digit).collect();
+    let digits: String = text
+        .get(start..)?
+        .chars()
+        .take_while(char::is_ascii_digit)
+        .collect();
     digits.parse().ok()
 }

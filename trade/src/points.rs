@@ -11,18 +11,22 @@ use frictiongen::kernel::dd::Dd;
 pub struct Extent {
     /// Points for the clock.
     pub timed: usize,
-    /// Points for the errors, beside the edges.
-    pub generic: usize,
+    /// Usual points for the errors; the edges come on top.
+    pub usual: usize,
     /// Rounds of the clock.
     pub rounds: usize,
     /// Points with stops.
     pub orbits: usize,
     /// Points that the event stepper runs.
     pub stepped: usize,
+    /// Scenes of at most so many masses.
+    pub masses: usize,
 }
 
-/// β over the smaller limit, by turns.
-const SHARES: [f64; 4] = [0.5, 1e-3, 0.9, 1.0 - 1e-6];
+/// β over the smaller limit at usual points.
+pub const USUAL: [f64; 3] = [0.5, 0.1, 0.9];
+/// β over the smaller limit at the edges.
+pub const EXTREME: [f64; 4] = [0.5, 1e-3, 0.9, 1.0 - 1e-6];
 /// The golden ratio's fraction: its multiples cover an interval evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
@@ -30,15 +34,14 @@ fn spread(index: usize) -> f64 {
     (index as f64 * GOLDEN).fract()
 }
 
-/// Frequency ratios for the clock: even over 0.2 to 2.5.
-pub fn timed(count: usize) -> Vec<f64> {
+/// Usual frequency ratios: even over 0.2 to 2.5.
+pub fn usual(count: usize) -> Vec<f64> {
     (0..count).map(|i| 0.2 + 2.3 * spread(i)).collect()
 }
 
-/// Frequency ratios for the errors: even over 0.2 to 2.5, beside every resonance and its
-/// sub-harmonics, and far out.
-pub fn with_edges(resonances: &[f64], generic: usize) -> Vec<f64> {
-    let mut ratios = timed(generic);
+/// Frequency ratios of the edges: beside every resonance and its sub-harmonics, and far out.
+pub fn edges(resonances: &[f64]) -> Vec<f64> {
+    let mut ratios = Vec::new();
     for resonance in resonances {
         for off in [1e-3, 1e-6, 1e-9] {
             ratios.extend([resonance * (1.0 - off), resonance * (1.0 + off)]);
@@ -61,18 +64,25 @@ pub struct Set<S> {
 }
 
 impl<S: Float> Set<S> {
-    /// Continuous points: β is a share of the smaller limit (all by turns, or a half).
-    pub fn continuous(ratios: &[f64], reference: &Fill<Dd>, edges: bool) -> Self {
-        let ratios: Vec<Dd> = ratios.iter().map(|r| Dd::from(S::constant(*r).to_f64())).collect();
+    /// Continuous points: β is a share of the smaller limit, by turns.
+    pub fn continuous(ratios: &[f64], reference: &Fill<Dd>, shares: &[f64]) -> Self {
+        let ratios: Vec<Dd> = ratios
+            .iter()
+            .map(|r| Dd::from(S::constant(*r).to_f64()))
+            .collect();
         let at: Vec<Pair<Dd>> = ratios.iter().map(|r| [*r; 2]).collect();
         let limits = asked(reference, Method::Limits, &at);
-        let share = |i: usize| if edges { SHARES[i % SHARES.len()] } else { 0.5 };
-        let points = ratios.iter().zip(&limits).enumerate().filter_map(|(i, (r, [a, b]))| {
-            let smaller = if a < b { a.to_f64() } else { b.to_f64() };
-            let beta = smaller * share(i);
-            (beta > 0.0 && beta.is_finite())
-                .then(|| [S::constant(r.to_f64()), S::constant(beta)])
-        });
+        let share = |i: usize| shares[i % shares.len()];
+        let points = ratios
+            .iter()
+            .zip(&limits)
+            .enumerate()
+            .filter_map(|(i, (r, [a, b]))| {
+                let smaller = if a < b { a.to_f64() } else { b.to_f64() };
+                let beta = smaller * share(i);
+                (beta > 0.0 && beta.is_finite())
+                    .then(|| [S::constant(r.to_f64()), S::constant(beta)])
+            });
         Self::of(points.collect(), reference, &Method::CLOSED)
     }
 
@@ -85,11 +95,15 @@ impl<S: Float> Set<S> {
             let beta = low + (high - low) * (0.1 + 0.8 * spread(3 * i + 1));
             (low < high).then(|| [S::constant(r), S::constant(beta)])
         };
-        for (i, r) in timed(4 * most).into_iter().enumerate() {
+        for (i, r) in usual(4 * most).into_iter().enumerate() {
             let Some(point) = found(S::constant(r).to_f64(), i) else {
                 continue;
             };
-            let [answer, _] = asked(reference, Method::Orbit, &[point.map(|x| Dd::from(x.to_f64()))])[0];
+            let [answer, _] = asked(
+                reference,
+                Method::Orbit,
+                &[point.map(|x| Dd::from(x.to_f64()))],
+            )[0];
             if answer.is_finite() && points.len() < most {
                 points.push(point);
             }
@@ -98,9 +112,17 @@ impl<S: Float> Set<S> {
     }
 
     fn of(points: Vec<Pair<S>>, reference: &Fill<Dd>, methods: &[Method]) -> Self {
-        let wide: Vec<Pair<Dd>> = points.iter().map(|p| p.map(|x| Dd::from(x.to_f64()))).collect();
-        let truths = methods.iter().map(|method| (*method, asked(reference, *method, &wide)));
-        Self { truths: truths.collect(), points }
+        let wide: Vec<Pair<Dd>> = points
+            .iter()
+            .map(|p| p.map(|x| Dd::from(x.to_f64())))
+            .collect();
+        let truths = methods
+            .iter()
+            .map(|method| (*method, asked(reference, *method, &wide)));
+        Self {
+            truths: truths.collect(),
+            points,
+        }
     }
 
     /// The relative forward errors of answers to `method` against double-double's to `truth`, and
@@ -109,8 +131,15 @@ impl<S: Float> Set<S> {
         let exact = self.truths.iter().find(|(method, _)| *method == truth);
         let mut errors = Vec::new();
         let mut none = 0;
-        for (answer, exact) in answers.iter().zip(exact.into_iter().flat_map(|(_, exact)| exact)) {
-            let relative = |i: usize| ((Dd::from(answer[i].to_f64()) - exact[i]) / exact[i]).to_f64().abs();
+        for (answer, exact) in answers
+            .iter()
+            .zip(exact.into_iter().flat_map(|(_, exact)| exact))
+        {
+            let relative = |i: usize| {
+                ((Dd::from(answer[i].to_f64()) - exact[i]) / exact[i])
+                    .to_f64()
+                    .abs()
+            };
             if exact.iter().any(|x| !x.is_finite() || *x == Dd::from(0.0)) {
                 continue;
             }
@@ -122,7 +151,10 @@ impl<S: Float> Set<S> {
             }
         }
         errors.sort_by(f64::total_cmp);
-        Errors { sorted: errors, none }
+        Errors {
+            sorted: errors,
+            none,
+        }
     }
 }
 
@@ -147,7 +179,14 @@ impl Errors {
         self.sorted.last().copied().unwrap_or(f64::NAN)
     }
 
-    /// These and others.
+    /// These and others: both together.
+    pub fn with(&self, other: &Self) -> Self {
+        let mut all = self.clone();
+        all.and(other);
+        all
+    }
+
+    /// Adds others.
     pub fn and(&mut self, other: &Self) {
         self.sorted.extend(&other.sorted);
         self.sorted.sort_by(f64::total_cmp);

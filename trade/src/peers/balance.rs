@@ -51,7 +51,10 @@ impl Half {
         let samples = (10 * order).max(64);
         let wave = |j: usize, n: &usize| Complex::cis(PI * (j * n) as f64 / samples as f64);
         let waves = (0..samples).map(|j| orders.iter().map(|n| wave(j, n)).collect());
-        Self { waves: waves.collect(), orders }
+        Self {
+            waves: waves.collect(),
+            orders,
+        }
     }
 
     /// The largest |Σ X_n e^{int}| at the samples.
@@ -59,14 +62,20 @@ impl Half {
         let value = |waves: &Vec<Complex<f64>>| -> f64 {
             waves.iter().zip(harmonics).map(|(w, x)| (w * x).re).sum()
         };
-        self.waves.iter().map(|w| value(w).abs()).fold(0.0, f64::max)
+        self.waves
+            .iter()
+            .map(|w| value(w).abs())
+            .fold(0.0, f64::max)
     }
 }
 
 fn amplitude(modal: &Modal, half: &Half, r: f64, beta: f64) -> Option<f64> {
     let load = response(modal, &modal.load, r) - modal.base;
-    let receptances: Vec<Complex<f64>> =
-        half.orders.iter().map(|n| response(modal, &modal.friction, r * *n as f64) * beta).collect();
+    let receptances: Vec<Complex<f64>> = half
+        .orders
+        .iter()
+        .map(|n| response(modal, &modal.friction, r * *n as f64) * beta)
+        .collect();
     let width = WIDTH * load.norm();
     let mut z = vec![Complex::new(0.0, 0.0); half.orders.len()];
     z[0] = load;
@@ -111,7 +120,11 @@ fn force(half: &Half, width: f64, z: &[Complex<f64>]) -> Vec<(f64, f64)> {
 }
 
 fn coefficient(half: &Half, force: &[(f64, f64)], index: usize) -> Complex<f64> {
-    let terms = half.waves.iter().zip(force).map(|(waves, (f, _))| waves[index].conj() * *f);
+    let terms = half
+        .waves
+        .iter()
+        .zip(force)
+        .map(|(waves, (f, _))| waves[index].conj() * *f);
     terms.sum::<Complex<f64>>() * (2.0 / half.waves.len() as f64)
 }
 
@@ -159,7 +172,11 @@ fn far(modal: &Modal, half: &Half, r: f64, beta: f64, width: f64, z: &[Complex<f
         .iter()
         .enumerate()
         .map(|(i, n)| {
-            let load = if i == 0 { response(modal, &modal.far_load, r) } else { Complex::new(0.0, 0.0) };
+            let load = if i == 0 {
+                response(modal, &modal.far_load, r)
+            } else {
+                Complex::new(0.0, 0.0)
+            };
             let receptance = response(modal, &modal.far_friction, r * *n as f64);
             load - receptance * coefficient(half, &force, i) * beta
         })

@@ -60,7 +60,10 @@ impl Modal {
         let root = system.resonances().to_vec();
         let shapes = system.mode_shapes();
         let by_mode = |f: &dyn Fn(f64, &[f64]) -> f64| -> Vec<f64> {
-            root.iter().zip(&shapes).map(|(w, shape)| f(w * w, shape)).collect()
+            root.iter()
+                .zip(&shapes)
+                .map(|(w, shape)| f(w * w, shape))
+                .collect()
         };
         let far = |shape: &[f64]| shape[label.watched];
         Self {

@@ -4,7 +4,8 @@ use crate::clock::Time;
 use crate::scenes::Label;
 use std::process::Command;
 
-const MOST_CYCLES: &str = "20000";
+/// An undamped transient dies out by friction alone, in thousands of cycles.
+const MOST_CYCLES: &str = "2000";
 
 /// One run: how long it took, and the amplitude in the contact.
 pub struct Run {
@@ -33,12 +34,18 @@ pub fn run(label: &Label, [r, beta]: [f64; 2]) -> Option<Run> {
     let mut words = text.split_whitespace();
     let microseconds: f64 = words.next()?.parse().ok()?;
     let amplitude = words.nth(4)?.parse().ok()?;
-    Some(Run { time: microseconds * 1e3, amplitude })
+    Some(Run {
+        time: microseconds * 1e3,
+        amplitude,
+    })
 }
 
 /// Of all runs.
 pub fn time(runs: &[Run]) -> Time {
     let mut times: Vec<f64> = runs.iter().map(|run| run.time).collect();
     times.sort_by(f64::total_cmp);
-    Time { median: times[times.len() / 2], least: times[0] }
+    Time {
+        median: times[times.len() / 2],
+        least: times[0],
+    }
 }

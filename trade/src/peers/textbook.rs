@@ -31,17 +31,29 @@ pub fn filler(label: Label) -> Fill<f64> {
     })
 }
 
-fn limits(k: &DMatrix<f64>, load: &[f64], contact: &[f64], base: f64, zeta: f64, r: f64) -> [f64; 2] {
+fn limits(
+    k: &DMatrix<f64>,
+    load: &[f64],
+    contact: &[f64],
+    base: f64,
+    zeta: f64,
+    r: f64,
+) -> [f64; 2] {
     // K̄ψ = r²Γψ/R², ψᵀΓψ = 1/r².
     let eigen = (k / (r * r)).symmetric_eigen();
     let q = (1.0 - zeta * zeta).sqrt();
     let (mut v, mut h) = (Complex::new(-base, 0.0), Complex::new(0.0, 0.0));
     let (mut u, mut start) = (0.0, 0.0);
-    for (square, shape) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+    for (square, shape) in eigen
+        .eigenvalues
+        .iter()
+        .zip(eigen.eigenvectors.column_iter())
+    {
         let ratio = 1.0 / square.sqrt();
         let shape: Vec<f64> = shape.iter().map(|x| x / r).collect();
         let (p, w) = (dot(&shape, load), dot(&shape, contact));
-        let response = Complex::new(1.0 - ratio * ratio, 2.0 * zeta * ratio).inv() * (ratio * ratio);
+        let response =
+            Complex::new(1.0 - ratio * ratio, 2.0 * zeta * ratio).inv() * (ratio * ratio);
         v += response * (w * p);
         h += response * (w * w);
         let (sine, cosine) = (PI * q / ratio).sin_cos();
