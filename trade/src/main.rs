@@ -20,7 +20,7 @@ use std::path::PathBuf;
 
 const FULL: Extent = Extent {
     timed: 128,
-    usual: 150,
+    usual: 80,
     rounds: 11,
     orbits: 9,
     stepped: 1,

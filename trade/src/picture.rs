@@ -142,7 +142,8 @@ pub fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn std::error::Error>>
             steps(&front(&points)),
             BLACK.mix(0.5).stroke_width(2),
         ))?;
-        for pool in inside {
+        // Emitted code on top, where the run-time system is in the same place.
+        for pool in inside.into_iter().rev() {
             let colour = colour(pool.by);
             chart.draw_series([Circle::new(place(pool), 5, colour.filled())])?;
             if pool.by == By::Double {

@@ -31,7 +31,7 @@ pub const EXTREME: [f64; 4] = [0.5, 1e-3, 0.9, 1.0 - 1e-6];
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 fn spread(index: usize) -> f64 {
-    (index as f64 * GOLDEN).fract()
+    ((index as f64 + 0.5) * GOLDEN).fract()
 }
 
 /// Usual frequency ratios: even over 0.2 to 2.5.
