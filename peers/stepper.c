@@ -18,7 +18,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { MOST = 8, STATES = 2 * MOST, STEPS = 50 };
+enum { MOST = 10, STATES = 2 * MOST, STEPS = 50 };
 static const double PI = 3.14159265358979323846, REPEATS = 1e-9, EVENT = 1e-12;
 
 typedef struct {

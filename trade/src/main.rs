@@ -1,0 +1,68 @@
+//! Speed against accuracy: every way to an answer, ours and others', in the same run.
+//!
+//! `scripts/trade` runs it: `trade FOLDER` writes `trade.csv`, `trade.md` and `trade.svg` there;
+//! `trade --quick FOLDER` measures less, up to two masses, in seconds.
+
+mod clock;
+mod measure;
+mod methods;
+mod operations;
+mod page;
+mod peers;
+mod picture;
+mod points;
+mod scenes;
+mod tables;
+
+use measure::Measure;
+use points::Extent;
+use std::path::PathBuf;
+
+const FULL: Extent = Extent {
+    timed: 128,
+    usual: 80,
+    rounds: 11,
+    orbits: 9,
+    stepped: 1,
+    masses: 10,
+};
+const QUICK: Extent = Extent {
+    timed: 32,
+    usual: 20,
+    rounds: 3,
+    orbits: 2,
+    stepped: 1,
+    masses: 2,
+};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut arguments: Vec<String> = std::env::args().skip(1).collect();
+    let quick = arguments.first().is_some_and(|word| word == "--quick");
+    if quick {
+        arguments.remove(0);
+    }
+    let [folder] = arguments.as_slice() else {
+        return Err("trade [--quick] FOLDER".into());
+    };
+    let folder = PathBuf::from(folder);
+    if cfg!(not(with_c)) {
+        eprintln!("SKIPPED: no C compiler; the peers in C are left out");
+    }
+    let extent = if quick { QUICK } else { FULL };
+    let mut measure = Measure {
+        extent,
+        rows: Vec::new(),
+    };
+    scenes::visit(&mut measure);
+    std::fs::write(folder.join("trade.csv"), tables::csv(&measure.rows)?)?;
+    let figures = std::fs::read_to_string(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../firmware/figures.txt"
+    ))?;
+    std::fs::write(
+        folder.join("trade.md"),
+        page::page(&measure.rows, &figures)?,
+    )?;
+    picture::draw(&measure.rows, &folder.join("trade.svg"))?;
+    Ok(())
+}

@@ -1,0 +1,339 @@
+//! Measures every way in every scene.
+
+use crate::clock::{Job, Time, interleaved};
+use crate::methods::{Fill, Method, Pair, filler};
+use crate::operations;
+use crate::peers::{Modal, balance, textbook};
+#[cfg(with_c)]
+use crate::peers::{by_hand, stepper};
+use crate::points::{EXTREME, Errors, Extent, Set, USUAL, asked, edges, usual};
+use crate::scenes::{Label, Orbit, Visitor};
+use frictiongen::kernel::Float;
+use frictiongen::kernel::dd::Dd;
+use frictiongen::{FrictionSystem, MotionAt, System};
+
+/// Who answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum By {
+    /// Emitted, double precision.
+    Double,
+    /// Emitted, single precision.
+    Single,
+    /// The run-time `System`.
+    RunTime,
+    /// The thesis's formulas in C.
+    Hand,
+    /// The eigenproblem at each r, by nalgebra.
+    Textbook,
+    /// Harmonic balance up to a harmonic.
+    Balance(usize),
+    /// The event stepper in C.
+    Stepper,
+}
+
+impl By {
+    /// In the tables.
+    pub fn name(self) -> String {
+        match self {
+            Self::Double => "emitted f64".into(),
+            Self::Single => "emitted f32".into(),
+            Self::RunTime => "System f64".into(),
+            Self::Hand => "C by hand".into(),
+            Self::Textbook => "eigenproblem at each r".into(),
+            Self::Balance(order) => format!("harmonic balance {order}"),
+            Self::Stepper => "C event stepper".into(),
+        }
+    }
+}
+
+/// One way to one answer in one scene.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The scene.
+    pub label: Label,
+    /// Who.
+    pub by: By,
+    /// What.
+    pub method: Method,
+    /// How long.
+    pub time: Time,
+    /// Against the same formula in double-double, all points.
+    pub rounding: Errors,
+    /// Against the exact answer, at usual points.
+    pub usual: Errors,
+    /// Against the exact answer, all points.
+    pub error: Errors,
+    /// Operations a call, emitted scenes only, without those of a search.
+    pub operations: Option<usize>,
+}
+
+/// Measures the scenes that it is shown.
+pub struct Measure {
+    /// How much.
+    pub extent: Extent,
+    /// What came out.
+    pub rows: Vec<Row>,
+}
+
+/// The points of a scalar: for the clock, for the errors usual and at the edges, and with stops.
+struct Sets<S> {
+    timed: Set<S>,
+    usual: Set<S>,
+    edges: Set<S>,
+    stops: Set<S>,
+}
+
+/// The text in double-double: what answers are judged by.
+struct Reference {
+    system: System<Dd>,
+    fill: Fill<Dd>,
+}
+
+fn amplitude_with_stops(system: &System<Dd>, [r, beta]: Pair<Dd>) -> Option<Dd> {
+    let at = system.at(r).ok()?;
+    Some(at.orbit(beta).ok()?.contact().amplitude())
+}
+
+impl Reference {
+    fn of(label: &Label) -> Self {
+        let system: System<Dd> = label.text.parse().expect("a scene");
+        let closed = filler(system.clone(), label.watched, None);
+        let stops = system.clone();
+        let fill: Fill<Dd> = Box::new(move |method, points, out| {
+            if method != Method::Orbit {
+                return closed(method, points, out);
+            }
+            for (point, out) in points.iter().zip(out) {
+                if let Some(amplitude) = amplitude_with_stops(&stops, *point) {
+                    *out = [amplitude; 2];
+                }
+            }
+        });
+        Self { system, fill }
+    }
+
+    fn sets<S: Float>(&self, extent: &Extent, resonances: &[f64], stops: bool) -> Sets<S> {
+        Sets {
+            timed: Set::continuous(&usual(extent.timed), &self.fill, &USUAL[..1]),
+            usual: Set::continuous(&usual(extent.usual), &self.fill, &USUAL),
+            edges: Set::continuous(&edges(resonances), &self.fill, &EXTREME),
+            stops: Set::with_stops(
+                &self.system,
+                &self.fill,
+                if stops { extent.orbits } else { 0 },
+            ),
+        }
+    }
+}
+
+/// A way whose time is not known yet.
+struct Entry<'a, S> {
+    by: By,
+    method: Method,
+    fill: &'a Fill<S>,
+}
+
+fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Time) -> Row {
+    let (method, exact) = (entry.method, entry.method.exact());
+    let errors = |set: &Set<S>, truth| set.errors(&asked(entry.fill, method, &set.points), truth);
+    let emitted = matches!(entry.by, By::Double | By::Single);
+    let stops = method == Method::Orbit;
+    let first = if stops { &sets.stops } else { &sets.usual };
+    let (mut rounding, usual) = (errors(first, method), errors(first, exact));
+    let mut error = usual.clone();
+    if !stops {
+        rounding = rounding.with(&errors(&sets.edges, method));
+        error = error.with(&errors(&sets.edges, exact));
+    }
+    Row {
+        label,
+        by: entry.by,
+        method,
+        time,
+        rounding,
+        usual,
+        error,
+        operations: emitted.then(|| operations::of(&label, method)).flatten(),
+    }
+}
+
+fn job<'a, S: Float>(entry: &Entry<'a, S>, sets: &'a Sets<S>) -> Job<'a> {
+    let set = if entry.method == Method::Orbit {
+        &sets.stops
+    } else {
+        &sets.timed
+    };
+    let (method, fill) = (entry.method, entry.fill);
+    let mut out = vec![[S::constant(0.0); 2]; set.points.len()];
+    Job::new(set.points.len(), move |count| {
+        fill(method, &set.points[..count], &mut out[..count])
+    })
+}
+
+impl Visitor for Measure {
+    fn scene<D, S>(
+        &mut self,
+        label: Label,
+        double: D,
+        single: S,
+        orbit: Orbit<f64>,
+        orbit_single: Orbit<f32>,
+    ) where
+        D: FrictionSystem<Scalar = f64> + 'static,
+        S: FrictionSystem<Scalar = f32> + 'static,
+        for<'a> D::At<'a>: MotionAt<Scalar = f64>,
+        for<'a> S::At<'a>: MotionAt<Scalar = f32>,
+    {
+        if label.masses > self.extent.masses {
+            return;
+        }
+        eprintln!("{}, ζ = {}", label.name, label.zeta);
+        let system: System = label.text.parse().expect("a scene");
+        let modal = Modal::of(&label, &system);
+        let reference = Reference::of(&label);
+        let wide: Sets<f64> = reference.sets(&self.extent, &modal.root, orbit.is_some());
+        let narrow: Sets<f32> = reference.sets(&self.extent, &modal.root, orbit.is_some());
+
+        let doubles = filler(double, label.watched, orbit);
+        let singles = filler(single, label.watched, orbit_single);
+        let run_time = filler(system, label.watched, None);
+        let textbook = textbook::filler(label);
+        let balances = balance::ORDERS.map(|order| (order, balance::filler(modal.clone(), order)));
+        #[cfg(with_c)]
+        let by_hand = by_hand::filler(&modal);
+
+        let entry = |by, method, fill| Entry { by, method, fill };
+        let mut entries = Vec::new();
+        let mut entries_single = Vec::new();
+        for method in Method::CLOSED {
+            entries.push(Entry {
+                by: By::Double,
+                method,
+                fill: &doubles,
+            });
+            entries.push(Entry {
+                by: By::RunTime,
+                method,
+                fill: &run_time,
+            });
+            entries_single.push(Entry {
+                by: By::Single,
+                method,
+                fill: &singles,
+            });
+            #[cfg(with_c)]
+            if by_hand::METHODS.contains(&method) {
+                entries.push(Entry {
+                    by: By::Hand,
+                    method,
+                    fill: &by_hand,
+                });
+            }
+        }
+        if orbit.is_some() && !wide.stops.points.is_empty() && !narrow.stops.points.is_empty() {
+            entries.push(entry(By::Double, Method::Orbit, &doubles));
+            entries_single.push(Entry {
+                by: By::Single,
+                method: Method::Orbit,
+                fill: &singles,
+            });
+        }
+        entries.extend(textbook::METHODS.map(|method| entry(By::Textbook, method, &textbook)));
+        for (order, fill) in &balances {
+            entries.push(entry(By::Balance(*order), Method::Amplitude, fill));
+        }
+
+        let mut jobs: Vec<Job<'_>> = entries.iter().map(|entry| job(entry, &wide)).collect();
+        jobs.extend(entries_single.iter().map(|entry| job(entry, &narrow)));
+        let times = interleaved(&mut jobs, self.extent.rounds);
+        let (times, times_single) = times.split_at(entries.len());
+        let rows = entries
+            .iter()
+            .zip(times)
+            .map(|(e, t)| judged(label, e, &wide, *t));
+        self.rows.extend(rows);
+        let rows = entries_single
+            .iter()
+            .zip(times_single)
+            .map(|(e, t)| judged(label, e, &narrow, *t));
+        self.rows.extend(rows);
+        #[cfg(with_c)]
+        {
+            // In the contact's amplitude, which is what it gives.
+            let contact = contact_amplitudes(&reference, &wide.timed, self.extent.stepped);
+            self.stepped(label, Method::Amplitude, &contact);
+            let stops = asked(
+                &reference.fill,
+                Method::Orbit,
+                &wide_points(&wide.stops, self.extent.stepped),
+            );
+            let stops: Vec<_> = wide
+                .stops
+                .points
+                .iter()
+                .zip(stops)
+                .map(|(p, a)| (*p, a[0]))
+                .collect();
+            self.stepped(label, Method::Orbit, &stops);
+        }
+    }
+}
+
+#[cfg(with_c)]
+fn wide_points(set: &Set<f64>, count: usize) -> Vec<Pair<Dd>> {
+    set.points
+        .iter()
+        .take(count)
+        .map(|p| p.map(Dd::from))
+        .collect()
+}
+
+#[cfg(with_c)]
+fn contact_amplitudes(reference: &Reference, set: &Set<f64>, count: usize) -> Vec<(Pair<f64>, Dd)> {
+    let answer = |point: &Pair<f64>| {
+        let [r, beta] = point.map(Dd::from);
+        let amplitude = reference
+            .system
+            .at(r)
+            .ok()?
+            .motion(beta)
+            .ok()?
+            .contact()
+            .amplitude();
+        Some((*point, amplitude))
+    };
+    set.points.iter().take(count).filter_map(answer).collect()
+}
+
+#[cfg(with_c)]
+impl Measure {
+    /// The event stepper at these points, against the contact's exact amplitude.
+    fn stepped(&mut self, label: Label, method: Method, points: &[(Pair<f64>, Dd)]) {
+        let mut runs = Vec::new();
+        let mut error = Errors::default();
+        for (point, exact) in points {
+            let Some(run) = stepper::run(&label, *point) else {
+                return;
+            };
+            let off = ((Dd::from(run.amplitude) - *exact) / *exact).to_f64().abs();
+            error.and(&Errors {
+                sorted: vec![off],
+                none: 0,
+            });
+            runs.push(run);
+        }
+        if runs.is_empty() {
+            return;
+        }
+        self.rows.push(Row {
+            label,
+            by: By::Stepper,
+            method,
+            time: stepper::time(&runs),
+            rounding: error.clone(),
+            usual: error.clone(),
+            error,
+            operations: None,
+        });
+    }
+}

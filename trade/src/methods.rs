@@ -1,0 +1,131 @@
+//! What is measured: questions to a scene, asked in the same way of emitted and run-time systems.
+
+use crate::scenes::Orbit;
+use frictiongen::kernel::{Float, Scalar};
+use frictiongen::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady};
+
+/// A question.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Method {
+    /// Both limits, the velocity constraint's S from the guaranteed search.
+    Limits,
+    /// Both limits, S by its limit for τ → 0.
+    WithoutSearch,
+    /// Both limits, S as the sum of each mode's own maximum.
+    PerMode,
+    /// The exact maximum of a mass's motion.
+    Amplitude,
+    /// Its monoharmonic estimate.
+    Monoharmonic,
+    /// The modulus of its fundamental.
+    Fundamental,
+    /// The amplitude in the contact of the steady state with stops.
+    Orbit,
+}
+
+impl Method {
+    /// Those that every emitted scene answers.
+    pub const CLOSED: [Self; 6] = [
+        Self::Limits,
+        Self::WithoutSearch,
+        Self::PerMode,
+        Self::Amplitude,
+        Self::Monoharmonic,
+        Self::Fundamental,
+    ];
+
+    /// In the tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Limits => "limits, exact S",
+            Self::WithoutSearch => "limits without search",
+            Self::PerMode => "limits per mode",
+            Self::Amplitude => "amplitude, exact",
+            Self::Monoharmonic => "amplitude, monoharmonic",
+            Self::Fundamental => "fundamental",
+            Self::Orbit => "steady state with stops",
+        }
+    }
+
+    /// The question whose exact answer this one is an approximation of.
+    pub fn exact(self) -> Self {
+        match self {
+            Self::Limits | Self::WithoutSearch | Self::PerMode => Self::Limits,
+            Self::Amplitude | Self::Monoharmonic | Self::Fundamental => Self::Amplitude,
+            Self::Orbit => Self::Orbit,
+        }
+    }
+}
+
+/// A point (r, β), and the two numbers of an answer (both limits; or twice the amplitude).
+pub type Pair<S> = [S; 2];
+/// Answers a question at every point; NaN where there is no answer.
+pub type Fill<S> = Box<dyn Fn(Method, &[Pair<S>], &mut [Pair<S>])>;
+
+/// The answers of a system, emitted or not.
+pub fn filler<F>(system: F, watched: usize, orbit: Orbit<F::Scalar>) -> Fill<F::Scalar>
+where
+    F: FrictionSystem + 'static,
+    for<'a> F::At<'a>: MotionAt<Scalar = F::Scalar>,
+{
+    Box::new(move |method, points, out| match method {
+        Method::Limits => limits(&system, points, out, |at| at.continuous_limit()),
+        Method::WithoutSearch => {
+            limits(&system, points, out, |at| {
+                at.continuous_limit_without_search()
+            });
+        }
+        Method::PerMode => limits(&system, points, out, |at| at.continuous_limit_per_mode()),
+        Method::Amplitude => response(&system, watched, points, out, |motion| motion.amplitude()),
+        Method::Monoharmonic => {
+            response(&system, watched, points, out, |motion| {
+                motion.amplitude_monoharmonic()
+            });
+        }
+        Method::Fundamental => response(&system, watched, points, out, |motion| {
+            let first = motion.harmonic(1);
+            (first.re * first.re + first.im * first.im).sqrt()
+        }),
+        Method::Orbit => each(points, out, |[r, beta]| {
+            let amplitude = orbit.and_then(|orbit| orbit(r, beta))?;
+            Some([amplitude, amplitude])
+        }),
+    })
+}
+
+fn each<S: Float>(points: &[Pair<S>], out: &mut [Pair<S>], f: impl Fn(Pair<S>) -> Option<Pair<S>>) {
+    for (point, out) in points.iter().zip(out) {
+        *out = f(*point).unwrap_or([S::constant(f64::NAN); 2]);
+    }
+}
+
+fn limits<F>(
+    system: &F,
+    points: &[Pair<F::Scalar>],
+    out: &mut [Pair<F::Scalar>],
+    continuous: impl Fn(&F::At<'_>) -> F::Scalar,
+) where
+    F: FrictionSystem,
+{
+    each(points, out, |[r, _]| {
+        let at = system.at(r).ok()?;
+        Some([continuous(&at), at.sliding_limit()])
+    });
+}
+
+fn response<F>(
+    system: &F,
+    watched: usize,
+    points: &[Pair<F::Scalar>],
+    out: &mut [Pair<F::Scalar>],
+    question: impl Fn(&dyn Steady<Scalar = F::Scalar>) -> F::Scalar,
+) where
+    F: FrictionSystem,
+    for<'a> F::At<'a>: MotionAt<Scalar = F::Scalar>,
+{
+    each(points, out, |[r, beta]| {
+        let motion = system.at(r).ok()?.motion(beta).ok()?;
+        let answer = motion.ask(Of::Mass(watched), |steady| question(steady))?;
+        Some([answer, answer])
+    });
+}

@@ -1,0 +1,81 @@
+//! The other ways.
+
+pub mod balance;
+#[cfg(with_c)]
+pub mod by_hand;
+#[cfg(with_c)]
+pub mod stepper;
+pub mod textbook;
+
+use crate::scenes::Label;
+use frictiongen::System;
+
+/// A scene's modal data, as the peers take them.
+#[derive(Clone, Debug)]
+pub struct Modal {
+    /// √λ.
+    pub root: Vec<f64>,
+    /// Load to the relative motion in the contact.
+    pub load: Vec<f64>,
+    /// Friction to the relative motion in the contact.
+    pub friction: Vec<f64>,
+    /// Load to the mass looked at.
+    pub far_load: Vec<f64>,
+    /// Friction to the mass looked at.
+    pub far_friction: Vec<f64>,
+    /// (φᵀw)².
+    pub share: Vec<f64>,
+    /// What a moving base takes off the relative motion.
+    pub base: f64,
+    /// wᵀΓ⁻¹w.
+    pub mobility: f64,
+    /// Of every mode.
+    pub zeta: f64,
+}
+
+/// The mass that the load acts on, and the direction of the contact.
+pub fn vectors(label: &Label) -> (Vec<f64>, Vec<f64>, f64) {
+    let n = label.masses;
+    let unit = |i: usize| -> Vec<f64> { (0..n).map(|k| f64::from(u8::from(k == i))).collect() };
+    let contact = &label.name[..4];
+    match contact {
+        "Wall" => (unit(0), unit(n - 1), 0.0),
+        "Base" => (unit(0), unit(0), 1.0),
+        _ => {
+            let mut direction = unit(1);
+            direction[0] = -1.0;
+            (unit(n - 1), direction, 0.0)
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+impl Modal {
+    /// Of a scene.
+    pub fn of(label: &Label, system: &System) -> Self {
+        let (load, contact, base) = vectors(label);
+        let root = system.resonances().to_vec();
+        let shapes = system.mode_shapes();
+        let by_mode = |f: &dyn Fn(f64, &[f64]) -> f64| -> Vec<f64> {
+            root.iter()
+                .zip(&shapes)
+                .map(|(w, shape)| f(w * w, shape))
+                .collect()
+        };
+        let far = |shape: &[f64]| shape[label.watched];
+        Self {
+            load: by_mode(&|l, s| dot(s, &contact) * dot(s, &load) / l),
+            friction: by_mode(&|l, s| dot(s, &contact).powi(2) / l),
+            far_load: by_mode(&|l, s| far(s) * dot(s, &load) / l),
+            far_friction: by_mode(&|l, s| far(s) * dot(s, &contact) / l),
+            share: by_mode(&|_, s| dot(s, &contact).powi(2)),
+            base,
+            mobility: dot(&contact, &contact),
+            zeta: label.zeta,
+            root,
+        }
+    }
+}

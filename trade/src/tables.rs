@@ -1,0 +1,83 @@
+//! The figures as text.
+
+use crate::measure::{By, Row};
+use crate::methods::Method;
+use crate::points::Errors;
+use std::fmt::Write;
+
+/// Every row.
+pub fn csv(rows: &[Row]) -> Result<String, std::fmt::Error> {
+    let mut text = String::from(
+        "scene,masses,zeta,by,answer,median ns,least ns,operations,rounding p99,rounding worst,usual error p99,error p99,error worst,points,without answer\n",
+    );
+    for row in rows {
+        writeln!(
+            text,
+            "{},{},{},{},\"{}\",{:.1},{:.1},{},{:.2e},{:.2e},{:.2e},{:.2e},{:.2e},{},{}",
+            row.label.name,
+            row.label.masses,
+            row.label.zeta,
+            row.by.name(),
+            row.method.name(),
+            row.time.median,
+            row.time.least,
+            row.operations
+                .map_or(String::new(), |count| count.to_string()),
+            row.rounding.percentile(),
+            row.rounding.worst(),
+            row.usual.percentile(),
+            row.error.percentile(),
+            row.error.worst(),
+            row.error.sorted.len() + row.error.none,
+            row.error.none,
+        )?;
+    }
+    Ok(text)
+}
+
+/// Rows of the same way to the same answer with the same number of masses, taken together.
+pub struct Pool {
+    /// How many masses.
+    pub masses: usize,
+    /// Who.
+    pub by: By,
+    /// What.
+    pub method: Method,
+    /// The middle one of the scenes' median times, ns.
+    pub time: f64,
+    /// At usual points, against the exact answer.
+    pub usual: Errors,
+    /// At all points, against the exact answer.
+    pub error: Errors,
+    /// The fewest and the most operations.
+    pub operations: Option<(usize, usize)>,
+}
+
+/// All pools, in order.
+pub fn pools(rows: &[Row]) -> Vec<Pool> {
+    let key = |row: &Row| (row.label.masses, row.method, row.by);
+    let mut keys: Vec<_> = rows.iter().map(key).collect();
+    keys.sort();
+    keys.dedup();
+    let pool = |wanted: (usize, Method, By)| {
+        let same: Vec<&Row> = rows.iter().filter(|row| key(row) == wanted).collect();
+        let mut times: Vec<f64> = same.iter().map(|row| row.time.median).collect();
+        times.sort_by(f64::total_cmp);
+        let (mut usual, mut error) = (Errors::default(), Errors::default());
+        for row in &same {
+            usual.and(&row.usual);
+            error.and(&row.error);
+        }
+        let counts = || same.iter().filter_map(|row| row.operations);
+        Pool {
+            masses: wanted.0,
+            method: wanted.1,
+            by: wanted.2,
+            time: times[times.len() / 2],
+            usual,
+            error,
+            operations: counts().min().zip(counts().max()),
+        }
+    };
+    keys.into_iter().map(pool).collect()
+}
