@@ -6,7 +6,7 @@
 
 use crate::mode::{Kind, Mode};
 use crate::scalar::Float;
-use crate::special::{exp_m1_minus, versine_pi};
+use crate::special::{exp_m1_minus, versine_beside};
 
 /// An instant of the half period: τ = πt.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,7 @@ impl<S: Float> Instant<S> {
             tau: t * S::pi(),
             sine,
             cosine,
-            versine: versine_pi(t),
+            versine: versine_beside(t, cosine),
         }
     }
 }
@@ -107,7 +107,7 @@ impl<S: Float> Decay<S> for Undamped {
     fn basis(&self, x: S, at: &Instant<S>) -> Basis<S> {
         let half_turns = x * at.t;
         let (sine, cosine) = half_turns.sin_cos_pi();
-        let versine = versine_pi(half_turns);
+        let versine = versine_beside(half_turns, cosine);
         let (swing, swing_slope) = differences(x, sine, versine, at);
         Basis {
             free: sine / x,
@@ -193,14 +193,14 @@ impl<S: Float> Damped<S> {
         let damped_turns = turns * self.q;
         let direct = one - kept * (c + zq);
         let (free, slope) = (kept * sq / x, kept * (c - zq));
-        let versine = versine_pi(damped_turns);
+        let versine = versine_beside(damped_turns, c);
         let sinc_defect = damped_turns.one_minus_sinc_pi();
         let one_minus_d = one_minus_d(decay, kept, direct, versine, sinc_defect);
         let mut basis = Basis::damped(x, self.zeta, free, slope, one_minus_d, at);
         if (x - one).abs() < half {
             // The undamped differences plus what damping changes, each without cancellation.
             let (s0, c0) = turns.sin_cos_pi();
-            let (swing, swing_slope) = differences(x, s0, versine_pi(turns), at);
+            let (swing, swing_slope) = differences(x, s0, versine_beside(turns, c0), at);
             let (half_s, _) = (defect * half).sin_cos_pi();
             let (mid_s, mid_c) = turns.sin_cos_pi_minus(defect * half);
             let two = S::constant(2.0);
@@ -221,7 +221,7 @@ impl<S: Float> Damped<S> {
         let (sq, zq) = (s / self.q, self.zeta / self.q * s);
         let (free, slope) = (kept * sq / x, kept * (c - zq));
         let direct = one - kept * (c + zq);
-        let (versine, sinc_defect) = (versine_pi(turns), turns.one_minus_sinc_pi());
+        let (versine, sinc_defect) = (versine_beside(turns, c), turns.one_minus_sinc_pi());
         let one_minus_d = one_minus_d(decay, kept, direct, versine, sinc_defect);
         Basis::damped(x, self.zeta, free, slope, one_minus_d, at)
     }

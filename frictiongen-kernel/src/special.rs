@@ -19,13 +19,19 @@ use crate::trig::polynomial;
 #[inline]
 #[must_use]
 pub fn versine_pi<T: Float>(z: T) -> T {
-    let sin = (z * T::constant(0.5)).sin_pi();
-    let versine = T::constant(2.0) * sin * sin;
+    versine_beside(z, z.cos_pi())
+}
+
+/// The same, knowing cos πz.
+#[inline]
+pub(crate) fn versine_beside<T: Float>(z: T, cosine: T) -> T {
     // The difference itself has fewer roundings where it does not cancel.
+    let versine = T::constant(1.0) - cosine;
     if versine < T::constant(0.5) {
-        versine
+        let sin = (z * T::constant(0.5)).sin_pi();
+        T::constant(2.0) * sin * sin
     } else {
-        T::constant(1.0) - z.cos_pi()
+        versine
     }
 }
 

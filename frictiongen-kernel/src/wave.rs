@@ -96,6 +96,10 @@ pub struct Sum<'a, S, D> {
 /// exceed from there to the end of the half period.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Local<S> {
+    /// sin τ there.
+    pub sine: S,
+    /// cos τ there.
+    pub cosine: S,
     pub value: S,
     pub slope: S,
     pub curvature: S,
@@ -228,6 +232,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
 
 fn plus<S: Float>(a: &Local<S>, b: &Local<S>) -> Local<S> {
     Local {
+        sine: a.sine,
+        cosine: a.cosine,
         value: a.value + b.value,
         slope: a.slope + b.slope,
         curvature: a.curvature + b.curvature,
@@ -240,6 +246,8 @@ fn carrier<S: Float>(constant: S, c: S, s: S, sine: S, cosine: S) -> Local<S> {
     let turning = c * cosine + s * sine;
     let bound = c.abs() + s.abs();
     Local {
+        sine,
+        cosine,
         value: constant + turning,
         slope: s * cosine - c * sine,
         curvature: -turning,
@@ -286,6 +294,8 @@ fn wave_local<S: Float, D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> Loca
     let d3 = (one + n2 * rate).min(drift + pull * rate);
     let (a, b, c, e) = (free.abs(), swing_slope.abs(), swing.abs(), rise.abs());
     Local {
+        sine: at.sine,
+        cosine: at.cosine,
         value: wave.value(&basis),
         slope: free * basis.slope
             + swing_slope * (-at.sine - p2)

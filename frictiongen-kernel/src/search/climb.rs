@@ -11,11 +11,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let zero = S::constant(0.0);
         let half = S::constant(0.5);
         let (mut tau, mut local, mut negative) = (tau, local, negative);
-        let mut best = self.quotient(&local, tau, negative);
+        let mut best = self.quotient(&local, negative);
         let mut trust = S::constant(0.25);
         let narrow = S::constant(1e-3) * self.sum.unit();
         for _ in 0..60 {
-            let (slope, curvature) = self.ascent(&local, tau, negative);
+            let (slope, curvature) = self.ascent(&local, negative);
             let newton = if curvature < zero {
                 -(slope / curvature)
             } else {
@@ -29,7 +29,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 break;
             }
             let (at_next, _) = self.local(next);
-            let value = self.quotient(&at_next, next, negative != flipped);
+            let value = self.quotient(&at_next, negative != flipped);
             // So near a maximum the values no longer tell, while Newton's method still converges.
             let near = curvature < zero && step.abs() < narrow;
             if value < best && !near {
@@ -69,7 +69,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// Keeps an equal maximum elsewhere, for the phase.
     pub(super) fn note_tie(&mut self, tau: S, local: Local<S>, negative: bool) {
-        let value = self.quotient(&local, tau, negative);
+        let value = self.quotient(&local, negative);
         let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
         let known = |place: &Place<S>| {
             place.negative == negative && (place.tau - tau).abs() < S::constant(APART)
@@ -97,14 +97,13 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    fn quotient(&self, local: &Local<S>, tau: S, negative: bool) -> S {
+    fn quotient(&self, local: &Local<S>, negative: bool) -> S {
         let value = if negative { -local.value } else { local.value };
         match self.question.weight {
             Weight::One => value,
             Weight::Sine => {
-                let sine = (tau * S::inverse_pi()).sin_pi();
-                if S::constant(0.0) < sine {
-                    value / sine
+                if S::constant(0.0) < local.sine {
+                    value / local.sine
                 } else {
                     self.question.floor
                 }
@@ -113,11 +112,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     }
 
     /// The quotient's derivative and its own, times a positive factor.
-    fn ascent(&self, local: &Local<S>, tau: S, negative: bool) -> (S, S) {
+    fn ascent(&self, local: &Local<S>, negative: bool) -> (S, S) {
         let (slope, curvature) = match self.question.weight {
             Weight::One => (local.slope, local.curvature),
             Weight::Sine => {
-                let (sine, cosine) = (tau * S::inverse_pi()).sin_cos_pi();
+                let Local { sine, cosine, .. } = *local;
                 (
                     local.slope * sine - local.value * cosine,
                     (local.curvature + local.value) * sine,

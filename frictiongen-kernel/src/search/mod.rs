@@ -128,7 +128,7 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
     }
 
     /// ±sum − level·weight about an instant.
-    fn excess(&self, local: &Local<S>, tau: S, negative: bool, level: S) -> Local<S> {
+    fn excess(&self, local: &Local<S>, negative: bool, level: S) -> Local<S> {
         let mut excess = *local;
         if negative {
             excess.value = -excess.value;
@@ -138,7 +138,7 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         match self.question.weight {
             Weight::One => excess.value = excess.value - level,
             Weight::Sine => {
-                let (sine, cosine) = (tau * S::inverse_pi()).sin_cos_pi();
+                let Local { sine, cosine, .. } = *local;
                 excess.value = excess.value - level * sine;
                 excess.slope = excess.slope - level * cosine;
                 excess.curvature = excess.curvature + level * sine;
@@ -184,7 +184,7 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
             let tail = self.tail;
             let (local, slow) = self.local(tau);
             for &negative in signs {
-                if zero < self.excess(&local, tau, negative, self.level()).value {
+                if zero < self.excess(&local, negative, self.level()).value {
                     self.climb(tau, local, negative);
                 }
             }
@@ -192,10 +192,10 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
             let mut ahead = None;
             for &negative in signs {
                 let level = self.level();
-                let excess = self.excess(&local, tau, negative, level);
+                let excess = self.excess(&local, negative, level);
                 let mut reach = safe_step(&excess);
                 if let (Some(slow), Some(tail)) = (slow, &tail) {
-                    let mut slow = self.excess(&slow, tau, negative, level);
+                    let mut slow = self.excess(&slow, negative, level);
                     slow.value = slow.value + tail.amplitude;
                     if slow.value < zero {
                         reach = reach.max(safe_step(&slow));
@@ -261,19 +261,19 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         // `third` bounds the third derivative from `tau` on, so about the summit too.
         let (local, _) = self.local(top);
         for &negative in signs {
-            if zero < self.excess(&local, top, negative, self.level()).value {
+            if zero < self.excess(&local, negative, self.level()).value {
                 self.climb(top, local, negative);
                 return tau;
             }
         }
         self.note_tie(top, local, negative);
-        let excess = self.excess(&local, top, negative, self.level());
+        let excess = self.excess(&local, negative, self.level());
         let radius = -(excess.curvature) / third * half;
         let rise = excess.slope * (excess.slope / -excess.curvature);
         let settled = zero < radius && excess.value + rise <= zero && summit <= radius;
         // The other sign must be out of reach over the same stretch.
         let other = signs.len() == 1 || {
-            let opposite = self.excess(&local, top, !negative, self.level());
+            let opposite = self.excess(&local, !negative, self.level());
             let swing = opposite.slope.abs() * radius
                 + opposite.curvature_bound.max(third) * radius * radius;
             opposite.value + swing < zero
@@ -292,15 +292,15 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         let (local, _) = self.local(zero);
         let mut reach = self.question.end;
         for &negative in signs {
-            let mut excess = self.excess(&local, zero, negative, self.level());
+            let mut excess = self.excess(&local, negative, self.level());
             if zero < excess.curvature {
                 // It rises from the start: climb from within the rise.
                 let tau = (excess.curvature / excess.third_bound).min(self.question.end);
                 let (local, _) = self.local(tau);
-                if zero < self.excess(&local, tau, negative, self.level()).value {
+                if zero < self.excess(&local, negative, self.level()).value {
                     self.climb(tau, local, negative);
                 }
-                excess = self.excess(&local, zero, negative, self.level());
+                excess = self.excess(&local, negative, self.level());
             }
             excess.value = zero;
             let mut step = safe_step(&excess);
@@ -359,9 +359,9 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         let (at_start, _) = self.local(zero);
         let mut stretch = end;
         for &negative in signs {
-            let slope = self.excess(&at_end, end, negative, self.level()).slope;
+            let slope = self.excess(&at_end, negative, self.level()).slope;
             let bound = self
-                .excess(&at_start, zero, negative, self.level())
+                .excess(&at_start, negative, self.level())
                 .curvature_bound;
             stretch = stretch.min(slope.max(zero) * S::constant(2.0) / bound);
         }
@@ -405,6 +405,7 @@ fn safe_step<S: Float>(excess: &Local<S>) -> S {
         curvature,
         curvature_bound,
         third_bound,
+        ..
     } = *excess;
     let value = value.min(zero);
     if !(zero < curvature_bound) {
