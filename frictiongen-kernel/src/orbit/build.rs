@@ -1,6 +1,6 @@
 //! From a scene, r and β to its steady state.
 
-use super::flow::Flow;
+use super::flow::{Flow, MOST_EVENTS};
 use super::solve::{Found, ON_CIRCLE, Room, multipliers, settle};
 use super::{MAX_SEGMENTS, Mark, Orbit};
 use crate::complex::Complex;
@@ -229,7 +229,14 @@ fn recorded<S: Float>(
     // To the first event; from the section itself where there is none.
     let section: Stance<S> = flow.stance;
     let mut left = cycle;
+    let mut leaps = 0;
     loop {
+        // A leap that is too long for one ends without an event; where a mode turns faster than r is
+        // known, there is no end of them.
+        if leaps == MOST_EVENTS {
+            return Err(NoOrbit::TooManyEvents);
+        }
+        leaps += 1;
         let end = leap(flow.setting, flow.modes, flow.held, flow.stance, left);
         flow.stance = end.stance;
         left = left - end.tau;
@@ -245,7 +252,12 @@ fn recorded<S: Float>(
     let slack = S::constant(1e-9_f64.max(1024.0 * S::EPSILON));
     left = cycle;
     let mut count = 0;
+    leaps = 0;
     while slack < left {
+        if leaps == MOST_EVENTS {
+            return Err(NoOrbit::TooManyEvents);
+        }
+        leaps += 1;
         let stance = flow.stance;
         save(flow, states, count);
         let relative = flow.setting.relative(flow.modes, stance.t.sin_cos_pi());

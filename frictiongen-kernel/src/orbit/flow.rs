@@ -7,7 +7,7 @@ use crate::scalar::Float;
 use crate::simulation::{Contact, Event, Part, Setting, Stance, leap};
 
 /// No half cycle is followed through more events than this.
-const MOST_EVENTS: u32 = 4096;
+pub(super) const MOST_EVENTS: u32 = 4096;
 
 /// What happens in half a cycle, or in a whole one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! What the long form has found, each as a test of its own.
 
 use crate::text::expanded;
-use frictiongen::{FrictionSystem, MotionAt, Regime, System, friction_system};
+use frictiongen::{FrictionSystem, MotionAt, NoOrbit, Regime, System, friction_system};
 
 /// Was taken as a visibility, and emitted, which is no Rust.
 #[test]
@@ -170,4 +170,18 @@ fn a_motion_that_is_all_zero() {
     let orbit = orbit.expect("a steady state");
     // x̄ is below 1/r² there, which is 1.4e-17.
     assert!(orbit.a().amplitude() < 2e-17, "{}", orbit.a().amplitude());
+}
+
+/// A cycle was recorded from event to event however many leaps that took: at r below the rounding of 1
+/// there was no end.
+#[test]
+fn a_cycle_of_too_many_turns() {
+    let text = "struct R { masses: { a: 3.4233933483554577, b: 0.6278288469607384, c: 3.756799589337862,
+        d: 3.0227642687030514 }, springs: { base - a: 0.45667147705398964, a - b: 0.4516504383832916,
+        b - c: 0.2381738254712511, c - d: 0.9309229793257213 }, contact: b - wall, excitation: base,
+        damping: rayleigh(0.050634208209306135, 0.09476255404592096), stiction: 2.0158022017583335 }";
+    let system: System = text.parse().expect("a sound scene");
+    let at = system.at(f64::EPSILON).expect("a ratio");
+    let orbit = at.orbit(0.2690065403843426 * at.continuous_limit());
+    assert_eq!(orbit.err(), Some(NoOrbit::TooManyEvents));
 }
