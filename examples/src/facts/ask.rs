@@ -121,7 +121,8 @@ pub fn orbit_amplitude(orbit: &SystemOrbit<'_>, mass: &str) -> f64 {
 /// The place where f changes sign, to the last bits; NaN where it does not.
 pub fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let sign = f(low).signum();
-    if !(sign * f(high) < 0.0) {
+    let opposite = sign * f(high) < 0.0;
+    if !opposite {
         return f64::NAN;
     }
     for _ in 0..60 {

@@ -2,7 +2,7 @@
 
 use super::ask::{amplitude, ask, chain, estimate, invariant, root};
 use super::chapter4::ONE_STOREY;
-use super::row::{Row, added, formula, number, words};
+use super::row::{Row, added, claim, formula, number, words};
 use super::walls::thresholds;
 use frictiongen::study::System;
 use std::f64::consts::TAU;
@@ -55,19 +55,29 @@ fn invariants(system: &System) -> Row {
             6,
         ),
     ];
-    for (one, other) in [(0.01, 0.02), (0.05, 0.2), (0.2, 0.3)] {
-        let pair = format!("exact, β = {one}, {other}, first");
-        let first = crossing(amplitude, (one, other), 0.75, 0.8);
-        let second = crossing(amplitude, (one, other), 1.19, 1.24);
-        entries.push(number(&pair, "about 0.770", first, 4));
-        entries.push(number("second", "about 1.226", second, 4));
+    // Of the pairs of figure 6.23 that slide all the time.
+    let betas = [0.0, 0.1, 0.2, 0.3, 0.4, 0.6];
+    for (name, printed, low, high) in [("first", 0.770, 0.74, 0.8), ("second", 1.226, 1.2, 1.24)] {
+        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+        for (i, one) in betas.iter().enumerate() {
+            for other in &betas[..i] {
+                // NaN where the larger β does not slide all the time changes neither end.
+                let crossing = crossing(amplitude, (*one, *other), low, high);
+                (least, most) = (least.min(crossing), most.max(crossing));
+            }
+        }
+        let inside = least <= printed && printed <= most;
+        let what = format!("exact, {name} region");
+        let text = format!("about {printed:.3}");
+        entries.push(claim(&format!("{what}, from"), &text, least, 4, inside));
+        entries.push(claim("to", &text, most, 4, inside));
     }
     Row {
         id: "F28",
         claim: "the same: invariant points of m₁",
         place: "6.5.1, (5.74)",
         entries,
-        reason: "1.2135 cut off; the exact crossing moves with the pair of β",
+        reason: "1.2135 cut off instead of rounded",
     }
 }
 
@@ -107,9 +117,12 @@ fn rig() -> Row {
         place: "6.4.2, (6.17) to (6.19)",
         entries: vec![
             words(
-                "r₁/ω, ω in rad/s, so that √(k₁/m₁)/2π, 3.086 Hz in F31, is",
+                "r₁/ω, ω in rad/s",
                 "0.3419 s",
-                format!("{radians:.4} Hz; with the frequency in Hz {hertz:.3} Hz"),
+                format!(
+                    "√(k₁/m₁)/2π = {radians:.4} Hz by it; with the frequency in Hz {hertz:.3} Hz; \
+                     of F31's storey {ONE_STOREY} Hz"
+                ),
                 near(radians) || !near(hertz),
             ),
             number("r₁/f from ω₀, ω₁, ω₂, s", "0.3419", TAU * ratio, 6),

@@ -4,6 +4,7 @@ use super::ask::{
     amplitude, chain, contact_invariant, estimate, fundamental, invariant, limit, peak, root,
     sliding_limit, stuck, unit,
 };
+use super::moving::{GAMMA, KAPPA};
 use super::row::{Entry, ROUNDING, Row, added, formula, formula_at, number, words};
 use frictiongen::Regime;
 use frictiongen::study::System;
@@ -197,7 +198,9 @@ fn upper() -> Vec<Row> {
         // They touch there rather than cross: friction lowers the contact's amplitude on both sides.
         peak(difference, low, high)
     };
-    let fundamental = |r, beta| fundamental(&system, "m2", r, beta);
+    let of_m2 = |r, beta| fundamental(&system, "m2", r, beta);
+    let rig = chain(&[1.0, GAMMA], &[1.0, KAPPA], "m2 - wall", "base", "");
+    let of_rig = |r, beta| fundamental(&rig, "m2", r, beta);
     let mut resting = Vec::new();
     for kappa in [1.0, 0.2, 3.5] {
         let system = chain(&[1.0, 1.0], &[1.0, kappa], "m2 - wall", "m1", "");
@@ -243,17 +246,22 @@ fn upper() -> Vec<Row> {
         Row {
             id: "F24",
             claim: "the same: fundamental of m₂ independent of β at r",
-            place: "4.3.3 on 6.3.3",
+            place: "6.4.3, figure 6.21",
             entries: vec![
                 // Where the fundamental's growth vanishes, rounding leaves some 1e-12 of the place.
                 formula(
                     "r",
                     ("√2", SQRT_2),
-                    invariant(&system, fundamental, 1.40, 1.43),
+                    invariant(&system, of_m2, 1.40, 1.43),
                     1e-9,
                     6,
                 ),
-                added("its amplitude there, β = 0.4", fundamental(SQRT_2, 0.4), 6),
+                added("its amplitude there, β = 0.4", of_m2(SQRT_2, 0.4), 6),
+                added(
+                    "r with the rig's γ and κ, √(1 + κ)",
+                    invariant(&rig, of_rig, 1.42, 1.48),
+                    6,
+                ),
             ],
             reason: "",
         },

@@ -4,7 +4,7 @@ use crate::close;
 use frictiongen::study::System;
 use frictiongen_examples::facts::ask::{
     amplitude, ask, base, chain, contact_invariant, estimate, fundamental, growth, limit, orbit,
-    peak, root, sliding_limit, unit, wall,
+    orbit_amplitude, peak, root, sliding_limit, unit, wall,
 };
 use frictiongen_examples::facts::chapter2::constraint_ratio;
 use frictiongen_examples::facts::moving::{GAMMA, KAPPA, RATIO, rig_with};
@@ -169,7 +169,29 @@ fn f28_for_another_pair() {
     };
     close(crossing(estimate, 0.75, 0.8), 0.777873, 5e-7);
     close(crossing(estimate, 1.19, 1.24), 1.21352, 5e-6);
-    assert!((crossing(amplitude, 1.19, 1.24) - 1.21352).abs() > 1e-3);
+    for (one, other, first, second) in [
+        (0.01, 0.02, 0.7776, 1.2143),
+        (0.05, 0.2, 0.7755, 1.2199),
+        (0.2, 0.3, 0.7737, 1.2241),
+    ] {
+        let difference = |r| amplitude(&system, "m1", r, one) - amplitude(&system, "m1", r, other);
+        close(root(difference, 0.75, 0.8), first, 5e-5);
+        close(root(difference, 1.19, 1.24), second, 5e-5);
+    }
+}
+
+/// The pair that makes the lower end of the first region, by the steady states.
+#[test]
+fn f28_by_the_orbits() {
+    let system = between();
+    let gain = |r| {
+        let [less, more] = [0.4, 0.6].map(|beta| {
+            let found = orbit(&system, r, beta).expect("a steady state");
+            orbit_amplitude(&found, "m1")
+        });
+        more - less
+    };
+    assert!(gain(0.769548 - 1e-6) * gain(0.769548 + 1e-6) < 0.0);
 }
 
 /// (7.61) typed in; what it leaves out is of the order ζ.
