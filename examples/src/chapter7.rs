@@ -8,6 +8,7 @@ use frictiongen_examples::figure::{Axis, Colour, Curve, Figure, Panel, Stroke};
 use frictiongen_examples::panels::{Sweep, cycle, regimes_of};
 use frictiongen_examples::scene;
 use frictiongen_examples::scene::{Measure, Of, Scene};
+use frictiongen_examples::scenes::{Low001, Low01, Middle001, Middle01};
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
@@ -54,31 +55,6 @@ macro_rules! two {
 two!(Two0001, 0.001);
 two!(Two001, 0.01);
 two!(Two01, 0.1);
-
-/// Five equal masses.
-macro_rules! five {
-    ($name:ident, $contact:ident, $zeta:literal) => {
-        friction_system! {
-            /// Five damped masses.
-            pub struct $name {
-                masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, m5: 1.0 },
-                springs: {
-                    base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - m5: 1.0
-                },
-                contact: $contact - wall,
-                excitation: m1,
-                damping: modal($zeta),
-                provide: [limits, motion, stuck, orbit, simulation],
-            }
-        }
-        scene!($name);
-    };
-}
-
-five!(Low001, m1, 0.01);
-five!(Low01, m1, 0.1);
-five!(Middle001, m3, 0.01);
-five!(Middle01, m3, 0.1);
 
 const M1: Of = Of::Mass(0);
 const M2: Of = Of::Mass(1);

@@ -1,0 +1,134 @@
+//! Modal damping and friction together: F29, F34.
+
+use super::ask::{amplitude, limit, peak, wall};
+use super::row::{Entry, Row, added, claim, number, words};
+use crate::scene::{Measure, Of, Scene};
+use crate::scenes::{Low001, Low01, Middle001, Middle01};
+use std::f64::consts::{PI, TAU};
+
+pub(super) fn rows() -> Vec<Row> {
+    vec![resonance(), responses()]
+}
+
+fn resonance() -> Row {
+    let beta = 0.3;
+    let mut entries = Vec::new();
+    for zeta in [0.01, 0.1] {
+        let system = wall(&format!("damping: modal({zeta:?})"));
+        let (sinh, cosh) = ((zeta * PI).sinh(), (zeta * PI).cosh());
+        let printed = system.resonant_peak_estimate(0, 0, beta);
+        let printed = printed.unwrap_or(f64::NAN);
+        let place = peak(|r| amplitude(&system, "m1", r, beta), 0.9, 1.05);
+        let highest = amplitude(&system, "m1", place, beta);
+        entries.push(by_formula(
+            &format!("peak at ζ = {zeta}, β = 0.3"),
+            ("7.61", printed),
+            highest,
+        ));
+        entries.push(added(
+            "amplitude at r = 1",
+            amplitude(&system, "m1", 1.0, beta),
+            4,
+        ));
+        entries.push(by_formula(
+            &format!("threshold at r = 1, ζ = {zeta}"),
+            ("7.62", (cosh - 1.0) / (2.0 * zeta * sinh)),
+            limit(&system, 1.0),
+        ));
+    }
+    Row {
+        id: "F29",
+        claim: "one mass, wall, damped: resonant peak; threshold at resonance",
+        place: "7.4.1, (7.61), (7.62)",
+        entries,
+        reason: "approximations for small ζ; (7.62) leaves out the break-away term",
+    }
+}
+
+/// A printed formula, as far as four digits show it.
+fn by_formula(what: &str, (equation, printed): (&str, f64), value: f64) -> Entry {
+    let shown = format!("{printed:.4}");
+    Entry {
+        printed: format!("{shown} by ({equation})"),
+        ..number(what, &shown, value, 4)
+    }
+}
+
+const FIVE: [Of; 5] = [
+    Of::Mass(0),
+    Of::Mass(1),
+    Of::Mass(2),
+    Of::Mass(3),
+    Of::Mass(4),
+];
+
+/// The largest difference of closed form and simulation over a cycle of all masses, and the largest
+/// departure of a mass from being in phase or in opposition with the contact, degrees.
+#[must_use]
+pub fn differences(scene: &dyn Scene, r: f64, beta: f64) -> Option<(f64, f64)> {
+    let angles: Vec<f64> = (0..24).map(|i| TAU * f64::from(i) / 24.0).collect();
+    let contact = scene.continuous(r, beta, Of::Contact, Measure::Fundamental)?;
+    let (mut apart, mut turned) = (0.0_f64, 0.0_f64);
+    for of in FIVE {
+        let origin = scene.cycle(r, beta, of, &[])?.origin;
+        let taus: Vec<f64> = angles.iter().map(|angle| angle - origin).collect();
+        let closed = scene.cycle(r, beta, of, &taus)?.motion;
+        let simulated = scene.run(r, beta, of, &angles)?;
+        for (closed, simulated) in closed.iter().zip(&simulated) {
+            apart = apart.max((closed - simulated).abs());
+        }
+        let lag = scene.continuous(r, beta, of, Measure::Fundamental)?.lag - contact.lag;
+        let beside = lag.rem_euclid(180.0);
+        turned = turned.max(beside.min(180.0 - beside));
+    }
+    Some((apart, turned))
+}
+
+fn responses() -> Row {
+    // What is printed about phases, with the bounds in degrees between which it is taken to hold.
+    type Phases = Option<(&'static str, f64, f64)>;
+    let (nearly, lost) = (("nearly so", 0.0, 10.0), ("lost", 30.0, 90.0));
+    let scenes: [(&str, &dyn Scene, usize, Phases); 4] = [
+        ("m₁, ζ = 0.01", &Low001, 0, Some(nearly)),
+        ("m₁, ζ = 0.1", &Low01, 0, Some(lost)),
+        ("m₃, ζ = 0.01", &Middle001, 2, None),
+        ("m₃, ζ = 0.1", &Middle01, 2, None),
+    ];
+    let mut entries = Vec::new();
+    for (name, scene, mass, printed) in scenes {
+        let found = differences(scene, 0.9, 0.2);
+        let (apart, turned) = found.unwrap_or((f64::NAN, f64::NAN));
+        let amplitude = scene
+            .continuous(0.9, 0.2, Of::Mass(mass), Measure::Peak)
+            .map_or(f64::NAN, |polar| polar.amplitude);
+        // 1000 cycles: what is left of the start is below rounding, which a thousand cycles gather.
+        let same = apart < 1e-9;
+        let said = if same {
+            "less than 1e-9 apart"
+        } else {
+            "not so"
+        };
+        entries.push(words(
+            &format!("contact {name}: closed form and simulation"),
+            "excellent agreement",
+            said.into(),
+            same,
+        ));
+        entries.push(added("amplitude in the contact", amplitude, 6));
+        let what = "farthest from in phase or opposed, degrees";
+        entries.push(match printed {
+            Some((printed, least, most)) => {
+                let agrees = least <= turned && turned < most;
+                claim(what, printed, turned, 1, agrees)
+            }
+            None => added(what, turned, 1),
+        });
+    }
+    Row {
+        id: "F34",
+        claim: "five unit masses, force on m₁, r = 0.9, β = 0.2: time responses",
+        place: "7.3, figures 7.1, 7.2",
+        entries,
+        reason: "",
+    }
+}

@@ -1,0 +1,164 @@
+//! Contacts between parts that move, and the two-storey rig: F27, F28, F30, F32.
+
+use super::ask::{amplitude, ask, chain, estimate, invariant, root};
+use super::chapter4::ONE_STOREY;
+use super::row::{Row, added, claim, formula, number, words};
+use super::walls::thresholds;
+use frictiongen::study::System;
+use std::f64::consts::TAU;
+
+/// γ = m₂/m₁ of the rig, as printed.
+pub const GAMMA: f64 = 0.9772;
+/// κ = k₂/k₁ of the rig, as printed.
+pub const KAPPA: f64 = 1.1119;
+/// Printed as r₁ = (0.3419 s)ω.
+pub const RATIO: f64 = 0.3419;
+
+pub(super) fn rows() -> Vec<Row> {
+    let system = chain(&[1.0, 0.5], &[1.0, 0.5], "m1 - m2", "m1", "");
+    vec![limits(&system), invariants(&system), rig(), relative()]
+}
+
+fn limits(system: &System) -> Row {
+    let (continuous, sliding) = system.high_frequency_limits();
+    let mut entries = thresholds(system, &["0.785", "0.393"]);
+    entries.push(number("β_∞", "0.179", continuous, 6));
+    entries.push(number("β*_∞", "0.333", sliding, 6));
+    Row {
+        id: "F27",
+        claim: "two masses, γ = κ = 0.5, contact m₁-m₂, force on m₁: thresholds, limits at r → ∞",
+        place: "6.5.1, (6.26), (6.28), (6.29)",
+        entries,
+        reason: "",
+    }
+}
+
+fn invariants(system: &System) -> Row {
+    let crossing = |of: fn(&System, &str, f64, f64) -> f64, (one, other), low, high| {
+        root(
+            |r| of(system, "m1", r, one) - of(system, "m1", r, other),
+            low,
+            high,
+        )
+    };
+    let mut entries = vec![
+        number(
+            "estimate, first",
+            "0.778",
+            crossing(estimate, (0.05, 0.1), 0.75, 0.8),
+            6,
+        ),
+        number(
+            "second",
+            "1.213",
+            crossing(estimate, (0.05, 0.1), 1.19, 1.24),
+            6,
+        ),
+    ];
+    // Of the pairs of figure 6.23 that slide all the time.
+    let betas = [0.0, 0.1, 0.2, 0.3, 0.4, 0.6];
+    for (name, printed, low, high) in [("first", 0.770, 0.74, 0.8), ("second", 1.226, 1.2, 1.24)] {
+        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+        for (i, one) in betas.iter().enumerate() {
+            for other in &betas[..i] {
+                // NaN where the larger β does not slide all the time changes neither end.
+                let crossing = crossing(amplitude, (*one, *other), low, high);
+                (least, most) = (least.min(crossing), most.max(crossing));
+            }
+        }
+        let inside = least <= printed && printed <= most;
+        let what = format!("exact, {name} region");
+        let text = format!("about {printed:.3}");
+        entries.push(claim(&format!("{what}, from"), &text, least, 4, inside));
+        entries.push(claim("to", &text, most, 4, inside));
+    }
+    Row {
+        id: "F28",
+        claim: "the same: invariant points of m₁",
+        place: "6.5.1, (5.74)",
+        entries,
+        reason: "1.2135 cut off instead of rounded",
+    }
+}
+
+/// The two-storey rig, scaled by √(k₁/m₁) = `omega`.
+#[must_use]
+pub fn rig_with(omega: f64) -> System {
+    let mass = 3.27;
+    let stiffness = mass * omega * omega;
+    chain(
+        &[mass, GAMMA * mass],
+        &[stiffness, KAPPA * stiffness],
+        "m1 - base",
+        "base",
+        "",
+    )
+}
+
+fn rig() -> Row {
+    let system = rig_with(TAU / RATIO);
+    let natural = system.natural_frequencies();
+    let product = natural[0] * natural[1];
+    // ω₀, where m₁ stands still without friction, and ω_z0, where it moves with the base.
+    let free = |r: f64| system_fundamental(&system, r);
+    let slip = |r: f64| ask(&system, r, 0.0, |motion| motion.contact().harmonic(1).re);
+    let to_omega = TAU / RATIO;
+    let antiresonance = to_omega * root(free, 0.9, 1.2);
+    let relative = to_omega * root(slip, 1.3, 1.65);
+    let gamma = (relative / antiresonance).powi(2) - 1.0;
+    let kappa = gamma * (antiresonance.powi(2) / product).powi(2);
+    let ratio = antiresonance / product;
+    let [hertz, radians] = [1.0 / RATIO, 1.0 / (TAU * RATIO)];
+    // The storey of F31 has the same plates and bars.
+    let near = |frequency: f64| (frequency / ONE_STOREY - 1.0).abs() < 0.1;
+    Row {
+        id: "F30",
+        claim: "rig, two storeys, fitted to tests: r₁/ω, γ, κ",
+        place: "6.4.2, (6.17) to (6.19)",
+        entries: vec![
+            words(
+                "r₁/ω, ω in rad/s",
+                "0.3419 s",
+                format!(
+                    "√(k₁/m₁)/2π = {radians:.4} Hz by it; with the frequency in Hz {hertz:.3} Hz; \
+                     of F31's storey {ONE_STOREY} Hz"
+                ),
+                near(radians) || !near(hertz),
+            ),
+            number("r₁/f from ω₀, ω₁, ω₂, s", "0.3419", TAU * ratio, 6),
+            number("γ", "0.9772", gamma, 6),
+            number("κ", "1.1119", kappa, 6),
+        ],
+        reason: "0.3419 s goes with the frequency in Hz",
+    }
+}
+
+/// The fundamental of m₁ without friction, with its sign.
+fn system_fundamental(system: &System, r: f64) -> f64 {
+    ask(system, r, 0.0, |motion| {
+        let mass = motion.mass("m1");
+        mass.map_or(f64::NAN, |mass| mass.harmonic(1).re)
+    })
+}
+
+fn relative() -> Row {
+    let system = chain(&[1.0, GAMMA], &[1.0, KAPPA], "m1 - base", "base", "");
+    let fundamental = |r: f64, beta: f64| {
+        ask(&system, r, beta, |motion| {
+            motion.contact().harmonic(1).norm()
+        })
+    };
+    let place = invariant(&system, fundamental, 1.04, 1.12);
+    let free = (KAPPA / GAMMA).sqrt();
+    Row {
+        id: "F32",
+        claim: "the rig, contact m₁-base, base excitation: relative motion independent of β at r",
+        place: "6.5.3, figure 6.29",
+        entries: vec![
+            number("r", "1.09", place, 6),
+            formula("that is √(κ/γ)", ("", free), place, 1e-9, 6),
+            added("its fundamental there, β = 0.3", fundamental(free, 0.3), 6),
+        ],
+        reason: "√(κ/γ), where m₂ swings freely",
+    }
+}

@@ -1,0 +1,62 @@
+//! The table as Markdown.
+
+use super::row::{Entry, Row, Verdict};
+
+const HEAD: &str = "# Printed numbers, and what comes out
+
+What the thesis prints, beside what `cargo run --release --example facts` computes with this library.
+A row agrees if each of its printed numbers is what comes out to the printed number's own digits; where
+nothing is printed, what comes out stands alone. [corrections.md](corrections.md) lists the equations
+that are misprinted.
+
+| row | scene and quantity | place | printed | comes out | verdict |
+|---|---|---|---|---|---|
+";
+
+/// Says the verdict in words.
+#[must_use]
+pub fn verdict(verdict: Verdict) -> String {
+    match verdict {
+        Verdict::Agrees => "agrees to its digits".into(),
+        Verdict::Corrected(reason) => format!("corrected: {reason}"),
+        Verdict::Unexplained => "differs, unexplained".into(),
+    }
+}
+
+fn printed(entry: &Entry) -> String {
+    match (entry.what.as_str(), entry.printed.as_str()) {
+        ("", printed) => printed.into(),
+        (what, "") => what.into(),
+        (what, printed) => format!("{what}: {printed}"),
+    }
+}
+
+/// The rows as a table, a line of a cell for each number.
+#[must_use]
+pub fn page(rows: &[Row]) -> String {
+    let lines = |row: &Row, cell: fn(&Entry) -> String| {
+        let cells: Vec<String> = row.entries.iter().map(cell).collect();
+        cells.join("<br>")
+    };
+    let mut text = String::from(HEAD);
+    for row in rows {
+        let computed = lines(row, |entry| entry.computed.clone());
+        let cells = [
+            row.id,
+            row.claim,
+            row.place,
+            &lines(row, printed),
+            &computed,
+            &verdict(row.verdict()),
+        ];
+        text.push_str(&format!("| {} |\n", cells.join(" | ")));
+    }
+    let count = |like: fn(&Verdict) -> bool| rows.iter().filter(|row| like(&row.verdict())).count();
+    text.push_str(&format!(
+        "\n{} of {} rows agree, {} are corrected.\n",
+        count(|verdict| *verdict == Verdict::Agrees),
+        rows.len(),
+        count(|verdict| matches!(verdict, Verdict::Corrected(_)))
+    ));
+    text
+}
