@@ -51,8 +51,7 @@ pub struct Share<S> {
     pub gain: S,
 }
 
-/// 2^24: the smallest `f32` times this has a finite reciprocal, and V, which on a moving base grows to
-/// r² = 2^100, does not overflow.
+/// 2^24: the smallest `f32` times this has a finite reciprocal.
 const LIFT: f64 = (1_u32 << 24) as f64;
 
 /// The angle moved by a turn into (−π, π], from within a turn of it.
@@ -207,8 +206,10 @@ impl<S: Scalar> Chain<S> {
         );
         let ratio = named(ratio, ["response_re", "response_im"], None);
         let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
-        let lift = S::constant(if self.damped { LIFT } else { 1.0 });
-        let v = if self.damped {
+        // On a moving base V does not vanish, and β may be all that a number can be.
+        let lifted = self.damped && self.on_moving_base.is_none();
+        let lift = S::constant(if lifted { LIFT } else { 1.0 });
+        let v = if lifted {
             complex::scale(contact.v, lift)
         } else {
             contact.v
@@ -225,7 +226,11 @@ impl<S: Scalar> Chain<S> {
         } = *friction;
         if self.damped {
             let weight = (beta * unscale).named("friction_weight", None);
-            let (root, beta) = (root * lift, beta * lift);
+            let (root, beta) = if lifted {
+                (root * lift, beta * lift)
+            } else {
+                (root, beta)
+            };
             Carrier {
                 constant: constant * weight,
                 cosine: (root * ratio.re + beta * mismatch.im) * unscale,

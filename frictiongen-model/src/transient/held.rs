@@ -29,7 +29,7 @@ pub(super) fn held<S: Scalar>(
     let (mut held, mut shares) = (Vec::new(), Vec::new());
     for pair in pairs(&driven) {
         let (omega, zeta) = (pair.omega, pair.zeta);
-        let mut own: Vec<[Dd; 2]> = modes
+        let own: Vec<Option<[Dd; 2]>> = modes
             .iter()
             .map(|mode| {
                 // d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial; its inverse is
@@ -37,8 +37,22 @@ pub(super) fn held<S: Scalar>(
                 let a = (mode.zeta * mode.resonance - zeta * omega) * two;
                 let b = (mode.resonance - omega) * (mode.resonance + omega);
                 let resultant = b * b - two * zeta * omega * a * b + omega * omega * a * a;
+                if resultant.is_zero() {
+                    return None;
+                }
                 let weight = mode.contact / resultant;
-                [weight * (b - two * zeta * omega * a), -(weight * a * omega)]
+                Some([weight * (b - two * zeta * omega * a), -(weight * a * omega)])
+            })
+            .collect();
+        // A mode that the contact hardly touches is itself a held mode, as far as numbers go.
+        let itself = own.iter().position(Option::is_none);
+        let mut own: Vec<[Dd; 2]> = own
+            .into_iter()
+            .enumerate()
+            .map(|(index, share)| match itself {
+                Some(itself) if itself == index => [one, Dd::ZERO],
+                Some(_) => [Dd::ZERO; 2],
+                None => share.unwrap_or([Dd::ZERO; 2]),
             })
             .collect();
         let largest = own

@@ -185,3 +185,44 @@ fn a_cycle_of_too_many_turns() {
     let orbit = at.orbit(0.2690065403843426 * at.continuous_limit());
     assert_eq!(orbit.err(), Some(NoOrbit::TooManyEvents));
 }
+
+/// A mode that the contact touches by 1e-18 of what it touches the others was at rest in the stuck chain to
+/// all digits of a double-double, and its share in itself was 0/0.
+#[test]
+fn a_mode_that_the_contact_hardly_touches() {
+    let text = "struct R { masses: { a: 0.35, b: 2.4e5, c: 1.6, d: 0.19 },
+        springs: { base - a: 4.3, a - b: 7.7e5, b - c: 0.76, c - d: 1.1 }, contact: d - base,
+        excitation: c, damping: modal(2.14), stiction: 1.98 }";
+    let system: System = text.parse().expect("a sound scene");
+    let sliding = system.at(119.3).expect("a ratio").sliding_limit();
+    let mut run = system
+        .simulation(119.3, 0.8 * sliding)
+        .expect("in the domain");
+    for _ in 0..24 {
+        run.advance(std::f64::consts::TAU);
+        let (z, velocity) = run.run().relative();
+        assert!(z.is_finite() && velocity.is_finite(), "{z}, {velocity}");
+    }
+}
+
+friction_system! {
+    struct Carried {
+        masses: { a: 8e-5, b: 0.52, c: 0.1 },
+        springs: { base - a: 1.2, a - b: 3.6, b - c: 3.9 },
+        contact: c - base,
+        excitation: base,
+        damping: modal(1),
+        scalar: f32,
+        provide: [limits, motion],
+    }
+}
+
+/// On a moving base both limits grow as r², and β with them, up to where nothing may be lifted.
+#[test]
+fn a_friction_ratio_as_large_as_it_gets() {
+    let at = Carried::at(2.8e37).expect("a ratio");
+    let motion = at.motion(0.03 * at.continuous_limit()).expect("continuous");
+    for amplitude in [motion.b().amplitude(), motion.b().amplitude_monoharmonic()] {
+        assert!(amplitude.is_finite(), "{amplitude}");
+    }
+}
