@@ -98,6 +98,11 @@ impl Visitor for Scenes {
     }
 }
 
+/// Whether it is one.
+pub fn is_number<S: Float>(value: S) -> bool {
+    !value.to_f64().is_nan()
+}
+
 pub fn promise(holds: bool, what: impl FnOnce() -> String) -> Result<(), String> {
     if holds { Ok(()) } else { Err(what()) }
 }
@@ -163,7 +168,7 @@ where
     }
     if let Ok(stuck) = at.stuck_mass(asked.mass % system.masses()) {
         let held = stuck.ok_or("no such mass")?;
-        promise(held.re == held.re && held.im == held.im, || {
+        promise(is_number(held.re) && is_number(held.im), || {
             format!("stuck {held:?}")
         })?;
     }
@@ -180,14 +185,13 @@ fn moves<S: Float>(motion: &dyn Steady<Scalar = S>, asked: &Asked) -> Result<(),
         format!("phase {phase:?}")
     })?;
     let harmonic = motion.harmonic(asked.order);
-    promise(
-        harmonic.re == harmonic.re && harmonic.im == harmonic.im,
-        || format!("harmonic {harmonic:?}"),
-    )?;
+    promise(is_number(harmonic.re) && is_number(harmonic.im), || {
+        format!("harmonic {harmonic:?}")
+    })?;
     let tau = S::constant(asked.tau);
     if tau.is_finite() {
         let (x, v) = (motion.displacement(tau), motion.velocity(tau));
-        promise(x == x && v == v, || {
+        promise(is_number(x) && is_number(v), || {
             format!("displacement {x:?}, velocity {v:?}")
         })?;
     }

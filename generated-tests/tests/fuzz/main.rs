@@ -17,7 +17,7 @@ fn long() -> u64 {
 
 /// True for one number in `often`.
 fn once_in(often: u64, number: u64) -> bool {
-    number % often == 0
+    number.is_multiple_of(often)
 }
 
 /// Fails with what was found.

@@ -1,6 +1,6 @@
 //! What is asked of a run in time and of a steady state with stops.
 
-use crate::functions::promise;
+use crate::functions::{is_number, promise};
 use frictiongen::kernel::Float;
 use frictiongen::kernel::complex::Complex;
 use frictiongen::kernel::orbit::{Orbit, OrbitMotion};
@@ -10,7 +10,7 @@ use frictiongen::kernel::simulation::{Part, Simulation};
 const SEGMENTS: usize = 24;
 
 fn number<S: Float>(value: S, what: &str) -> Result<(), String> {
-    promise(value == value, || format!("{what} is NaN"))
+    promise(is_number(value), || format!("{what} is NaN"))
 }
 
 /// A run goes on in segments of some length, with numbers for its state.

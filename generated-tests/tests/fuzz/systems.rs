@@ -1,7 +1,7 @@
 //! Run-time systems of random scenes: everything that is asked of emitted ones, runs in time, steady
 //! states with stops, and derivatives.
 
-use crate::functions::{Asked, answered, promise, question};
+use crate::functions::{Asked, answered, is_number, promise, question};
 use crate::{long, moving, none, once_in};
 use frictiongen::kernel::Plain;
 use frictiongen::study::Sensitive;
@@ -95,7 +95,9 @@ fn dear<S: Plain>(system: &System<S>, asked: &Asked) -> Result<(), String> {
                 format!("a segment of {length:?}")
             })?;
             let (z, velocity) = run.run().relative();
-            promise(z == z && velocity == velocity, || "a run of NaN".to_owned())?;
+            promise(is_number(z) && is_number(velocity), || {
+                "a run of NaN".to_owned()
+            })?;
         }
     }
     if let Ok(orbit) = at.orbit(beta) {
