@@ -136,7 +136,7 @@ fn clip(piece: &[(f64, f64)], y: &Axis) -> Pieces {
     clipped
 }
 
-/// Leaves out the points that a straight line already shows: those nearer than [`SEEN`] to it, with
+/// Leaves out the points that a straight line already shows: those nearer than `SEEN` to it, with
 /// axes of the given numbers of pixels.
 #[must_use]
 pub fn thin(
