@@ -207,14 +207,9 @@ impl<S: Scalar> Chain<S> {
         let ratio = named(ratio, ["response_re", "response_im"], None);
         let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
         // On a moving base V does not vanish, and β may be all that a number can be.
-        let lifted = self.damped && self.on_moving_base.is_none();
-        let lift = S::constant(if lifted { LIFT } else { 1.0 });
-        let v = if lifted {
-            complex::scale(contact.v, lift)
-        } else {
-            contact.v
-        };
-        let inverse_v = complex::reciprocal(v, self.damped);
+        let vanishes = self.damped && self.on_moving_base.is_none();
+        let lift = S::constant(if vanishes { LIFT } else { 1.0 });
+        let inverse_v = complex::reciprocal(complex::scale(contact.v, lift), self.damped);
         let response = complex::scale(ratio, friction.unscale);
         let ratio = complex::mul(ratio, inverse_v, self.damped);
         let mismatch = complex::mul(mismatch, inverse_v, self.damped);
@@ -226,11 +221,7 @@ impl<S: Scalar> Chain<S> {
         } = *friction;
         if self.damped {
             let weight = (beta * unscale).named("friction_weight", None);
-            let (root, beta) = if lifted {
-                (root * lift, beta * lift)
-            } else {
-                (root, beta)
-            };
+            let (root, beta) = (root * lift, beta * lift);
             Carrier {
                 constant: constant * weight,
                 cosine: (root * ratio.re + beta * mismatch.im) * unscale,

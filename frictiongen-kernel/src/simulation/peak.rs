@@ -26,8 +26,6 @@ impl<S: Float> Sum<'_, S> {
             let Walk::Zero(tau, _) = first_reach(self, level * near, from, Start::Anywhere) else {
                 return;
             };
-            // All but flat, a function reaches its level by its slope far beyond where it is asked for.
-            let tau = tau.min(self.reach);
             let (top, value, curve) = self.climbed(tau);
             level = note(top, value);
             // Past the summit by as much as it takes to be below the level again.

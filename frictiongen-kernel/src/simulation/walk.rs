@@ -48,7 +48,7 @@ pub(super) fn first_zero<S: Float>(sum: &Sum<'_, S>, start: Start<S>) -> Walk<S>
     for _ in 0..MAX_STEPS {
         let noise = if exact { zero } else { sum.noise };
         let h = match judged(&local, noise, tau, exact) {
-            Verdict::Zero(shift) => return Walk::Zero((tau + shift).max(zero), false),
+            Verdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), false),
             Verdict::Past(step) => step,
             Verdict::Above => step::safe(
                 local.value.max(zero),
@@ -101,7 +101,7 @@ pub(super) fn first_reach<S: Float>(
             let gap = gap(&local, level, negative);
             let most = sum.reach - tau;
             let h = match judged(&gap, noise, tau, false) {
-                Verdict::Zero(shift) => return Walk::Zero((tau + shift).max(zero), negative),
+                Verdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), negative),
                 Verdict::Past(step) => step.min(most),
                 Verdict::Above => {
                     step::safe(gap.value.max(zero), gap.slope, gap.curve, gap.bound, most)
@@ -118,6 +118,11 @@ pub(super) fn first_reach<S: Float>(
         }
     }
     Walk::Until(tau)
+}
+
+/// Where a function is all but flat, its slope meets the zero far beyond what is asked for.
+fn within<S: Float>(sum: &Sum<'_, S>, tau: S) -> S {
+    tau.max(S::constant(0.0)).min(sum.reach)
 }
 
 /// level ∓ the function.

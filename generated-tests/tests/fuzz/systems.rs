@@ -88,10 +88,10 @@ fn dear<S: Plain>(system: &System<S>, asked: &Asked) -> Result<(), String> {
     };
     let beta = asked.beta(at.continuous_limit(), at.sliding_limit());
     if let Ok(mut run) = system.simulation(r, beta) {
+        let most = S::pi() + S::pi();
         for _ in 0..24 {
-            let segment = run.advance(S::pi() + S::pi());
-            let length = segment.length;
-            promise(S::constant(0.0) <= length, || {
+            let length = run.advance(most).length;
+            promise(S::constant(0.0) <= length && length <= most, || {
                 format!("a segment of {length:?}")
             })?;
             let (z, velocity) = run.run().relative();
