@@ -53,7 +53,8 @@ pub enum NoOrbit {
     Unstable,
     /// The motion repeats after so many cycles of the excitation instead of one.
     Subharmonic(u32),
-    /// No motion that repeats after a cycle within [`MAX_CYCLES`](crate::orbit::MAX_CYCLES).
+    /// No motion that repeats after a cycle within [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) and
+    /// [`MAX_STEPS`](crate::orbit::MAX_STEPS).
     Unsettled,
 }
 

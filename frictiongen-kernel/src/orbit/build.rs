@@ -1,7 +1,7 @@
 //! From a scene, r and β to its steady state.
 
-use super::flow::{Flow, MOST_EVENTS};
-use super::solve::{Found, ON_CIRCLE, Room, multipliers, settle};
+use super::flow::Flow;
+use super::solve::{Found, MAX_STEPS, ON_CIRCLE, Room, multipliers, settle};
 use super::{MAX_SEGMENTS, Mark, Orbit};
 use crate::complex::Complex;
 use crate::errors::NoOrbit;
@@ -58,6 +58,7 @@ where
             held,
             middle: zero,
             stuck: zero,
+            patience: MAX_STEPS,
         };
         let driven = dynamics.in_contact();
         let room = numbers.as_mut();
@@ -103,6 +104,8 @@ where
             } else {
                 settle(&mut flow, &mut room)?
             };
+            // However long the way, the cycle itself may take as much again.
+            flow.patience = MAX_STEPS;
             let count = recorded(&mut flow, &mut marks, states)?;
             let symmetric = found.symmetric || is_symmetric(&mut flow, &mut room)?;
             (Found { symmetric, ..found }, count)
@@ -229,15 +232,11 @@ fn recorded<S: Float>(
     // To the first event; from the section itself where there is none.
     let section: Stance<S> = flow.stance;
     let mut left = cycle;
-    let mut leaps = 0;
     loop {
+        let end = leap(flow.setting, flow.modes, flow.held, flow.stance, left);
         // A leap that is too long for one ends without an event; where a mode turns faster than r is
         // known, there is no end of them.
-        if leaps == MOST_EVENTS {
-            return Err(NoOrbit::TooManyEvents);
-        }
-        leaps += 1;
-        let end = leap(flow.setting, flow.modes, flow.held, flow.stance, left);
+        flow.spend(end.steps)?;
         flow.stance = end.stance;
         left = left - end.tau;
         if end.event.is_some() {
@@ -252,16 +251,12 @@ fn recorded<S: Float>(
     let slack = S::constant(1e-9_f64.max(1024.0 * S::EPSILON));
     left = cycle;
     let mut count = 0;
-    leaps = 0;
     while slack < left {
-        if leaps == MOST_EVENTS {
-            return Err(NoOrbit::TooManyEvents);
-        }
-        leaps += 1;
         let stance = flow.stance;
         save(flow, states, count);
         let relative = flow.setting.relative(flow.modes, stance.t.sin_cos_pi());
         let end = leap(flow.setting, flow.modes, flow.held, stance, left + slack);
+        flow.spend(end.steps)?;
         let length = if left - slack < end.tau {
             left
         } else {

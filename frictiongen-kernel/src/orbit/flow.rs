@@ -7,7 +7,7 @@ use crate::scalar::Float;
 use crate::simulation::{Contact, Event, Part, Setting, Stance, leap};
 
 /// No half cycle is followed through more events than this.
-pub(super) const MOST_EVENTS: u32 = 4096;
+const MOST_EVENTS: u32 = 4096;
 
 /// What happens in half a cycle, or in a whole one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -47,12 +47,20 @@ pub(super) struct Flow<'f, 'a, S> {
     pub middle: S,
     /// For how long the contact stuck in the last half cycle.
     pub stuck: S,
+    /// So many steps it may still take.
+    pub patience: u32,
 }
 
 impl<S: Float> Flow<'_, '_, S> {
     /// How many numbers a state has.
     pub(super) fn size(&self) -> usize {
         2 * self.setting.dynamics.in_contact()
+    }
+
+    /// Takes the steps of a leap from what is left.
+    pub(super) fn spend(&mut self, steps: u32) -> Result<(), NoOrbit> {
+        self.patience = self.patience.checked_sub(steps).ok_or(NoOrbit::Unsettled)?;
+        Ok(())
     }
 
     /// Half a cycle on; deviations in `columns` go along.
@@ -86,6 +94,7 @@ impl<S: Float> Flow<'_, '_, S> {
                 self.stuck = self.stuck + end.tau;
             }
             self.stance = end.stance;
+            self.spend(end.steps)?;
             left = left - end.tau;
             match end.event {
                 Some(event) => pattern.note(event),

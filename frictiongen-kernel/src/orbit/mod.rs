@@ -16,7 +16,7 @@ mod solve;
 mod tangent;
 
 pub use motion::OrbitMotion;
-pub use solve::MAX_CYCLES;
+pub use solve::{MAX_CYCLES, MAX_STEPS};
 
 use crate::complex::{self, Complex};
 use crate::scalar::Float;

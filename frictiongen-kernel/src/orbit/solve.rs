@@ -11,6 +11,10 @@ use crate::simulation::{Contact, Stance};
 
 /// So many cycles are followed at most before the search for a steady state is given up.
 pub const MAX_CYCLES: u32 = 2048;
+/// So many steps from one place of a motion to the next are made at most on the way: half of the steady
+/// states of random scenes take a thousand, none has been seen to take half of this.  Modes a thousand
+/// times as fast as the excitation would need as many for every cycle.
+pub const MAX_STEPS: u32 = 1 << 20;
 /// Nearer to the unit circle than this many roundings, a multiplier counts as on it.
 pub(super) const ON_CIRCLE: f64 = 4096.0;
 const NEWTON_STEPS: u32 = 12;

@@ -23,7 +23,8 @@ impl<S: Float> Sum<'_, S> {
             }
         }
         for _ in 0..MAX_CLIMBS {
-            let Walk::Zero(tau, _) = first_reach(self, level * near, from, Start::Anywhere) else {
+            let Walk::Zero(tau, _) = first_reach(self, level * near, from, Start::Anywhere, &mut 0)
+            else {
                 return;
             };
             let (top, value, curve) = self.climbed(tau);

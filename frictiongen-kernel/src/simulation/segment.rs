@@ -34,6 +34,8 @@ pub(crate) struct End<S> {
     pub slope: S,
     /// How much the contact force jumps at the event: before less after.
     pub jump: S,
+    /// How many steps it took to find.
+    pub steps: u32,
 }
 
 /// Sine and cosine of the excitation's angle.
@@ -216,7 +218,7 @@ pub(crate) fn leap<S: Float>(
 }
 
 /// A segment that ends with no event.
-fn quiet<S: Float>(tau: S, stance: Stance<S>) -> End<S> {
+fn quiet<S: Float>(tau: S, stance: Stance<S>, steps: u32) -> End<S> {
     let zero = S::constant(0.0);
     End {
         tau,
@@ -229,6 +231,7 @@ fn quiet<S: Float>(tau: S, stance: Stance<S>) -> End<S> {
         },
         slope: zero,
         jump: zero,
+        steps,
     }
 }
 
@@ -242,17 +245,18 @@ fn sliding<S: Float>(
     let from = phase(stance.t);
     let sum = setting.slide(modes, &stance, reach);
     let start = stance.departing.map_or(Start::Anywhere, Start::Zero);
-    let (tau, ends) = match first_zero(&sum, start) {
+    let mut steps = 0;
+    let (tau, ends) = match first_zero(&sum, start, &mut steps) {
         Walk::Zero(tau, _) => (tau, true),
         Walk::Until(tau) => (tau, false),
         Walk::NoStart => {
-            let mut end = quiet(zero, stance);
+            let mut end = quiet(zero, stance, steps);
             end.stance.contact = Contact::Stuck;
             end.stance.wedged = true;
             return end;
         }
     };
-    let mut end = quiet(tau, stance);
+    let mut end = quiet(tau, stance, steps);
     let to = phase(end.stance.t);
     advanced(modes, tau, from, to);
     if !ends {
@@ -291,13 +295,15 @@ fn stuck<S: Float>(
     } else {
         Start::Anywhere
     };
-    let (tau, breaks) = match first_reach(&sum, setting.grip(), S::constant(0.0), start) {
+    let mut steps = 0;
+    let walk = first_reach(&sum, setting.grip(), S::constant(0.0), start, &mut steps);
+    let (tau, breaks) = match walk {
         Walk::Zero(tau, negative) => (tau, Some(negative)),
         Walk::Until(tau) => (tau, None),
         Walk::NoStart => (reach, None),
     };
     let slope = sum.local(tau).slope;
-    let mut end = quiet(tau, stance);
+    let mut end = quiet(tau, stance, steps);
     let to = phase(end.stance.t);
     advanced(held, tau, from, to);
     let driven = setting.dynamics.in_contact().min(modes.len());

@@ -30,8 +30,8 @@ pub(super) enum Start<S> {
     Held,
 }
 
-/// The first zero of a positive sum.
-pub(super) fn first_zero<S: Float>(sum: &Sum<'_, S>, start: Start<S>) -> Walk<S> {
+/// The first zero of a positive sum; `steps` counts on.
+pub(super) fn first_zero<S: Float>(sum: &Sum<'_, S>, start: Start<S>, steps: &mut u32) -> Walk<S> {
     let zero = S::constant(0.0);
     let mut tau = zero;
     let mut local = sum.local(tau);
@@ -46,6 +46,7 @@ pub(super) fn first_zero<S: Float>(sum: &Sum<'_, S>, start: Start<S>) -> Walk<S>
     }
     let mut exact = series.is_some();
     for _ in 0..MAX_STEPS {
+        *steps = steps.saturating_add(1);
         let noise = if exact { zero } else { sum.noise };
         let h = match judged(&local, noise, tau, exact) {
             Verdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), false),
@@ -81,11 +82,13 @@ pub(super) fn first_zero<S: Float>(sum: &Sum<'_, S>, start: Start<S>) -> Walk<S>
 }
 
 /// The first instant from `from` on at which |sum| reaches `level`; the flag says whether it is −level.
+/// `steps` counts on.
 pub(super) fn first_reach<S: Float>(
     sum: &Sum<'_, S>,
     level: S,
     from: S,
     start: Start<S>,
+    steps: &mut u32,
 ) -> Walk<S> {
     let zero = S::constant(0.0);
     let noise = sum.noise + level * S::constant(4.0 * S::EPSILON);
@@ -95,6 +98,7 @@ pub(super) fn first_reach<S: Float>(
     };
     let mut tau = from;
     for _ in 0..MAX_STEPS {
+        *steps = steps.saturating_add(1);
         let local = sum.local(tau);
         let mut next = sum.reach;
         for negative in [false, true] {
