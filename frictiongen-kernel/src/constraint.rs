@@ -39,8 +39,10 @@ impl<S: Float> Chain<S> {
         waves: &[Wave<S, D>],
         floor: S,
     ) -> Peak<S> {
-        // Undamped and with every R ≥ 1/2 the start of the half period decides.
-        if !self.damped && at.iter().all(|at| at.x <= S::constant(2.0)) {
+        // Undamped and with every R ≥ 1/2 the start of the half period decides; where no angle is known,
+        // nothing does.
+        let decided = !self.damped && at.iter().all(|at| at.x <= S::constant(2.0));
+        if decided || waves.iter().all(Wave::turns_unknown) {
             return Peak {
                 value: floor,
                 places: [None; 4],

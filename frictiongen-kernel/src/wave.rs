@@ -48,6 +48,15 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         self.x * (S::constant(1.0) + S::constant(2.0) * self.decay.zeta())
     }
 
+    /// Whether the rounding of x alone can turn the wave by a radian before it has died out, or it is at
+    /// rest.
+    pub(crate) fn turns_unknown(&self) -> bool {
+        let zero = S::constant(0.0);
+        let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
+        let rests = self.free == zero && self.swing_slope == zero;
+        rests || S::constant(1.0) < self.x * lasts * S::constant(S::RESOLUTION)
+    }
+
     /// The largest that the wave can be.
     fn amplitude_bound(&self) -> S {
         let one = S::constant(1.0);
