@@ -16,7 +16,7 @@ pub enum Regime {
 /// An argument that is NaN or negative, or infinite where that has no meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutOfDomain {
-    /// Which argument: "r", "beta".
+    /// Which argument: "r", "beta", "state".
     pub argument: &'static str,
 }
 
@@ -73,11 +73,14 @@ pub enum Error {
 
 impl fmt::Display for OutOfDomain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{} is outside the domain: it must be a number, not negative and not NaN",
-            self.argument
-        )
+        let needed = match self.argument {
+            "r" => {
+                "it must be a number, not negative and not NaN; a motion in time needs it clear of 0 and infinity too"
+            }
+            "state" => "it must have a finite displacement and velocity for each mass",
+            _ => "it must be a finite number, not negative",
+        };
+        write!(f, "{} is outside the domain: {needed}", self.argument)
     }
 }
 

@@ -29,7 +29,11 @@ fn ratios_that_are_none() {
     let error: Error = SdofWall::at(f64::NAN).expect_err("NaN").into();
     assert_eq!(
         error.to_string(),
-        "r is outside the domain: it must be a number, not negative and not NaN"
+        "r is outside the domain: it must be a number, not negative and not NaN; a motion in time needs it clear of 0 and infinity too"
+    );
+    assert_eq!(
+        out_of("beta").to_string(),
+        "beta is outside the domain: it must be a finite number, not negative"
     );
 }
 

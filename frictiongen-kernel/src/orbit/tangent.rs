@@ -71,6 +71,9 @@ fn stuck<S: Float>(
 /// The event comes δτ = −δf/f′ later; meanwhile the state moves on by the slope before it instead of
 /// that after it, which differ by the jump of the contact force.
 fn jump<S: Float>(setting: &Setting<'_, S>, stance: &Stance<S>, end: &End<S>, column: &mut [S]) {
+    if end.jump.is_zero() {
+        return;
+    }
     let (zero, two) = (S::constant(0.0), S::constant(2.0));
     let driven = setting.dynamics.driven();
     let mut deviation = zero;

@@ -89,7 +89,8 @@ impl<S: Float> Part<S> {
         let mut part = Self::empty();
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.resonance);
-        part.tuned(r, complex::real(mode.load), complex::real(S::constant(0.0)));
+        let (zero, one) = (S::constant(0.0), S::constant(1.0));
+        part.tuned(r, complex::real(mode.load), one, complex::real(zero));
         part
     }
 
@@ -99,18 +100,20 @@ impl<S: Float> Part<S> {
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.frequency);
         let [first, second] = drive;
-        // r²Ψ = ωφ₂ + (2ζω + ir)φ₁, the force on y alone.
-        let loss = (mode.zeta + mode.zeta) * mode.frequency;
+        // r²Ψ = ωφ₂ + (2ζω + ir)φ₁, the force on y alone; over r, as r³ may be out of range.
+        let over_r = mode.frequency / r;
+        let loss = (mode.zeta + mode.zeta) * over_r;
         let force = Complex::new(
-            mode.frequency * second.re + loss * first.re - r * first.im,
-            mode.frequency * second.im + loss * first.im + r * first.re,
+            over_r * second.re + loss * first.re - first.im,
+            over_r * second.im + loss * first.im + first.re,
         );
         let direct = complex::scale(first, S::constant(1.0) / mode.frequency);
-        part.tuned(r, force, direct);
+        part.tuned(r, force, r, direct);
         part
     }
 
-    fn tuned(&mut self, r: S, force: Complex<S>, direct: Complex<S>) {
+    /// Driven at r by `force` times `unit`, and by `direct`.
+    fn tuned(&mut self, r: S, force: Complex<S>, unit: S, direct: Complex<S>) {
         let one = S::constant(1.0);
         self.x = self.sigma / r;
         self.q2 = (one - self.zeta) * (one + self.zeta);
@@ -122,10 +125,10 @@ impl<S: Float> Part<S> {
         let driven = !(force.re.is_zero() && force.im.is_zero());
         self.near = self.near && driven;
         self.steady = if self.near {
-            complex::scale(force, one / (r * r))
+            complex::scale(force, unit / (r * r))
         } else if driven {
             let inverse = complex::reciprocal(Complex::new(detuning, loss), true);
-            complex::mul(force, inverse, true)
+            complex::mul(force, complex::scale(inverse, unit), true)
         } else {
             force
         };

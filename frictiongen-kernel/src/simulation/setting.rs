@@ -29,7 +29,8 @@ impl<'a, S: Float> Setting<'a, S> {
     /// The scene at r and β; `parts` are filled: one for each mode, then one for each held mode.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN, negative, zero and infinite r, and NaN, negative and infinite β.
+    /// [`OutOfDomain`] for NaN, negative, zero and infinite r, for r so near to 0 or ∞ that the formulas
+    /// leave the scalar's range, and for NaN, negative and infinite β.
     pub fn new(
         dynamics: Dynamics<'a, S>,
         r: S,

@@ -226,3 +226,49 @@ fn a_friction_ratio_as_large_as_it_gets() {
         assert!(amplitude.is_finite(), "{amplitude}");
     }
 }
+
+friction_system! {
+    struct Shaken {
+        masses: { a: 1.0, b: 0.7 },
+        springs: { base - a: 1.0, a - b: 1.3 },
+        contact: b - base,
+        excitation: base,
+        damping: modal[0.01, 0.02],
+        provide: [limits, simulation],
+    }
+}
+
+/// What drives a held mode on a moving base was formed with r³.
+#[test]
+fn a_base_that_shakes_faster_than_a_cube_can_hold() {
+    let r = 1e116;
+    let beta = Shaken::at(r).expect("a ratio").continuous_limit();
+    let mut run = Shaken::simulation(r, beta).expect("in the domain");
+    for _ in 0..8 {
+        run.advance(core::f64::consts::TAU);
+        let (z, velocity) = run.relative();
+        assert!(z.is_finite() && velocity.is_finite(), "{z} {velocity}");
+    }
+}
+
+friction_system! {
+    struct Creeping {
+        masses: { a: 1.0, b: 0.7 },
+        springs: { base - a: 1.0, a - b: 1.3 },
+        contact: a - b,
+        excitation: b,
+        damping: modal(1),
+        scalar: f32,
+        provide: [limits, orbit],
+    }
+}
+
+/// Without friction nothing jumps at a reversal, however slowly the contact passes it: 0/0.
+#[test]
+fn multipliers_without_friction() {
+    let at = Creeping::at(5.124_947e-4).expect("a ratio");
+    let orbit = at.orbit(0.0).expect("a steady state");
+    for multiplier in orbit.multipliers() {
+        assert!(multiplier.re.is_finite() && multiplier.im.is_finite());
+    }
+}
