@@ -196,9 +196,18 @@ impl<S: Scalar> Chain<S> {
             }
         }
         let ratio = self.plus(driven.own, driven.rest);
+        // On a moving base V grows as r², and the products with it may be out of range.
+        let on_base = self.on_moving_base.is_some();
+        let (drop, rise) = if on_base {
+            (1.0 / LIFT, LIFT)
+        } else {
+            (1.0, 1.0)
+        };
+        let drop = S::constant(drop);
         // Products of sums: a far mass moves by V_k U − U_k V, and what is common must stay so.
-        let part = |driven, u, rubbed: Complex<S>, v| {
-            self.plus(complex::scale(driven, u), complex::scale(v, rubbed.re))
+        let part = |driven, u: S, rubbed: Complex<S>, v| {
+            let (u, rubbed) = (u * drop, rubbed.re * drop);
+            self.plus(complex::scale(driven, u), complex::scale(v, rubbed))
         };
         let mismatch = self.plus(
             part(driven.own, apart.own.u, rubbed.own, apart.own.v),
@@ -207,7 +216,7 @@ impl<S: Scalar> Chain<S> {
         let ratio = named(ratio, ["response_re", "response_im"], None);
         let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
         // On a moving base V does not vanish, and β may be all that a number can be.
-        let vanishes = self.damped && self.on_moving_base.is_none();
+        let vanishes = self.damped && !on_base;
         let lift = S::constant(if vanishes { LIFT } else { 1.0 });
         let inverse_v = complex::reciprocal(complex::scale(contact.v, lift), self.damped);
         let response = complex::scale(ratio, friction.unscale);
@@ -219,20 +228,21 @@ impl<S: Scalar> Chain<S> {
             unscale,
             ..
         } = *friction;
+        let (root, raised) = (root * drop * lift, unscale * S::constant(rise));
         if self.damped {
             let weight = (beta * unscale).named("friction_weight", None);
-            let (root, beta) = (root * lift, beta * lift);
+            let beta = beta * lift;
             Carrier {
                 constant: constant * weight,
-                cosine: (root * ratio.re + beta * mismatch.im) * unscale,
-                sine: (beta * mismatch.re - root * ratio.im) * unscale,
+                cosine: (root * ratio.re + beta * mismatch.im) * raised,
+                sine: (beta * mismatch.re - root * ratio.im) * raised,
                 response,
             }
         } else {
             Carrier {
                 constant,
-                cosine: root * ratio.re * unscale,
-                sine: beta * mismatch.re * unscale,
+                cosine: root * ratio.re * raised,
+                sine: beta * mismatch.re * raised,
                 response,
             }
         }

@@ -5,6 +5,10 @@ use crate::decay::Decay;
 use crate::scalar::Float;
 use crate::wave::Local;
 
+/// So often may a step of Newton's method, so near a maximum that values do not tell, fail to be half of the
+/// one before: while the curvature still changes once or twice.
+const MAX_STALLS: u32 = 3;
+
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// Newton's method on the quotient's derivative, never downhill.
     pub(super) fn climb(&mut self, tau: S, local: Local<S>, negative: bool) {
@@ -14,6 +18,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let mut best = self.quotient(&local, negative);
         let mut trust = S::constant(0.25);
         let narrow = S::constant(1e-3) * self.sum.unit();
+        let (mut last, mut stalls) = (S::pi(), 0);
         for _ in 0..60 {
             let (slope, curvature) = self.ascent(&local, negative);
             let newton = if curvature < zero {
@@ -32,7 +37,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let value = self.quotient(&at_next, negative != flipped);
             // So near a maximum the values no longer tell, while Newton's method still converges.
             let near = curvature < zero && step.abs() < narrow;
-            if value < best && !near {
+            let untold = curvature < zero && self.untold(best, value, slope * step);
+            if value < best && !(near || untold) {
                 trust = step.abs() * half;
                 continue;
             }
@@ -41,6 +47,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             if near && step.abs() < S::constant(4.0 * S::RESOLUTION) * self.sum.unit() {
                 break;
             }
+            // Rounding of the slope goes on for ever.
+            stalls += u32::from(untold && last * half < step.abs());
+            if stalls == MAX_STALLS {
+                break;
+            }
+            last = step.abs();
         }
         let share = S::constant(1.0 - EQUAL * S::RESOLUTION);
         let place = Place { tau, negative };
@@ -71,30 +83,39 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     pub(super) fn note_tie(&mut self, tau: S, local: Local<S>, negative: bool) {
         let value = self.quotient(&local, negative);
         let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
-        let known = |place: &Place<S>| {
-            place.negative == negative && (place.tau - tau).abs() < S::constant(APART)
-        };
-        if equal < value && !self.peak.places.iter().flatten().any(known) {
+        if equal < value && !self.knows(Place { tau, negative }) {
             self.climb(tau, local, negative);
         }
     }
 
     fn note(&mut self, place: Place<S>) {
-        let near = S::constant(APART);
-        for slot in &mut self.peak.places {
-            match slot {
-                Some(known)
-                    if known.negative == place.negative && (known.tau - place.tau).abs() < near =>
-                {
-                    return;
-                }
-                Some(_) => {}
-                None => {
-                    *slot = Some(place);
-                    return;
-                }
-            }
+        if self.knows(place) {
+            return;
         }
+        if let Some(free) = self.peak.places.iter_mut().find(|slot| slot.is_none()) {
+            *free = Some(place);
+        }
+    }
+
+    /// Whether this maximum is known: the end of one half period is the beginning of the next, of the
+    /// other sign.
+    fn knows(&self, place: Place<S>) -> bool {
+        let near = S::constant(APART);
+        self.peak.places.iter().flatten().any(|known| {
+            let apart = (known.tau - place.tau).abs();
+            if known.negative == place.negative {
+                apart < near
+            } else {
+                self.question.weight == Weight::One && self.question.end - apart < near
+            }
+        })
+    }
+
+    /// Whether values say nothing about a step of so much promise: the place of a maximum is where the
+    /// slope vanishes, and needs more digits than the value has.
+    fn untold(&self, best: S, value: S, promise: S) -> bool {
+        let rounding = S::constant(EQUAL * S::RESOLUTION) * best;
+        self.question.weight == Weight::One && promise <= rounding && best - value <= rounding
     }
 
     fn quotient(&self, local: &Local<S>, negative: bool) -> S {

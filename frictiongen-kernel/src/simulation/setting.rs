@@ -30,7 +30,7 @@ impl<'a, S: Float> Setting<'a, S> {
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative, zero and infinite r, for r so near to 0 or ∞ that the formulas
-    /// leave the scalar's range, and for NaN, negative and infinite β.
+    /// leave the scalar's range, and for NaN, negative and infinite β and μβ.
     pub fn new(
         dynamics: Dynamics<'a, S>,
         r: S,
@@ -48,6 +48,7 @@ impl<'a, S: Float> Setting<'a, S> {
             return Err(OutOfDomain { argument: "r" });
         }
         let beta = check_beta(beta)?;
+        check_beta(dynamics.chain.stiction * beta)?;
         let base = if dynamics.chain.on_moving_base.is_some() {
             one
         } else {

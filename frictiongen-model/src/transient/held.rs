@@ -29,32 +29,32 @@ pub(super) fn held<S: Scalar>(
     let (mut held, mut shares) = (Vec::new(), Vec::new());
     for pair in pairs(&driven) {
         let (omega, zeta) = (pair.omega, pair.zeta);
-        let own: Vec<Option<[Dd; 2]>> = modes
-            .iter()
-            .map(|mode| {
-                // d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial; its inverse is
-                // (b − 2αa − as)/R.
-                let a = (mode.zeta * mode.resonance - zeta * omega) * two;
-                let b = (mode.resonance - omega) * (mode.resonance + omega);
-                let resultant = b * b - two * zeta * omega * a * b + omega * omega * a * a;
-                if resultant.is_zero() {
-                    return None;
-                }
-                let weight = mode.contact / resultant;
-                Some([weight * (b - two * zeta * omega * a), -(weight * a * omega)])
-            })
-            .collect();
-        // A mode that the contact hardly touches is itself a held mode, as far as numbers go.
-        let itself = own.iter().position(Option::is_none);
-        let mut own: Vec<[Dd; 2]> = own
-            .into_iter()
-            .enumerate()
-            .map(|(index, share)| match itself {
-                Some(itself) if itself == index => [one, Dd::ZERO],
-                Some(_) => [Dd::ZERO; 2],
-                None => share.unwrap_or([Dd::ZERO; 2]),
-            })
-            .collect();
+        let mut own = vec![[Dd::ZERO; 2]; modes.len()];
+        // The mode with the largest part in Σ w_i/(s² + 2ζ_iσ_i s + λ_i) = 0, by which the others must be
+        // balanced: its own denominator may be all rounding.
+        let (mut nearest, mut part) = (0, Dd::ZERO);
+        for (index, (mode, share)) in modes.iter().zip(&mut own).enumerate() {
+            // d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial; its inverse is
+            // (b − 2αa − as)/R.
+            let a = (mode.zeta * mode.resonance - zeta * omega) * two;
+            let b = (mode.resonance - omega) * (mode.resonance + omega);
+            let resultant = b * b - two * zeta * omega * a * b + omega * omega * a * a;
+            let weight = mode.contact / resultant;
+            // The square of w_i's part.
+            let own_part = (mode.contact * mode.contact * mode.contact * weight).abs();
+            if !(own_part <= part) {
+                (nearest, part) = (index, own_part);
+            }
+            *share = [weight * (b - two * zeta * omega * a), -(weight * a * omega)];
+        }
+        let others = modes.iter().zip(&own).enumerate();
+        let others = others.filter(|(index, _)| *index != nearest);
+        let balance = others.fold([Dd::ZERO; 2], |[sum_g, sum_h], (_, (mode, [g, h]))| {
+            [sum_g + mode.contact * *g, sum_h + mode.contact * *h]
+        });
+        if let (Some(mode), Some(share)) = (modes.get(nearest), own.get_mut(nearest)) {
+            *share = balance.map(|part| -(part / mode.contact));
+        }
         let largest = own
             .iter()
             .flatten()

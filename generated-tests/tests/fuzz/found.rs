@@ -272,3 +272,55 @@ fn multipliers_without_friction() {
         assert!(multiplier.re.is_finite() && multiplier.im.is_finite());
     }
 }
+
+/// A mode that the contact touches by 1e-27 is itself a held mode as far as numbers go, but not to the last
+/// digit of a double-double: its share was all rounding.
+#[test]
+fn a_mode_whose_share_is_all_rounding() {
+    let text = "struct R { masses: { a: 2.4462350119996397, b: 7.35905547834189, c: 1.8784094014138872,
+        d: 0.3618976964314165 }, springs: { base - a: 0.16197076457801876, a - b: 144438.29095783064,
+        b - c: 7.507119145768243e-5, c - d: 6.781542474873392 }, contact: d - wall, excitation: b,
+        damping: modal(1), stiction: 1.694914197041189 }";
+    let system: System = text.parse().expect("a sound scene");
+    let mut run = system
+        .simulation(0.370_744, 1.0 / 60.0)
+        .expect("in the domain");
+    for _ in 0..8 {
+        run.advance(core::f64::consts::TAU);
+        let (z, velocity) = run.run().relative();
+        assert!(z.is_finite() && velocity.is_finite(), "{z} {velocity}");
+    }
+}
+
+friction_system! {
+    struct Tiny {
+        masses: { a: 3.7e4, b: 2.7, c: 2.5e-6 },
+        springs: { base - a: 0.35, a - b: 0.15, b - c: 1.4 },
+        contact: c - base,
+        excitation: base,
+        damping: rayleigh(0.0023, 0.16),
+        scalar: f32,
+        provide: [limits, motion],
+    }
+}
+
+/// On a moving base V grows as r², and times the mobility of a light mass it was beyond `f32`.
+#[test]
+fn a_light_mass_on_a_fast_base() {
+    let motion = Tiny::at(8.5e36).expect("a ratio").motion(4.4e-12);
+    let motion = motion.expect("continuous");
+    let (exact, estimate) = (motion.c().amplitude(), motion.c().amplitude_monoharmonic());
+    assert!(0.0 < exact && exact <= estimate, "{exact} {estimate}");
+}
+
+/// The friction that lets the contact stick was infinite.
+#[test]
+fn friction_that_overflows() {
+    let most = f64::MAX;
+    assert!(Shaken::simulation(0.5, most).is_ok());
+    let text = "struct R { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - wall,
+        excitation: base, stiction: 2 }";
+    let system: System = text.parse().expect("a sound scene");
+    assert!(system.simulation(0.5, most).is_err());
+    assert!(system.simulation(0.5, most / 4.0).is_ok());
+}
