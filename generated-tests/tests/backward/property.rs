@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 const BAR: f64 = 64.0;
 const POINTS: usize = 10;
 /// One place in so many gets a search in double-double.
-const SEARCHED: u64 = 16;
+const SEARCHED: u64 = 4;
 
 /// Knuth's 64-bit linear congruential generator: the same scenes on every machine.
 struct Random(u64);
