@@ -2,11 +2,12 @@
 //! evaluation from the rounding of its data.
 
 use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt};
-use frictiongen_kernel::decay::{Damped, Decay};
+use frictiongen_kernel::decay::{Damped, Decay, Instant};
 use frictiongen_kernel::mode::{Kind, Mode, ModeResponse};
 use frictiongen_kernel::motion::Friction;
+use frictiongen_kernel::search::Peak;
 use frictiongen_kernel::steady::{Motion, motion_wave};
-use frictiongen_kernel::wave::Wave;
+use frictiongen_kernel::wave::{Sum, Wave};
 use frictiongen_kernel::{Complex, Float};
 use frictiongen_model::modal::Reduced;
 
@@ -132,12 +133,63 @@ impl<S: Float> DataAt<'_, S> {
             .collect()
     }
 
+    /// The search for the velocity constraint S.
+    pub fn constraint_peak(&self) -> Peak<S> {
+        let modes = &self.data.reduced.modes;
+        self.chain()
+            .velocity_constraint(&self.contact, modes, &self.modes, &mut self.idle())
+    }
+
+    /// Σ m(1 + g)p + mu(cos τ − p′), which over sin τ is what S is the largest value of.
+    fn at_instant<T>(&self, tau: S, read: impl Fn(&Sum<'_, S, Damped<S>>, &Instant<S>) -> T) -> T {
+        let mut waves = self.idle();
+        let modes = self.data.reduced.modes.iter().zip(&self.modes);
+        for (wave, (mode, at)) in waves.iter_mut().zip(modes) {
+            if mode.in_contact {
+                wave.free = mode.mobility * (self.contact.scale + at.g);
+                wave.swing_slope = mode.mobility * at.u;
+            }
+        }
+        let zero = S::constant(0.0);
+        let sum = Sum {
+            waves: &waves,
+            constant: zero,
+            cosine: zero,
+            sine: zero,
+        };
+        read(&sum, &Instant::new(tau * S::inverse_pi()))
+    }
+
+    /// The velocity constraint at one instant; 0 at the ends of the half period, where it has no meaning.
+    pub fn constraint(&self, tau: S) -> S {
+        let zero = S::constant(0.0);
+        self.at_instant(tau, |sum, at| {
+            if zero < at.sine {
+                (sum.value(at) / at.sine).abs()
+            } else {
+                zero
+            }
+        })
+    }
+
+    /// What is 0 where the constraint is at its largest.
+    pub fn constraint_slope(&self, tau: S) -> S {
+        self.at_instant(tau, |sum, at| {
+            sum.slope(at) * at.sine - sum.value(at) * at.cosine
+        })
+    }
+
     /// β_lim.
     pub fn continuous_limit(&self) -> S {
-        let modes = &self.data.reduced.modes;
+        let constraint = self.constraint_peak().value;
+        self.chain().continuous_limit(&self.contact, constraint)
+    }
+
+    /// β_lim with S as it is at τ, or at τ → 0 if that is larger.
+    pub fn continuous_limit_at(&self, tau: S) -> S {
         let chain = self.chain();
-        let peak = chain.velocity_constraint(&self.contact, modes, &self.modes, &mut self.idle());
-        chain.continuous_limit(&self.contact, peak.value)
+        let constraint = self.constraint(tau).max(chain.break_away(&self.contact));
+        chain.continuous_limit(&self.contact, constraint)
     }
 
     /// β_lim with S at τ → 0.

@@ -1,20 +1,37 @@
 //! The elementary functions in double-double, to about 1e-31.
 
 use super::tables::LN_2;
-use super::{Dd, INVERSE_FACTORIAL, two_product, two_sum};
+use super::{Dd, INVERSE_FACTORIAL, ordered_sum, two_product, two_sum};
 use crate::float::POWER_400;
 use crate::scalar::{Float, Plain, Scalar};
 use crate::trig::double;
 
-/// Σ v^k/(first + 2k)!, down from the term of 1/last!.
-fn factorials_in_twos(first: usize, last: usize, v: Dd) -> Dd {
-    INVERSE_FACTORIAL
-        .iter()
-        .take(last + 1)
-        .skip(first)
-        .step_by(2)
-        .rev()
-        .fold(Dd::ZERO, |sum, coefficient| sum * v + *coefficient)
+/// The sum of two numbers of which the first is at least twice as large.
+#[inline]
+fn dominated_sum(large: Dd, small: Dd) -> Dd {
+    let (hi, rest) = ordered_sum(large.hi, small.hi);
+    Dd::joined(hi, rest + (large.lo + small.lo))
+}
+
+/// Σ cₖvᵏ, where every term is far below the one before.  From the number `exact` on they are below 2^−55
+/// of the first, and need no second part.
+#[inline]
+fn series<'a>(
+    coefficients: impl DoubleEndedIterator<Item = &'a Dd> + ExactSizeIterator + Clone,
+    exact: usize,
+    v: Dd,
+) -> Dd {
+    let (head, tail) = (coefficients.clone().take(exact), coefficients.skip(exact));
+    let tail = tail.rfold(0.0, |sum, coefficient| sum * v.hi + coefficient.hi);
+    head.rfold(Dd::from(tail), |sum, coefficient| {
+        dominated_sum(*coefficient, sum * v)
+    })
+}
+
+/// Σ v^k/(first + 2k)!, up to the term of 1/last!.
+fn factorials_in_twos(first: usize, last: usize, exact: usize, v: Dd) -> Dd {
+    let factorials = INVERSE_FACTORIAL.iter().take(last + 1).skip(first);
+    series(factorials.step_by(2), exact, v)
 }
 
 /// The number of halves nearest to h (its two lowest bits) and the exact remainder.
@@ -31,8 +48,8 @@ fn reduced(h: Dd) -> (u64, Dd) {
 fn turned(q: u64, r: Dd) -> (Dd, Dd) {
     let x = r * Dd::PI;
     let u = x * x;
-    let sin = x - x * u * factorials_in_twos(3, 31, -u);
-    let cos = Dd::ONE - u * factorials_in_twos(2, 32, -u);
+    let sin = x - x * u * factorials_in_twos(3, 31, 8, -u);
+    let cos = Dd::ONE - u * factorials_in_twos(2, 32, 9, -u);
     match q & 3 {
         0 => (sin, cos),
         1 => (cos, -sin),
@@ -55,12 +72,7 @@ fn reduced_exp_m1(x: Dd) -> (i32, Dd) {
     let (third, lost) = two_product(k, third);
     let rest = x - Dd::from(k * first) - Dd::from(k * second) - Dd::new(third, lost);
     let r = rest.scaled(1.0 / f64::from(1 << HALVINGS));
-    let series = INVERSE_FACTORIAL
-        .iter()
-        .take(17)
-        .skip(1)
-        .rev()
-        .fold(Dd::ZERO, |sum, coefficient| sum * r + *coefficient);
+    let series = series(INVERSE_FACTORIAL.iter().take(17).skip(1), 8, r);
     // (1 + p)² − 1 = 2p + p².
     let grown = (0..HALVINGS).fold(series * r, |p, _| p.scaled(2.0) + p * p);
     (k as i32, grown)
@@ -179,7 +191,7 @@ impl Scalar for Dd {
         let x = self * Self::PI;
         if self.hi.abs() < 0.5 {
             let u = x * x;
-            return u * factorials_in_twos(3, 37, -u);
+            return u * factorials_in_twos(3, 37, 10, -u);
         }
         Self::ONE - self.sin_cos_pi().0 / x
     }
@@ -194,7 +206,7 @@ impl Scalar for Dd {
         let decay = (-a).exp();
         if a.hi < 2.0 {
             let u = a * a;
-            return (a * u * factorials_in_twos(3, 37, u) * decay).scaled(2.0);
+            return (a * u * factorials_in_twos(3, 37, 11, u) * decay).scaled(2.0);
         }
         Self::ONE - decay * (decay + a.scaled(2.0))
     }

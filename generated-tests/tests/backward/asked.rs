@@ -1,7 +1,7 @@
 //! What is asked of a scene, and the formulas' answer.
 
 use frictiongen_kernel::{Complex, Float};
-use generated_tests::data::Data;
+use generated_tests::data::DataAt;
 
 /// What is asked of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -26,6 +26,16 @@ impl Asked {
             self,
             Self::ContinuousLimit | Self::WithoutSearch | Self::SlidingLimit | Self::Stuck(_)
         )
+    }
+    /// The mass that is asked about.
+    pub fn mass(self) -> Option<usize> {
+        match self {
+            Self::Amplitude(mass)
+            | Self::Phase(mass)
+            | Self::Displacement(mass)
+            | Self::Stuck(mass) => Some(mass),
+            _ => None,
+        }
     }
     pub fn kind(self) -> &'static str {
         match self {
@@ -61,8 +71,7 @@ impl<S: Float> Place<S> {
 }
 
 /// The answer of the formulas, in whatever scalar.
-pub fn answer<S: Float>(data: &Data<S>, place: &Place<S>, asked: Asked) -> Complex<S> {
-    let at = data.at(place.r);
+pub fn answer<S: Float>(at: &DataAt<'_, S>, place: &Place<S>, asked: Asked) -> Complex<S> {
     let real = |value: S| Complex::new(value, S::constant(0.0));
     match asked {
         Asked::ContinuousLimit => real(at.continuous_limit()),
@@ -74,5 +83,29 @@ pub fn answer<S: Float>(data: &Data<S>, place: &Place<S>, asked: Asked) -> Compl
         Asked::Phase(mass) => real(at.mass(mass, place.beta).phase()),
         Asked::Displacement(mass) => real(at.mass(mass, place.beta).displacement(place.tau)),
         Asked::Stuck(mass) => at.stuck(mass),
+    }
+}
+
+/// The same without a search, at the instant where it ends: a largest value moves with the inputs as
+/// the value there does.  A phase is the lag at which the mass stands still: its velocity there, which
+/// moves through zero as the phase moves past the lag.
+pub fn watched<S: Float>(
+    at: &DataAt<'_, S>,
+    place: &Place<S>,
+    asked: Asked,
+    instant: Option<S>,
+) -> Complex<S> {
+    let real = |value: S| Complex::new(value, S::constant(0.0));
+    match (asked, instant) {
+        (Asked::ContinuousLimit, Some(tau)) => real(at.continuous_limit_at(tau)),
+        (Asked::ContinuousLimit, None) => real(at.continuous_limit_without_search()),
+        (Asked::Amplitude(mass), Some(tau)) => {
+            real(at.mass(mass, place.beta).displacement(tau).abs())
+        }
+        (Asked::Phase(mass), Some(lag)) => {
+            let tau = lag - at.contact(place.beta).phase();
+            real(at.mass(mass, place.beta).velocity(tau))
+        }
+        _ => answer(at, place, asked),
     }
 }

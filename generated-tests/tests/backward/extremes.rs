@@ -2,7 +2,7 @@
 //! damping, for spreads of twelve decades, at nearly equal modes, at r = 0 and r = ∞.
 
 use crate::asked::{Asked, Place, answer};
-use crate::measure::{Error, against};
+use crate::measure::{Error, Judge, Scene};
 use frictiongen::study::System;
 use frictiongen_codegen::{Limits, parse_text};
 use frictiongen_kernel::dd::Dd;
@@ -147,22 +147,16 @@ fn real(value: Dd) -> Complex<Dd> {
 fn double_double_is_a_reference() {
     let mut worst = (0.0, String::new());
     for scene in scenes() {
-        let data = data(&modal(&scene), |value| value);
+        let exact = Scene::new(data(&modal(&scene), |value| value));
         for case in cases(&scene) {
             if case.place.r == 0.0 || !case.place.r.is_finite() {
                 continue;
             }
             let place = case.place.read(Dd::from);
-            let got = answer(&data, &place, case.asked);
             // In roundings of 2^-64, which is the reference's last digit.
-            let error = against(
-                &data,
-                &place,
-                case.asked,
-                got,
-                real(case.want),
-                (2f64.powi(-64), 64.0),
-            );
+            let judge = Judge::new(&exact, place, 2f64.powi(-64), 64.0);
+            let got = answer(&judge.at, &place, case.asked);
+            let error = judge.known(case.asked, got, case.want);
             if error.backward > worst.0 {
                 worst = (
                     error.backward,
@@ -185,7 +179,7 @@ fn every_value() {
     let mut failures = Vec::new();
     for scene in scenes() {
         let system: System = description(&scene).parse().expect("a valid scene");
-        let rounded = data(&modal(&scene), Dd::to_f64).read(Dd::from);
+        let rounded = Scene::new(data(&modal(&scene), Dd::to_f64).read(Dd::from));
         for case in cases(&scene) {
             let got = ask(&system, &case);
             assert!(!got.is_nan(), "{}: {:?} is NaN", case.name, case.asked);
@@ -198,15 +192,8 @@ fn every_value() {
                 );
                 continue;
             }
-            let place = case.place.read(Dd::from);
-            let error = against(
-                &rounded,
-                &place,
-                case.asked,
-                real(Dd::from(got)),
-                real(case.want),
-                (f64::EPSILON, BAR),
-            );
+            let judge = Judge::new(&rounded, case.place.read(Dd::from), f64::EPSILON, BAR);
+            let error = judge.known(case.asked, real(Dd::from(got)), case.want);
             let line = format!("{}: {got:e} for {:e}", case.name, case.want.to_f64());
             if !(error.backward <= BAR) {
                 failures.push(format!("{:?} {line}: {error:?}", case.asked));

@@ -2,6 +2,8 @@
 
 mod asked;
 mod condition;
+mod displacement;
 mod extremes;
+mod instant;
 mod measure;
 mod property;

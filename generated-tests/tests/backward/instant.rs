@@ -1,0 +1,106 @@
+//! The instants at which a sum is at its largest, exactly: next to where a search of the code under
+//! test has found them.
+
+use frictiongen_kernel::dd::Dd;
+use generated_tests::data::{DataAt, DataMotion};
+
+/// The zero of `of` next to `from`; none where it leaves the place or finds no end.  `epsilon` is how
+/// exactly `from` was known, of which a thousandth will do.
+fn zero(of: impl Fn(Dd) -> Dd, from: Dd, epsilon: f64) -> Option<Dd> {
+    // Where the function is flat, the first step must be a wider one.
+    [epsilon, 1e6 * epsilon]
+        .into_iter()
+        .find_map(|first| secant(&of, from, first, 1e-3 * epsilon))
+}
+
+/// The secant method, up to a step of `last`.
+fn secant(of: impl Fn(Dd) -> Dd, from: Dd, first: f64, last: f64) -> Option<Dd> {
+    const ABOUT: f64 = 0.1;
+    let (mut before, mut tau) = (from, from + Dd::from(first));
+    let mut at_before = of(before);
+    for _ in 0..60 {
+        let here = of(tau);
+        if here.is_zero() {
+            return Some(tau);
+        }
+        let step = here * (tau - before) / (here - at_before);
+        (before, at_before, tau) = (tau, here, tau - step);
+        if !((tau - from).abs().to_f64() < ABOUT) {
+            return None;
+        }
+        if step.abs().to_f64() <= last {
+            return Some(tau);
+        }
+    }
+    None
+}
+
+/// The instant next to `tau` at which a mass stands still.
+pub fn stationary(motion: &DataMotion<Dd>, tau: Dd, epsilon: f64) -> Option<Dd> {
+    zero(|tau| motion.velocity(tau), tau, epsilon)
+}
+
+/// x̄″, by a difference: the digits of [`Dd`] are enough.
+pub fn acceleration(motion: &DataMotion<Dd>, tau: Dd, epsilon: f64) -> Dd {
+    let step = Dd::from(1e-3 * epsilon);
+    (motion.velocity(tau + step) - motion.velocity(tau - step)) / (step + step)
+}
+
+/// Where the exact motion is at its largest: next to where it was found to be, which need not be a
+/// stationary point.
+pub fn largest(motion: &DataMotion<Dd>, found: Option<Dd>, epsilon: f64) -> Dd {
+    const ABOUT: f64 = 0.1;
+    let Some(found) = found else {
+        let places = motion.peak().places;
+        let mut places = places.iter().flatten();
+        return places.next().map_or(Dd::from(0.0), |place| place.tau);
+    };
+    if let Some(tau) = stationary(motion, found, epsilon) {
+        return tau;
+    }
+    let below = |away: f64| -motion.displacement(found + Dd::from(away)).abs().to_f64();
+    found + Dd::from(lowest(below, -ABOUT, ABOUT, f64::NEG_INFINITY))
+}
+
+/// Where a mass is at its largest, next to where it was with other inputs.
+pub fn followed(motion: &DataMotion<Dd>, tau: Dd, epsilon: f64) -> Dd {
+    let exact = stationary(motion, tau, epsilon);
+    higher(|tau| motion.displacement(tau).abs(), exact, tau)
+}
+
+/// Where the velocity constraint is at its largest: next to where it was found to be.
+pub fn constraining(at: &DataAt<'_, Dd>, found: Dd, epsilon: f64) -> Dd {
+    let exact = zero(|tau| at.constraint_slope(tau), found, epsilon);
+    higher(|tau| at.constraint(tau), exact, found)
+}
+
+/// The exact place, unless it is that of a minimum.
+fn higher(of: impl Fn(Dd) -> Dd, exact: Option<Dd>, found: Dd) -> Dd {
+    exact.filter(|tau| of(*tau) > of(found)).unwrap_or(found)
+}
+
+/// Where a function with one minimum is smallest, by golden section; a value that is not above `enough` is
+/// low enough.
+pub fn lowest(of: impl Fn(f64) -> f64, from: f64, to: f64, enough: f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_8;
+    let (mut low, mut high) = (from, to);
+    let inner = |low: f64, high: f64| (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+    let (mut a, mut b) = inner(low, high);
+    let (mut at_a, mut at_b) = (of(a), of(b));
+    // 0.618⁹⁰ = 1.5e-19.
+    for _ in 0..90 {
+        if at_a <= enough || at_b <= enough {
+            break;
+        }
+        if at_a < at_b {
+            (high, b, at_b) = (b, a, at_a);
+            a = inner(low, high).0;
+            at_a = of(a);
+        } else {
+            (low, a, at_a) = (a, b, at_b);
+            b = inner(low, high).1;
+            at_b = of(b);
+        }
+    }
+    if at_a < at_b { a } else { b }
+}
