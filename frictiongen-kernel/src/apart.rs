@@ -12,6 +12,7 @@ use crate::chain::{Chain, ContactAt, ModeAt};
 use crate::complex::{self, Complex};
 use crate::mode::Mode;
 use crate::scalar::Scalar;
+use crate::sway::is_slow;
 
 /// A mode's terms in V, U and H, or sums of them.
 #[derive(Clone, Copy, Debug)]
@@ -178,16 +179,21 @@ impl<S: Scalar> Chain<S> {
         if let (Some((first, at)), second, None) = (known.next(), known.next(), known.next()) {
             let Some((second, at_second)) = second else {
                 let none = Sums::zero();
+                let own = without(none, first.static_residue);
                 return Apart {
                     which: Which::Only,
-                    own: without(none, first.static_residue),
+                    own: self.in_full(first, &at, partner, contact, &own),
                     rest: none,
                 };
             };
+            let others = |mode: &Mode<S>, at: &ModeAt<S>, other: &Mode<S>, at_other: &ModeAt<S>| {
+                let others = without(self.own(other, at_other), mode.static_residue);
+                self.in_full(mode, at, partner, contact, &others)
+            };
             return Apart {
                 which: Which::First,
-                own: without(self.own(second, &at_second), first.static_residue),
-                rest: without(self.own(first, &at), second.static_residue),
+                own: others(first, &at, second, &at_second),
+                rest: others(second, &at_second, first, &at),
             };
         }
         let mut sum = Sums::zero();
@@ -244,11 +250,37 @@ impl<S: Scalar> Chain<S> {
             own.v
         };
         let weight = self.product(&Sums { v, ..own }, &own, partner);
+        let weight = match partner {
+            Partner::U => S::select(
+                is_slow(mode.kind, mode.zeta, at.x),
+                S::constant(0.0),
+                weight,
+            ),
+            Partner::H => weight,
+        };
         Heaviest {
             weight: weight.named("weight", Some(index)),
             index: S::constant(index as f64),
             own,
             static_residue: mode.static_residue,
+        }
+    }
+
+    /// The sums for a mode: a mode that sways has no terms of U that could cancel, and gets all of it.
+    fn in_full(
+        &self,
+        mode: &Mode<S>,
+        at: &ModeAt<S>,
+        partner: Partner,
+        contact: &ContactAt<S>,
+        others: &Sums<S>,
+    ) -> Sums<S> {
+        match partner {
+            Partner::U => Sums {
+                u: S::select(is_slow(mode.kind, mode.zeta, at.x), contact.u, others.u),
+                ..*others
+            },
+            Partner::H => *others,
         }
     }
 

@@ -57,6 +57,8 @@ pub struct Basis<S> {
 pub trait Decay<S: Float>: Copy {
     /// Taken from a mode's constants.
     fn of(mode: &Mode<S>) -> Self;
+    /// Which closed form applies.
+    fn kind(&self) -> Kind;
     /// ζ.
     fn zeta(&self) -> S;
     /// The mode's functions at one instant, with x = 1/R.
@@ -100,6 +102,10 @@ impl<S: Float> Decay<S> for Undamped {
         Self
     }
     #[inline(always)]
+    fn kind(&self) -> Kind {
+        Kind::Undamped
+    }
+    #[inline(always)]
     fn zeta(&self) -> S {
         S::constant(0.0)
     }
@@ -128,6 +134,10 @@ impl<S: Float> Decay<S> for Damped<S> {
             q: mode.q,
             q_defect: mode.q_defect,
         }
+    }
+    #[inline(always)]
+    fn kind(&self) -> Kind {
+        self.kind
     }
     #[inline(always)]
     fn zeta(&self) -> S {

@@ -24,6 +24,7 @@ pub mod search;
 pub mod simulation;
 pub mod special;
 pub mod steady;
+mod sway;
 pub mod trig;
 pub mod two_stops;
 pub mod wave;

@@ -11,6 +11,7 @@ use crate::chain::{Chain, ContactAt, ModeAt};
 use crate::complex::{self, Complex};
 use crate::mode::Mode;
 use crate::scalar::Scalar;
+use crate::sway::is_slow;
 
 /// What a friction ratio adds to the contact's sums.
 #[derive(Clone, Copy, Debug)]
@@ -154,6 +155,32 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
+    /// The same in the motion of a mass: a mode far below the excitation sways, and its response is not put
+    /// together from parts that cancel (see `sway`).
+    #[inline]
+    #[allow(clippy::too_many_arguments, reason = "a mode, and all it rests on")]
+    pub fn mass_share(
+        &self,
+        mode: &Mode<S>,
+        at: &ModeAt<S>,
+        residue: S,
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+        index: usize,
+    ) -> Share<S> {
+        let share = self.share(at, residue, contact, friction, inverse_r, index);
+        if !self.damped {
+            return share;
+        }
+        let slow = is_slow(mode.kind, mode.zeta, at.x);
+        let force = friction.beta * friction.unscale * residue;
+        Share {
+            rise: S::select(slow, force * contact.scale, share.rise),
+            ..share
+        }
+    }
+
     /// The carrier of mass k, whose mode shape components are `shape`.
     pub fn carrier(
         &self,
@@ -189,10 +216,14 @@ impl<S: Scalar> Chain<S> {
             let free = named(free, ["driven_re", "driven_im"], Some(index));
             driven = driven.with(self, apart, index, free);
             let residue = component * mode.contact;
-            let back = (-(residue * at.u)).named("rubbed_back", Some(index));
+            // A mode that sways has its whole response in its wave.
+            let slow = is_slow(mode.kind, mode.zeta, at.x);
+            let zero = S::constant(0.0);
+            let back = S::select(slow, zero, -(residue * at.u)).named("rubbed_back", Some(index));
             rubbed = rubbed.with(self, apart, index, complex::real(back));
             if self.damped {
-                constant = constant - residue * (at.g / (at.x * at.x));
+                let held = residue * (at.g / (at.x * at.x));
+                constant = constant - S::select(slow, zero, held);
             }
         }
         let ratio = self.plus(driven.own, driven.rest);

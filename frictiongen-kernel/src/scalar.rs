@@ -18,6 +18,8 @@ pub trait Scalar:
 {
     /// The outcome of a comparison.
     type Condition: Copy;
+    /// Whether a mass's motion takes modes far below the excitation by the polynomials of [`Float::sway_terms`].
+    const SWAYS: bool = false;
 
     /// The nearest representable value to `value`.
     fn constant(value: f64) -> Self;
@@ -94,6 +96,11 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
     /// The smallest and the largest 1/r at which the formulas are evaluated.  Beyond lie the limits
     /// r → ∞ and r → 0 to every digit; within, no square of a frequency overflows or vanishes.
     fn inverse_ratio_range() -> (Self, Self);
+    /// The polynomials that a mode follows far above its resonance, to this scalar's precision: where
+    /// [`Scalar::SWAYS`] says so.
+    fn sway_terms() -> &'static [Self] {
+        &[]
+    }
     /// The largest integer that is not larger.
     #[must_use]
     fn floor(self) -> Self;

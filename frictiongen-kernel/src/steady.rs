@@ -8,6 +8,7 @@ use crate::mode::Mode;
 use crate::motion::{Carrier, Friction, Share};
 use crate::scalar::Float;
 use crate::search::{self, Peak, Question, Weight};
+use crate::sway::is_slow;
 use crate::wave::{Sum, Wave};
 
 /// The steady motion of one mass, or of the contact, in the continuous regime.
@@ -28,6 +29,16 @@ pub fn motion_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: Share<S>) -> Wa
     wave.rise = share.rise;
     wave.swing = share.swing;
     wave.gain = share.gain;
+    wave
+}
+
+/// A mode's wave in the motion of a mass, for [`Chain::mass_share`].
+pub fn mass_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: Share<S>) -> Wave<S, D> {
+    let mut wave = motion_wave(x, decay, share);
+    wave.sways = is_slow(decay.kind(), decay.zeta(), x);
+    if wave.sways {
+        wave.swing = S::constant(0.0);
+    }
     wave
 }
 
@@ -209,15 +220,61 @@ fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
 }
 
 impl<S: Float> Chain<S> {
-    /// The waves of a motion, for an array of modes; `residue` takes a mode and the component of
-    /// its shape.
-    #[allow(
-        clippy::too_many_arguments,
-        reason = "everything that one motion rests on"
-    )]
-    pub fn waves<D: Decay<S>, const N: usize>(
+    /// A mode's wave in the contact's motion.
+    pub fn contact_wave<D: Decay<S>>(
         &self,
-        residue: impl Fn(&Mode<S>, S) -> S,
+        mode: &Mode<S>,
+        at: &ModeAt<S>,
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+    ) -> Wave<S, D> {
+        let decay = D::of(mode);
+        if !mode.in_contact {
+            return Wave::rest(at.x, decay);
+        }
+        let share = self.share(at, mode.mobility, contact, friction, inverse_r, 0);
+        motion_wave(at.x, decay, share)
+    }
+
+    /// A mode's wave in the motion of a mass; `component` is the mass's in the mode's shape.
+    pub fn mass_wave<D: Decay<S>>(
+        &self,
+        mode: &Mode<S>,
+        component: S,
+        at: &ModeAt<S>,
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+    ) -> Wave<S, D> {
+        let decay = D::of(mode);
+        if !mode.in_contact {
+            return Wave::rest(at.x, decay);
+        }
+        let residue = component * mode.contact;
+        let share = self.mass_share(mode, at, residue, contact, friction, inverse_r, 0);
+        mass_wave(at.x, decay, share)
+    }
+
+    /// The waves of the contact's motion, for an array of modes.
+    pub fn contact_waves<D: Decay<S>, const N: usize>(
+        &self,
+        modes: &[Mode<S>; N],
+        at: &[ModeAt<S>; N],
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+    ) -> [Wave<S, D>; N] {
+        let mut waves = modes.map(|mode| Wave::idle(&mode));
+        for ((wave, mode), at) in waves.iter_mut().zip(modes).zip(at) {
+            *wave = self.contact_wave(mode, at, contact, friction, inverse_r);
+        }
+        waves
+    }
+
+    /// The waves of a mass's motion, whose mode shape components are `shape`.
+    pub fn mass_waves<D: Decay<S>, const N: usize>(
+        &self,
         modes: &[Mode<S>; N],
         shape: &[S; N],
         at: &[ModeAt<S>; N],
@@ -227,18 +284,7 @@ impl<S: Float> Chain<S> {
     ) -> [Wave<S, D>; N] {
         let mut waves = modes.map(|mode| Wave::idle(&mode));
         for (((wave, mode), at), component) in waves.iter_mut().zip(modes).zip(at).zip(shape) {
-            wave.x = at.x;
-            if mode.in_contact {
-                let share = self.share(
-                    at,
-                    residue(mode, *component),
-                    contact,
-                    friction,
-                    inverse_r,
-                    0,
-                );
-                *wave = motion_wave(at.x, wave.decay, share);
-            }
+            *wave = self.mass_wave(mode, *component, at, contact, friction, inverse_r);
         }
         waves
     }

@@ -3,6 +3,7 @@
 use crate::decay::{Basis, Decay, Instant};
 use crate::mode::Mode;
 use crate::scalar::{Float, Scalar};
+use crate::sway;
 
 /// One mode's part: coefficients of the functions of [`Basis`].
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +20,9 @@ pub struct Wave<S, D> {
     pub swing: S,
     /// Of (1 − d)/x².
     pub rise: S,
+    /// Whether `rise` is of the whole response to a force that changes its sign instead: of a mode far
+    /// below the excitation.
+    pub sways: bool,
     /// φ_k(φᵀw)/r², the residue contact → mass; harmonics alone use it.
     pub gain: S,
 }
@@ -34,7 +38,18 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             swing_slope: zero,
             swing: zero,
             rise: zero,
+            sways: false,
             gain: zero,
+        }
+    }
+
+    /// The mode's functions at an instant.
+    #[inline]
+    pub(crate) fn basis(&self, at: &Instant<S>) -> Basis<S> {
+        if self.sways {
+            sway::basis(self.x, self.decay.zeta(), at)
+        } else {
+            self.decay.basis(self.x, at)
         }
     }
 
@@ -132,7 +147,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     pub fn value(&self, at: &Instant<S>) -> S {
         let mut sum = self.constant + self.cosine * at.cosine + self.sine * at.sine;
         for wave in self.waves {
-            sum = sum + wave.value(&wave.decay.basis(wave.x, at));
+            sum = sum + wave.value(&wave.basis(at));
         }
         sum
     }
@@ -141,7 +156,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     pub fn slope(&self, at: &Instant<S>) -> S {
         let mut sum = self.sine * at.cosine - self.cosine * at.sine;
         for wave in self.waves {
-            let basis = wave.decay.basis(wave.x, at);
+            let basis = wave.basis(at);
             let (curve, _) = curves(wave, &basis);
             sum = sum
                 + wave.free * basis.slope
@@ -287,7 +302,7 @@ fn wave_local<S: Float, D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> Loca
         ..
     } = *wave;
     let zeta = wave.decay.zeta();
-    let basis = wave.decay.basis(x, at);
+    let basis = wave.basis(at);
     let (p2, p3) = curves(wave, &basis);
     let xp = x * basis.free;
     let energy = (xp * xp + basis.slope * basis.slope).sqrt();

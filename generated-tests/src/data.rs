@@ -6,7 +6,7 @@ use frictiongen_kernel::decay::{Damped, Decay, Instant};
 use frictiongen_kernel::mode::{Kind, Mode, ModeResponse};
 use frictiongen_kernel::motion::Friction;
 use frictiongen_kernel::search::Peak;
-use frictiongen_kernel::steady::{Motion, motion_wave};
+use frictiongen_kernel::steady::Motion;
 use frictiongen_kernel::wave::{Sum, Wave};
 use frictiongen_kernel::{Complex, Float};
 use frictiongen_model::modal::Reduced;
@@ -211,21 +211,15 @@ impl<S: Float> DataAt<'_, S> {
         self.chain().friction(&self.contact, self.inverse_r, beta)
     }
 
+    /// The waves of the modes that the contact drives.
     fn waves(
         &self,
-        friction: &Friction<S>,
-        residue: impl Fn(&Mode<S>, usize) -> S,
+        of: impl Fn(usize, &Mode<S>, &ModeAt<S>) -> Wave<S, Damped<S>>,
     ) -> Vec<Wave<S, Damped<S>>> {
         let modes = self.data.reduced.modes.iter().zip(&self.modes).enumerate();
         modes
             .filter(|(_, (mode, _))| mode.in_contact)
-            .map(|(index, (mode, at))| {
-                let residue = residue(mode, index);
-                let share =
-                    self.chain()
-                        .share(at, residue, &self.contact, friction, self.inverse_r, index);
-                motion_wave(at.x, Damped::of(mode), share)
-            })
+            .map(|(index, (mode, at))| of(index, mode, at))
             .collect()
     }
 
@@ -233,7 +227,10 @@ impl<S: Float> DataAt<'_, S> {
     pub fn contact(&self, beta: S) -> DataMotion<S> {
         let friction = self.friction(beta);
         let carrier = self.chain().contact_carrier(&self.contact, &friction);
-        let waves = self.waves(&friction, |mode, _| mode.mobility);
+        let waves = self.waves(|_, mode, at| {
+            self.chain()
+                .contact_wave(mode, at, &self.contact, &friction, self.inverse_r)
+        });
         Motion::of_contact(friction, carrier, waves)
     }
 
@@ -252,7 +249,17 @@ impl<S: Float> DataAt<'_, S> {
             &friction,
             self.inverse_r,
         );
-        let waves = self.waves(&friction, |mode, i| shapes[mass][i] * mode.contact);
+        let waves = self.waves(|i, mode, at| {
+            let component = shapes[mass][i];
+            self.chain().mass_wave(
+                mode,
+                component,
+                at,
+                &self.contact,
+                &friction,
+                self.inverse_r,
+            )
+        });
         Motion::of_mass(friction, carrier, waves)
     }
 

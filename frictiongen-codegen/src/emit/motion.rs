@@ -169,7 +169,12 @@ fn opening(emission: &Emission<'_>, used: &[usize]) -> TokenStream {
     }
 }
 
-fn waves(emission: &Emission<'_>, used: &[usize], shares: &[TokenStream]) -> TokenStream {
+fn waves(
+    emission: &Emission<'_>,
+    wave: &TokenStream,
+    used: &[usize],
+    shares: &[TokenStream],
+) -> TokenStream {
     let Emission { name, scalar, .. } = emission;
     let waves = used.iter().zip(shares.chunks(3)).map(|(index, share)| {
         let mode = local(&format!("mode_{}", index + 1));
@@ -179,8 +184,10 @@ fn waves(emission: &Emission<'_>, used: &[usize], shares: &[TokenStream]) -> Tok
         } else {
             code!(Undamped)
         };
-        let [rise, swing, gain] = share else { return TokenStream::new() };
-        code!(steady::motion_wave(#mode.x, #decay, Share { rise: #rise, swing: #swing, gain: #gain }))
+        let [rise, swing, gain] = share else {
+            return TokenStream::new();
+        };
+        code!(#wave(#mode.x, #decay, Share { rise: #rise, swing: #swing, gain: #gain }))
     });
     code!([#(#waves),*])
 }
@@ -255,15 +262,13 @@ fn of_contact(emission: &Emission<'_>) -> TokenStream {
     let carrier = carrier_structure(carrier);
     let statements = printed.statements;
     let waves = if emission.in_sums() {
-        let modes = Literal::usize_unsuffixed(emission.modes());
         code! {
-            #name::CHAIN.waves::<#decay, _>(
-                |mode, _| mode.mobility,
-                &#name::MODES, &[0.0; #modes], &modes, &contact, &friction, inverse_r,
+            #name::CHAIN.contact_waves::<#decay, _>(
+                &#name::MODES, &modes, &contact, &friction, inverse_r,
             )
         }
     } else {
-        waves(emission, &used, shares)
+        waves(emission, &code!(steady::motion_wave), &used, shares)
     };
     let operations = format!(" Operations: {count}.");
     code! {
@@ -337,8 +342,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
                 const SHAPE: [#scalar; #modes] = #shape;
                 #opening
                 let carrier = #name::CHAIN.carrier(&SHAPE, &#name::MODES, &modes, &contact, &friction, inverse_r);
-                let waves = #name::CHAIN.waves::<#decay, _>(
-                    |mode, component| component * mode.contact,
+                let waves = #name::CHAIN.mass_waves::<#decay, _>(
                     &#name::MODES, &SHAPE, &modes, &contact, &friction, inverse_r,
                 );
                 Motion::of_mass(friction, carrier, waves)
@@ -372,7 +376,8 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
             tracer.reduced.modes.get(*index),
             at.get(*index),
         ) {
-            let share = tracer.share(*index, *component * mode.contact, at, &contact, inverse_r);
+            let residue = *component * mode.contact;
+            let share = tracer.mass_share(*index, mode, residue, at, &contact, inverse_r);
             outputs.extend(share_outputs(&share));
         }
     }
@@ -381,7 +386,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
     let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(5));
     let carrier = carrier_structure(carrier);
     let statements = printed.statements;
-    let waves = waves(emission, &rubbed, shares);
+    let waves = waves(emission, &code!(steady::mass_wave), &rubbed, shares);
     let all: Vec<usize> = (0..emission.modes()).collect();
     let opening = opening(emission, &all);
     let returned = returned(emission, rubbed.len());

@@ -6,7 +6,7 @@ use crate::graph::print::{Printed, print};
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt};
 use frictiongen_kernel::complex::Complex;
-use frictiongen_kernel::mode::ModeResponse;
+use frictiongen_kernel::mode::{Mode, ModeResponse};
 use frictiongen_kernel::motion::{Friction, Share};
 use frictiongen_model::modal::{Modal, Reduced};
 use frictiongen_model::scene::{Precision, Scene};
@@ -108,6 +108,20 @@ impl<'g> Tracer<'g> {
         self.reduced
             .chain
             .share(at, residue, contact, &self.friction(), inverse_r, index)
+    }
+
+    pub fn mass_share(
+        &self,
+        index: usize,
+        mode: &Mode<Expr<'g>>,
+        residue: Expr<'g>,
+        at: &ModeAt<Expr<'g>>,
+        contact: &ContactAt<Expr<'g>>,
+        inverse_r: Expr<'g>,
+    ) -> Share<Expr<'g>> {
+        let friction = self.friction();
+        let chain = &self.reduced.chain;
+        chain.mass_share(mode, at, residue, contact, &friction, inverse_r, index)
     }
 
     /// Prints `outputs` for a function body in which `taken` are in use.

@@ -166,6 +166,7 @@ impl Div for Expr<'_> {
 }
 
 impl<'g> Scalar for Expr<'g> {
+    const SWAYS: bool = true;
     type Condition = Condition<'g>;
 
     fn constant(value: f64) -> Self {

@@ -60,7 +60,7 @@ impl<S: Float> Series<S> {
     /// y″ + 2ζx y′ + x²y = f.
     fn add_wave<D: Decay<S>>(&mut self, wave: &Wave<S, D>, at: &Instant<S>) {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
-        let basis = wave.decay.basis(wave.x, at);
+        let basis = wave.basis(at);
         let (x, zeta) = (wave.x, wave.decay.zeta());
         let (loss, apart) = (two * zeta * x, (x - one) * (x + one));
         // cos τ − p′ and its slope, which is that of sin τ − p, twice.

@@ -5,10 +5,11 @@ use super::error::UnknownMass;
 use crate::system::{ContinuousMotion, Of, Steady, StuckAt};
 use crate::{Complex, StuckResonance};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::decay::{Damped, Decay};
+use frictiongen_kernel::chain::ModeAt;
+use frictiongen_kernel::decay::Damped;
 use frictiongen_kernel::mode::Mode;
 use frictiongen_kernel::motion::Friction;
-use frictiongen_kernel::steady::{Motion, motion_wave};
+use frictiongen_kernel::steady::Motion;
 use frictiongen_kernel::wave::Wave;
 use frictiongen_model::modal::Reduced;
 
@@ -27,13 +28,16 @@ impl<S: Float> SystemMotion<'_, S> {
     #[must_use]
     pub fn contact(&self) -> SystemSteady<S> {
         let SystemAt {
-            system, contact, ..
+            system,
+            contact,
+            inverse_r,
+            ..
         } = &self.at;
-        let carrier = system
-            .reduced
-            .chain
-            .contact_carrier(contact, &self.friction);
-        Motion::of_contact(self.friction, carrier, self.waves(|mode, _| mode.mobility))
+        let chain = &system.reduced.chain;
+        let carrier = chain.contact_carrier(contact, &self.friction);
+        let waves = self
+            .waves(|_, mode, at| chain.contact_wave(mode, at, contact, &self.friction, *inverse_r));
+        Motion::of_contact(self.friction, carrier, waves)
     }
 
     /// The motion of a mass.
@@ -67,39 +71,24 @@ impl<S: Float> SystemMotion<'_, S> {
             return Some(self.contact());
         }
         let carrier = chain.carrier(shape, constants, modes, contact, &self.friction, *inverse_r);
-        let residue = |mode: &Mode<S>, component: S| component * mode.contact;
-        let waves = self.waves(|mode, i| residue(mode, shape.get(i).copied().unwrap_or(mode.zeta)));
+        let waves = self.waves(|i, mode, at| {
+            let component = shape.get(i).copied().unwrap_or(S::constant(0.0));
+            chain.mass_wave(mode, component, at, contact, &self.friction, *inverse_r)
+        });
         Some(Motion::of_mass(self.friction, carrier, waves))
     }
 
-    fn waves(&self, residue: impl Fn(&Mode<S>, usize) -> S) -> Vec<Wave<S, Damped<S>>> {
-        let SystemAt {
-            system,
-            contact,
-            modes,
-            inverse_r,
-            ..
-        } = &self.at;
-        let Reduced {
-            modes: constants,
-            chain,
-            ..
-        } = &system.reduced;
-        let mut waves = Vec::with_capacity(modes.len());
-        for (index, (mode, at)) in constants.iter().zip(modes).enumerate() {
-            if mode.in_contact {
-                let share = chain.share(
-                    at,
-                    residue(mode, index),
-                    contact,
-                    &self.friction,
-                    *inverse_r,
-                    index,
-                );
-                waves.push(motion_wave(at.x, Damped::of(mode), share));
-            }
-        }
-        waves
+    /// The waves of the modes that the contact drives.
+    fn waves(
+        &self,
+        of: impl Fn(usize, &Mode<S>, &ModeAt<S>) -> Wave<S, Damped<S>>,
+    ) -> Vec<Wave<S, Damped<S>>> {
+        let modes = self.at.system.reduced.modes.iter().zip(&self.at.modes);
+        modes
+            .enumerate()
+            .filter(|(_, (mode, _))| mode.in_contact)
+            .map(|(index, (mode, at))| of(index, mode, at))
+            .collect()
     }
 }
 

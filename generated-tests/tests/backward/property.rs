@@ -121,10 +121,13 @@ struct Tally {
 struct Worst(BTreeMap<&'static str, Tally>);
 
 impl Worst {
-    fn note(&mut self, asked: Asked, error: Error, place: impl FnOnce() -> String) {
+    fn note(&mut self, asked: Asked, error: Error, place: impl Fn() -> String) {
         let tally = self.0.entry(asked.kind()).or_default();
         tally.count += 1;
-        tally.above += u64::from(!(error.backward <= BAR));
+        if !(error.backward <= BAR) {
+            tally.above += 1;
+            println!("above, {:.2}: {}", error.backward, place());
+        }
         tally.keep(error, place);
     }
     fn join(&mut self, other: Self) {
