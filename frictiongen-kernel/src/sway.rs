@@ -3,22 +3,24 @@
 //!
 //! Over the half period y″ + 2ζx y′ + x²y = 1, and after it the motion repeats with the opposite sign:
 //! y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, E_n the Euler polynomials, and h_0 = 1,
-//! h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}, which fall as the modulus of the mode's roots.
+//! h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}, which fall as the modulus of the mode's roots.  All but the
+//! first of the e_n are sinusoids, and more so with n: the rest of the sum is one, known in closed form.
 //!
 //! Elsewhere y is put together from the mode's return from rest, its lag and its static displacement (see
 //! [`motion`](crate::motion)).  Far above the resonance these are each of order 1 where y vanishes, at the
 //! ends of the half period, and where y′ does, in its middle: what rounding leaves there is more than a mass
 //! far from load and contact moves.  The polynomials vanish where the sums do.
 
+use crate::complex::{self, Complex};
 use crate::decay::{Basis, Instant};
 use crate::mode::Kind;
 use crate::scalar::{Float, Scalar};
 
 /// Roots of a smaller modulus than this count as slow.
-const SLOW: f64 = 0.125;
-/// Even orders that are summed in `f64` and in `f32`: SLOW to the power of twice as many is below their
-/// rounding.
-const DOUBLE: usize = 10;
+const SLOW: f64 = 0.5;
+/// Even orders that are summed in `f64` and in `f32`: SLOW/3, the rate at which the third harmonic of the rest
+/// falls, to the power of twice as many is below their rounding.
+const DOUBLE: usize = 11;
 const SINGLE: usize = 5;
 
 /// The coefficients of e_2m, m = 1, 2, …: powers of w = τ(π − τ) from the mth down to the first.
@@ -88,9 +90,12 @@ pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let w = at.tau * (S::pi() * (one - at.t));
     let w_slope = (S::pi() + S::pi()) * (half - at.t);
     let (loss, square) = (-((zeta + zeta) * x), x * x);
-    let (mut before, mut now) = (zero, one);
+    // h_2m−4, h_2m−3, h_2m−2, and e_2m−2.
+    let (mut first, mut before, mut now, mut last) = (zero, zero, one, one);
     let (mut value, mut slope) = (zero, zero);
     let (mut rest, mut order, mut degree) = (S::sway_terms(), 1, one);
+    // (−1)^m
+    let mut sign = one;
     while let Some((row, others)) = rest.split_at_checked(order) {
         // e_2m, and e_2m−1, which is its derivative.
         let (mut even, mut odd, mut power) = (zero, zero, degree);
@@ -100,12 +105,19 @@ pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
             power = power - one;
         }
         let (even, odd) = (even * w, odd * w_slope);
-        let next = loss * now - square * before;
         value = value + (before * odd + now * even);
-        slope = slope + (now * odd + next * even);
-        (before, now) = (next, loss * next - square * now);
-        (rest, order, degree) = (others, order + 1, degree + one);
+        slope = slope + (before * last + now * odd);
+        let next = loss * now - square * before;
+        (first, before, now, last) = (now, next, loss * next - square * now, even);
+        (rest, order, degree, sign) = (others, order + 1, degree + one, -sign);
     }
+    // The rest: 4/π Im[(−1)^m i (h_N−1 + i x²h_N−2) e^{iτ}/(x² − 1 + 2iζx)], N = 2m.
+    let denominator = Complex::new((x - one) * (x + one), -loss);
+    let numerator = Complex::new(-(square * first), before);
+    let turning = complex::mul(numerator, complex::reciprocal(denominator, true), true);
+    let turning = complex::scale(turning, sign * S::constant(4.0) * S::inverse_pi());
+    value = value + (turning.re * at.sine + turning.im * at.cosine);
+    slope = slope + (turning.re * at.cosine - turning.im * at.sine);
     Basis {
         free: slope,
         slope: one + loss * slope - square * value,
@@ -162,7 +174,7 @@ mod tests {
     #[test]
     fn as_put_together() {
         for zeta in [0.0, 1e-9, 0.01, 0.3, 0.7, 1.0, 1.5, 9.0] {
-            for x in [1e-6, 1e-3, 0.02, 0.1249] {
+            for x in [1e-6, 1e-3, 0.02, 0.1249, 0.25, 0.4999] {
                 if !is_slow(mode(Dd::from(zeta)).kind, zeta, x) {
                     continue;
                 }

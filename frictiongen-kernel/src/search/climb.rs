@@ -16,6 +16,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let half = S::constant(0.5);
         let (mut tau, mut local, mut negative) = (tau, local, negative);
         let mut best = self.quotient(&local, negative);
+        let mut doubt = self.doubt(&local);
         let mut trust = S::constant(0.25);
         let narrow = S::constant(1e-3) * self.sum.unit();
         let (mut last, mut stalls) = (S::pi(), 0);
@@ -43,7 +44,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 continue;
             }
             (tau, local, negative) = (next, at_next, negative != flipped);
-            best = best.max(value);
+            if best < value {
+                (best, doubt) = (value, self.doubt(&local));
+            }
             if near && step.abs() < S::constant(4.0 * S::RESOLUTION) * self.sum.unit() {
                 break;
             }
@@ -60,7 +63,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             if self.peak.value < best * share {
                 self.peak.places = [None; 4];
             }
-            self.peak.value = best;
+            // Compared as far as it is sure, kept as it is.
+            self.peak.value = match self.question.weight {
+                Weight::One => best,
+                Weight::Sine => best + doubt,
+            };
             self.note(place);
             self.choose_tail();
         } else if self.peak.value * share <= best {
@@ -114,22 +121,29 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// Whether values say nothing about a step of so much promise: the place of a maximum is where the
     /// slope vanishes, and needs more digits than the value has.
     fn untold(&self, best: S, value: S, promise: S) -> bool {
-        let rounding = S::constant(EQUAL * S::RESOLUTION) * best;
+        let rounding =
+            (S::constant(EQUAL * S::RESOLUTION) * best).max(S::constant(8.0) * self.rounding);
         self.question.weight == Weight::One && promise <= rounding && best - value <= rounding
     }
 
+    /// The sum over its weight, as far as it is sure.
     fn quotient(&self, local: &Local<S>, negative: bool) -> S {
         let value = if negative { -local.value } else { local.value };
         match self.question.weight {
             Weight::One => value,
             Weight::Sine => {
                 if S::constant(0.0) < local.sine {
-                    value / local.sine
+                    value / local.sine - self.doubt(local)
                 } else {
                     self.question.floor
                 }
             }
         }
+    }
+
+    /// By how much rounding can lift the quotient.
+    fn doubt(&self, local: &Local<S>) -> S {
+        self.noise(local.cosine) / local.sine
     }
 
     /// The quotient's derivative and its own, times a positive factor.

@@ -24,6 +24,8 @@ const PLAIN_EVALUATIONS: u32 = 64;
 
 /// Maxima closer than this many roundings count as equal.
 const EQUAL: f64 = 64.0;
+/// So many roundings of its largest terms may a sum be off.
+const NOISE: f64 = 16.0;
 /// Places closer than this belong to the same maximum: about it the sum falls by the square of the
 /// distance, far more than maxima may differ that count as equal.
 const APART: f64 = 0.05;
@@ -104,10 +106,7 @@ pub fn largest_from<S: Float, D: Decay<S>>(
 
 impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
     fn new(sum: Sum<'a, S, D>, question: Question<S>) -> Self {
-        let rounding = match question.weight {
-            Weight::One => sum.rounding(),
-            Weight::Sine => S::constant(0.0),
-        };
+        let rounding = sum.rounding();
         Self {
             sum,
             question,
@@ -139,7 +138,7 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
             Weight::One => excess.value = excess.value - level,
             Weight::Sine => {
                 let Local { sine, cosine, .. } = *local;
-                excess.value = excess.value - level * sine;
+                excess.value = excess.value - level * sine - self.noise(cosine);
                 excess.slope = excess.slope - level * cosine;
                 excess.curvature = excess.curvature + level * sine;
                 excess.curvature_bound = excess.curvature_bound + level;
@@ -151,7 +150,21 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
 
     fn level(&self) -> S {
         let level = self.peak.value * (S::constant(1.0) + self.question.tolerance);
-        level.max(self.rounding)
+        match self.question.weight {
+            Weight::One => level.max(self.rounding),
+            Weight::Sine => level,
+        }
+    }
+
+    /// What says nothing about a sum that sin τ divides: towards π both vanish, and rounding does not, as it
+    /// does towards 0.
+    fn noise(&self, cosine: S) -> S {
+        let zero = S::constant(0.0);
+        if self.question.weight == Weight::Sine && cosine < zero {
+            S::constant(NOISE) * self.rounding
+        } else {
+            zero
+        }
     }
 
     fn walk(&mut self) {
@@ -236,7 +249,8 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         let series = Series::of(&self.sum, &at);
         let sine = self.question.weight == Weight::Sine;
         signs.iter().fold(self.question.end, |step, &negative| {
-            let excess = series.excess(negative, self.level(), sine, &at);
+            let noise = self.noise(at.cosine);
+            let excess = series.excess(negative, self.level(), sine, &at).less(noise);
             step.min(excess.reach())
         })
     }

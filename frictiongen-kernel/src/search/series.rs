@@ -146,10 +146,16 @@ impl<S: Float> Series<S> {
         if sine {
             excess.add_turning(S::constant(0.0), -level, at);
         } else {
-            let [constant, ..] = &mut excess.coefficients;
-            *constant = *constant - level;
+            excess = excess.less(level);
         }
         excess
+    }
+
+    /// Less a constant.
+    pub fn less(mut self, constant: S) -> Self {
+        let [value, ..] = &mut self.coefficients;
+        *value = *value - constant;
+        self
     }
 
     /// The excess that vanishes at the instant, looked at backwards, with `bound` for what lies there.

@@ -179,6 +179,7 @@ where
     };
     let scene = Scene::new(data.read(exact));
     let masses = modal.shapes.len();
+    let chain = &data.reduced.chain;
     let resonances: Vec<f64> = modal
         .resonances
         .iter()
@@ -250,9 +251,13 @@ where
             );
             note(Asked::ContactPhase, real(motion.contact().phase()), None);
             let of_mass = motion.mass_at(mass).expect("a mass");
-            let top = first(&of_mass.peak()).map(exact);
-            note(Asked::Amplitude(mass), real(of_mass.amplitude()), top);
-            note(Asked::Phase(mass), real(of_mass.phase()), top);
+            // The mass that rubs on the wall moves as the contact does.
+            let rubs = chain.on_moving_base.is_none() && data.contact == (mass, None);
+            if !rubs {
+                let top = first(&of_mass.peak()).map(exact);
+                note(Asked::Amplitude(mass), real(of_mass.amplitude()), top);
+                note(Asked::Phase(mass), real(of_mass.phase()), top);
+            }
             let displacement = of_mass.displacement(tau);
             note(Asked::Displacement(mass), real(displacement), None);
         }
@@ -299,7 +304,7 @@ fn report(title: &str, worst: &Worst) {
     }
     for (kind, tally) in &worst.0 {
         let far = matches!(*kind, "amplitude" | "phase");
-        let allowed = if far { 1 + tally.count / 200 } else { 0 };
+        let allowed = if far { 1 + tally.count / 2000 } else { 0 };
         assert!(tally.above <= allowed, "{kind}: {:?}", tally.worst);
     }
 }
