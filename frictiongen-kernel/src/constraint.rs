@@ -13,6 +13,8 @@ use crate::wave::{Sum, Wave};
 /// By how many roundings β must be below a limit that is not the exact one to be below that as well:
 /// four that a search may miss, and those of a limit, with room.
 const CLEAR: f64 = 32.0;
+/// By less than this fraction of a half turn must the rounding of r turn every mode for two searches to agree.
+const UNTURNED: f64 = 1e-4;
 
 impl<S: Float> Chain<S> {
     /// r²E·max(S, H_c + μm*/r²): the velocity constraint by a guaranteed search over the half
@@ -119,14 +121,19 @@ impl<S: Float> Chain<S> {
         let break_away = self.break_away(contact);
         let excitation = complex::modulus(contact.v, self.damped);
         let quadrature = beta * contact.u;
-        let root = ((excitation - quadrature) * (excitation + quadrature)).sqrt();
+        // Their product may vanish where neither does.
+        let root = (excitation - quadrature).sqrt() * (excitation + quadrature).sqrt();
         let allowed = S::constant(1.0 - 1e-3) * root / beta;
         // Where U is so much larger than S that rounding decides on what β allows, this says nothing.
         let beyond = beta * S::constant(1.0 + CLEAR * S::RESOLUTION);
         let clear = beyond < self.continuous_limit(contact, allowed);
+        // In so slow a sweep rounding turns a mode by an angle that counts, and two searches differ.
+        let fastest = S::constant(UNTURNED / S::RESOLUTION);
+        let clear = clear && at.iter().all(|at| at.x < fastest);
         if break_away < allowed && allowed.is_finite() && clear {
             let peak = self.constraint_above(contact, at, waves, allowed);
-            if peak.value <= allowed {
+            // A search that gave up has found nothing, but knows nothing either.
+            if peak.value <= allowed && peak.evaluations < search::MAX_EVALUATIONS {
                 return true;
             }
         }

@@ -88,7 +88,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         if self.is_contact {
             return self.friction.amplitude;
         }
-        let (c, s) = self.start();
+        let (c, s) = self.sum().start();
         let large = c.abs().max(s.abs());
         if large == S::constant(0.0) {
             return large;
@@ -97,18 +97,10 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         large * (S::constant(1.0) + ratio * ratio).sqrt()
     }
 
-    /// x̄ and x̄′ at τ = 0, where the modes are at rest with the contact.
-    fn start(&self) -> (S, S) {
-        (
-            self.carrier.constant + self.carrier.cosine,
-            self.carrier.sine,
-        )
-    }
-
     /// The search for the exact maximum of |x̄|.
     pub fn peak(&self) -> Peak<S> {
         let zero = S::constant(0.0);
-        let (c, s) = self.start();
+        let (c, s) = self.sum().start();
         let guess = s.atan2(c);
         let guess = if guess < zero { guess + S::pi() } else { guess };
         search::largest_from(

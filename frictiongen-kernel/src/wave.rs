@@ -167,6 +167,18 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum
     }
 
+    /// The value and the derivative at τ = 0, where all waves are at rest but those that sway.
+    pub(crate) fn start(&self) -> (S, S) {
+        let mut value = self.constant + self.cosine;
+        let mut slope = self.sine;
+        for wave in self.waves.iter().filter(|wave| wave.sways) {
+            let basis = wave.basis(&Instant::new(S::constant(0.0)));
+            value = value + wave.rise * basis.rise;
+            slope = slope + wave.rise * basis.free;
+        }
+        (value, slope)
+    }
+
     /// The time in which the fastest wave, or the excitation, turns by about a radian.
     pub(crate) fn unit(&self) -> S {
         let one = S::constant(1.0);

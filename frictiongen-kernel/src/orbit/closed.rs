@@ -5,9 +5,11 @@
 use super::flow::Flow;
 use crate::apart::Partner;
 use crate::chain::{Chain, ContactAt, ModeAt};
+use crate::decay::Damped;
 use crate::mode::Mode;
 use crate::scalar::Float;
 use crate::simulation::{Contact, Dynamics, Stance};
+use crate::wave::Sum;
 
 /// The sums over all modes that the contact drives.
 struct Sums<'a, S> {
@@ -71,8 +73,22 @@ pub(super) fn set<S: Float>(flow: &mut Flow<'_, '_, S>) {
         let carrier = dynamics
             .chain
             .carrier_of(alone, &apart, &contact, &friction);
-        part.y = carrier.constant + carrier.cosine;
-        part.u = carrier.sine / part.x;
+        let wave = dynamics.chain.mass_wave::<Damped<S>>(
+            mode,
+            one,
+            &at,
+            &contact,
+            &friction,
+            sums.inverse_r,
+        );
+        let sum = Sum {
+            waves: core::slice::from_ref(&wave),
+            constant: carrier.constant,
+            cosine: carrier.cosine,
+            sine: carrier.sine,
+        };
+        let (y, slope) = sum.start();
+        (part.y, part.u) = (y, slope / part.x);
     }
     let turns = friction.phase * S::inverse_pi();
     let two = S::constant(2.0);

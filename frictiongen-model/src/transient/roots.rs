@@ -212,12 +212,24 @@ fn slope_over_value<S: Float>(modes: &[(S, S, S)], s: Complex<S>) -> Complex<S> 
 }
 
 /// Conjugate roots joined, real ones two by two in the order of their size.
-fn paired(mut roots: Vec<Complex<Dd>>) -> Vec<Pair> {
+/// Two decays that started as a pair are one: a decay of one mode with that of another would be a pair
+/// whose shares are nearly dependent.
+fn paired(started: Vec<Complex<Dd>>) -> Vec<Pair> {
+    let is_real = |root: &Complex<Dd>| {
+        let size = complex::modulus(*root, true);
+        root.im.abs() <= size * Dd::from(1e-13)
+    };
     let mut pairs = Vec::new();
+    let mut roots = Vec::new();
+    for two in started.chunks(2) {
+        match two {
+            [a, b] if is_real(a) && is_real(b) => pairs.push(pair(a.re + b.re, a.re * b.re)),
+            _ => roots.extend(two),
+        }
+    }
     let mut real: Vec<Dd> = Vec::new();
     while let Some(root) = roots.pop() {
-        let size = complex::modulus(root, true);
-        if root.im.abs() <= size * Dd::from(1e-13) {
+        if is_real(&root) {
             real.push(root.re);
             continue;
         }

@@ -324,3 +324,36 @@ fn friction_that_overflows() {
     assert!(system.simulation(0.5, most).is_err());
     assert!(system.simulation(0.5, most / 4.0).is_ok());
 }
+
+/// Where rounding turns a mode by an angle that counts, two searches differ: the regime said stick-slip, and
+/// a motion was given all the same.
+#[test]
+fn a_sweep_too_slow_for_two_searches() {
+    let text = "struct R { masses: { a: 4.774003736351606, b: 3.6965901884292873,
+        c: 0.8106351209296832 }, springs: { base - a: 0.22183498329861595,
+        a - b: 182301.42005847045, b - c: 1.2420023925764312 }, contact: c - b, excitation: b,
+        damping: modal(1.3333195107448167e-14), stiction: 2.7203322719229726 }";
+    let system: System<f32> = text.parse().expect("a sound scene");
+    let at = system.at(5.737_087e-4).expect("a ratio");
+    let beta = 1.027 * at.continuous_limit();
+    assert_eq!(at.regime(beta), Ok(Regime::StickSlip));
+    assert!(at.motion(beta).is_err());
+}
+
+/// Two decays of different modes were one pair, whose shares were nearly dependent: in `f32` the held
+/// contact moved.
+#[test]
+fn decays_of_two_modes() {
+    let text = "struct R { masses: { a: 5.967731750865764, b: 0.30315412918747936,
+        c: 1.0809933843637292, d: 0.11418774165390717 }, springs: { base - a: 14210.9929505642,
+        a - b: 5.860394190591326, b - c: 0.182431950610341, c - d: 0.15523094275287846,
+        d - wall: 2976.711845219491 }, contact: c - d, excitation: base,
+        damping: rayleigh(0.1778467665420973, 0.09091268639795028), stiction: 1 }";
+    let system: System<f32> = text.parse().expect("a sound scene");
+    let mut run = system.simulation(0.5, 0.1).expect("in the domain");
+    for _ in 0..8 {
+        run.advance(core::f32::consts::TAU);
+        let (z, _) = run.run().relative();
+        assert!(z.abs() < 1e-8, "{z}");
+    }
+}
