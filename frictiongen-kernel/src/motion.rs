@@ -229,12 +229,12 @@ impl<S: Scalar> Chain<S> {
         let ratio = self.plus(driven.own, driven.rest);
         // On a moving base V grows as r², and the products with it may be out of range.
         let on_base = self.on_moving_base.is_some();
+        let one = S::constant(1.0);
         let (drop, rise) = if on_base {
-            (1.0 / LIFT, LIFT)
+            (S::constant(1.0 / LIFT), S::constant(LIFT))
         } else {
-            (1.0, 1.0)
+            (one, one)
         };
-        let drop = S::constant(drop);
         // Products of sums: a far mass moves by V_k U − U_k V, and what is common must stay so.
         let part = |driven, u: S, rubbed: Complex<S>, v| {
             let (u, rubbed) = (u * drop, rubbed.re * drop);
@@ -248,7 +248,7 @@ impl<S: Scalar> Chain<S> {
         let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
         // On a moving base V does not vanish, and β may be all that a number can be.
         let vanishes = self.damped && !on_base;
-        let lift = S::constant(if vanishes { LIFT } else { 1.0 });
+        let lift = if vanishes { S::constant(LIFT) } else { one };
         let inverse_v = complex::reciprocal(complex::scale(contact.v, lift), self.damped);
         let response = complex::scale(ratio, friction.unscale);
         let ratio = complex::mul(ratio, inverse_v, self.damped);
@@ -259,7 +259,7 @@ impl<S: Scalar> Chain<S> {
             unscale,
             ..
         } = *friction;
-        let (root, raised) = (root * drop * lift, unscale * S::constant(rise));
+        let (root, raised) = (root * drop * lift, unscale * rise);
         if self.damped {
             let weight = (beta * unscale).named("friction_weight", None);
             let beta = beta * lift;

@@ -35,13 +35,17 @@ const fn terms(orders: usize) -> usize {
 /// Whether a mode at x is slow; never in a scalar that has no polynomials.
 #[inline]
 pub(crate) fn is_slow<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Condition {
+    if !S::SWAYS {
+        return x.lt(S::constant(0.0));
+    }
     // The faster root of an overdamped mode is below 2ζx.
-    let (rate, slow) = if kind == Kind::Over {
-        (zeta * x, SLOW * 0.5)
+    let rate = if kind == Kind::Over {
+        (zeta + zeta) * x
     } else {
-        (x, SLOW)
+        x
     };
-    rate.lt(S::constant(if S::SWAYS { slow } else { 0.0 }))
+    // One constant: two of which one is picked would be converted from double precision on the target.
+    rate.lt(S::constant(SLOW))
 }
 
 /// By e_n″ = e_n−2, from the highest power down, where nothing cancels.
