@@ -34,7 +34,8 @@ macro_rules! real {
     (
         $float:ident, trig: $trig:ident, sqrt: $sqrt:path, exp: $exp:path, exp_m1: $exp_m1:path,
         atan2: $atan2:path, floor: $floor:path,
-        inverse_range: $inverse_range:expr, sway_terms: $sway_terms:expr, sixth_pi_squared: $sixth_pi_squared:expr,
+        inverse_range: $inverse_range:expr, sway_terms: $sway_terms:expr,
+        sixth_pi_squared: $sixth_pi_squared:expr,
         sinc: [$sinc_first:expr, $($sinc:expr),+ $(,)?],
         sinh: [$sinh_first:expr, $($sinh:expr),+ $(,)?] $(,)?
     ) => {

@@ -156,7 +156,7 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// The same in the motion of a mass: a mode far below the excitation sways, and its response is not put
-    /// together from parts that cancel (see `sway`).
+    /// together from parts that cancel (see `sway`).  The wave is [`mass_wave`](crate::steady::mass_wave).
     #[inline]
     #[allow(clippy::too_many_arguments, reason = "a mode, and all it rests on")]
     pub fn mass_share(
@@ -169,15 +169,23 @@ impl<S: Scalar> Chain<S> {
         inverse_r: S,
         index: usize,
     ) -> Share<S> {
-        let share = self.share(at, residue, contact, friction, inverse_r, index);
-        if !self.damped {
-            return share;
-        }
-        let slow = is_slow(mode.kind, mode.zeta, at.x);
-        let force = friction.beta * friction.unscale * residue;
-        Share {
-            rise: S::select(slow, force * contact.scale, share.rise),
-            ..share
+        let at = self.without_parts(mode, at, index);
+        self.share(&at, residue, contact, friction, inverse_r, index)
+    }
+
+    /// A mode in the motion of a mass: one that sways has its whole response in its wave, and neither lag
+    /// nor static displacement beside.
+    fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
+        let (slow, zero) = (is_slow(mode.kind, mode.zeta, at.x), S::constant(0.0));
+        let g = if self.damped {
+            S::select(slow, zero, at.g).named("offset", Some(index))
+        } else {
+            at.g
+        };
+        ModeAt {
+            u: S::select(slow, zero, at.u).named("lag", Some(index)),
+            g,
+            ..*at
         }
     }
 
@@ -216,14 +224,11 @@ impl<S: Scalar> Chain<S> {
             let free = named(free, ["driven_re", "driven_im"], Some(index));
             driven = driven.with(self, apart, index, free);
             let residue = component * mode.contact;
-            // A mode that sways has its whole response in its wave.
-            let slow = is_slow(mode.kind, mode.zeta, at.x);
-            let zero = S::constant(0.0);
-            let back = S::select(slow, zero, -(residue * at.u)).named("rubbed_back", Some(index));
+            let at = self.without_parts(mode, &at, index);
+            let back = (-(residue * at.u)).named("rubbed_back", Some(index));
             rubbed = rubbed.with(self, apart, index, complex::real(back));
             if self.damped {
-                let held = residue * (at.g / (at.x * at.x));
-                constant = constant - S::select(slow, zero, held);
+                constant = constant - residue * (at.g / (at.x * at.x));
             }
         }
         let ratio = self.plus(driven.own, driven.rest);

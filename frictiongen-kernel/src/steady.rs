@@ -34,12 +34,10 @@ pub fn motion_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: Share<S>) -> Wa
 
 /// A mode's wave in the motion of a mass, for [`Chain::mass_share`].
 pub fn mass_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: Share<S>) -> Wave<S, D> {
-    let mut wave = motion_wave(x, decay, share);
-    wave.sways = is_slow(decay.kind(), decay.zeta(), x);
-    if wave.sways {
-        wave.swing = S::constant(0.0);
+    Wave {
+        sways: is_slow(decay.kind(), decay.zeta(), x),
+        ..motion_wave(x, decay, share)
     }
-    wave
 }
 
 impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {

@@ -15,8 +15,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let zero = S::constant(0.0);
         let half = S::constant(0.5);
         let (mut tau, mut local, mut negative) = (tau, local, negative);
-        let mut best = self.quotient(&local, negative);
-        let mut doubt = self.doubt(&local);
+        let (mut best, mut kept) = self.quotient(&local, negative);
         let mut trust = S::constant(0.25);
         let narrow = S::constant(1e-3) * self.sum.unit();
         let (mut last, mut stalls) = (S::pi(), 0);
@@ -35,7 +34,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 break;
             }
             let (at_next, _) = self.local(next);
-            let value = self.quotient(&at_next, negative != flipped);
+            let (value, whole) = self.quotient(&at_next, negative != flipped);
             // So near a maximum the values no longer tell, while Newton's method still converges.
             let near = curvature < zero && step.abs() < narrow;
             let untold = curvature < zero && self.untold(best, value, slope * step);
@@ -45,7 +44,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             }
             (tau, local, negative) = (next, at_next, negative != flipped);
             if best < value {
-                (best, doubt) = (value, self.doubt(&local));
+                (best, kept) = (value, whole);
             }
             if near && step.abs() < S::constant(4.0 * S::RESOLUTION) * self.sum.unit() {
                 break;
@@ -63,11 +62,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             if self.peak.value < best * share {
                 self.peak.places = [None; 4];
             }
-            // Compared as far as it is sure, kept as it is.
-            self.peak.value = match self.question.weight {
-                Weight::One => best,
-                Weight::Sine => best + doubt,
-            };
+            self.peak.value = kept;
             self.note(place);
             self.choose_tail();
         } else if self.peak.value * share <= best {
@@ -88,7 +83,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// Keeps an equal maximum elsewhere, for the phase.
     pub(super) fn note_tie(&mut self, tau: S, local: Local<S>, negative: bool) {
-        let value = self.quotient(&local, negative);
+        let (value, _) = self.quotient(&local, negative);
         let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
         if equal < value && !self.knows(Place { tau, negative }) {
             self.climb(tau, local, negative);
@@ -126,24 +121,18 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         self.question.weight == Weight::One && promise <= rounding && best - value <= rounding
     }
 
-    /// The sum over its weight, as far as it is sure.
-    fn quotient(&self, local: &Local<S>, negative: bool) -> S {
+    /// The sum over its weight: as far as it is sure, by which places are compared, and as it is.
+    fn quotient(&self, local: &Local<S>, negative: bool) -> (S, S) {
         let value = if negative { -local.value } else { local.value };
         match self.question.weight {
-            Weight::One => value,
-            Weight::Sine => {
-                if S::constant(0.0) < local.sine {
-                    value / local.sine - self.doubt(local)
-                } else {
-                    self.question.floor
-                }
+            Weight::One => (value, value),
+            Weight::Sine if S::constant(0.0) < local.sine => {
+                let quotient = value / local.sine;
+                let doubt = self.noise(local.cosine) / local.sine;
+                (quotient - doubt, quotient)
             }
+            Weight::Sine => (self.question.floor, self.question.floor),
         }
-    }
-
-    /// By how much rounding can lift the quotient.
-    fn doubt(&self, local: &Local<S>) -> S {
-        self.noise(local.cosine) / local.sine
     }
 
     /// The quotient's derivative and its own, times a positive factor.
