@@ -196,7 +196,8 @@ impl<S: Scalar> Chain<S> {
                 rest: others(second, &at_second, first, &at),
             };
         }
-        let mut sum = Sums::zero();
+        let zero = S::constant(0.0);
+        let (mut sum, mut sizes) = (Sums::zero(), (zero, zero));
         let mut heaviest: Option<Heaviest<S>> = None;
         for (index, (mode, at)) in modes.enumerate() {
             let next = self.candidate(mode, &at, partner, contact.scale, index);
@@ -204,7 +205,10 @@ impl<S: Scalar> Chain<S> {
                 None => next,
                 Some(known) => {
                     let heavier = known.weight.lt(next.weight);
-                    sum = self.joined(sum, known.own.select(heavier, &next.own));
+                    let other = known.own.select(heavier, &next.own);
+                    let (v, partner) = self.sizes(&other, partner);
+                    sizes = (sizes.0 + v, sizes.1 + partner);
+                    sum = self.joined(sum, other);
                     next.select(heavier, &known)
                 }
             });
@@ -222,9 +226,13 @@ impl<S: Scalar> Chain<S> {
             };
         };
         let own = without(sum, heaviest.static_residue).named(partner);
-        // Where no more cancels than remains, the full sums lose nothing.
-        let remains =
-            self.product(&heaviest.own, &own, partner) + self.product(&own, &heaviest.own, partner);
+        // Where no more cancels than the other terms leave of rounding, the full sums lose nothing.
+        let (v, other) = self.sizes(&heaviest.own, partner);
+        let at_rest = match self.on_moving_base {
+            Some(at_rest) => (at_rest - heaviest.static_residue).abs() * contact.scale,
+            None => zero,
+        };
+        let remains = v * sizes.1 + (sizes.0 + at_rest) * other;
         let outweighs = remains.lt(heaviest.weight);
         let index = S::select(outweighs, heaviest.index, S::constant(-1.0));
         Apart {
@@ -249,14 +257,14 @@ impl<S: Scalar> Chain<S> {
         } else {
             own.v
         };
-        let weight = self.product(&Sums { v, ..own }, &own, partner);
+        let (size, other) = self.sizes(&Sums { v, ..own }, partner);
         let weight = match partner {
             Partner::U => S::select(
                 is_slow(mode.kind, mode.zeta, at.x),
                 S::constant(0.0),
-                weight,
+                size * other,
             ),
-            Partner::H => weight,
+            Partner::H => size * other,
         };
         Heaviest {
             weight: weight.named("weight", Some(index)),
@@ -292,8 +300,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// |V| of one times the partner of the other.
-    fn product(&self, v: &Sums<S>, other: &Sums<S>, partner: Partner) -> S {
+    /// |V| and the size of its partner.
+    fn sizes(&self, sums: &Sums<S>, partner: Partner) -> (S, S) {
         let size = |value: Complex<S>| {
             if self.damped {
                 value.re.abs() + value.im.abs()
@@ -302,10 +310,10 @@ impl<S: Scalar> Chain<S> {
             }
         };
         let partner = match partner {
-            Partner::U => other.u.abs(),
-            Partner::H => size(other.h),
+            Partner::U => sums.u.abs(),
+            Partner::H => size(sums.h),
         };
-        size(v.v) * partner
+        (size(sums.v), partner)
     }
 
     fn joined(&self, a: Sums<S>, b: Sums<S>) -> Sums<S> {

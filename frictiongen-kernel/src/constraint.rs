@@ -30,36 +30,49 @@ impl<S: Float> Chain<S> {
         for ((mode, at), wave) in modes.iter().zip(at).zip(waves.iter_mut()) {
             *wave = constraint_wave(mode, at, contact, mode.mobility);
         }
-        let floor = self.break_away(contact);
-        self.constraint_above(contact, at, waves, floor)
+        let start = self.start_constraint(contact);
+        // Not as the difference of two sums: beside a resonance the damping's share outweighs the rest.
+        let above = (self.stiction - S::constant(1.0)) * self.mobility * contact.scale;
+        let mut peak = self.constraint_above(contact, at, waves, start, above);
+        peak.value = if peak.places[0].is_some() {
+            start + peak.value
+        } else {
+            self.break_away(contact)
+        };
+        peak
     }
 
+    /// By how much the constraint exceeds `start`, what it is for τ → 0; at least by `above`.
     fn constraint_above<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
         at: &[ModeAt<S>],
         waves: &[Wave<S, D>],
-        floor: S,
+        start: S,
+        above: S,
     ) -> Peak<S> {
         // Undamped and with every R ≥ 1/2 the start of the half period decides; where no angle is known,
         // nothing does.
         let decided = !self.damped && at.iter().all(|at| at.x <= S::constant(2.0));
         if decided || waves.iter().all(Wave::turns_unknown) {
             return Peak {
-                value: floor,
+                value: above,
                 places: [None; 4],
                 evaluations: 0,
             };
         }
         let zero = S::constant(0.0);
+        let at_start = |sum: S, wave: &Wave<S, D>| {
+            let two_zeta = wave.decay.zeta() + wave.decay.zeta();
+            sum - two_zeta * wave.x * wave.swing_slope
+        };
         let sum = Sum {
             waves,
-            constant: zero,
             cosine: zero,
-            sine: zero,
+            sine: waves.iter().fold(zero, at_start),
         };
         // β_lim knows S by U² + S²: where U is the larger, S is needed to fewer digits.
-        let ratio = contact.u / floor;
+        let ratio = contact.u / (start + above);
         let tolerance = S::constant(4.0 * S::RESOLUTION) * (S::constant(1.0) + ratio * ratio);
         search::largest(
             sum,
@@ -71,7 +84,8 @@ impl<S: Float> Chain<S> {
                 } else {
                     S::pi() * S::constant(0.5)
                 },
-                floor,
+                floor: above,
+                start,
                 tolerance: tolerance.min(S::constant(0.125)),
             },
         )
@@ -91,12 +105,11 @@ impl<S: Float> Chain<S> {
                 let wave: Wave<S, D> = constraint_wave(mode, at, contact, S::constant(1.0));
                 let two_zeta = mode.zeta + mode.zeta;
                 // The mode's own 1 + g + 2ζRu, its quotient for τ → 0.
-                let floor = contact.scale + at.g + two_zeta * at.u * at.x;
-                sum = sum
-                    + mode.mobility
-                        * self
-                            .constraint_above(contact, core::slice::from_ref(at), &[wave], floor)
-                            .value;
+                let start = contact.scale + at.g + two_zeta * at.u * at.x;
+                let at = core::slice::from_ref(at);
+                let above = S::constant(0.0);
+                let peak = self.constraint_above(contact, at, &[wave], start, above);
+                sum = sum + mode.mobility * (start + peak.value);
             }
         }
         sum.max(self.break_away(contact))
@@ -131,13 +144,15 @@ impl<S: Float> Chain<S> {
         let fastest = S::constant(UNTURNED / S::RESOLUTION);
         let clear = clear && at.iter().all(|at| at.x < fastest);
         if break_away < allowed && allowed.is_finite() && clear {
-            let peak = self.constraint_above(contact, at, waves, allowed);
+            let start = self.start_constraint(contact);
+            let above = allowed - start;
+            let peak = self.constraint_above(contact, at, waves, start, above);
             // A search that gave up has found nothing, but knows nothing either.
-            if peak.value <= allowed && peak.evaluations < search::MAX_EVALUATIONS {
+            if peak.value <= above && peak.evaluations < search::MAX_EVALUATIONS {
                 return true;
             }
         }
-        let constraint = self.constraint_above(contact, at, waves, break_away).value;
+        let constraint = self.velocity_constraint(contact, modes, at, waves).value;
         beta < self.continuous_limit(contact, constraint)
     }
 }
@@ -202,6 +217,9 @@ impl<S: Float> Chain<S> {
     }
 }
 
+/// A mode's part in what the constraint's sum exceeds `start`·sin τ by: −m(1 + g)(sin τ − p) +
+/// mu((cos τ − p′) − 2ζx·sin τ), of which the last comes once.  Beside a resonance sum and sine are nearly in
+/// proportion, and their difference would be what rounding leaves of them.
 fn constraint_wave<S: Float, D: Decay<S>>(
     mode: &Mode<S>,
     at: &ModeAt<S>,
@@ -210,7 +228,7 @@ fn constraint_wave<S: Float, D: Decay<S>>(
 ) -> Wave<S, D> {
     let mut wave = Wave::rest(at.x, D::of(mode));
     if mode.in_contact {
-        wave.free = mobility * (contact.scale + at.g);
+        wave.swing = -(mobility * (contact.scale + at.g));
         wave.swing_slope = mobility * at.u;
     }
     wave

@@ -117,8 +117,7 @@ impl<S: Scalar> Mode<S> {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         let (denominator, size) = self.denominator(x, at);
         let decay = (S::pi() * self.zeta * x).named("half_period_decay", at);
-        let m = (-(-decay).exp_m1().named("negative_lost_share", at)).named("lost_share", at);
-        let e = (one - m).named("kept_share", at);
+        let (m, e) = lost_and_kept(decay, at);
         let turns = (self.q * x).named("half_turns", at);
         let (s, c) = if self.kind == Kind::Light {
             (x * half).sin_cos_pi_minus(x * (self.q_defect * half))
@@ -153,8 +152,7 @@ impl<S: Scalar> Mode<S> {
         let one = S::constant(1.0);
         let (denominator, size) = self.denominator(x, at);
         let decay = (S::pi() * self.zeta * x).named("half_period_decay", at);
-        let m = (-(-decay).exp_m1().named("negative_lost_share", at)).named("lost_share", at);
-        let e = (one - m).named("kept_share", at);
+        let (m, e) = lost_and_kept(decay, at);
         // θ², θ = πqx.
         let angle = S::pi() * x;
         let square = angle * angle * ((one - self.zeta) * (one + self.zeta));
@@ -203,6 +201,16 @@ impl<S: Scalar> Mode<S> {
             reversal: (a + self.zeta * b).named("reversal", at),
         }
     }
+}
+
+/// 1 − e^{−decay} and e^{−decay}, each to its own digits: the second is not what rounding leaves of the first.
+#[inline]
+fn lost_and_kept<S: Scalar>(decay: S, at: Option<usize>) -> (S, S) {
+    let lost = (decay * S::constant(-0.5)).exp_m1();
+    let lost = lost.named("negative_lost_half", at);
+    let kept = (S::constant(1.0) + lost).named("kept_half", at);
+    let (m, e) = (-(lost * (S::constant(1.0) + kept)), kept * kept);
+    (m.named("lost_share", at), e.named("kept_share", at))
 }
 
 /// ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0.  The exact zeros (x = 1, where v and u share

@@ -3,8 +3,9 @@
 //! The response of mode i, V-part and friction together, has a pole wherever the mode resonates,
 //! which the two parts share and which cancels in part.  Written with ν = p v/V and
 //! κ = (p v U − w u V)/V, where U and V are taken without mode i wherever its own terms would cancel,
-//! nothing is left to cancel: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 + g)(1 − d) − g +
-//! uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).
+//! nothing is left to cancel: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d +
+//! uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).  Beside a damped resonance g d and Qρ are large
+//! and nearly in proportion to cos τ: −g cos τ joins the carrier, and g (cos τ − d) is small.
 
 use crate::apart::{Apart, Parted, Partner};
 use crate::chain::{Chain, ContactAt, ModeAt};
@@ -31,8 +32,6 @@ pub struct Friction<S> {
 /// Coefficients of a motion that all modes share.
 #[derive(Clone, Copy, Debug)]
 pub struct Carrier<S> {
-    /// The constant term.
-    pub constant: S,
     /// Of cos τ.
     pub cosine: S,
     /// Of sin τ.
@@ -44,8 +43,11 @@ pub struct Carrier<S> {
 /// A mode's coefficients in a motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Share<S> {
-    /// Of (1 − d)/R², the mode's return from rest.
+    /// Of (1 − d)/x², the mode's return from rest.
     pub rise: S,
+    /// Of cos τ − d, with which its static displacement falls behind the excitation; the cos τ is in the
+    /// carrier.  0 without damping.
+    pub fall: S,
     /// Of sin τ − R q̃, the mode's lag behind the excitation.
     pub swing: S,
     /// φ_k(φᵀw)/r², the residue contact → mass, for the harmonics.
@@ -113,19 +115,12 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The contact's own coefficients: of the carrier only Q is left.
+    /// The contact's own coefficients: of the carrier only the amplitude at τ = 0 is left.
     #[inline]
     pub fn contact_carrier(&self, contact: &ContactAt<S>, friction: &Friction<S>) -> Carrier<S> {
-        let weight = (friction.beta * friction.unscale).named("friction_weight", None);
-        let zero = S::constant(0.0);
         Carrier {
-            constant: if self.damped {
-                -(weight * contact.g)
-            } else {
-                zero
-            },
-            cosine: friction.root * friction.unscale,
-            sine: zero,
+            cosine: friction.amplitude,
+            sine: S::constant(0.0),
             response: complex::scale(contact.v, friction.unscale),
         }
     }
@@ -141,15 +136,16 @@ impl<S: Scalar> Chain<S> {
         inverse_r: S,
         index: usize,
     ) -> Share<S> {
-        let force =
-            (friction.beta * friction.unscale * residue).named("friction_force", Some(index));
-        let release = if self.damped {
-            contact.scale + at.g
+        let weight = (friction.beta * friction.unscale).named("friction_weight", None);
+        let force = (weight * residue).named("friction_force", Some(index));
+        let fall = if self.damped {
+            (force * (at.g / (at.x * at.x))).named("fall", Some(index))
         } else {
-            contact.scale
+            S::constant(0.0)
         };
         Share {
-            rise: (force * release).named("rise", Some(index)),
+            rise: (force * contact.scale).named("rise", Some(index)),
+            fall,
             swing: (force * at.u).named("swing", Some(index)),
             gain: residue * inverse_r * inverse_r,
         }
@@ -218,7 +214,7 @@ impl<S: Scalar> Chain<S> {
         S: 'a,
     {
         let (mut driven, mut rubbed) = (Parted::zero(), Parted::zero());
-        let mut constant = S::constant(0.0);
+        let mut held = S::constant(0.0);
         for (index, component, mode, at) in parts {
             let free = complex::scale(at.response, component * mode.load);
             let free = named(free, ["driven_re", "driven_im"], Some(index));
@@ -228,7 +224,7 @@ impl<S: Scalar> Chain<S> {
             let back = (-(residue * at.u)).named("rubbed_back", Some(index));
             rubbed = rubbed.with(self, apart, index, complex::real(back));
             if self.damped {
-                constant = constant - residue * (at.g / (at.x * at.x));
+                held = held - residue * (at.g / (at.x * at.x));
             }
         }
         let ratio = self.plus(driven.own, driven.rest);
@@ -269,14 +265,12 @@ impl<S: Scalar> Chain<S> {
             let weight = (beta * unscale).named("friction_weight", None);
             let beta = beta * lift;
             Carrier {
-                constant: constant * weight,
-                cosine: (root * ratio.re + beta * mismatch.im) * raised,
+                cosine: (root * ratio.re + beta * mismatch.im) * raised + held * weight,
                 sine: (beta * mismatch.re - root * ratio.im) * raised,
                 response,
             }
         } else {
             Carrier {
-                constant,
                 cosine: root * ratio.re * raised,
                 sine: beta * mismatch.re * raised,
                 response,

@@ -27,6 +27,9 @@ pub struct Motion<S, D, W> {
 pub fn motion_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: Share<S>) -> Wave<S, D> {
     let mut wave = Wave::rest(x, decay);
     wave.rise = share.rise;
+    // d = p′ + 2ζx·p.
+    wave.swing_slope = share.fall;
+    wave.free = -((decay.zeta() + decay.zeta()) * x * share.fall);
     wave.swing = share.swing;
     wave.gain = share.gain;
     wave
@@ -66,7 +69,6 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     fn sum(&self) -> Sum<'_, S, D> {
         Sum {
             waves: self.waves.as_ref(),
-            constant: self.carrier.constant,
             cosine: self.carrier.cosine,
             sine: self.carrier.sine,
         }
@@ -108,6 +110,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
                 both_signs: true,
                 end: S::pi(),
                 floor: zero,
+                start: zero,
                 tolerance: S::constant(4.0 * S::RESOLUTION),
             },
             guess,

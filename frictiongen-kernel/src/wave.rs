@@ -68,7 +68,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     pub(crate) fn turns_unknown(&self) -> bool {
         let zero = S::constant(0.0);
         let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
-        let rests = self.free == zero && self.swing_slope == zero;
+        let rests = self.swing == zero && self.swing_slope == zero;
         rests || S::constant(1.0) < self.x * lasts * S::constant(S::RESOLUTION)
     }
 
@@ -103,13 +103,11 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     }
 }
 
-/// Σ waves + constant + cosine·cos τ + sine·sin τ.
+/// Σ waves + cosine·cos τ + sine·sin τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Sum<'a, S, D> {
     /// The modes, slowest first.
     pub waves: &'a [Wave<S, D>],
-    /// The constant term.
-    pub constant: S,
     /// Of cos τ.
     pub cosine: S,
     /// Of sin τ.
@@ -145,7 +143,7 @@ pub(crate) struct Tail<S> {
 impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     /// The value at an instant.
     pub fn value(&self, at: &Instant<S>) -> S {
-        let mut sum = self.constant + self.cosine * at.cosine + self.sine * at.sine;
+        let mut sum = self.cosine * at.cosine + self.sine * at.sine;
         for wave in self.waves {
             sum = sum + wave.value(&wave.basis(at));
         }
@@ -157,10 +155,10 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         let mut sum = self.sine * at.cosine - self.cosine * at.sine;
         for wave in self.waves {
             let basis = wave.basis(at);
-            let (curve, _) = curves(wave, &basis);
+            let (curve, _) = differences(wave, &basis, curves(wave, &basis), at);
             sum = sum
                 + wave.free * basis.slope
-                + wave.swing_slope * (-at.sine - curve)
+                + wave.swing_slope * curve
                 + wave.swing * basis.swing_slope
                 + wave.rise * basis.free;
         }
@@ -169,7 +167,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
 
     /// The value and the derivative at τ = 0, where all waves are at rest but those that sway.
     pub(crate) fn start(&self) -> (S, S) {
-        let mut value = self.constant + self.cosine;
+        let mut value = self.cosine;
         let mut slope = self.sine;
         for wave in self.waves.iter().filter(|wave| wave.sways) {
             let basis = wave.basis(&Instant::new(S::constant(0.0)));
@@ -190,7 +188,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     /// differences from it are small, do not count.
     pub(crate) fn rounding(&self) -> S {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
-        let mut sum = self.constant.abs() + self.cosine.abs() + self.sine.abs();
+        let mut sum = self.cosine.abs() + self.sine.abs();
         for wave in self.waves {
             if half < (wave.x - one).abs() {
                 sum = sum + wave.amplitude_bound();
@@ -199,11 +197,28 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum * S::constant(S::RESOLUTION)
     }
 
-    /// The largest that waves and carriers together can be.
-    pub fn amplitude_bound(&self) -> S {
-        let carriers = self.constant.abs() + self.cosine.abs() + self.sine.abs();
-        let waves = self.waves.iter().map(Wave::amplitude_bound);
-        waves.fold(carriers, |sum, wave| sum + wave)
+    /// The largest that the sum can be, but for what is in proportion to sin τ.
+    pub(crate) fn bound_over_sine(&self) -> S {
+        self.over_sine(|x| ((S::constant(1.0) / x).min(S::pi()), S::constant(2.0)))
+    }
+
+    /// What rounding leaves of the same: the angle xτ is off by as many roundings as it has turns.
+    pub(crate) fn rounding_over_sine(&self) -> S {
+        let quarter = S::constant(0.25);
+        let sum = self.over_sine(|x| {
+            let p = (S::constant(1.0) / x).min(S::pi());
+            (p + quarter, S::constant(2.0) + quarter * x)
+        });
+        sum * S::constant(S::RESOLUTION)
+    }
+
+    /// Σ |swing|·p + |swing_slope|·q with (p, q) by x.
+    fn over_sine(&self, of: impl Fn(S) -> (S, S)) -> S {
+        let add = |sum: S, wave: &Wave<S, D>| {
+            let (p, q) = of(wave.x);
+            sum + wave.swing.abs() * p + wave.swing_slope.abs() * q
+        };
+        self.waves.iter().fold(S::constant(0.0), add)
     }
 
     /// The largest tail of fast modes that stays below `amplitude`, if there is one worth it.
@@ -251,7 +266,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         tail: Option<&Tail<S>>,
     ) -> (Local<S>, Option<Local<S>>) {
         let Instant { sine, cosine, .. } = *at;
-        let mut local = carrier(self.constant, self.cosine, self.sine, sine, cosine);
+        let mut local = carrier(S::constant(0.0), self.cosine, self.sine, sine, cosine);
         let mut slow = None;
         for (index, wave) in self.waves.iter().enumerate() {
             if let Some(tail) = tail.filter(|tail| tail.from == index) {
@@ -301,6 +316,26 @@ fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) 
     (curve, -(x * (x * basis.slope + two_zeta * curve)))
 }
 
+/// The second and third derivative of sin τ − p, given those of p: from what moves it, where that is small.
+#[inline]
+fn differences<S: Float, D: Decay<S>>(
+    wave: &Wave<S, D>,
+    basis: &Basis<S>,
+    (p2, p3): (S, S),
+    at: &Instant<S>,
+) -> (S, S) {
+    let (one, half) = (S::constant(1.0), S::constant(0.5));
+    let x = wave.x;
+    if !((x - one).abs() < half) {
+        return (-at.sine - p2, -at.cosine - p3);
+    }
+    let loss = (wave.decay.zeta() + wave.decay.zeta()) * x;
+    let (apart, square) = ((x - one) * (x + one), x * x);
+    let second = apart * at.sine + loss * (at.cosine - basis.swing_slope) - square * basis.swing;
+    let third = apart * at.cosine - loss * (at.sine + second) - square * basis.swing_slope;
+    (second, third)
+}
+
 /// A wave about an instant.  Its bounds rest on the energy (xp)² + p′², which never grows.
 fn wave_local<S: Float, D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> Local<S> {
     let one = S::constant(1.0);
@@ -316,6 +351,7 @@ fn wave_local<S: Float, D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> Loca
     let zeta = wave.decay.zeta();
     let basis = wave.basis(at);
     let (p2, p3) = curves(wave, &basis);
+    let (y2, y3) = differences(wave, &basis, (p2, p3), at);
     let xp = x * basis.free;
     let energy = (xp * xp + basis.slope * basis.slope).sqrt();
     let rate = x * (one + two * zeta);
@@ -334,13 +370,10 @@ fn wave_local<S: Float, D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> Loca
         cosine: at.cosine,
         value: wave.value(&basis),
         slope: free * basis.slope
-            + swing_slope * (-at.sine - p2)
+            + swing_slope * y2
             + swing * basis.swing_slope
             + rise * basis.free,
-        curvature: free * p2
-            + swing_slope * (-at.cosine - p3)
-            + swing * (-at.sine - p2)
-            + rise * basis.slope,
+        curvature: free * p2 + swing_slope * y3 + swing * y2 + rise * basis.slope,
         curvature_bound: a * n1 + b * d2 + c * d1 + e * energy,
         third_bound: a * n2 + b * d3 + c * d2 + e * n1,
     }

@@ -153,7 +153,6 @@ impl<S: Float> DataAt<'_, S> {
         let zero = S::constant(0.0);
         let sum = Sum {
             waves: &waves,
-            constant: zero,
             cosine: zero,
             sine: zero,
         };
@@ -205,6 +204,11 @@ impl<S: Float> DataAt<'_, S> {
             Some(force) => force.abs() / chain.stiction,
             None => chain.sliding_limit(&self.contact),
         }
+    }
+
+    /// V, times r² and the scale.
+    pub fn free(&self) -> Complex<S> {
+        self.contact.v
     }
 
     fn friction(&self, beta: S) -> Friction<S> {

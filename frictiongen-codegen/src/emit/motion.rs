@@ -176,7 +176,7 @@ fn waves(
     shares: &[TokenStream],
 ) -> TokenStream {
     let Emission { name, scalar, .. } = emission;
-    let waves = used.iter().zip(shares.chunks(3)).map(|(index, share)| {
+    let waves = used.iter().zip(shares.chunks(4)).map(|(index, share)| {
         let mode = local(&format!("mode_{}", index + 1));
         let decay = if emission.damped() {
             let index = Literal::usize_unsuffixed(*index);
@@ -184,21 +184,20 @@ fn waves(
         } else {
             code!(Undamped)
         };
-        let [rise, swing, gain] = share else {
+        let [rise, fall, swing, gain] = share else {
             return TokenStream::new();
         };
-        code!(#wave(#mode.x, #decay, Share { rise: #rise, swing: #swing, gain: #gain }))
+        code!(#wave(#mode.x, #decay, Share { rise: #rise, fall: #fall, swing: #swing, gain: #gain }))
     });
     code!([#(#waves),*])
 }
 
 fn carrier_structure(outputs: &[TokenStream]) -> TokenStream {
-    let [constant, cosine, sine, re, im] = outputs else {
+    let [cosine, sine, re, im] = outputs else {
         return TokenStream::new();
     };
     code! {
         Carrier {
-            constant: #constant,
             cosine: #cosine,
             sine: #sine,
             response: Complex { re: #re, im: #im },
@@ -206,18 +205,17 @@ fn carrier_structure(outputs: &[TokenStream]) -> TokenStream {
     }
 }
 
-fn carrier_outputs<'g>(carrier: &Carrier<Expr<'g>>) -> [Expr<'g>; 5] {
+fn carrier_outputs<'g>(carrier: &Carrier<Expr<'g>>) -> [Expr<'g>; 4] {
     let Carrier {
-        constant,
         cosine,
         sine,
         response,
     } = *carrier;
-    [constant, cosine, sine, response.re, response.im]
+    [cosine, sine, response.re, response.im]
 }
 
-fn share_outputs<'g>(share: &Share<Expr<'g>>) -> [Expr<'g>; 3] {
-    [share.rise, share.swing, share.gain]
+fn share_outputs<'g>(share: &Share<Expr<'g>>) -> [Expr<'g>; 4] {
+    [share.rise, share.fall, share.swing, share.gain]
 }
 
 fn returned(emission: &Emission<'_>, waves: usize) -> TokenStream {
@@ -258,7 +256,7 @@ fn of_contact(emission: &Emission<'_>) -> TokenStream {
     }
     let outputs: Vec<_> = outputs.into_iter().map(Expr::operand).collect();
     let (printed, count) = tracer.print(&outputs, emission.precision, &TAKEN);
-    let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(5));
+    let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(4));
     let carrier = carrier_structure(carrier);
     let statements = printed.statements;
     let waves = if emission.in_sums() {
@@ -383,7 +381,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
     }
     let outputs: Vec<_> = outputs.into_iter().map(Expr::operand).collect();
     let (printed, count) = tracer.print(&outputs, emission.precision, &TAKEN);
-    let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(5));
+    let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(4));
     let carrier = carrier_structure(carrier);
     let statements = printed.statements;
     let waves = waves(emission, &code!(steady::mass_wave), &rubbed, shares);

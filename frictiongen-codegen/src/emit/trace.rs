@@ -192,11 +192,7 @@ pub fn traces<S: frictiongen_kernel::Float>(
             &friction,
             inverse,
         );
-        for (field, value) in [
-            ("constant", carrier.constant),
-            ("cosine", carrier.cosine),
-            ("sine", carrier.sine),
-        ] {
+        for (field, value) in [("cosine", carrier.cosine), ("sine", carrier.sine)] {
             named.push((format!("{}.{field}", mass.name), value.operand()));
         }
         if modal.held(index).is_some() {

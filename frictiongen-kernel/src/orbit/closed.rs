@@ -83,7 +83,6 @@ pub(super) fn set<S: Float>(flow: &mut Flow<'_, '_, S>) {
         );
         let sum = Sum {
             waves: core::slice::from_ref(&wave),
-            constant: carrier.constant,
             cosine: carrier.cosine,
             sine: carrier.sine,
         };

@@ -37,8 +37,19 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let (value, whole) = self.quotient(&at_next, negative != flipped);
             // So near a maximum the values no longer tell, while Newton's method still converges.
             let near = curvature < zero && step.abs() < narrow;
-            let untold = curvature < zero && self.untold(best, value, slope * step);
-            if value < best && !(near || untold) {
+            let untold = self.untold(best, value, slope * step);
+            let better = if untold {
+                near || self.rises_on(&at_next, negative != flipped, slope)
+            } else {
+                near || best <= value
+            };
+            // Rounding of the slope goes on for ever.
+            let small = step.abs() < S::constant(0.125) * self.sum.unit();
+            stalls += u32::from(untold && small && last * half < step.abs());
+            if stalls == MAX_STALLS {
+                break;
+            }
+            if !better {
                 trust = step.abs() * half;
                 continue;
             }
@@ -47,11 +58,6 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 (best, kept) = (value, whole);
             }
             if near && step.abs() < S::constant(4.0 * S::RESOLUTION) * self.sum.unit() {
-                break;
-            }
-            // Rounding of the slope goes on for ever.
-            stalls += u32::from(untold && last * half < step.abs());
-            if stalls == MAX_STALLS {
                 break;
             }
             last = step.abs();
@@ -83,6 +89,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// Keeps an equal maximum elsewhere, for the phase.
     pub(super) fn note_tie(&mut self, tau: S, local: Local<S>, negative: bool) {
+        if self.question.weight == Weight::Sine {
+            return;
+        }
         let (value, _) = self.quotient(&local, negative);
         let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
         if equal < value && !self.knows(Place { tau, negative }) {
@@ -121,13 +130,19 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         self.question.weight == Weight::One && promise <= rounding && best - value <= rounding
     }
 
+    /// Where values do not tell: whether it still rises the same way, or falls less steeply than it rose.
+    fn rises_on(&self, local: &Local<S>, negative: bool, slope: S) -> bool {
+        let (here, _) = self.ascent(local, negative);
+        (S::constant(0.0) < here) == (S::constant(0.0) < slope) || here.abs() <= slope.abs()
+    }
+
     /// The sum over its weight: as far as it is sure, by which places are compared, and as it is.
     fn quotient(&self, local: &Local<S>, negative: bool) -> (S, S) {
         let value = if negative { -local.value } else { local.value };
         match self.question.weight {
             Weight::One => (value, value),
             Weight::Sine if S::constant(0.0) < local.sine => {
-                let quotient = value / local.sine;
+                let quotient = value / local.sine - self.signed(S::constant(0.0), negative);
                 let doubt = self.noise(local.cosine) / local.sine;
                 (quotient - doubt, quotient)
             }

@@ -50,7 +50,9 @@ pub struct Question<S> {
     pub end: S,
     /// Values up to this one are of no interest.
     pub floor: S,
-    /// Relative amount by which a larger value may be missed.
+    /// By what the quotient falls short of what is looked for: its value for τ → 0, which the sum is without.
+    pub start: S,
+    /// Amount by which a larger value may be missed, relative to the value and `start` together.
     pub tolerance: S,
 }
 
@@ -106,7 +108,10 @@ pub fn largest_from<S: Float, D: Decay<S>>(
 
 impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
     fn new(sum: Sum<'a, S, D>, question: Question<S>) -> Self {
-        let rounding = sum.rounding();
+        let rounding = match question.weight {
+            Weight::One => sum.rounding(),
+            Weight::Sine => sum.rounding_over_sine(),
+        };
         Self {
             sum,
             question,
@@ -138,6 +143,7 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
             Weight::One => excess.value = excess.value - level,
             Weight::Sine => {
                 let Local { sine, cosine, .. } = *local;
+                let level = self.signed(level, negative);
                 excess.value = excess.value - level * sine - self.noise(cosine);
                 excess.slope = excess.slope - level * cosine;
                 excess.curvature = excess.curvature + level * sine;
@@ -149,10 +155,20 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
     }
 
     fn level(&self) -> S {
-        let level = self.peak.value * (S::constant(1.0) + self.question.tolerance);
+        let Peak { value, .. } = self.peak;
+        let level = value + self.question.tolerance * (self.question.start + value);
         match self.question.weight {
             Weight::One => level.max(self.rounding),
             Weight::Sine => level,
+        }
+    }
+
+    /// The level as the negative of the sum meets it: −(sum + start·sin τ) over sin τ, less `start`.
+    fn signed(&self, level: S, negative: bool) -> S {
+        if negative {
+            level + self.question.start + self.question.start
+        } else {
+            level
         }
     }
 
@@ -187,7 +203,8 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
             tau = tau.held();
             if self.question.weight == Weight::Sine && !skipped {
                 // Away from the ends sin τ alone keeps the quotient below the level.
-                let edge = S::pi() * S::constant(0.5) * self.sum.amplitude_bound() / self.level();
+                let level = self.question.start + self.level();
+                let edge = S::pi() * S::constant(0.5) * self.sum.bound_over_sine() / level;
                 if edge < tau {
                     skipped = true;
                     tau = tau.max(S::pi() - edge);
@@ -250,7 +267,8 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         let sine = self.question.weight == Weight::Sine;
         signs.iter().fold(self.question.end, |step, &negative| {
             let noise = self.noise(at.cosine);
-            let excess = series.excess(negative, self.level(), sine, &at).less(noise);
+            let level = self.signed(self.level(), negative);
+            let excess = series.excess(negative, level, sine, &at).less(noise);
             step.min(excess.reach())
         })
     }
@@ -334,23 +352,27 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
     /// The excess's third derivative at τ = 0 and a bound on the fourth, for a time in units that
     /// are the last: third·unit, fourth·unit².
     fn third_at_start(&self, negative: bool) -> (S, S, S) {
-        let one = S::constant(1.0);
-        let two = S::constant(2.0);
+        let (one, two) = (S::constant(1.0), S::constant(2.0));
         let unit = self.sum.unit();
-        let level = self.level();
-        let mut third = S::constant(0.0);
-        let mut fourth = level * unit * unit;
+        let level = self.signed(self.level(), negative);
+        // Of sine·sin τ.
+        let mut third = -(self.sum.sine * unit);
+        let mut fourth = (self.sum.sine.abs() + level) * unit * unit;
         for wave in self.sum.waves {
             let x = wave.x;
             let two_zeta = two * wave.decay.zeta();
             let (rate, x_unit) = (wave.rate(), x * unit);
-            // p′ = 1, p″ = −2ζx, p‴ = −x²(1 − 4ζ²), p⁗ = 4ζx³(1 − 2ζ²) at τ = 0.
-            let p3 = -(x * x_unit * (one - two_zeta * two_zeta));
+            // p′ = 1, p″ = −2ζx, p‴ = −x²(1 − 4ζ²), p⁗ = 4ζx³(1 − 2ζ²) at τ = 0; of sin τ − p, −1 − p‴.
+            let apart = (x - one) * (x + one) * unit - two_zeta * two_zeta * x * x_unit;
             let p4 = two_zeta * x * x * x_unit * (two - two_zeta * two_zeta);
-            third = third + wave.free * p3 - wave.swing_slope * p4;
+            third = third + wave.swing * apart - wave.swing_slope * p4;
             let turned = rate * unit;
+            // What moves sin τ − p is small beside x = 1.
+            let forcing = (x * x - one).abs() + two_zeta * x;
+            let plain = unit * unit + rate * turned * turned;
+            let near = S::constant(8.0) * forcing * (unit * unit).max(rate * turned * turned);
             fourth = fourth
-                + wave.free.abs() * rate * turned * turned
+                + wave.swing.abs() * plain.min(near)
                 + wave.swing_slope.abs() * (unit * unit + rate * rate * turned * turned);
         }
         let level = level * unit;
@@ -394,8 +416,8 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
             Instant::new(end * S::inverse_pi()),
         );
         let (before, here) = (Series::of(&self.sum, &start), Series::of(&self.sum, &at));
-        let level = self.level();
         let reach = |&negative: &bool| {
+            let level = self.signed(self.level(), negative);
             let bound = before.excess(negative, level, true, &start).bound();
             here.excess(negative, level, true, &at)
                 .backwards(bound)

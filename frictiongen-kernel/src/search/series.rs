@@ -34,8 +34,6 @@ impl<S: Float> Series<S> {
             unit,
         };
         series.add_turning(sum.cosine, sum.sine, at);
-        let [constant, ..] = &mut series.coefficients;
-        *constant = *constant + sum.constant;
         for wave in sum.waves {
             series.add_wave(wave, at);
         }

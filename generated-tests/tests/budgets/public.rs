@@ -97,7 +97,6 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
             "steady::Motion::displacement",
             "steady::Motion::harmonic",
             "steady::Motion::velocity",
-            "wave::Sum::amplitude_bound",
             "wave::Sum::slope",
             "wave::Sum::value",
             "wave::Wave::value",
