@@ -9,6 +9,8 @@ pub enum Asked {
     ContinuousLimit,
     WithoutSearch,
     SlidingLimit,
+    /// V, the response with friction left out.
+    Free,
     ContactAmplitude,
     ContactPhase,
     Amplitude(usize),
@@ -24,7 +26,11 @@ impl Asked {
     pub fn is_motion(self) -> bool {
         !matches!(
             self,
-            Self::ContinuousLimit | Self::WithoutSearch | Self::SlidingLimit | Self::Stuck(_)
+            Self::ContinuousLimit
+                | Self::WithoutSearch
+                | Self::SlidingLimit
+                | Self::Free
+                | Self::Stuck(_)
         )
     }
     /// The mass that is asked about.
@@ -42,6 +48,7 @@ impl Asked {
             Self::ContinuousLimit => "continuous limit",
             Self::WithoutSearch => "without search",
             Self::SlidingLimit => "sliding limit",
+            Self::Free => "free",
             Self::ContactAmplitude => "contact amplitude",
             Self::ContactPhase => "contact phase",
             Self::Amplitude(_) => "amplitude",
@@ -77,6 +84,7 @@ pub fn answer<S: Float>(at: &DataAt<'_, S>, place: &Place<S>, asked: Asked) -> C
         Asked::ContinuousLimit => real(at.continuous_limit()),
         Asked::WithoutSearch => real(at.continuous_limit_without_search()),
         Asked::SlidingLimit => real(at.sliding_limit()),
+        Asked::Free => at.free(),
         Asked::ContactAmplitude => real(at.contact(place.beta).amplitude()),
         Asked::ContactPhase => real(at.contact(place.beta).phase()),
         Asked::Amplitude(mass) => real(at.mass(mass, place.beta).amplitude()),

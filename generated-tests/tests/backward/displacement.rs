@@ -6,7 +6,7 @@ use crate::instant::{constraining, followed, lowest};
 use crate::measure::{Judge, angle};
 use frictiongen_kernel::Complex;
 use frictiongen_kernel::dd::Dd;
-use generated_tests::data::DataAt;
+use generated_tests::data::{Data, DataAt};
 
 /// A little more than π.
 const HALF_TURN: f64 = 3.2;
@@ -24,14 +24,19 @@ pub enum Way {
 impl Way {
     /// Every input the way that moves what has these slopes.
     pub fn along(slopes: &[Complex<Dd>]) -> Self {
-        let sign = |slope: &Complex<Dd>| {
-            if slope.re.is_zero() {
+        Self::along_a_part(slopes, |slope| slope.re)
+    }
+
+    /// The same for a part of what is complex.
+    pub fn along_a_part(slopes: &[Complex<Dd>], part: impl Fn(&Complex<Dd>) -> Dd) -> Self {
+        let sign = |slope: Dd| {
+            if slope.is_zero() {
                 0.0
             } else {
-                1.0_f64.copysign(slope.re.to_f64())
+                1.0_f64.copysign(slope.to_f64())
             }
         };
-        Self::Along(slopes.iter().map(sign).collect())
+        Self::Along(slopes.iter().map(|slope| sign(part(slope))).collect())
     }
 }
 
@@ -46,6 +51,29 @@ impl Judge<'_> {
         watched(at, place, asked, watch).re
     }
 
+    /// Displaces inputs of the scene and the place by `k` roundings.
+    pub fn displace(
+        &self,
+        way: &Way,
+        k: f64,
+        asked: Asked,
+        data: &mut Data<Dd>,
+        place: &mut Place<Dd>,
+    ) {
+        let moved =
+            |value: Dd, sign: f64| value + value * Dd::from(self.epsilon) * Dd::from(k * sign);
+        match way {
+            Way::Beta => place.beta = moved(place.beta, 1.0),
+            Way::Ratio => place.r = moved(place.r, 1.0),
+            Way::Along(signs) => {
+                let mut signs = signs.iter();
+                inputs(data, place, asked, |_, input| {
+                    *input = moved(*input, *signs.next().unwrap_or(&0.0));
+                });
+            }
+        }
+    }
+
     /// What the scene says with inputs displaced by `k` roundings.
     fn displaced<T>(
         &self,
@@ -54,26 +82,11 @@ impl Judge<'_> {
         k: f64,
         read: impl FnOnce(&DataAt<'_, Dd>, &Place<Dd>) -> T,
     ) -> T {
-        let moved =
-            |value: Dd, sign: f64| value + value * Dd::from(self.epsilon) * Dd::from(k * sign);
-        let mut place = self.place;
+        let (mut data, mut place) = (self.scene.exact.clone(), self.place);
+        self.displace(way, k, asked, &mut data, &mut place);
         match way {
-            Way::Beta => {
-                place.beta = moved(place.beta, 1.0);
-                read(&self.at, &place)
-            }
-            Way::Ratio => {
-                place.r = moved(place.r, 1.0);
-                read(&self.scene.exact.at(place.r), &place)
-            }
-            Way::Along(signs) => {
-                let mut data = self.scene.exact.clone();
-                let mut signs = signs.iter();
-                inputs(&mut data, &mut place, asked, |_, input| {
-                    *input = moved(*input, *signs.next().unwrap_or(&0.0));
-                });
-                read(&data.at(place.r), &place)
-            }
+            Way::Beta => read(&self.at, &place),
+            Way::Ratio | Way::Along(_) => read(&data.at(place.r), &place),
         }
     }
 
@@ -109,7 +122,7 @@ impl Judge<'_> {
     /// no sides.
     pub fn passed(&self, asked: Asked, watch: Option<Dd>, got: Dd, way: &Way) -> f64 {
         let idle = matches!(way, Way::Beta) && !asked.is_motion();
-        if idle || matches!(asked, Asked::Stuck(_)) {
+        if idle || matches!(asked, Asked::Stuck(_) | Asked::Free) {
             return f64::INFINITY;
         }
         let excess = |k: f64| self.excess(asked, watch, got, way, k);

@@ -13,9 +13,12 @@ fn zero(of: impl Fn(Dd) -> Dd, from: Dd, epsilon: f64) -> Option<Dd> {
         .find_map(|first| secant(&of, from, first, 1e-3 * epsilon))
 }
 
+/// So far from where it is looked for may what is found be: a phase that rounding has turned by a tenth of a
+/// radian still has its own maximum.
+const ABOUT: f64 = 0.5;
+
 /// The secant method, up to a step of `last`.
 fn secant(of: impl Fn(Dd) -> Dd, from: Dd, first: f64, last: f64) -> Option<Dd> {
-    const ABOUT: f64 = 0.1;
     let (mut before, mut tau) = (from, from + Dd::from(first));
     let mut at_before = of(before);
     for _ in 0..60 {
@@ -49,7 +52,6 @@ pub fn acceleration(motion: &DataMotion<Dd>, tau: Dd, epsilon: f64) -> Dd {
 /// Where the exact motion is at its largest: next to where it was found to be, which need not be a
 /// stationary point.
 pub fn largest(motion: &DataMotion<Dd>, found: Option<Dd>, epsilon: f64) -> Dd {
-    const ABOUT: f64 = 0.1;
     let Some(found) = found else {
         let places = motion.peak().places;
         let mut places = places.iter().flatten();

@@ -5,5 +5,6 @@ mod condition;
 mod displacement;
 mod extremes;
 mod instant;
+mod matched;
 mod measure;
 mod property;

@@ -13,6 +13,7 @@ use crate::asked::{Asked, Place, watched};
 use crate::condition::{PLAIN, Question, modulus};
 use crate::displacement::Way;
 use crate::instant::{acceleration, constraining, largest, stationary};
+use crate::matched::Matched;
 use frictiongen_kernel::dd::Dd;
 use frictiongen_kernel::dual::Dual;
 use frictiongen_kernel::search::Peak;
@@ -91,13 +92,38 @@ impl<'a> Judge<'a> {
         }
     }
 
-    fn question(&self, asked: Asked, instant: Option<Dd>) -> Question<'a> {
+    pub fn question(&self, asked: Asked, instant: Option<Dd>) -> Question<'a> {
         Question {
             data: &self.scene.moving,
             place: self.place.read(Dual::fixed),
             asked,
             instant: instant.map(Dual::fixed),
         }
+    }
+
+    /// The error of `got`, whose scene has told the limit without search as `limit`.
+    pub fn error_beside(
+        &self,
+        asked: Asked,
+        got: Complex<Dd>,
+        found: Option<Dd>,
+        limit: Dd,
+    ) -> Error {
+        let mut error = self.error(asked, got, found);
+        if error.backward <= self.bar {
+            return error;
+        }
+        for Matched {
+            scene,
+            place,
+            roundings,
+        } in self.matched(limit)
+        {
+            let there = Judge::new(&scene, place, self.epsilon, self.bar);
+            let beside = there.error(asked, got, found).backward;
+            error.backward = error.backward.min(beside + roundings);
+        }
+        error
     }
 
     /// The error of `got`.  `found` is where a search found the largest value: of the mass's motion, or of
@@ -133,6 +159,16 @@ impl<'a> Judge<'a> {
         // Where so small a change of the inputs can undo the whole motion, it has no phase.
         let undone = || self.undone(amplitude, Some(top), largest);
         let Some(tau) = stationary(&motion, got - carrier, self.epsilon) else {
+            // Where the force is released a mass may be at its largest without ever standing still.
+            let off = angle(got - carrier - top).abs();
+            let half = angle(got - carrier - top - Dd::PI).abs();
+            let forward = (off.min(half) / (Dd::PI * Dd::from(self.epsilon))).to_f64();
+            if forward <= PLAIN {
+                return Error {
+                    forward,
+                    backward: forward,
+                };
+            }
             let still = |way: &Way| self.stands_still(mass, got, top, way);
             return Error {
                 forward: f64::INFINITY,
@@ -259,7 +295,7 @@ impl<'a> Judge<'a> {
 
     /// Q vanishes as a square root does and has no slope at its end, and beside a pole of U the slopes
     /// change within a rounding: a motion may be explained along what moves the limit.
-    fn along_the_limit(&self) -> Way {
+    pub fn along_the_limit(&self) -> Way {
         Way::along(&self.question(Asked::WithoutSearch, None).slopes())
     }
 

@@ -213,7 +213,12 @@ where
         let real = |value: S| Complex::new(value, zero);
         let judge = Judge::new(&scene, place.read(exact), S::EPSILON, BAR);
         let mut note = |asked: Asked, got: Complex<S>, found: Option<Dd>| {
-            let error = judge.error(asked, Complex::new(exact(got.re), exact(got.im)), found);
+            let error = judge.error_beside(
+                asked,
+                Complex::new(exact(got.re), exact(got.im)),
+                found,
+                exact(at.continuous_limit_without_search()),
+            );
             worst.note(asked, error, || {
                 format!("seed {seed}: {asked:?} = {got:?} at {place:?}")
             });
