@@ -55,9 +55,9 @@ impl<S: Scalar> Sums<S> {
     /// This where the condition holds, else the other.
     fn select(&self, condition: S::Condition, other: &Self) -> Self {
         Self {
-            v: select(condition, self.v, other.v),
+            v: complex::select(condition, self.v, other.v),
             u: S::select(condition, self.u, other.u),
-            h: select(condition, self.h, other.h),
+            h: complex::select(condition, self.h, other.h),
         }
     }
 }
@@ -111,6 +111,28 @@ pub(crate) struct Apart<S> {
     pub rest: Sums<S>,
 }
 
+impl<S: Scalar> Apart<S> {
+    /// By what the mode taken apart, and the rest, are turned against V, where there is damping: a mode is in
+    /// phase with its own term of V, so that the others' terms do as well as all, and better where they are
+    /// the smaller.
+    pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
+        let size = |v: Complex<S>| v.re.abs() + v.im.abs();
+        let all = size(contact.v).named("v_size", None);
+        let least = |others: Complex<S>| {
+            let v = complex::select(size(others).lt(all), others, contact.v);
+            Complex::new(
+                v.re.named("turning_re", None),
+                v.im.named("turning_im", None),
+            )
+        };
+        let rest = match self.which {
+            Which::First => least(self.rest.v),
+            Which::Only | Which::Numbered(_) => self.rest.v,
+        };
+        (least(self.own.v), rest)
+    }
+}
+
 /// A sum over modes: the mode taken apart, and the rest.
 #[derive(Clone, Copy)]
 pub(crate) struct Parted<S> {
@@ -134,8 +156,8 @@ impl<S: Scalar> Parted<S> {
                 let it = (number - S::constant(index as f64)).is_zero();
                 let zero = complex::real(S::constant(0.0));
                 Self {
-                    own: select(it, value, self.own),
-                    rest: chain.plus(self.rest, select(it, zero, value)),
+                    own: complex::select(it, value, self.own),
+                    rest: chain.plus(self.rest, complex::select(it, zero, value)),
                 }
             }
             Which::First if index != 0 => Self {
@@ -145,13 +167,6 @@ impl<S: Scalar> Parted<S> {
             Which::First | Which::Only => Self { own: value, ..self },
         }
     }
-}
-
-fn select<S: Scalar>(condition: S::Condition, yes: Complex<S>, no: Complex<S>) -> Complex<S> {
-    Complex::new(
-        S::select(condition, yes.re, no.re),
-        S::select(condition, yes.im, no.im),
-    )
 }
 
 impl<S: Scalar> Chain<S> {

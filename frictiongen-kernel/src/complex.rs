@@ -35,23 +35,43 @@ pub fn mul<S: Scalar>(a: Complex<S>, b: Complex<S>, damped: bool) -> Complex<S> 
     }
 }
 
+/// a where the condition holds, else b.
+#[inline(always)]
+pub(crate) fn select<S: Scalar>(
+    condition: S::Condition,
+    a: Complex<S>,
+    b: Complex<S>,
+) -> Complex<S> {
+    Complex::new(
+        S::select(condition, a.re, b.re),
+        S::select(condition, a.im, b.im),
+    )
+}
+
 /// 1/a for a ≠ 0 of any size.
 #[inline(always)]
 pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
-    let one = S::constant(1.0);
-    if !damped {
-        return real(one / a.re);
+    if damped {
+        inverse(a).0
+    } else {
+        real(S::constant(1.0) / a.re)
     }
-    let inverse = (one / (a.re.abs() + a.im.abs())).named("inverse_size", None);
+}
+
+/// 1/a for a ≠ 0 of any size, and 1/|a|² as the product of two numbers of about 1/|a|.
+#[inline(always)]
+pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
+    let inverse = (S::constant(1.0) / (a.re.abs() + a.im.abs())).named("inverse_size", None);
     let (re, im) = (
         (a.re * inverse).named("unit_re", None),
         (a.im * inverse).named("unit_im", None),
     );
     let k = (inverse / (re * re + im * im)).named("inverse_modulus", None);
-    Complex::new(
+    let reciprocal = Complex::new(
         (re * k).named("inverse_re", None),
         (-(im * k)).named("inverse_im", None),
-    )
+    );
+    (reciprocal, (inverse, k))
 }
 
 /// 1/a, where |Re| + |Im| = 1.

@@ -250,7 +250,8 @@ impl<S: Scalar> Chain<S> {
         // On a moving base V does not vanish, and β may be all that a number can be.
         let vanishes = self.damped && !on_base;
         let lift = if vanishes { S::constant(LIFT) } else { one };
-        let inverse_v = complex::reciprocal(complex::scale(contact.v, lift), self.damped);
+        let v = complex::scale(contact.v, lift);
+        let inverse_v = complex::reciprocal(v, self.damped);
         let response = complex::scale(ratio, friction.unscale);
         let ratio = complex::mul(ratio, inverse_v, self.damped);
         let mismatch = complex::mul(mismatch, inverse_v, self.damped);
@@ -264,9 +265,17 @@ impl<S: Scalar> Chain<S> {
         if self.damped {
             let weight = (beta * unscale).named("friction_weight", None);
             let beta = beta * lift;
+            let (_, (near, far)) = complex::inverse(v);
+            let turned = |driven: Complex<S>, v: Complex<S>| {
+                let v = complex::scale(complex::scale(v, lift), far);
+                driven.im * v.re - driven.re * v.im
+            };
+            let (own, rest) = apart.turning(contact);
+            let lag = turned(driven.own, own) + turned(driven.rest, rest);
+            let in_phase = (root * near).named("in_phase_share", None);
             Carrier {
                 cosine: (root * ratio.re + beta * mismatch.im) * raised + held * weight,
-                sine: (beta * mismatch.re - root * ratio.im) * raised,
+                sine: (beta * mismatch.re - in_phase * lag) * raised,
                 response,
             }
         } else {

@@ -292,9 +292,7 @@ where
     })
 }
 
-/// Limits, contact, stuck response and displacements keep the bar everywhere.  A mass that the load hardly
-/// reaches moves far less than its modes, each of which passes through zero where the mass is at its
-/// largest: its amplitude and phase keep the bar but for a small share of all places, which is counted.
+/// Every answer keeps the bar.
 fn report(title: &str, worst: &Worst) {
     println!("{title}");
     for (kind, tally) in &worst.0 {
@@ -308,9 +306,7 @@ fn report(title: &str, worst: &Worst) {
         );
     }
     for (kind, tally) in &worst.0 {
-        let far = matches!(*kind, "amplitude" | "phase");
-        let allowed = if far { 1 + tally.count / 2000 } else { 0 };
-        assert!(tally.above <= allowed, "{kind}: {:?}", tally.worst);
+        assert!(tally.above == 0, "{kind}: {:?}", tally.worst);
     }
 }
 
@@ -344,6 +340,40 @@ fn single_precision() {
     single(0..12);
 }
 
+/// Scenes whose answers were above the bar before what is at fault was mended: one for each cause.
+#[test]
+fn found_in_double_precision() {
+    let scenes = [
+        // Maxima that values cannot tell, far below the resonances.
+        1908, 7053, 8214,
+        // A mode beside its pole, and others whose sum is far below its terms.
+        1213, 34270, 28413, // A small e^{−πζx}.
+        12366, // The velocity constraint beside a resonance, and noise towards π.
+        4034, 11451, 14291, 4250, 28282,
+        // A mass at a quarter of the period beside a damped resonance, and its phase.
+        26970, 38207, 12153,
+        // What only a displacement of the inputs explains: on a pole of U, beside a limit, where V cancels.
+        7749, 5533, 38145, 26828, 980,
+    ];
+    let found = scenes.map(|seed| run::<f64>(seed..seed + 1, &DOUBLE, Dd::from));
+    report("f64", &joined(found));
+}
+
+#[test]
+fn found_in_single_precision() {
+    let exact = |value: f32| Dd::from(f64::from(value));
+    // Phases that rounding turns far, on a pole of U, where V cancels.
+    let scenes = [721, 12965, 31853, 2943, 12069, 12269, 17265, 4565];
+    let found = scenes.map(|seed| run::<f32>(seed..seed + 1, &SINGLE, exact));
+    report("f32", &joined(found));
+}
+
+fn joined(found: impl IntoIterator<Item = Worst>) -> Worst {
+    let mut worst = Worst::default();
+    found.into_iter().for_each(|other| worst.join(other));
+    worst
+}
+
 /// The scenes of SCENES: a number of them, or `from..to`.
 fn asked() -> std::ops::Range<u64> {
     let text = std::env::var("SCENES").unwrap_or_else(|_| "10000".to_owned());
@@ -355,14 +385,14 @@ fn asked() -> std::ops::Range<u64> {
 /// `SCENES=100000 cargo test --release -p generated-tests --test backward long_double -- --ignored
 /// --nocapture`
 #[test]
-#[ignore = "hours; the scenes are SCENES"]
+#[ignore = "half an hour for 10⁵ scenes; the scenes are SCENES"]
 fn long_double() {
     double(asked());
 }
 
 /// The same in single precision.
 #[test]
-#[ignore = "hours; the scenes are SCENES"]
+#[ignore = "half an hour for 10⁵ scenes; the scenes are SCENES"]
 fn long_single() {
     single(asked());
 }
