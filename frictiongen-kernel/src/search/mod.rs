@@ -427,7 +427,8 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
     }
 
     fn choose_tail(&mut self) {
-        self.tail = self.sum.tail(self.peak.value * S::constant(0.125));
+        let size = self.question.start + self.peak.value;
+        self.tail = self.sum.tail(size * S::constant(0.125));
     }
 }
 
