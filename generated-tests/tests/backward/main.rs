@@ -8,3 +8,4 @@ mod instant;
 mod matched;
 mod measure;
 mod property;
+mod seen;
