@@ -50,25 +50,18 @@ pub fn acceleration(motion: &DataMotion<Dd>, tau: Dd, epsilon: f64) -> Dd {
 }
 
 /// Where the exact motion is at its largest: next to where it was found to be, which need not be a
-/// stationary point; where rounding has left no maximum to be near, by a search of its own.
+/// stationary point.
 pub fn largest(motion: &DataMotion<Dd>, found: Option<Dd>, epsilon: f64) -> Dd {
-    if let Some(tau) = found.and_then(|found| stationary(motion, found, epsilon)) {
+    let Some(found) = found else {
+        let places = motion.peak().places;
+        let mut places = places.iter().flatten();
+        return places.next().map_or(Dd::from(0.0), |place| place.tau);
+    };
+    if let Some(tau) = stationary(motion, found, epsilon) {
         return tau;
     }
-    let places = motion.peak().places;
-    let searched = places.iter().flatten().next();
-    let searched = searched.map_or(Dd::from(0.0), |place| place.tau);
-    let Some(found) = found else {
-        return searched;
-    };
     let below = |away: f64| -motion.displacement(found + Dd::from(away)).abs().to_f64();
-    let beside = found + Dd::from(lowest(below, -ABOUT, ABOUT, f64::NEG_INFINITY));
-    let height = |tau: Dd| motion.displacement(tau).abs();
-    if height(beside) < height(searched) {
-        searched
-    } else {
-        beside
-    }
+    found + Dd::from(lowest(below, -ABOUT, ABOUT, f64::NEG_INFINITY))
 }
 
 /// Where a mass is at its largest, next to where it was with other inputs.
