@@ -44,8 +44,15 @@ impl Judge<'_> {
             })
         });
         let modes = 0..self.scene.exact.reduced.modes.len();
-        let poles = modes.filter_map(|mode| Some((mode, self.pole(mode)?)));
-        let beside = poles.flat_map(|(mode, pole)| {
+        let poles: Vec<_> = modes
+            .filter_map(|mode| Some((mode, self.pole(mode)?)))
+            .collect();
+        // On the pole itself, where a rounding of r may have put the mode.
+        let on = poles.iter().map(|&(mode, pole)| {
+            let away = (pole / self.resonance(mode) - Dd::from(1.0)).abs().to_f64();
+            (self.with_resonance(mode, pole, 0.0), away / self.epsilon)
+        });
+        let beside = poles.iter().flat_map(|&(mode, pole)| {
             [1.0, -1.0].into_iter().filter_map(move |side| {
                 let beside = |k: f64| self.with_resonance(mode, pole, side * k);
                 let passed = |k: f64| limit <= of(&beside(k));
@@ -57,6 +64,7 @@ impl Judge<'_> {
             })
         });
         all.chain(beside)
+            .chain(on)
             .map(|((data, place), roundings)| Matched {
                 scene: Scene::new(data),
                 place,
