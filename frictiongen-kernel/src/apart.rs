@@ -116,7 +116,7 @@ impl<S: Scalar> Apart<S> {
     /// phase with its own term of V, so that the others' terms do as well as all, and better where they are
     /// the smaller.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
-        let size = |v: Complex<S>| v.re.abs() + v.im.abs();
+        let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", None);
         let least = |others: Complex<S>| {
             let v = complex::select(size(others).lt(all), others, contact.v);
@@ -273,13 +273,14 @@ impl<S: Scalar> Chain<S> {
             own.v
         };
         let (size, other) = self.sizes(&Sums { v, ..own }, partner);
+        let weight = size * other;
         let weight = match partner {
             Partner::U => S::select(
                 is_slow(mode.kind, mode.zeta, at.x),
                 S::constant(0.0),
-                size * other,
+                weight,
             ),
-            Partner::H => size * other,
+            Partner::H => weight,
         };
         Heaviest {
             weight: weight.named("weight", Some(index)),
@@ -317,13 +318,7 @@ impl<S: Scalar> Chain<S> {
 
     /// |V| and the size of its partner.
     fn sizes(&self, sums: &Sums<S>, partner: Partner) -> (S, S) {
-        let size = |value: Complex<S>| {
-            if self.damped {
-                value.re.abs() + value.im.abs()
-            } else {
-                value.re.abs()
-            }
-        };
+        let size = |value| complex::size(value, self.damped);
         let partner = match partner {
             Partner::U => sums.u.abs(),
             Partner::H => size(sums.h),

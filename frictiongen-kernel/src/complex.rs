@@ -35,6 +35,16 @@ pub fn mul<S: Scalar>(a: Complex<S>, b: Complex<S>, damped: bool) -> Complex<S> 
     }
 }
 
+/// |Re| + |Im|: of the order of |a|, without its square root.
+#[inline(always)]
+pub(crate) fn size<S: Scalar>(a: Complex<S>, damped: bool) -> S {
+    if damped {
+        a.re.abs() + a.im.abs()
+    } else {
+        a.re.abs()
+    }
+}
+
 /// a where the condition holds, else b.
 #[inline(always)]
 pub(crate) fn select<S: Scalar>(
@@ -61,7 +71,7 @@ pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
 /// 1/a for a ≠ 0 of any size, and 1/|a|² as the product of two numbers of about 1/|a|.
 #[inline(always)]
 pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
-    let inverse = (S::constant(1.0) / (a.re.abs() + a.im.abs())).named("inverse_size", None);
+    let inverse = (S::constant(1.0) / size(a, true)).named("inverse_size", None);
     let (re, im) = (
         (a.re * inverse).named("unit_re", None),
         (a.im * inverse).named("unit_im", None),

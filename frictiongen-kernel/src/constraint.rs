@@ -27,9 +27,17 @@ impl<S: Float> Chain<S> {
         at: &[ModeAt<S>],
         waves: &mut [Wave<S, D>],
     ) -> Peak<S> {
-        for ((mode, at), wave) in modes.iter().zip(at).zip(waves.iter_mut()) {
-            *wave = constraint_wave(mode, at, contact, mode.mobility);
-        }
+        fill(contact, modes, at, waves);
+        self.constraint_of(contact, at, waves)
+    }
+
+    /// The same from the modes' waves.
+    fn constraint_of<D: Decay<S>>(
+        &self,
+        contact: &ContactAt<S>,
+        at: &[ModeAt<S>],
+        waves: &[Wave<S, D>],
+    ) -> Peak<S> {
         let start = self.start_constraint(contact);
         // Not as the difference of two sums: beside a resonance the damping's share outweighs the rest.
         let above = (self.stiction - S::constant(1.0)) * self.mobility * contact.scale;
@@ -128,9 +136,7 @@ impl<S: Float> Chain<S> {
         if !(beta < self.continuous_limit(contact, self.break_away(contact))) {
             return false;
         }
-        for ((mode, at), wave) in modes.iter().zip(at).zip(waves.iter_mut()) {
-            *wave = constraint_wave(mode, at, contact, mode.mobility);
-        }
+        fill(contact, modes, at, waves);
         let break_away = self.break_away(contact);
         let excitation = complex::modulus(contact.v, self.damped);
         let quadrature = beta * contact.u;
@@ -152,7 +158,7 @@ impl<S: Float> Chain<S> {
                 return true;
             }
         }
-        let constraint = self.velocity_constraint(contact, modes, at, waves).value;
+        let constraint = self.constraint_of(contact, at, waves).value;
         beta < self.continuous_limit(contact, constraint)
     }
 }
@@ -214,6 +220,18 @@ impl<S: Float> Chain<S> {
             return Err(StuckResonance);
         }
         Ok(())
+    }
+}
+
+/// Every mode's part, in working space.
+fn fill<S: Float, D: Decay<S>>(
+    contact: &ContactAt<S>,
+    modes: &[Mode<S>],
+    at: &[ModeAt<S>],
+    waves: &mut [Wave<S, D>],
+) {
+    for ((mode, at), wave) in modes.iter().zip(at).zip(waves) {
+        *wave = constraint_wave(mode, at, contact, mode.mobility);
     }
 }
 

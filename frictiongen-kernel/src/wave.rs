@@ -53,6 +53,15 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
+    /// The second derivative of sin τ − p, which is the slope of cos τ − p′, from what moves it.
+    #[inline]
+    pub(crate) fn swing_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
+        let (one, x) = (S::constant(1.0), self.x);
+        let loss = (self.decay.zeta() + self.decay.zeta()) * x;
+        let apart = (x - one) * (x + one);
+        apart * at.sine + loss * (at.cosine - basis.swing_slope) - x * x * basis.swing
+    }
+
     /// No motion yet, in a mode's place.
     pub fn idle(mode: &Mode<S>) -> Self {
         Self::rest(S::constant(0.0), D::of(mode))
@@ -330,9 +339,9 @@ fn differences<S: Float, D: Decay<S>>(
         return (-at.sine - p2, -at.cosine - p3);
     }
     let loss = (wave.decay.zeta() + wave.decay.zeta()) * x;
-    let (apart, square) = ((x - one) * (x + one), x * x);
-    let second = apart * at.sine + loss * (at.cosine - basis.swing_slope) - square * basis.swing;
-    let third = apart * at.cosine - loss * (at.sine + second) - square * basis.swing_slope;
+    let apart = (x - one) * (x + one);
+    let second = wave.swing_curve(basis, at);
+    let third = apart * at.cosine - loss * (at.sine + second) - x * x * basis.swing_slope;
     (second, third)
 }
 

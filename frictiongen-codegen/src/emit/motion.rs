@@ -169,6 +169,11 @@ fn opening(emission: &Emission<'_>, used: &[usize]) -> TokenStream {
     }
 }
 
+/// Values of a carrier.
+const CARRIER: usize = 4;
+/// Values of a mode's share.
+const SHARE: usize = 4;
+
 fn waves(
     emission: &Emission<'_>,
     wave: &TokenStream,
@@ -176,7 +181,7 @@ fn waves(
     shares: &[TokenStream],
 ) -> TokenStream {
     let Emission { name, scalar, .. } = emission;
-    let waves = used.iter().zip(shares.chunks(4)).map(|(index, share)| {
+    let waves = used.iter().zip(shares.chunks(SHARE)).map(|(index, share)| {
         let mode = local(&format!("mode_{}", index + 1));
         let decay = if emission.damped() {
             let index = Literal::usize_unsuffixed(*index);
@@ -205,7 +210,7 @@ fn carrier_structure(outputs: &[TokenStream]) -> TokenStream {
     }
 }
 
-fn carrier_outputs<'g>(carrier: &Carrier<Expr<'g>>) -> [Expr<'g>; 4] {
+fn carrier_outputs<'g>(carrier: &Carrier<Expr<'g>>) -> [Expr<'g>; CARRIER] {
     let Carrier {
         cosine,
         sine,
@@ -214,7 +219,7 @@ fn carrier_outputs<'g>(carrier: &Carrier<Expr<'g>>) -> [Expr<'g>; 4] {
     [cosine, sine, response.re, response.im]
 }
 
-fn share_outputs<'g>(share: &Share<Expr<'g>>) -> [Expr<'g>; 4] {
+fn share_outputs<'g>(share: &Share<Expr<'g>>) -> [Expr<'g>; SHARE] {
     [share.rise, share.fall, share.swing, share.gain]
 }
 
@@ -256,7 +261,7 @@ fn of_contact(emission: &Emission<'_>) -> TokenStream {
     }
     let outputs: Vec<_> = outputs.into_iter().map(Expr::operand).collect();
     let (printed, count) = tracer.print(&outputs, emission.precision, &TAKEN);
-    let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(4));
+    let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(CARRIER));
     let carrier = carrier_structure(carrier);
     let statements = printed.statements;
     let waves = if emission.in_sums() {
@@ -381,7 +386,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream 
     }
     let outputs: Vec<_> = outputs.into_iter().map(Expr::operand).collect();
     let (printed, count) = tracer.print(&outputs, emission.precision, &TAKEN);
-    let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(4));
+    let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(CARRIER));
     let carrier = carrier_structure(carrier);
     let statements = printed.statements;
     let waves = waves(emission, &code!(steady::mass_wave), &rubbed, shares);

@@ -38,11 +38,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             // So near a maximum the values no longer tell, while Newton's method still converges.
             let near = curvature < zero && step.abs() < narrow;
             let untold = self.untold(best, value, slope * step);
-            let better = if untold {
-                near || self.rises_on(&at_next, negative != flipped, slope)
-            } else {
-                near || best <= value
-            };
+            let better = near
+                || if untold {
+                    self.rises_on(&at_next, negative != flipped, slope)
+                } else {
+                    best <= value
+                };
             // Rounding of the slope goes on for ever.
             let small = step.abs() < S::constant(0.125) * self.sum.unit();
             stalls += u32::from(untold && small && last * half < step.abs());

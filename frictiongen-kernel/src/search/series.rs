@@ -61,9 +61,7 @@ impl<S: Float> Series<S> {
         let basis = wave.basis(at);
         let (x, zeta) = (wave.x, wave.decay.zeta());
         let (loss, apart) = (two * zeta * x, (x - one) * (x + one));
-        // cos τ − p′ and its slope, which is that of sin τ − p, twice.
-        let slope_of_slope =
-            apart * at.sine + loss * (at.cosine - basis.swing_slope) - x * x * basis.swing;
+        let slope_of_slope = wave.swing_curve(&basis, at);
         // The sum of free and rise: y of p, and of the return, whose forcing is 1.
         let value = wave.value(&basis);
         let slope = wave.free * basis.slope

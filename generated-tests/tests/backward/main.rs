@@ -8,4 +8,5 @@ mod instant;
 mod matched;
 mod measure;
 mod property;
+mod random;
 mod seen;

@@ -35,8 +35,8 @@ impl Judge<'_> {
             Way::along_a_part(&free, |slope| slope.re),
             Way::along_a_part(&free, |slope| slope.im),
         ];
+        let here = self.at.continuous_limit_without_search() < limit;
         let all = ways.iter().flat_map(|way| {
-            let here = of(&self.moved_along(way, 0.0)) < limit;
             [1.0, -1.0].into_iter().filter_map(move |side| {
                 let passed = |k: f64| (of(&self.moved_along(way, side * k)) < limit) != here;
                 let k = first(passed, self.bar)?;
@@ -48,23 +48,19 @@ impl Judge<'_> {
             .filter_map(|mode| Some((mode, self.pole(mode)?)))
             .collect();
         // On the pole itself, where a rounding of r may have put the mode.
-        let on = poles.iter().map(|&(mode, pole)| {
-            let away = (pole / self.resonance(mode) - Dd::from(1.0)).abs().to_f64();
-            (self.with_resonance(mode, pole, 0.0), away / self.epsilon)
-        });
+        let on = poles
+            .iter()
+            .map(|&(mode, pole)| self.with_resonance(mode, pole, 0.0));
         let beside = poles.iter().flat_map(|&(mode, pole)| {
             [1.0, -1.0].into_iter().filter_map(move |side| {
                 let beside = |k: f64| self.with_resonance(mode, pole, side * k);
-                let passed = |k: f64| limit <= of(&beside(k));
-                let k = first(passed, self.bar)?;
-                let (data, place) = beside(k);
-                let away = data.reduced.modes[mode].resonance / self.resonance(mode);
-                let away = (away - Dd::from(1.0)).abs().to_f64() / self.epsilon;
-                (away <= self.bar).then_some(((data, place), away))
+                let k = first(|k| limit <= of(&beside(k).0), self.bar)?;
+                Some(beside(k))
             })
         });
         all.chain(beside)
             .chain(on)
+            .filter(|(_, roundings)| *roundings <= self.bar)
             .map(|((data, place), roundings)| Matched {
                 scene: Scene::new(data),
                 place,
@@ -93,11 +89,13 @@ impl Judge<'_> {
         (away <= self.bar * self.epsilon).then_some(pole)
     }
 
-    /// The scene with one resonance `k` roundings beside a pole.
-    fn with_resonance(&self, mode: usize, pole: Dd, k: f64) -> (Data<Dd>, Place<Dd>) {
+    /// The scene with one resonance `k` roundings beside a pole, and how many from its own.
+    fn with_resonance(&self, mode: usize, pole: Dd, k: f64) -> ((Data<Dd>, Place<Dd>), f64) {
         let mut data = self.scene.exact.clone();
-        data.reduced.modes[mode].resonance = pole + pole * Dd::from(self.epsilon) * Dd::from(k);
-        (data, self.place)
+        let resonance = pole + pole * Dd::from(self.epsilon) * Dd::from(k);
+        data.reduced.modes[mode].resonance = resonance;
+        let away = (resonance / self.resonance(mode) - Dd::from(1.0)).abs();
+        ((data, self.place), away.to_f64() / self.epsilon)
     }
 }
 
