@@ -197,6 +197,14 @@ impl<S: Float> DataAt<'_, S> {
         chain.continuous_limit(&self.contact, chain.break_away(&self.contact))
     }
 
+    /// β_lim with S as the sum of each mode's own maximum.
+    pub fn continuous_limit_per_mode(&self) -> S {
+        let (chain, modes) = (self.chain(), &self.data.reduced.modes);
+        let constraint =
+            chain.constraint_per_mode::<Damped<S>>(&self.contact, modes, &self.modes);
+        chain.continuous_limit(&self.contact, constraint)
+    }
+
     /// β*_lim.
     pub fn sliding_limit(&self) -> S {
         let chain = self.chain();
@@ -213,6 +221,11 @@ impl<S: Float> DataAt<'_, S> {
 
     fn friction(&self, beta: S) -> Friction<S> {
         self.chain().friction(&self.contact, self.inverse_r, beta)
+    }
+
+    /// Q, which vanishes where β reaches |V|/|U|.
+    pub fn in_phase(&self, beta: S) -> S {
+        self.friction(beta).root
     }
 
     /// The waves of the modes that the contact drives.

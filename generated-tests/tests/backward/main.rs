@@ -1,12 +1,14 @@
-//! Backward errors of every answer: at the edges of the reference, and over random scenes.
+//! Every answer against the scene it was asked of: by how many roundings of masses, springs, damping, r, β and τ
+//! it is the exact one.
 
 mod asked;
-mod condition;
-mod displacement;
-mod extremes;
+
+mod fit;
+mod inputs;
 mod instant;
-mod matched;
-mod measure;
+mod judge;
 mod property;
+mod questions;
 mod random;
-mod seen;
+
+mod tally;

@@ -1,0 +1,439 @@
+//! By how many roundings of its scene the answers of one place are the exact ones.
+//!
+//! The inputs are the numbers of the description (masses, springs, damping, μ) and r, β and τ.  Answers are as good as
+//! their inputs allow if one scene within k roundings of each input has all of them as its exact answers, each but for
+//! k roundings of its own size.  By exact first derivatives that is a Chebyshev fit.  Where r stands a few roundings
+//! beside a pole derivatives change within a rounding: they are taken anew where the fit has moved r and β to.
+
+use crate::asked::{Asked, Of, Place, Watched, answers, motion};
+use crate::fit::{Fit, fit, least_squares};
+use crate::inputs::Exact;
+use crate::instant::{constraining, followed};
+use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::dual::Dual;
+use frictiongen_kernel::{Complex, Float, complex};
+use frictiongen_model::modal::Modal;
+use generated_tests::data::DataAt;
+
+/// So few roundings of an answer need no input to explain them.
+pub const PLAIN: f64 = 4.0;
+/// The weight of an input's rest in such a step, beside 1 of an answer.
+const STILL: f64 = 1e-4;
+/// The weight of an answer that is below the bar.
+const IDLE: f64 = 1e-100;
+/// So often are the derivatives taken anew: with respect to r, β and τ, then to every input.
+const FEW_TURNS: usize = 4;
+const TURNS: usize = 10;
+/// The columns of r, β and τ come first, then those of the description.
+const RATIO: usize = 0;
+const BETA: usize = 1;
+const TAU: usize = 2;
+const OF_PLACE: usize = 3;
+
+/// An answer of the code under test.
+#[derive(Clone, Copy, Debug)]
+pub struct Answer {
+    /// What was asked; with the exact instant of a largest value.
+    pub watched: Watched<Dd>,
+    /// What was told.
+    pub got: Complex<Dd>,
+    /// What its own roundings are counted in where answers are explained.
+    pub size: Dd,
+    /// Its own size, or a thousandth of the largest motion.
+    pub strict: Dd,
+    /// Its own size.
+    pub own: Dd,
+}
+
+/// What is known of one answer.
+#[derive(Clone, Copy, Debug)]
+pub struct Judged {
+    /// In roundings of its size.
+    pub direct: f64,
+    /// In roundings of its strict size.
+    pub strict: f64,
+    /// In roundings of its own size.
+    pub of_its_own: f64,
+    /// In roundings of the inputs, were it the only answer of its place.
+    pub alone: f64,
+}
+
+impl Judged {
+    /// Whether the answer is of a motion below a thousandth of the largest.
+    pub fn is_far(&self, answer: &Answer) -> bool {
+        answer.own < answer.strict
+    }
+}
+
+/// What is known of a place.
+#[derive(Clone, Debug)]
+pub struct Verdict {
+    /// The smallest k found for all answers together.
+    pub roundings: f64,
+    pub answers: Vec<Judged>,
+}
+
+/// One place of a scene.
+pub struct Judge<'a> {
+    exact: &'a Exact,
+    place: Place<Dd>,
+    at: DataAt<'a, Dd>,
+    epsilon: f64,
+    bar: f64,
+}
+
+/// The fit's equations about some r and β.
+struct Linear {
+    a: Vec<Vec<Dd>>,
+    b: Vec<Dd>,
+    /// Whether the contact's motion has vanished there.
+    stands: bool,
+}
+
+/// An angle's distance, within half a turn.
+pub fn angle(difference: Dd) -> Dd {
+    let turn = Dd::PI + Dd::PI;
+    let turns = Float::floor(difference / turn + Dd::from(0.5));
+    difference - turns * turn
+}
+
+pub fn modulus(value: Complex<Dd>) -> Dd {
+    complex::modulus(value, true)
+}
+
+fn is_finite(value: Complex<Dd>) -> bool {
+    value.re.to_f64().is_finite() && value.im.to_f64().is_finite()
+}
+
+impl<'a> Judge<'a> {
+    pub fn new(exact: &'a Exact, place: Place<Dd>, epsilon: f64, bar: f64) -> Self {
+        let at = exact.data.at(place.r);
+        Self {
+            exact,
+            place,
+            at,
+            epsilon,
+            bar,
+        }
+    }
+
+    pub fn at(&self) -> &DataAt<'a, Dd> {
+        &self.at
+    }
+
+    pub fn place(&self) -> &Place<Dd> {
+        &self.place
+    }
+
+    /// The exact answers.
+    pub fn exact(&self, questions: &[Watched<Dd>]) -> Vec<Complex<Dd>> {
+        answers(&self.at, &self.place, questions)
+    }
+
+    /// What is known of these answers, all of this place.
+    pub fn verdict(&self, told: &[Answer]) -> Verdict {
+        let exact = self.exact(&told.iter().map(|answer| answer.watched).collect::<Vec<_>>());
+        self.compared(told, &exact)
+    }
+
+    /// The same where the exact answers are known.
+    pub fn compared(&self, told: &[Answer], exact: &[Complex<Dd>]) -> Verdict {
+        let epsilon = Dd::from(self.epsilon);
+        let mut judged: Vec<Judged> = Vec::new();
+        for (answer, exact) in told.iter().zip(exact) {
+            let off = modulus(error(answer, *exact));
+            let in_roundings = |size: Dd| {
+                let roundings = (off / (epsilon * size)).to_f64();
+                let both_zero = off.is_zero() || same(answer.got, *exact);
+                match (both_zero, roundings.is_nan()) {
+                    (true, _) => 0.0,
+                    (false, true) => f64::INFINITY,
+                    (false, false) => roundings,
+                }
+            };
+            let direct = in_roundings(answer.size);
+            judged.push(Judged {
+                direct,
+                strict: in_roundings(answer.strict),
+                of_its_own: in_roundings(answer.own),
+                alone: direct,
+            });
+        }
+        let known = |answer: &Answer, exact: &Complex<Dd>| {
+            is_finite(*exact) && (is_finite(answer.got) || may_be_infinite(answer))
+        };
+        let mut pairs = told.iter().zip(exact);
+        let worst = judged.iter().fold(0.0, |most: f64, one| most.max(one.direct));
+        if worst <= PLAIN || !pairs.all(|(answer, exact)| known(answer, exact)) {
+            return Verdict {
+                roundings: worst,
+                answers: judged,
+            };
+        }
+        let mut roundings: f64 = 0.0;
+        for group in [Group::Motion, Group::Harmonics, Group::PerMode] {
+            let of_group: Vec<usize> = (0..told.len())
+                .filter(|index| Group::of(told[*index].watched.asked) == group)
+                // What is 0 and told as 0 needs no displacement.
+                .filter(|index| judged[*index].direct != 0.0 || !told[*index].size.is_zero())
+                .collect();
+            let pick = |index: &usize| told[*index];
+            let (group, values): (Vec<Answer>, Vec<Complex<Dd>>) =
+                of_group.iter().map(|index| (pick(index), exact[*index])).unzip();
+            let mut known: Vec<Judged> = of_group.iter().map(|index| judged[*index]).collect();
+            let worst = known.iter().fold(0.0, |most: f64, one| most.max(one.direct));
+            if PLAIN < worst {
+                roundings = roundings.max(self.explained(&group, &values, &mut known));
+                for (index, known) in of_group.iter().zip(known) {
+                    judged[*index] = known;
+                }
+            } else {
+                roundings = roundings.max(worst);
+            }
+        }
+        Verdict {
+            roundings,
+            answers: judged,
+        }
+    }
+
+    /// The smallest k found: by r, β and τ alone, which is cheap, then by every input.  Derivatives are taken anew at
+    /// what the last step found.
+    fn explained(&self, told: &[Answer], exact: &[Complex<Dd>], judged: &mut [Judged]) -> f64 {
+        let mut best = f64::INFINITY;
+        for (every, turns) in [(false, FEW_TURNS), (true, TURNS)] {
+            let (mut to, mut back): (Vec<f64>, f64) = (Vec::new(), 0.5);
+            let mut linear = self.linear(told, exact, &to, every);
+            linear.each_alone(told, judged);
+            best = best.min(linear.fitted(self.bar).roundings);
+            for _ in 0..turns {
+                if best <= self.bar {
+                    return best;
+                }
+                let Some(step) = linear.step(&to, self.bar) else { break };
+                to.resize(step.len(), 0.0);
+                for (to, step) in to.iter_mut().zip(step) {
+                    *to = (*to + step).clamp(-self.bar, self.bar);
+                }
+                if linear.stands {
+                    // Beyond |V|/|U| the contact stands still whatever moves: back by more and more of β.
+                    back = (back + back).min(self.bar);
+                    to[BETA] = (to[BETA] - back).max(-self.bar);
+                }
+                linear = self.linear(told, exact, &to, every);
+                best = best.min(linear.fitted(self.bar).roundings);
+            }
+        }
+        best
+    }
+
+    /// The equations about inputs displaced by these roundings; for every input, or for those of the place.
+    fn linear(&self, told: &[Answer], exact: &[Complex<Dd>], to: &[f64], every: bool) -> Linear {
+        let epsilon = Dd::from(self.epsilon);
+        let by = |column: usize| to.get(column).copied().unwrap_or(0.0);
+        let displaced = |value: Dd, column| value + value * epsilon * Dd::from(by(column));
+        let place = Place {
+            r: displaced(self.place.r, RATIO),
+            beta: displaced(self.place.beta, BETA),
+            tau: displaced(self.place.tau, TAU),
+        };
+        let here: Vec<Watched<Dd>> = told.iter().map(|answer| answer.watched).collect();
+        let scene = to.get(OF_PLACE..).unwrap_or_default();
+        let stands = |at: &DataAt<'_, Dd>| at.in_phase(place.beta).is_zero();
+        let (stands, there, columns) = if to.is_empty() {
+            let columns = self.columns(self.exact.modal(), &place, &here, every);
+            (stands(&self.at), exact.to_vec(), columns)
+        } else {
+            let (data, modal) = self.exact.displaced(scene, self.epsilon);
+            let at = data.at(place.r);
+            let follow = |watched: &Watched<Dd>| follow(&at, &place, *watched, self.epsilon);
+            let questions: Vec<_> = here.iter().map(follow).collect();
+            let moved = answers(&at, &place, &questions);
+            // What is known better than by the formulas stays so much better.
+            let better = exact.iter().zip(self.exact(&here));
+            let there = moved.iter().zip(better).map(|(moved, (exact, here))| {
+                Complex::new(
+                    moved.re + (exact.re - here.re),
+                    moved.im + (exact.im - here.im),
+                )
+            });
+            let there = there.collect();
+            let columns = self.columns(&modal, &place, &questions, every);
+            (stands(&at), there, columns)
+        };
+        let mut linear = Linear {
+            a: Vec::new(),
+            b: Vec::new(),
+            stands,
+        };
+        for (index, (answer, there)) in told.iter().zip(&there).enumerate() {
+            let size = epsilon * answer.size;
+            let (off, sense) = (error(answer, *there), Dd::from(sense(answer)));
+            let slopes = |part: fn(Complex<Dd>) -> Dd| -> Vec<Dd> {
+                let of = columns.iter().map(|column| part(column[index]));
+                // An input that moves the answer without bound explains nothing to first order.
+                of.map(|slope| slope * sense / answer.size)
+                    .map(|slope| if slope.to_f64().is_finite() { slope } else { Dd::from(0.0) })
+                    .collect()
+            };
+            let mut add = |off: Dd, row: Vec<Dd>| {
+                let back = row.iter().zip(to);
+                let back = back.fold(Dd::from(0.0), |sum, (a, by)| sum + *a * Dd::from(*by));
+                linear.b.push(off / size + back);
+                linear.a.push(row);
+            };
+            add(off.re, slopes(|slope| slope.re));
+            if answer.watched.asked.is_complex() {
+                add(off.im, slopes(|slope| slope.im));
+            }
+        }
+        linear
+    }
+
+    /// x ∂f/∂x of every question, for every input.
+    fn columns(
+        &self,
+        modal: &Modal,
+        place: &Place<Dd>,
+        questions: &[Watched<Dd>],
+        every: bool,
+    ) -> Vec<Vec<Complex<Dd>>> {
+        let questions: Vec<Watched<Dual<Dd>>> =
+            questions.iter().map(|one| one.read(Dual::fixed)).collect();
+        let fixed = place.read(Dual::fixed);
+        let slopes = |answers: Vec<Complex<Dual<Dd>>>, value: Dd| -> Vec<Complex<Dd>> {
+            let slopes = answers.iter();
+            slopes
+                .map(|answer| Complex::new(answer.re.slope * value, answer.im.slope * value))
+                .collect()
+        };
+        let along = |value: Dd| Dual {
+            value,
+            slope: value,
+        };
+        let (mut of_ratio, mut of_beta, mut of_tau) = (fixed, fixed, fixed);
+        of_ratio.r = along(place.r);
+        of_beta.beta = along(place.beta);
+        of_tau.tau = along(place.tau);
+        let scene = Exact::fixed(modal);
+        let one = Dd::from(1.0);
+        let mut columns = vec![slopes(
+            answers(&scene.at(of_ratio.r), &of_ratio, &questions),
+            one,
+        )];
+        let at = scene.at(fixed.r);
+        columns.extend([of_beta, of_tau].map(|place| slopes(answers(&at, &place, &questions), one)));
+        if every {
+            columns.extend(self.exact.moving(modal).map(|moving| {
+                let answers = answers(&moving.data.at(fixed.r), &fixed, &questions);
+                slopes(answers, moving.value)
+            }));
+        }
+        columns
+    }
+}
+
+impl Linear {
+    fn fitted(&self, bar: f64) -> Fit {
+        fit(&self.a, &self.b, bar)
+    }
+
+    /// From where derivatives are known to where to take them anew: each answer above the bar counts by how far it moves with the
+    /// inputs, so that what is curved in the worst of them does not outweigh the others.
+    fn step(&self, to: &[f64], bar: f64) -> Option<Vec<f64>> {
+        let rest = self.a.iter().zip(&self.b).map(|(row, b)| {
+            let there = row.iter().zip(to);
+            there.fold(*b, |rest, (a, to)| rest - *a * Dd::from(*to))
+        });
+        let rest: Vec<Dd> = rest.collect();
+        let weight = |(row, rest): (&Vec<Dd>, &Dd)| {
+            if rest.abs().to_f64() <= bar {
+                return IDLE;
+            }
+            let sum = row.iter().fold(Dd::from(1.0), |sum, slope| sum + slope.abs());
+            (Dd::from(1.0) / (sum * sum)).to_f64().max(IDLE)
+        };
+        let answers: Vec<f64> = self.a.iter().zip(&rest).map(weight).collect();
+        let inputs = vec![STILL; self.a.first().map_or(0, Vec::len)];
+        least_squares(&self.a, &rest, &inputs, &answers).map(|(moved, _)| moved)
+    }
+
+    /// k of every answer by itself: |b|/(1 + Σ|a|).
+    fn each_alone(&self, told: &[Answer], judged: &mut [Judged]) {
+        let mut rows = self.a.iter().zip(&self.b);
+        for (answer, judged) in told.iter().zip(judged) {
+            let parts = if answer.watched.asked.is_complex() { 2 } else { 1 };
+            let mut alone: f64 = 0.0;
+            for (row, off) in rows.by_ref().take(parts) {
+                let sum = row.iter().fold(Dd::from(1.0), |sum, slope| sum + slope.abs());
+                alone = alone.max((off.abs() / sum).to_f64());
+            }
+            judged.alone = alone;
+        }
+    }
+}
+
+fn same(a: Complex<Dd>, b: Complex<Dd>) -> bool {
+    a.re == b.re && a.im == b.im
+}
+
+/// A limit grows without bound beside a zero of what it is divided by: there its reciprocal is compared.
+fn may_be_infinite(answer: &Answer) -> bool {
+    answer.watched.asked.is_limit() && answer.got.re.to_f64() == f64::INFINITY
+}
+
+/// Answers that one displacement explains.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Group {
+    Motion,
+    /// The fundamental is put together from whole responses, not from the motion.
+    Harmonics,
+    /// Where the maxima of single modes are taken says nothing of the motion.
+    PerMode,
+}
+
+impl Group {
+    fn of(asked: Asked) -> Self {
+        match asked {
+            Asked::Harmonic(..) => Self::Harmonics,
+            Asked::PerMode => Self::PerMode,
+            _ => Self::Motion,
+        }
+    }
+}
+
+/// How far an answer is off; of what may be infinite, 1/got − 1/exact, times exact².
+fn error(answer: &Answer, exact: Complex<Dd>) -> Complex<Dd> {
+    let (got, zero) = (answer.got, Dd::from(0.0));
+    if may_be_infinite(answer) {
+        Complex::new(-exact.re, zero)
+    } else if answer.watched.asked.is_angle() {
+        Complex::new(angle(got.re - exact.re), zero)
+    } else {
+        Complex::new(got.re - exact.re, got.im - exact.im)
+    }
+}
+
+/// The sign of its derivatives in [`error`].
+fn sense(answer: &Answer) -> f64 {
+    if may_be_infinite(answer) { -1.0 } else { 1.0 }
+}
+
+/// The same question at another r and β, a largest value where it is there.
+fn follow(
+    at: &DataAt<'_, Dd>,
+    place: &Place<Dd>,
+    watched: Watched<Dd>,
+    epsilon: f64,
+) -> Watched<Dd> {
+    let instant = watched.instant.map(|tau| match watched.asked {
+        Asked::ContinuousLimit => constraining(at, tau, epsilon),
+        Asked::Amplitude(of @ Of::Mass(_)) => followed(&motion(at, of, place.beta), tau, epsilon),
+        Asked::Height(mass) => {
+            let motion = motion(at, Of::Mass(mass), place.beta);
+            followed(&motion, tau, epsilon)
+        }
+        _ => tau,
+    });
+    Watched { instant, ..watched }
+}

@@ -1,0 +1,133 @@
+//! What is known of each kind of answer, and what was left out.
+
+use crate::judge::{Answer, Verdict};
+use std::collections::BTreeMap;
+
+/// A kind of answer.
+#[derive(Default)]
+struct Kind {
+    count: u64,
+    /// How many are above the bar by themselves.
+    above: u64,
+    /// How many far masses' answers are above the bar of their own or a thousandth of the largest motion.
+    far: u64,
+    direct: Worst,
+    of_its_own: Worst,
+    alone: Worst,
+}
+
+/// The worst so far, and where.
+#[derive(Default)]
+struct Worst(f64, String);
+
+impl Worst {
+    fn note(&mut self, value: f64, place: impl FnOnce() -> String) {
+        if !(value <= self.0) {
+            *self = Self(value, place());
+        }
+    }
+
+    fn join(&mut self, other: Self) {
+        self.note(other.0, || other.1);
+    }
+}
+
+/// All kinds.
+#[derive(Default)]
+pub struct Tally {
+    kinds: BTreeMap<&'static str, Kind>,
+    pub scenes: u64,
+    places: u64,
+    worst: Worst,
+    /// Places above the bar.
+    pub above: Vec<String>,
+    skipped: BTreeMap<&'static str, u64>,
+}
+
+impl Tally {
+    pub fn note(&mut self, told: &[Answer], verdict: &Verdict, bar: f64, place: impl Fn() -> String) {
+        self.places += 1;
+        self.worst.note(verdict.roundings, &place);
+        if !(verdict.roundings <= bar) {
+            let mut line = format!("{:.3e}: {}", verdict.roundings, place());
+            for (answer, judged) in told.iter().zip(&verdict.answers) {
+                if !(judged.direct <= bar) {
+                    line += &format!("\n    {:?} {judged:?}", answer.watched.asked);
+                }
+            }
+            println!("above {line}");
+            self.above.push(line);
+        }
+        for (answer, judged) in told.iter().zip(&verdict.answers) {
+            let asked = answer.watched.asked;
+            let kind = self.kinds.entry(asked.kind()).or_default();
+            kind.count += 1;
+            kind.above += u64::from(!(judged.alone <= bar));
+            kind.far += u64::from(judged.is_far(answer) && !(judged.strict <= bar));
+            let place = || format!("{asked:?} at {}", place());
+            kind.direct.note(judged.direct, place);
+            kind.of_its_own.note(judged.of_its_own, place);
+            kind.alone.note(judged.alone, place);
+        }
+    }
+
+    pub fn skip(&mut self, reason: &'static str) {
+        *self.skipped.entry(reason).or_default() += 1;
+    }
+
+    pub fn join(&mut self, other: Self) {
+        self.scenes += other.scenes;
+        self.places += other.places;
+        self.worst.join(other.worst);
+        self.above.extend(other.above);
+        for (reason, count) in other.skipped {
+            *self.skipped.entry(reason).or_default() += count;
+        }
+        for (name, of) in other.kinds {
+            let kind = self.kinds.entry(name).or_default();
+            kind.count += of.count;
+            kind.above += of.above;
+            kind.far += of.far;
+            kind.direct.join(of.direct);
+            kind.of_its_own.join(of.of_its_own);
+            kind.alone.join(of.alone);
+        }
+    }
+
+    pub fn count(&self, kind: &str) -> u64 {
+        self.kinds.get(kind).map_or(0, |kind| kind.count)
+    }
+
+    pub fn skipped(&self, reason: &str) -> u64 {
+        self.skipped.get(reason).copied().unwrap_or(0)
+    }
+
+    pub fn places(&self) -> u64 {
+        self.places
+    }
+
+    pub fn print(&self, title: &str) {
+        let answers: u64 = self.kinds.values().map(|kind| kind.count).sum();
+        println!(
+            "{title}: {answers} answers, {} places, {} scenes; {} places above, worst {:.2} at {}",
+            self.places,
+            self.scenes,
+            self.above.len(),
+            self.worst.0,
+            self.worst.1
+        );
+        for (name, kind) in &self.kinds {
+            println!(
+                "{name:>22}: {:>8} answers, {} above, {} far; roundings of the inputs {:.2} ({})",
+                kind.count, kind.above, kind.far, kind.alone.0, kind.alone.1
+            );
+            println!(
+                "{:>22}  forward {:.2e}, of its own {:.2e} ({})",
+                "", kind.direct.0, kind.of_its_own.0, kind.of_its_own.1
+            );
+        }
+        for (reason, count) in &self.skipped {
+            println!("{:>22}: {count}", format!("skipped, {reason}"));
+        }
+    }
+}
