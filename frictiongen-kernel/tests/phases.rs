@@ -57,10 +57,10 @@ fn first_maximum(odd: bool, (k, b): (f64, f64)) -> f64 {
         }
     };
     let step = PI / 2.0 / 4096.0;
-    let best = (0..=4096)
-        .map(|i| f64::from(i) * step)
-        .max_by(|a, b| value(*a).total_cmp(&value(*b)))
-        .unwrap();
+    let best = (1..=4096).fold(0.0, |best, i| {
+        let tau = f64::from(i) * step;
+        if value(best) < value(tau) { tau } else { best }
+    });
     let (mut low, mut high) = (best - step, best + step);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
