@@ -225,35 +225,37 @@ fn the_undamped_constraint_is_searched_to_the_middle() {
 }
 
 /// Whether a motion is admitted, and the limit, are two searches of the same sum.  They say the same also where the
-/// rounding of r turns modes by so much that values at two places differ in their third digit.
+/// rounding of r turns modes that are hardly damped by so much that two searches find different peaks.
 #[test]
 fn what_is_admitted_is_below_the_limit() {
     let mut random = Lcg(9);
-    let (mut compared, mut differing, mut exhausted) = (0, 0, 0);
-    let mut first = None;
-    for case in 0..400 {
-        let parts = random_parts(&mut random, 4, case % 2 == 0);
-        let r = random.log_uniform(1e-6, 3e-3) as f32;
-        let mut at = At::<f32>::new(&parts, 1.0 / r);
-        if at.searched().evaluations >= MAX_EVALUATIONS {
-            exhausted += 1;
+    let (mut compared, mut exhausted) = (0, 0);
+    let mut differing = Vec::new();
+    for case in 0..1600 {
+        let mut parts = random_parts(&mut random, 8, case % 8 != 0);
+        for part in &mut parts {
+            part.zeta *= 1e-3;
         }
+        let r = random.log_uniform(1e-6, 1e-4) as f32;
+        let mut at = At::<f32>::new(&parts, 1.0 / r);
+        exhausted += u32::from(at.searched().evaluations >= MAX_EVALUATIONS);
         let limit = at.limit();
-        for below in [
-            1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 2e-3, 3e-3, 5e-3, 1e-2, 3e-2, -1e-6, -1e-4, -1e-3,
-            -1e-2_f32,
-        ] {
-            let beta = limit * (1.0 - below);
+        for above in [-1e-2, -1e-3, -1e-5, 0.0, 1e-5, 1e-3_f32] {
+            let beta = limit * (1.0 + above);
             if at.admits(beta) != (beta < limit) {
-                differing += 1;
-                first.get_or_insert((case, r, beta, limit));
+                differing.push((case, r, above));
             }
             compared += 1;
         }
     }
     println!(
-        "{compared} β, {differing} otherwise than the limit says, {exhausted} searches given up; {first:?}"
+        "{compared} β, {differing:?} otherwise than the limit says, {exhausted} searches given up"
     );
-    assert_eq!(compared, 5600);
-    assert_eq!(differing, 0, "{first:?}");
+    assert_eq!(compared, 9600);
+    assert!(
+        differing.is_empty(),
+        "{} of {compared}: {:?}",
+        differing.len(),
+        differing[0]
+    );
 }

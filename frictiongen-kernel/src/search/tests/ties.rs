@@ -1,6 +1,9 @@
 //! Equal maxima, the first guess, and a search that would take too long.
 
 use super::*;
+use crate::complex;
+use crate::motion::{Carrier, Friction};
+use crate::steady::Motion;
 
 /// Of sinusoids with odd multiples of the excitation's frequency: Σ sines b·sin kτ + Σ cosines c·cos kτ.
 fn harmonics(sines: &[(f64, f64)], cosines: &[(f64, f64)]) -> (Vec<TestWave>, f64, f64) {
@@ -178,4 +181,45 @@ fn a_climb_leaves_a_minimum() {
             assert!(peak.evaluations < 500, "{k}: {peak:?}");
         }
     }
+}
+
+/// A motion's search starts where a sinusoid with its value and slope at the start would be largest.
+#[test]
+fn the_guess_spares_evaluations() {
+    let mut random = Lcg(53);
+    let (mut guessed, mut plain, mut better) = (0, 0, 0);
+    for case in 0..400 {
+        let (waves, cosine, sine) = random_motion(&mut random, (0.05, 20.0), case % 2 == 0, 4);
+        let sum = Sum {
+            waves: &waves,
+            cosine,
+            sine,
+        };
+        let without = largest_from(sum, motion_question(), 0.0);
+        let carrier = Carrier {
+            cosine,
+            sine,
+            response: complex::real(0.0),
+        };
+        let friction = Friction {
+            beta: 1.0,
+            root: 1.0,
+            amplitude: 1.0,
+            phase: 0.0,
+            unscale: 1.0,
+        };
+        let with = Motion::of_mass(friction, carrier, &waves[..]).peak();
+        assert!(
+            (with.value / without.value - 1.0).abs() < 1e-12,
+            "case {case}"
+        );
+        guessed += with.evaluations;
+        plain += without.evaluations;
+        better += u32::from(with.evaluations < without.evaluations);
+    }
+    println!(
+        "400 motions: {guessed} evaluations from the guess, {plain} from 0; {better} times fewer"
+    );
+    // Measured: 0.875.
+    assert!(f64::from(guessed) < 0.92 * f64::from(plain));
 }
