@@ -238,7 +238,10 @@ fn what_is_admitted_is_below_the_limit() {
         }
         let r = random.log_uniform(1e-6, 1e-4) as f32;
         let mut at = At::<f32>::new(&parts, 1.0 / r);
-        exhausted += u32::from(at.searched().evaluations >= MAX_EVALUATIONS);
+        let evaluations = at.searched().evaluations;
+        // One climb more, and the series of both ends.
+        assert!(evaluations < MAX_EVALUATIONS + 128);
+        exhausted += u32::from(evaluations >= MAX_EVALUATIONS);
         let limit = at.limit();
         for above in [-1e-2, -1e-3, -1e-5, 0.0, 1e-5, 1e-3_f32] {
             let beta = limit * (1.0 + above);
@@ -252,6 +255,8 @@ fn what_is_admitted_is_below_the_limit() {
         "{compared} β, {differing:?} otherwise than the limit says, {exhausted} searches given up"
     );
     assert_eq!(compared, 9600);
+    // Both then end with the best that the same walk has found.
+    assert!(exhausted >= 5, "{exhausted}");
     assert!(
         differing.is_empty(),
         "{} of {compared}: {:?}",
