@@ -114,7 +114,7 @@ fn evaluations_per_search() {
     within(
         "velocity constraint",
         &mut findings.constraint_counts,
-        (7, 250, 2263),
+        (7, 174, 2263),
     );
-    within("amplitude", &mut findings.amplitude_counts, (41, 90, 224));
+    within("amplitude", &mut findings.amplitude_counts, (41, 78, 223));
 }

@@ -78,7 +78,6 @@ fn equal_maxima_are_all_found() {
                 sine,
             };
             let want = scanned(&search(sum, motion_question(), 0.0));
-            // The largest of one half of the range, by the scan's own refinement.
             for guess in [None, Some(0.2), Some(1.0), Some(2.5), Some(3.1)] {
                 let peak = match guess {
                     Some(guess) => largest_from(sum, motion_question(), guess),
@@ -86,7 +85,7 @@ fn equal_maxima_are_all_found() {
                 };
                 assert!((peak.value / want - 1.0).abs() < 1e-13, "{k}, {b}, {odd}");
                 let places = places(&peak);
-                // For k = 4n + 1 with b > 0, or 4n + 3 with b < 0, the middle is the only largest of the even.
+                // No b here makes the middle itself the largest of a sum that is even about it.
                 let [(first, sign), (second, other)] = places[..] else {
                     panic!("{k}, {b}, odd {odd}, from {guess:?}: {places:?}");
                 };
