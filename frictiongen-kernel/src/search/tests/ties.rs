@@ -1,5 +1,6 @@
 //! Equal maxima, the first guess, and a search that would take too long.
 
+use super::whole::scanned;
 use super::*;
 use crate::complex;
 use crate::motion::{Carrier, Friction};
