@@ -25,6 +25,8 @@ pub mod simulation;
 pub mod special;
 pub mod steady;
 mod sway;
+#[cfg(test)]
+mod testing;
 pub mod trig;
 pub mod two_stops;
 pub mod wave;

@@ -11,6 +11,10 @@ use crate::search::{self, Peak, Question, Weight};
 use crate::sway::is_slow;
 use crate::wave::{Sum, Wave};
 
+/// Lags whose sizes differ by no more than so many roundings of a radian are of one size: places of maxima and
+/// the contact's phase have a few each.
+const ALIKE: f64 = 64.0;
+
 /// The steady motion of one mass, or of the contact, in the continuous regime.
 ///
 /// `W` holds the waves: an array in emitted code, a vector at run time.
@@ -131,9 +135,11 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
                 S::constant(0.0)
             };
             let lag = wrap(self.friction.phase + place.tau + shift);
+            // Rounding must not decide between two lags that differ in sign alone.
+            let near = S::constant(ALIKE * S::RESOLUTION);
             best = Some(match best {
-                Some(known) if known.abs() < lag.abs() => known,
-                Some(known) if known.abs() == lag.abs() => known.max(lag),
+                Some(known) if known.abs() + near < lag.abs() => known,
+                Some(known) if (known.abs() - lag.abs()).abs() <= near => known.max(lag),
                 _ => lag,
             });
         }

@@ -196,4 +196,74 @@ mod tests {
             }
         }
     }
+
+    /// What the `f32` response is off by, in the third harmonic, in units of its rounding: over so many instants
+    /// roundings average out, while orders left out are the third harmonic before all.
+    fn third_harmonic_of_the_error(x: f64, zeta: f64) -> (f64, f64) {
+        const INSTANTS: u32 = 4096;
+        let (mut sine, mut cosine) = ((0.0, 0.0), (0.0, 0.0));
+        for i in 0..INSTANTS {
+            let t = (f64::from(i) + 0.5) / f64::from(INSTANTS);
+            // Both read the same instant and the same mode.
+            let (t, x, zeta) = (t as f32, x as f32, zeta as f32);
+            let wide = |value: f32| Dd::from(f64::from(value));
+            let (value, slope) = put_together(&mode(wide(zeta)), wide(x), wide(t));
+            let got = basis(x, zeta, &Instant::new(t));
+            let (s, c) = (3.0 * core::f64::consts::PI * f64::from(t)).sin_cos();
+            let off = f64::from(got.rise) - value.to_f64();
+            sine = (sine.0 + off * s, sine.1 + off * c);
+            let off = f64::from(got.free) - slope.to_f64();
+            cosine = (cosine.0 + off * s, cosine.1 + off * c);
+        }
+        let unit = 2.0 / f64::from(INSTANTS) / f64::from(f32::EPSILON);
+        (sine.0.hypot(sine.1) * unit, cosine.0.hypot(cosine.1) * unit)
+    }
+
+    /// The orders that `f32` sums are enough: what is left is below its rounding, and one less is not.
+    #[test]
+    fn single_precision_has_enough_orders() {
+        let mut worst = (0.0_f64, 0.0_f64);
+        for zeta in [0.0, 0.01, 0.3, 0.7] {
+            for x in [0.3, 0.4, 0.45, 0.499] {
+                let (value, slope) = third_harmonic_of_the_error(x, zeta);
+                println!("ζ {zeta}, x {x}: {value} {slope}");
+                worst = (worst.0.max(value), worst.1.max(slope));
+            }
+        }
+        println!("16 modes; third harmonic of the error {worst:?} roundings");
+        assert!(worst.0 < 0.25 && worst.1 < 0.25);
+    }
+
+    /// Each value by itself, as in `f64`.
+    #[test]
+    fn as_put_together_in_single_precision() {
+        let (mut compared, mut worst) = (0, 0.0_f64);
+        for zeta in [0.0_f32, 1e-4, 0.01, 0.3, 0.7, 1.0, 1.5, 9.0] {
+            for x in [1e-3_f32, 0.02, 0.1249, 0.25, 0.4, 0.4999] {
+                let wide = |value: f32| Dd::from(f64::from(value));
+                if !is_slow(mode(wide(zeta)).kind, zeta, x) {
+                    continue;
+                }
+                for t in [0.0_f32, 1e-4, 0.1, 0.4999, 0.5, 0.7, 0.9999, 1.0] {
+                    let (value, slope) = put_together(&mode(wide(zeta)), wide(x), wide(t));
+                    let got = basis(x, zeta, &Instant::new(t));
+                    for (got, want) in [(got.rise, value), (got.free, slope)] {
+                        let lost = 1e-30 / f64::from(x * x);
+                        let off = (wide(got) - want).abs().to_f64();
+                        // Of the damping's terms, which do not vanish at the ends, a rounding is left where y does.
+                        let size = want.to_f64().abs() + f64::from(zeta * x);
+                        let unit = f64::from(f32::EPSILON) * size + lost;
+                        assert!(
+                            off <= 4.0 * unit,
+                            "ζ {zeta}, x {x}, t {t}: {got:e} {want:?}"
+                        );
+                        worst = worst.max(off / unit);
+                        compared += 1;
+                    }
+                }
+            }
+        }
+        println!("{compared} values, worst {worst} roundings");
+        assert_eq!(compared, 656);
+    }
 }

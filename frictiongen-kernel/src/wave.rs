@@ -387,3 +387,6 @@ fn wave_local<S: Float, D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> Loca
         third_bound: a * n2 + b * d3 + c * d2 + e * n1,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -28,7 +28,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             };
             let step = newton.max(-trust).min(trust);
             let (next, flipped) = self.moved(tau + step);
-            if next == tau || slope == zero {
+            // Where the slope is 0 at a minimum, any step rises.
+            if next == tau || (slope == zero && !(zero < curvature)) {
                 // The same place, but by one more step of how it moves with what it depends on.
                 tau = next;
                 break;
@@ -37,7 +38,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let (value, whole) = self.quotient(&at_next, negative != flipped);
             // So near a maximum the values no longer tell, while Newton's method still converges.
             let near = curvature < zero && step.abs() < narrow;
-            let untold = self.untold(best, value, slope * step);
+            let promise = slope * step + curvature.max(zero) * step * step * half;
+            let untold = self.untold(best, value, promise);
             let better = near
                 || if untold {
                     self.rises_on(&at_next, negative != flipped, slope)

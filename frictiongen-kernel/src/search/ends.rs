@@ -116,3 +116,6 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         end - signs.iter().map(reach).fold(end, Scalar::min)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -268,7 +268,13 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         let sine = self.question.weight == Weight::Sine;
         signs.iter().fold(self.question.end, |step, &negative| {
             let noise = self.noise(at.cosine);
-            let level = self.signed(self.level(), negative);
+            // The series is good enough to pass over a maximum that is equal but for the tolerance.
+            let level = if sine {
+                self.signed(self.level(), negative)
+            } else {
+                let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
+                equal.max(self.rounding)
+            };
             let excess = series.excess(negative, level, sine, &at).less(noise);
             step.min(excess.reach())
         })
@@ -355,3 +361,6 @@ fn safe_step<S: Float>(excess: &Local<S>) -> S {
     }
     step
 }
+
+#[cfg(test)]
+mod tests;

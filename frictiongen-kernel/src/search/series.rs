@@ -204,3 +204,6 @@ impl<S: Float> Series<S> {
         value.max(*value + end * (*slope + end * curvature)) <= zero
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -4,10 +4,8 @@ use crate::plain::{Plain, largest};
 use crate::random::{Lcg, random_scene};
 use frictiongen::NotContinuous;
 use frictiongen::study::System;
+use frictiongen_kernel::search::MAX_EVALUATIONS;
 use std::f64::consts::PI;
-
-/// The kernel's own ceiling; a search that ends on it has no guarantee any more.
-pub const CEILING: u32 = 20_000;
 
 /// What a run over many scenes found.
 #[derive(Default)]
@@ -16,15 +14,21 @@ pub struct Findings {
     pub searched: usize,
     pub ill: usize,
     pub masses: usize,
+    /// Phases compared, and of those the ones whose maximum had an equal.
+    pub phases: usize,
+    pub ties: usize,
+    /// Scenes on an undamped resonance.
+    pub unbounded: usize,
     pub constraint_counts: Vec<(u32, String)>,
     pub amplitude_counts: Vec<(u32, String)>,
     pub disagreements: Vec<String>,
     pub worst_beta: f64,
     pub worst_amplitude: f64,
+    pub worst_fall: f64,
 }
 
-pub fn compare(random: &mut Lcg, findings: &mut Findings, least: usize) {
-    let text = random_scene(random);
+pub fn compare(random: &mut Lcg, findings: &mut Findings, least: usize, most: usize) {
+    let text = random_scene(random, most);
     let system: System = text
         .parse()
         .unwrap_or_else(|error| panic!("{error}\n{text}"));
@@ -61,7 +65,10 @@ pub fn compare(random: &mut Lcg, findings: &mut Findings, least: usize) {
     let beta = share * found.min(at.sliding_limit());
     let motion = match at.motion(beta) {
         Ok(motion) => motion,
-        Err(NotContinuous::Unbounded) => return,
+        Err(NotContinuous::Unbounded) => {
+            findings.unbounded += 1;
+            return;
+        }
         Err(error) => {
             findings.disagreements.push(format!(
                 "{error:?} at beta = {beta:?} below both limits\n    r = {r:?}\n    {text}"
@@ -115,6 +122,36 @@ pub fn compare(random: &mut Lcg, findings: &mut Findings, least: usize) {
                 peak.evaluations
             ));
         }
+        // The place, by what the plain motion is there and by which way it points.
+        let answer = mass.phase();
+        let apart = |tau: f64, value: f64| {
+            let turned = if value < 0.0 { PI } else { 0.0 };
+            let off = (phase + tau + turned - answer) / (2.0 * PI);
+            (off - off.round()).abs() * 2.0 * PI
+        };
+        findings.phases += 1;
+        let lag = ((answer - phase) / PI).rem_euclid(2.0);
+        let (place, sign) = if lag < 1.0 {
+            (lag, 1.0)
+        } else {
+            (lag - 1.0, -1.0)
+        };
+        let there = sign * displacement(place * PI);
+        let fall = 1.0 - there / brute;
+        // A place that is off by the root of a rounding falls by a rounding.
+        let allowed = 1e-11_f64.max(rounding);
+        if rounding <= 1e-9 {
+            findings.worst_fall = findings.worst_fall.max(fall);
+        }
+        if !(fall <= allowed) {
+            findings.disagreements.push(format!(
+                "m{k}: phase = {answer:?}, where the motion is less than its maximum by {fall:e}\n    \
+                 beta = {beta:?}, r = {r:?}\n    {text}"
+            ));
+        }
+        if apart(tau, displacement(tau)) > 1e-2 {
+            findings.ties += 1;
+        }
         // The search against the very function that it searches: no excuse but rounding.
         for i in 0..32 {
             let tau = tau
@@ -133,35 +170,53 @@ pub fn compare(random: &mut Lcg, findings: &mut Findings, least: usize) {
     }
 }
 
-pub fn median(counts: &mut [(u32, String)]) -> u32 {
+/// Sorts the counts, the largest first, and picks what a hundredth, a thousandth, … of them exceeds.
+pub fn quantile(counts: &mut [(u32, String)], share: f64) -> u32 {
     counts.sort_by_key(|count| std::cmp::Reverse(count.0));
-    counts[counts.len() / 2].0
+    counts[(counts.len() as f64 * share) as usize].0
+}
+
+/// No search may need more than this: median, 99 in 100, and the worst.
+pub fn within(name: &str, counts: &mut [(u32, String)], (median, most, worst): (u32, u32, u32)) {
+    let found = [0.5, 0.01, 0.0].map(|share| quantile(counts, share));
+    assert!(
+        found[0] <= median && found[1] <= most && found[2] <= worst,
+        "{name}: {found:?} evaluations; the worst {}",
+        counts[0].1
+    );
+    assert!(found[2] < MAX_EVALUATIONS);
 }
 
 pub fn report(findings: &mut Findings, listed: usize) {
     println!(
-        "{} scenes, S decides in {}, ill-conditioned {}, {} masses; worst beta_lim error {:e}, amplitude error {:e}",
+        "{} scenes, S decides in {}, {} unbounded, ill-conditioned {}, {} masses, {} phases of which {} with an equal; \
+         worst beta_lim error {:e}, amplitude error {:e}, fall at a phase {:e}",
         findings.scenes,
         findings.searched,
+        findings.unbounded,
         findings.ill,
         findings.masses,
+        findings.phases,
+        findings.ties,
         findings.worst_beta,
-        findings.worst_amplitude
+        findings.worst_amplitude,
+        findings.worst_fall
     );
     for (name, counts) in [
         ("velocity constraint", &mut findings.constraint_counts),
         ("amplitude", &mut findings.amplitude_counts),
     ] {
-        let median = median(counts);
-        let n = counts.len();
+        let [median, most, nearly_all, worst] =
+            [0.5, 0.01, 0.001, 0.0].map(|share| quantile(counts, share));
         let begun = counts.iter().filter(|count| count.0 > 0).count();
         println!(
-            "{name}: {n} searches, median {median}, of the {begun} with any {}, 99 % below {}, 99.9 % below {}, worst {}, at the ceiling {}",
+            "{name}: {} searches, median {median}, of the {begun} with any {}, 99 % below {most}, 99.9 % below {nearly_all}, worst {worst}, at the ceiling {}",
+            counts.len(),
             counts[begun / 2].0,
-            counts[n / 100].0,
-            counts[n / 1000].0,
-            counts[0].0,
-            counts.iter().filter(|count| count.0 >= CEILING).count()
+            counts
+                .iter()
+                .filter(|count| count.0 >= MAX_EVALUATIONS)
+                .count()
         );
         for (count, scene) in counts.iter().take(listed) {
             println!("  {count} evaluations: {scene}");

@@ -9,16 +9,17 @@ mod findings;
 mod plain;
 mod random;
 
-use findings::{CEILING, Findings, compare, report};
+use findings::{Findings, compare, report, within};
 use frictiongen::study::System;
 use plain::Plain;
 use random::Lcg;
 
-fn run(seed: u64, scenes: usize, least: usize, listed: usize) -> Findings {
+/// Scenes of at most `most` masses against a grid of `least` points at least.
+fn run(seed: u64, scenes: usize, least: usize, most: usize, listed: usize) -> Findings {
     let mut random = Lcg(seed);
     let mut findings = Findings::default();
     for _ in 0..scenes {
-        compare(&mut random, &mut findings, least);
+        compare(&mut random, &mut findings, least, most);
     }
     report(&mut findings, listed);
     findings
@@ -56,27 +57,64 @@ fn rounding_at_the_start_is_no_peak() {
     }
 }
 
-#[test]
-fn no_maximum_is_missed() {
-    let findings = run(20_210_719, 300, 400, 1);
+/// Limits, amplitudes and phases; what was compared is counted.  The evaluations that searches may need are a
+/// quarter above what they were measured to need, in the order median, 99 of 100, worst.
+fn agreed(findings: &mut Findings, scenes: usize) {
     assert!(
         findings.disagreements.is_empty(),
-        "{}",
+        "{} disagreements: {}",
+        findings.disagreements.len(),
         findings.disagreements[0]
     );
-    assert!(findings.constraint_counts[0].0 < CEILING && findings.amplitude_counts[0].0 < CEILING);
+    assert_eq!(findings.scenes, scenes);
+    assert_eq!(findings.constraint_counts.len(), scenes);
+    assert_eq!(findings.masses, findings.phases);
+    assert_eq!(findings.masses, findings.amplitude_counts.len());
+    // On an undamped resonance bit for bit: no random r is.
+    assert_eq!(findings.unbounded, 0);
+    assert!(
+        findings.ill * 20 < scenes,
+        "{} ill-conditioned",
+        findings.ill
+    );
+}
+
+#[test]
+fn no_maximum_is_missed() {
+    let mut findings = run(20_210_719, 300, 400, 10, 1);
+    agreed(&mut findings, 300);
+    within(
+        "velocity constraint",
+        &mut findings.constraint_counts,
+        (7, 180, 285),
+    );
+    within("amplitude", &mut findings.amplitude_counts, (41, 79, 113));
     // The test tests nothing if the start of the half period always decides.
+    assert!(findings.searched > 60, "{}", findings.searched);
+}
+
+#[test]
+fn no_maximum_is_missed_of_many_masses() {
+    let mut findings = run(7_301_995, 300, 400, 16, 1);
+    agreed(&mut findings, 300);
+    within(
+        "velocity constraint",
+        &mut findings.constraint_counts,
+        (8, 159, 384),
+    );
+    within("amplitude", &mut findings.amplitude_counts, (41, 80, 130));
     assert!(findings.searched > 60, "{}", findings.searched);
 }
 
 #[test]
 #[ignore = "ten thousand scenes: some minutes"]
 fn evaluations_per_search() {
-    let findings = run(5_551_202, 10_000, 2_000, 5);
-    assert!(
-        findings.disagreements.is_empty(),
-        "{}",
-        findings.disagreements[0]
+    let mut findings = run(5_551_202, 10_000, 2_000, 10, 5);
+    agreed(&mut findings, 10_000);
+    within(
+        "velocity constraint",
+        &mut findings.constraint_counts,
+        (7, 174, 2263),
     );
-    assert!(findings.constraint_counts[0].0 < CEILING && findings.amplitude_counts[0].0 < CEILING);
+    within("amplitude", &mut findings.amplitude_counts, (41, 78, 223));
 }

@@ -21,9 +21,9 @@ impl Lcg {
     }
 }
 
-/// A random description; masses and springs spread over a decade.
-pub fn random_scene(random: &mut Lcg) -> String {
-    let n = 1 + random.below(10);
+/// A random description of at most so many masses; masses and springs spread over a decade.
+pub fn random_scene(random: &mut Lcg, most: usize) -> String {
+    let n = 1 + random.below(most);
     let mut text = String::from("struct Random { masses: { ");
     for i in 0..n {
         write!(text, "m{i}: {}, ", random.log_uniform(1.0, 10.0)).unwrap();

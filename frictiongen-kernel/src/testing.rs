@@ -1,0 +1,282 @@
+//! What the unit tests of waves and searches share: every derivative of a wave by formulas written here
+//! anew, and random waves.
+//!
+//! A wave is made of p, whose derivatives obey p⁽ⁿ⁺²⁾ = −2ζx p⁽ⁿ⁺¹⁾ − x² p⁽ⁿ⁾, and of sinusoids.
+
+use crate::decay::Damped;
+use crate::mode::Kind;
+use crate::motion::Share;
+use crate::steady::motion_wave;
+use crate::wave::{Sum, Wave};
+use core::f64::consts::PI;
+
+pub type TestWave = Wave<f64, Damped<f64>>;
+
+/// As many derivatives as a Taylor series of the search has, and what the waves need beyond.
+pub const ORDERS: usize = 18;
+
+/// Damping ratios of every kind, both sides of where the closed forms change.
+pub const ZETAS: [f64; 12] = [
+    0.0, 1e-6, 0.01, 0.1, 0.3, 0.49, 0.6, 0.9, 1.0, 1.2, 3.0, 20.0,
+];
+
+/// Knuth's 64-bit linear congruential generator: the same numbers on every machine.
+pub struct Lcg(pub u64);
+
+impl Lcg {
+    pub fn unit(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+    /// From −1 to 1.
+    pub fn signed(&mut self) -> f64 {
+        2.0 * self.unit() - 1.0
+    }
+    pub fn below(&mut self, n: usize) -> usize {
+        ((self.unit() * n as f64) as usize).min(n - 1)
+    }
+    pub fn log_uniform(&mut self, low: f64, high: f64) -> f64 {
+        low * (high / low).powf(self.unit())
+    }
+}
+
+pub fn damped(zeta: f64) -> Damped<f64> {
+    let kind = match zeta {
+        0.0 => Kind::Undamped,
+        zeta if zeta < 0.5 => Kind::Light,
+        zeta if zeta < 1.0 => Kind::Heavy,
+        1.0 => Kind::Critical,
+        _ => Kind::Over,
+    };
+    Damped::new(kind, zeta, ((1.0 - zeta) * (1.0 + zeta)).abs().sqrt())
+}
+
+pub fn rest(x: f64, zeta: f64) -> TestWave {
+    Wave::rest(x, damped(zeta))
+}
+
+/// p⁽ⁿ⁾ at τ, n = 0, 1, … to the last asked for.
+fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
+    let mut out = [0.0; ORDERS];
+    let q2 = 1.0 - zeta * zeta;
+    let q = q2.abs().sqrt();
+    (out[0], out[1]) = if zeta == 1.0 {
+        let kept = (-x * tau).exp();
+        (tau * kept, (1.0 - x * tau) * kept)
+    } else if q2 > 0.0 {
+        let kept = (-zeta * x * tau).exp();
+        let (s, c) = (q * x * tau).sin_cos();
+        (kept * s / (q * x), kept * (c - zeta / q * s))
+    } else {
+        // The roots multiply to x²: the slow one without a difference.
+        let (slow, fast) = (x / (zeta + q), x * (zeta + q));
+        let (a, b) = ((-slow * tau).exp(), (-fast * tau).exp());
+        // Towards τ = 0 the two decays cancel.
+        let p = -a * (-(fast - slow) * tau).exp_m1() / (fast - slow);
+        (p, b - slow * p)
+    };
+    for n in 2..=last {
+        out[n] = -2.0 * zeta * x * out[n - 1] - x * x * out[n - 2];
+    }
+    out
+}
+
+/// (cos τ)⁽ⁿ⁾ and (sin τ)⁽ⁿ⁾.
+fn turning(tau: f64, order: usize) -> (f64, f64) {
+    let (s, c) = tau.sin_cos();
+    [(c, s), (-s, c), (-c, -s), (s, -c)][order % 4]
+}
+
+/// y = 1/x² + a·d + b·p, the response to a unit force that changes its sign every half period, by what it
+/// repeats: y(π) = −y(0) and y′(π) = −y′(0), with d = p′ + 2ζx p and d′ = −x²p.
+fn swaying(x: f64, zeta: f64) -> (f64, f64) {
+    let end = free(x, zeta, PI, 1);
+    let (p, slope) = (end[0], end[1]);
+    let d = slope + 2.0 * zeta * x * p;
+    // (1 + d)a + p·b = −2/x², −x²p·a + (1 + p′)b = 0.
+    let determinant = (1.0 + d) * (1.0 + slope) + x * x * p * p;
+    let a = -2.0 / (x * x) * (1.0 + slope) / determinant;
+    (a, -2.0 * p / determinant)
+}
+
+/// A wave's derivative of this order at τ.
+pub fn derivative(wave: &TestWave, tau: f64, order: usize) -> f64 {
+    use crate::decay::Decay;
+    let (x, zeta) = (wave.x, wave.decay.zeta());
+    let p = free(x, zeta, tau, order + 1);
+    let (c, s) = turning(tau, order);
+    let d = |order: usize| match order {
+        0 => p[1] + 2.0 * zeta * x * p[0],
+        _ => -x * x * p[order - 1],
+    };
+    let rise = if wave.sways {
+        let (a, b) = swaying(x, zeta);
+        let at_rest = if order == 0 { 1.0 / (x * x) } else { 0.0 };
+        at_rest + a * d(order) + b * p[order]
+    } else if order == 0 {
+        (1.0 - d(0)) / (x * x)
+    } else {
+        p[order - 1]
+    };
+    wave.free * p[order]
+        + wave.swing_slope * (c - p[order + 1])
+        + wave.swing * (s - p[order])
+        + wave.rise * rise
+}
+
+/// A sum's derivative of this order at τ.
+pub fn sum_derivative(sum: &Sum<'_, f64, Damped<f64>>, tau: f64, order: usize) -> f64 {
+    let (c, s) = turning(tau, order);
+    let waves = sum.waves.iter().map(|wave| derivative(wave, tau, order));
+    sum.cosine * c + sum.sine * s + waves.sum::<f64>()
+}
+
+/// The four parts of a wave one at a time, and a slow wave's whole response.
+pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
+    let rest = rest(x, zeta);
+    let mut parts = vec![
+        ("free", Wave { free: 1.0, ..rest }),
+        (
+            "swing_slope",
+            Wave {
+                swing_slope: 1.0,
+                ..rest
+            },
+        ),
+        ("swing", Wave { swing: 1.0, ..rest }),
+        ("rise", Wave { rise: 1.0, ..rest }),
+    ];
+    if x * (2.0 * zeta).max(1.0) < 0.5 {
+        let sways = Wave {
+            rise: 1.0,
+            sways: true,
+            ..rest
+        };
+        parts.push(("sways", sways));
+    }
+    parts
+}
+
+/// Waves of random rates, slowest first: damped each for itself, or not at all.  `rise` is left out of what
+/// the velocity constraint searches.
+pub fn random_waves(
+    random: &mut Lcg,
+    (low, high): (f64, f64),
+    undamped: bool,
+    rise: bool,
+) -> Vec<TestWave> {
+    let count = 1 + random.below(6);
+    let mut waves: Vec<TestWave> = (0..count)
+        .map(|_| {
+            let x = random.log_uniform(low, high);
+            let zeta = if undamped {
+                0.0
+            } else {
+                [0.0, random.log_uniform(1e-4, 0.5), 0.7, 1.0, 4.0][random.below(5)]
+            };
+            // Terms of like size: a fast wave's part by part of order 1.
+            let mut wave = rest(x, zeta);
+            wave.swing = random.signed();
+            wave.swing_slope = random.signed();
+            if rise {
+                wave.free = x * random.signed();
+                wave.rise = x * x * random.signed();
+            }
+            wave
+        })
+        .collect();
+    waves.sort_by(|a, b| a.x.total_cmp(&b.x));
+    waves
+}
+
+/// A motion as a chain's: carrier and waves that repeat with the opposite sign after half a period, modes far
+/// below the excitation by their whole response.
+pub fn random_motion(
+    random: &mut Lcg,
+    (low, high): (f64, f64),
+    undamped: bool,
+    most: usize,
+) -> (Vec<TestWave>, f64, f64) {
+    let (mut cosine, mut sine) = (random.signed(), random.signed());
+    let mut waves: Vec<TestWave> = (0..1 + random.below(most))
+        .map(|_| {
+            let x = random.log_uniform(low, high);
+            let damping = [
+                random.log_uniform(1e-4, 0.5),
+                random.log_uniform(1e-3, 0.1),
+                0.7,
+                4.0,
+            ];
+            let zeta = if undamped {
+                0.0
+            } else {
+                damping[random.below(4)]
+            };
+            let weight = random.signed() * x * x;
+            if x * (2.0 * zeta).max(1.0) < 0.5 {
+                return Wave {
+                    rise: weight,
+                    sways: true,
+                    ..rest(x, zeta)
+                };
+            }
+            // 1/x² + a·d + b·p = (1 − d)/x² + g(cos τ − d)/x² − b(sin τ − p) − g cos τ/x² + b sin τ.
+            let (a, b) = swaying(x, zeta);
+            let fall = -a - 1.0 / (x * x);
+            cosine -= weight * fall;
+            sine += weight * b;
+            let share = Share {
+                rise: weight,
+                fall: weight * fall,
+                swing: -(weight * b),
+                gain: 0.0,
+            };
+            motion_wave(x, damped(zeta), share)
+        })
+        .collect();
+    waves.sort_by(|a, b| a.x.total_cmp(&b.x));
+    (waves, cosine, sine)
+}
+
+/// What the velocity constraint searches, and its quotient for τ → 0: waves that vanish together with sin τ at
+/// both ends of the half period, undamped ones odd about its middle.
+pub fn random_constraint(
+    random: &mut Lcg,
+    (low, high): (f64, f64),
+    undamped: bool,
+    most: usize,
+) -> (Vec<TestWave>, f64, f64) {
+    let (mut sine, mut start) = (0.0, 0.0);
+    let mut waves: Vec<TestWave> = (0..1 + random.below(most))
+        .map(|_| {
+            let x = random.log_uniform(low, high);
+            let damping = [
+                random.log_uniform(1e-4, 0.5),
+                random.log_uniform(1e-3, 0.1),
+                0.7,
+                4.0,
+            ];
+            let zeta = if undamped {
+                0.0
+            } else {
+                damping[random.below(4)]
+            };
+            let mobility = random.unit();
+            // y′ = −a x²p + b p′.
+            let (a, b) = swaying(x, zeta);
+            let (swing, swing_slope) = (mobility * a * x * x, -(mobility * b));
+            sine -= 2.0 * zeta * x * swing_slope;
+            start += 2.0 * zeta * x * swing_slope - swing;
+            Wave {
+                swing,
+                swing_slope,
+                ..rest(x, zeta)
+            }
+        })
+        .collect();
+    waves.sort_by(|a, b| a.x.total_cmp(&b.x));
+    (waves, sine, start)
+}
