@@ -200,8 +200,7 @@ impl<S: Float> DataAt<'_, S> {
     /// β_lim with S as the sum of each mode's own maximum.
     pub fn continuous_limit_per_mode(&self) -> S {
         let (chain, modes) = (self.chain(), &self.data.reduced.modes);
-        let constraint =
-            chain.constraint_per_mode::<Damped<S>>(&self.contact, modes, &self.modes);
+        let constraint = chain.constraint_per_mode::<Damped<S>>(&self.contact, modes, &self.modes);
         chain.continuous_limit(&self.contact, constraint)
     }
 

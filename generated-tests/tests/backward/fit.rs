@@ -117,8 +117,14 @@ pub fn least_squares(
     }
     let moved: Vec<Dd> = z.iter().zip(&roots).map(|(z, w)| *z / *w).collect();
     // What is left of δ itself, whatever the iteration has lost.
-    let left = a.iter().zip(b).map(|(row, b)| (*b - dot(row, &moved)).to_f64());
-    Some((moved.iter().map(|moved| moved.to_f64()).collect(), left.collect()))
+    let left = a
+        .iter()
+        .zip(b)
+        .map(|(row, b)| (*b - dot(row, &moved)).to_f64());
+    Some((
+        moved.iter().map(|moved| moved.to_f64()).collect(),
+        left.collect(),
+    ))
 }
 
 /// Two answers that one input moves the same way and that are off by opposite amounts are not explained by it.

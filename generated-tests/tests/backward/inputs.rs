@@ -141,7 +141,10 @@ impl Exact {
                 value: Dd::from(zeta),
             }
         });
-        all.into_iter().filter_map(along).chain(one_for_all).collect()
+        all.into_iter()
+            .filter_map(along)
+            .chain(one_for_all)
+            .collect()
     }
 }
 

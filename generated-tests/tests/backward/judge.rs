@@ -48,6 +48,8 @@ pub struct Answer {
 /// What is known of one answer.
 #[derive(Clone, Copy, Debug)]
 pub struct Judged {
+    /// The exact answer.
+    pub exact: Complex<Dd>,
     /// In roundings of its size.
     pub direct: f64,
     /// In roundings of its strict size.
@@ -153,6 +155,7 @@ impl<'a> Judge<'a> {
             };
             let direct = in_roundings(answer.size);
             judged.push(Judged {
+                exact: *exact,
                 direct,
                 strict: in_roundings(answer.strict),
                 of_its_own: in_roundings(answer.own),
@@ -163,7 +166,9 @@ impl<'a> Judge<'a> {
             is_finite(*exact) && (is_finite(answer.got) || may_be_infinite(answer))
         };
         let mut pairs = told.iter().zip(exact);
-        let worst = judged.iter().fold(0.0, |most: f64, one| most.max(one.direct));
+        let worst = judged
+            .iter()
+            .fold(0.0, |most: f64, one| most.max(one.direct));
         if worst <= PLAIN || !pairs.all(|(answer, exact)| known(answer, exact)) {
             return Verdict {
                 roundings: worst,
@@ -178,10 +183,14 @@ impl<'a> Judge<'a> {
                 .filter(|index| judged[*index].direct != 0.0 || !told[*index].size.is_zero())
                 .collect();
             let pick = |index: &usize| told[*index];
-            let (group, values): (Vec<Answer>, Vec<Complex<Dd>>) =
-                of_group.iter().map(|index| (pick(index), exact[*index])).unzip();
+            let (group, values): (Vec<Answer>, Vec<Complex<Dd>>) = of_group
+                .iter()
+                .map(|index| (pick(index), exact[*index]))
+                .unzip();
             let mut known: Vec<Judged> = of_group.iter().map(|index| judged[*index]).collect();
-            let worst = known.iter().fold(0.0, |most: f64, one| most.max(one.direct));
+            let worst = known
+                .iter()
+                .fold(0.0, |most: f64, one| most.max(one.direct));
             if PLAIN < worst {
                 roundings = roundings.max(self.explained(&group, &values, &mut known));
                 for (index, known) in of_group.iter().zip(known) {
@@ -210,7 +219,9 @@ impl<'a> Judge<'a> {
                 if best <= self.bar {
                     return best;
                 }
-                let Some(step) = linear.step(&to, self.bar) else { break };
+                let Some(step) = linear.step(&to, self.bar) else {
+                    break;
+                };
                 to.resize(step.len(), 0.0);
                 for (to, step) in to.iter_mut().zip(step) {
                     *to = (*to + step).clamp(-self.bar, self.bar);
@@ -273,7 +284,13 @@ impl<'a> Judge<'a> {
                 let of = columns.iter().map(|column| part(column[index]));
                 // An input that moves the answer without bound explains nothing to first order.
                 of.map(|slope| slope * sense / answer.size)
-                    .map(|slope| if slope.to_f64().is_finite() { slope } else { Dd::from(0.0) })
+                    .map(|slope| {
+                        if slope.to_f64().is_finite() {
+                            slope
+                        } else {
+                            Dd::from(0.0)
+                        }
+                    })
                     .collect()
             };
             let mut add = |off: Dd, row: Vec<Dd>| {
@@ -322,7 +339,8 @@ impl<'a> Judge<'a> {
             one,
         )];
         let at = scene.at(fixed.r);
-        columns.extend([of_beta, of_tau].map(|place| slopes(answers(&at, &place, &questions), one)));
+        columns
+            .extend([of_beta, of_tau].map(|place| slopes(answers(&at, &place, &questions), one)));
         if every {
             columns.extend(self.exact.moving(modal).map(|moving| {
                 let answers = answers(&moving.data.at(fixed.r), &fixed, &questions);
@@ -350,7 +368,9 @@ impl Linear {
             if rest.abs().to_f64() <= bar {
                 return IDLE;
             }
-            let sum = row.iter().fold(Dd::from(1.0), |sum, slope| sum + slope.abs());
+            let sum = row
+                .iter()
+                .fold(Dd::from(1.0), |sum, slope| sum + slope.abs());
             (Dd::from(1.0) / (sum * sum)).to_f64().max(IDLE)
         };
         let answers: Vec<f64> = self.a.iter().zip(&rest).map(weight).collect();
@@ -362,10 +382,16 @@ impl Linear {
     fn each_alone(&self, told: &[Answer], judged: &mut [Judged]) {
         let mut rows = self.a.iter().zip(&self.b);
         for (answer, judged) in told.iter().zip(judged) {
-            let parts = if answer.watched.asked.is_complex() { 2 } else { 1 };
+            let parts = if answer.watched.asked.is_complex() {
+                2
+            } else {
+                1
+            };
             let mut alone: f64 = 0.0;
             for (row, off) in rows.by_ref().take(parts) {
-                let sum = row.iter().fold(Dd::from(1.0), |sum, slope| sum + slope.abs());
+                let sum = row
+                    .iter()
+                    .fold(Dd::from(1.0), |sum, slope| sum + slope.abs());
                 alone = alone.max((off.abs() / sum).to_f64());
             }
             judged.alone = alone;

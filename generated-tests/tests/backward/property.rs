@@ -1,8 +1,8 @@
 //! Random scenes of 1 to 16 masses, over the whole range of r, and beside poles, sub-harmonics and limits.
 
 use crate::asked::{Asked, Of, Place};
-use crate::judge::{Answer, Judge};
 use crate::inputs::Exact;
+use crate::judge::{Answer, Judge};
 use crate::questions::{Questions, first};
 use crate::random::{Random, scene};
 use crate::tally::Tally;
@@ -16,6 +16,8 @@ pub const BAR: f64 = 64.0;
 const POINTS: u64 = 10;
 /// One place in so many has its largest values searched in double-double as well.
 const SEARCHED: u64 = 16;
+/// Double-double does not search modes faster than this.
+const SEARCHABLE: f64 = 1e3;
 /// One place in so many has them searched by brute force.
 const BY_FORCE: u64 = 8;
 /// One place in so many asks for the limit per mode, whose searches are many.
@@ -124,7 +126,9 @@ pub fn told<'e, S: Float>(
     let system = &subject.system;
     let masses = system.scene().masses.len();
     let number = subject.seed.wrapping_add(point);
-    let searched = number.is_multiple_of(SEARCHED);
+    let resonances = &system.modal().resonances;
+    let fastest = resonances.last().map_or(1.0, |value| value.to_f64()) / place.r.to_f64();
+    let searched = number.is_multiple_of(SEARCHED) && fastest < SEARCHABLE;
     let judge = Judge::new(&subject.exact, place.read(exact), S::EPSILON, BAR);
     let at = system.at(place.r).expect("a ratio in the domain");
     let mut questions = Questions::new(&judge, exact, searched, masses);
@@ -143,13 +147,15 @@ pub fn told<'e, S: Float>(
         tally.skip("a resonance of the stuck chain");
     }
     // In so slow a sweep every angle is below the rounding of r: U and S may be anything.
-    let resonances = &system.modal().resonances;
-    let fastest = resonances.last().map_or(1.0, |value| value.to_f64()) / place.r.to_f64();
     let zero = S::constant(0.0);
     let (continuous, without) = (at.continuous_limit(), at.continuous_limit_without_search());
     let nearly = S::constant(1.0 + BAR * S::EPSILON);
     let sane = zero <= continuous && continuous <= without * nearly;
-    assert!(sane, "{continuous:?} above {without:?} at {place:?}, seed {}", subject.seed);
+    assert!(
+        sane,
+        "{continuous:?} above {without:?} at {place:?}, seed {}",
+        subject.seed
+    );
     if fastest * S::EPSILON > SLOW {
         tally.skip("angles below the rounding of r");
     } else {
@@ -166,9 +172,8 @@ pub fn told<'e, S: Float>(
                 questions.contact(&motion, place.tau);
                 let reduced = system.modal();
                 // The mass that rubs on the wall moves as the contact does.
-                let rubs = |mass: &usize| {
-                    !reduced.on_moving_base && reduced.contact == (*mass, None)
-                };
+                let rubs =
+                    |mass: &usize| !reduced.on_moving_base && reduced.contact == (*mass, None);
                 let asked: Vec<usize> = asked.into_iter().filter(|mass| !rubs(mass)).collect();
                 questions.masses(&motion, &asked, masses, place.tau);
             }
@@ -180,6 +185,9 @@ pub fn told<'e, S: Float>(
         } else if by_force {
             tally.skip("brute force among fast modes");
         }
+    }
+    for _ in 0..questions.given_up {
+        tally.skip("a search for an amplitude that gave up");
     }
     for _ in 0..questions.unreached {
         tally.skip("a mass that the load does not reach while the contact is stuck");
@@ -287,11 +295,7 @@ fn check<S: Float>(seed: u64, range: &Range, exact: impl Fn(S) -> Dd + Copy, tal
     }
 }
 
-fn run<S: Float>(
-    scenes: &[u64],
-    range: &Range,
-    exact: impl Fn(S) -> Dd + Copy + Sync,
-) -> Tally {
+fn run<S: Float>(scenes: &[u64], range: &Range, exact: impl Fn(S) -> Dd + Copy + Sync) -> Tally {
     let half = |parity: usize| {
         let mut tally = Tally::default();
         for seed in scenes.iter().skip(parity).step_by(2) {
@@ -310,7 +314,11 @@ fn run<S: Float>(
 /// Every place keeps the bar, and every kind of answer was asked for.
 fn report(title: &str, tally: &Tally) {
     tally.print(title);
-    assert!(tally.above.is_empty(), "{} places above the bar", tally.above.len());
+    assert!(
+        tally.above.is_empty(),
+        "{} places above the bar",
+        tally.above.len()
+    );
 }
 
 fn double(scenes: std::ops::Range<u64>) {

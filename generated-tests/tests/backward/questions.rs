@@ -5,7 +5,7 @@ use crate::instant::{acceleration, constraining, largest};
 use crate::judge::{Answer, Judge, modulus};
 use frictiongen::study::{SystemAt, SystemMotion};
 use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::search::Peak;
+use frictiongen_kernel::search::{MAX_EVALUATIONS, Peak};
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::data::DataMotion;
 
@@ -45,6 +45,8 @@ pub struct Questions<'j, 'a, S, E> {
     pub told: Vec<Answer>,
     /// Masses that the load does not reach while the contact is stuck.
     pub unreached: u64,
+    /// Searches for an amplitude that have given up.
+    pub given_up: u64,
     scalar: std::marker::PhantomData<S>,
 }
 
@@ -58,6 +60,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             faint: faint(judge, masses),
             told: Vec::new(),
             unreached: 0,
+            given_up: 0,
             scalar: std::marker::PhantomData,
         }
     }
@@ -109,7 +112,12 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             found.map(self.exact)
         };
         let top = found.map(|tau| constraining(self.judge.at(), tau, self.epsilon));
-        self.plain(Asked::ContinuousLimit, real(at.continuous_limit()), top, zero);
+        self.plain(
+            Asked::ContinuousLimit,
+            real(at.continuous_limit()),
+            top,
+            zero,
+        );
         if per_mode {
             let limit = at.continuous_limit_per_mode();
             self.plain(Asked::PerMode, real(limit), None, zero);
@@ -142,7 +150,10 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
                 let got = Complex::new((self.exact)(got.re), (self.exact)(got.im));
                 let left = modulus(got).to_f64() / largest.to_f64();
                 let nothing = own.is_zero() && got.re.is_zero() && got.im.is_zero();
-                assert!(nothing || left <= S::EPSILON.sqrt(), "mass {mass} moves by {left:e}");
+                assert!(
+                    nothing || left <= S::EPSILON.sqrt(),
+                    "mass {mass} moves by {left:e}"
+                );
                 self.unreached += 1;
                 continue;
             }
@@ -161,7 +172,13 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         let own = exact.amplitude().max(told);
         let real = |value: S| Complex::new(value, zero);
         let amplitude = real(contact.amplitude());
-        self.wide(Asked::Amplitude(Of::Contact), amplitude, None, own, own * self.faint);
+        self.wide(
+            Asked::Amplitude(Of::Contact),
+            amplitude,
+            None,
+            own,
+            own * self.faint,
+        );
         let phase = (self.exact)(contact.phase());
         let watched = Watched {
             asked: Asked::Phase(Of::Contact),
@@ -169,10 +186,27 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             lag: None,
         };
         // An angle is known to the rounding of a half turn.
-        self.note(watched, Complex::new(phase, Dd::from(0.0)), Dd::PI, Dd::PI * self.faint);
-        self.wide(Asked::Displacement(Of::Contact), real(contact.displacement(tau)), None, own, own * self.faint);
+        self.note(
+            watched,
+            Complex::new(phase, Dd::from(0.0)),
+            Dd::PI,
+            Dd::PI * self.faint,
+        );
+        self.wide(
+            Asked::Displacement(Of::Contact),
+            real(contact.displacement(tau)),
+            None,
+            own,
+            own * self.faint,
+        );
         let speed = speed(&exact).max(own);
-        self.wide(Asked::Velocity(Of::Contact), real(contact.velocity(tau)), None, speed, own * self.faint);
+        self.wide(
+            Asked::Velocity(Of::Contact),
+            real(contact.velocity(tau)),
+            None,
+            speed,
+            own * self.faint,
+        );
         for n in HARMONICS {
             let largest = self.whole(&exact, Of::Contact, n);
             self.harmonic(Of::Contact, n, contact.harmonic(n), Dd::from(0.0), largest);
@@ -210,12 +244,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         }
     }
 
-    fn mass(
-        &mut self,
-        of_mass: &frictiongen::study::SystemSteady<S>,
-        place: &MassPlace,
-        tau: S,
-    ) {
+    fn mass(&mut self, of_mass: &frictiongen::study::SystemSteady<S>, place: &MassPlace, tau: S) {
         let MassPlace {
             mass,
             exact,
@@ -224,15 +253,22 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         let (mass, widest) = (*mass, *widest);
         let of = Of::Mass(mass);
         let real = |value: S| Complex::new(value, S::constant(0.0));
+        let peak = of_mass.peak();
         let found = if self.searched {
             None
         } else {
-            first(&of_mass.peak()).map(self.exact)
+            first(&peak).map(self.exact)
         };
+        let estimate = real(of_mass.amplitude_monoharmonic());
+        let given_up = MAX_EVALUATIONS <= peak.evaluations;
         let top = largest(exact, found, self.epsilon);
         let amplitude = exact.displacement(top).abs();
-        self.wide(Asked::Amplitude(of), real(of_mass.amplitude()), Some(top), amplitude, widest);
-        let estimate = real(of_mass.amplitude_monoharmonic());
+        if given_up {
+            self.given_up += 1;
+        } else {
+            let told = real(of_mass.amplitude());
+            self.wide(Asked::Amplitude(of), told, Some(top), amplitude, widest);
+        }
         self.wide(Asked::Estimate(mass), estimate, None, amplitude, widest);
         // The instant counts from the contact's maximum, whose own roundings V's are.
         let carried = widest.max(amplitude * self.faint);
@@ -241,6 +277,9 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         let quick = speed(exact).max(amplitude);
         let there = real(of_mass.velocity(tau));
         self.wide(Asked::Velocity(of), there, None, quick, carried);
+        if given_up {
+            return;
+        }
         // A lag is right if the mass stands still there, and is at its largest.
         let lag = (self.exact)(of_mass.phase());
         let contact = motion(self.judge.at(), Of::Contact, self.judge.place().beta);
@@ -251,7 +290,12 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             instant: None,
             lag: Some(lag),
         };
-        self.note(still, zero_at(lag), quick + turn, carried.max(turn * self.faint));
+        self.note(
+            still,
+            zero_at(lag),
+            quick + turn,
+            carried.max(turn * self.faint),
+        );
         let height = Watched {
             asked: Asked::Height(mass),
             instant: Some(top),
@@ -279,14 +323,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
     }
 
     /// An answer of known size beside the largest of its kind.
-    fn wide(
-        &mut self,
-        asked: Asked,
-        got: Complex<S>,
-        instant: Option<Dd>,
-        own: Dd,
-        largest: Dd,
-    ) {
+    fn wide(&mut self, asked: Asked, got: Complex<S>, instant: Option<Dd>, own: Dd, largest: Dd) {
         let watched = Watched {
             asked,
             instant,

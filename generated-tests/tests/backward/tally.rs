@@ -1,6 +1,6 @@
 //! What is known of each kind of answer, and what was left out.
 
-use crate::judge::{Answer, Verdict};
+use crate::judge::{Answer, Judged, Verdict};
 use std::collections::BTreeMap;
 
 /// A kind of answer.
@@ -45,14 +45,26 @@ pub struct Tally {
 }
 
 impl Tally {
-    pub fn note(&mut self, told: &[Answer], verdict: &Verdict, bar: f64, place: impl Fn() -> String) {
+    pub fn note(
+        &mut self,
+        told: &[Answer],
+        verdict: &Verdict,
+        bar: f64,
+        place: impl Fn() -> String,
+    ) {
         self.places += 1;
         self.worst.note(verdict.roundings, &place);
         if !(verdict.roundings <= bar) {
             let mut line = format!("{:.3e}: {}", verdict.roundings, place());
             for (answer, judged) in told.iter().zip(&verdict.answers) {
                 if !(judged.direct <= bar) {
-                    line += &format!("\n    {:?} {judged:?}", answer.watched.asked);
+                    let Judged { direct, alone, .. } = judged;
+                    let [got, exact] =
+                        [answer.got, judged.exact].map(|z| (z.re.to_f64(), z.im.to_f64()));
+                    line += &format!(
+                        "\n    {:?}: {got:?} for {exact:?}, {direct:.2e}, by its inputs {alone:.2e}",
+                        answer.watched
+                    );
                 }
             }
             println!("above {line}");
