@@ -146,10 +146,9 @@ fn of_equal_maxima_the_positive_lag() {
                 .displacement(start + 1e-3 - orbit.state().origin())
                 > 0.0
         };
-        let intervals = orbit.state().sticking_intervals();
+        let mut intervals = orbit.state().sticking_intervals();
         let (start, length) = intervals
-            .filter(|(start, _)| positive(*start))
-            .next()
+            .find(|(start, _)| positive(*start))
             .expect("a stop");
         let start = start.rem_euclid(TAU);
         (start, start + length * 0.5 - PI)
