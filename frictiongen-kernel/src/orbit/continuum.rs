@@ -13,10 +13,12 @@ use crate::pairs::{pairs, pairs_mut};
 use crate::scalar::Float;
 
 /// The flow stands on the symmetric member, and `room.state` is the motion in the same section; sets
-/// the flow to the member that the motion tends to.
+/// the flow to the member that the motion tends to.  `monotone` says that μ = 1: with more, a stop does not
+/// shrink, because the contact holds until the force has grown, and only a motion that never stops stays.
 pub(super) fn member<S: Float>(
     flow: &mut Flow<'_, '_, S>,
     room: &mut Room<'_, S>,
+    monotone: bool,
 ) -> Result<(), NoOrbit> {
     let (zero, one, half) = (S::constant(0.0), S::constant(1.0), S::constant(0.5));
     let size = flow.size();
@@ -81,6 +83,9 @@ pub(super) fn member<S: Float>(
     };
     if shifted(flow, one)? {
         return Ok(());
+    }
+    if !monotone {
+        return Err(NoOrbit::Unsettled);
     }
     let (mut inside, mut outside) = (zero, one);
     for _ in 0..60 {

@@ -22,6 +22,12 @@ const NEWTON_STEPS: u32 = 12;
 const MOST_REPEATED: u32 = 16;
 /// For so many cycles at most is a motion followed that should come near to a fixed point.
 const MOST_FOLLOWED: u32 = 64;
+/// By so much at most is a marginal state larger than the motion that tends to it, or than P/k₁: away from
+/// a resonance both are of the order of the excitation.
+const MOST_GROWN: f64 = 64.0;
+/// So many half cycles alike, with two turns a cycle at most, tell that a motion has lost what the members of a
+/// continuum do not have: one that still turns more often may end elsewhere.
+const CALM: u32 = 64;
 /// Half a cycle of the continuous regime.
 const ONE_REVERSAL: Pattern = Pattern {
     stops: 0,
@@ -81,6 +87,8 @@ pub(super) fn settle<S: Float>(
             let mut candidate = Candidate {
                 symmetric,
                 wanted: if symmetric { last } else { last.and(before) },
+                recent: last.and(before),
+                alike: settled[1],
                 monotone,
                 cycles,
                 here: flow.stance,
@@ -132,6 +140,10 @@ struct Candidate<S> {
     symmetric: bool,
     /// The pattern of the motion so far.
     wanted: Pattern,
+    /// Of the last cycle.
+    recent: Pattern,
+    /// So many half cycles in a row have been like the one but one before.
+    alike: u32,
     /// μ = 1.
     monotone: bool,
     /// How many cycles the motion has gone through.
@@ -239,10 +251,23 @@ impl<S: Float> Candidate<S> {
         if far <= scale * S::constant(1e-9) {
             return found(self.symmetric);
         }
-        if !self.symmetric || cycles < 64 {
+        // Of a motion so large that friction is below rounding every one seems steady.
+        let own = room.state.iter();
+        let own = own.fold(S::constant(1.0), |most, value| most.max(value.abs()));
+        if own * S::constant(MOST_GROWN) < scale {
+            return Ok(Verdict::No);
+        }
+        // With more than μ = 1 a stop does not shrink: the motion is no member, nor does it tend to one.
+        if !self.monotone && self.recent.stops > 0 {
+            return Ok(Verdict::No);
+        }
+        // Where the contact hardly moves, what it does is rounding's, and the motion is near enough.
+        let turns = self.recent.stops + self.recent.reversals;
+        let calm = far <= S::constant(1e-6) || (turns <= 2 && CALM <= self.alike);
+        if !self.symmetric || cycles < 64 || !calm {
             return Ok(Verdict::Wait);
         }
-        super::continuum::member(flow, room)?;
+        super::continuum::member(flow, room, self.monotone)?;
         found(false)
     }
 }

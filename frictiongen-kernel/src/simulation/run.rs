@@ -147,11 +147,12 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
 
     /// Moves on to the next event, at most by `reach` in τ.
     pub fn advance(&mut self, reach: S) -> Segment<S> {
-        let (start, contact) = (self.stance.t, self.stance.contact);
+        let (start, mut contact) = (self.stance.t, self.stance.contact);
         let (modes, held) = self.setting.split(self.parts.as_mut());
         let mut end = leap(&self.setting, modes, held, self.stance, reach);
         if end.stance.wedged {
             // The contact could not leave after all: it goes on sticking.
+            contact = Contact::Stuck;
             end = leap(&self.setting, modes, held, end.stance, reach);
         }
         // The phase is reduced at every event, so that no count of cycles takes digits from it.

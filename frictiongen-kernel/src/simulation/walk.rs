@@ -124,7 +124,7 @@ pub(super) fn first_reach<S: Float>(
     Walk::Until(tau)
 }
 
-/// Where a function is all but flat, its slope meets the zero far beyond what is asked for.
+/// A function that is flat to rounding meets zero where rounding says, not beyond what is asked for.
 fn within<S: Float>(sum: &Sum<'_, S>, tau: S) -> S {
     tau.max(S::constant(0.0)).min(sum.reach)
 }
@@ -173,6 +173,12 @@ fn judged<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> Verdict<
             return Verdict::Past(bottom + bottom + tau * S::constant(4.0 * S::EPSILON));
         }
     }
-    let shift = -(value / slope);
+    let mut shift = -(value / slope);
+    if !((shift * curve).abs() <= slope.abs()) {
+        // The slope is all but zero, and its tangent may lead far beyond: the curve says where the zero is.
+        let two = S::constant(2.0);
+        let root = (slope * slope - two * value * curve).sqrt();
+        shift = two * value / (root - slope);
+    }
     Verdict::Zero(if shift.is_finite() { shift } else { zero })
 }

@@ -1,0 +1,230 @@
+//! Motions at the very edge between two courses: the exact limit of sticking, a start from the very
+//! level, two equal maxima, a stop of no length.
+
+use frictiongen::System;
+use frictiongen::kernel::simulation::{Contact, Event};
+use frictiongen::study::SystemOrbit;
+use std::f64::consts::{PI, TAU};
+
+fn system(text: &str) -> System {
+    text.parse().expect("a scene")
+}
+
+fn block(rest: &str) -> System {
+    system(&format!(
+        "struct Block {{ masses: {{ block: 1 }}, springs: {{ base - block: 1 }},
+        contact: block - wall, excitation: block, {rest} }}"
+    ))
+}
+
+/// The force that holds the block is cos τ: at μβ = 1 it touches the level once in each half cycle,
+/// and the contact never slides.
+#[test]
+fn at_the_level_exactly() {
+    let mut seen = 0;
+    for (mu, beta) in [("1", 1.0), ("2", 0.5), ("1.25", 0.8), ("4", 0.25)] {
+        let wall = block(&format!("stiction: {mu}"));
+        for r in [0.1, 0.37, 0.9, 1.0, 2.6] {
+            let mut run = wall.simulation(r, beta).expect("in the domain");
+            while run.run().cycles() < 200 {
+                let segment = run.next().expect("it never ends");
+                assert_eq!(
+                    (segment.contact, segment.event),
+                    (Contact::Stuck, None),
+                    "μ = {mu}, r = {r}"
+                );
+            }
+            assert_eq!(run.mass("block").expect("a mass").displacement(), 0.0);
+            seen += 1;
+        }
+    }
+    println!("{seen} runs of 200 cycles at the level, none skipped");
+}
+
+/// A velocity that touches zero and goes on, without friction: x̄ = 4/3 (cos τ − ½ sin 2τ) at r = 1/2 has
+/// x̄′ = −4/3 (sin τ + cos 2τ) = −4/3 (1 − sin τ)(1 + 2 sin τ), zero of second order at π/2, and simply at
+/// 7π/6 and 11π/6.
+#[test]
+fn a_velocity_that_touches_zero() {
+    let wall = block("");
+    let size = 4.0 / 3.0;
+    let start = ([size], [-size]);
+    let run = wall.simulation_from(0.5, 0.0, (&start.0, &start.1));
+    let mut run = run.expect("in the domain");
+    let (mut reversals, mut phase) = (0, 0.0);
+    for _ in 0..400 {
+        let segment = run.next().expect("it never ends");
+        phase += segment.length;
+        if segment.event == Some(Event::Reversal) {
+            let within = phase.rem_euclid(TAU);
+            let [first, second] = [7.0, 11.0].map(|sixths| (within - sixths * PI / 6.0).abs());
+            // Sums of lengths round: 400 of them.
+            assert!(first.min(second) < 1e-9, "a reversal at {within}");
+            reversals += 1;
+        } else {
+            assert_eq!(segment.event, None);
+        }
+    }
+    let cycles = run.run().cycles();
+    println!("{reversals} reversals in {cycles} cycles, each compared");
+    assert!(cycles >= 100 && reversals + 1 >= 2 * cycles && reversals <= 2 * cycles + 2);
+}
+
+/// The holding force starts from the level itself, with no slope, and grows: rounding may say that the
+/// contact fails to leave, and where; it slides all the same.
+#[test]
+fn from_the_level_itself() {
+    let pair = system(
+        "struct Pair { masses: { a: 1, b: 1 }, springs: { base - a: 1, a - b: 1 },
+        contact: a - wall, excitation: b }",
+    );
+    let mut compared = 0;
+    for (r, beta) in [
+        (0.7, 0.25),
+        (0.7, 0.3),
+        (1.3, 0.1),
+        (0.4, 0.6),
+        (2.1, 0.45),
+        (0.9, 0.7),
+    ] {
+        // F = x̄_b − 2x̄_a, and x̄_b″ = (1 − x̄_b)/r² > 0.
+        let mut lengths: Vec<Vec<f64>> = Vec::new();
+        for velocity in [0.0, 1e-18, -1e-18, 3e-17, -3e-17, 1e-16, 1e-9] {
+            let what = format!("r = {r}, β = {beta}, from {velocity:e}");
+            let start = ([0.0, beta], [0.0, velocity]);
+            let mut run = pair
+                .simulation_from(r, beta, (&start.0, &start.1))
+                .expect("in the domain");
+            let mut found = Vec::new();
+            let mut tries = 0;
+            while found.len() < 6 {
+                let segment = run.next().expect("it never ends");
+                tries += 1;
+                // What ends a segment fits what it was.
+                let stuck = segment.contact == Contact::Stuck;
+                assert_eq!(
+                    segment.event == Some(Event::Slip),
+                    stuck,
+                    "{what}: {segment:?}"
+                );
+                assert!(tries < 100, "{what}: it does not come away");
+                if segment.length > 1e-3 {
+                    found.push(segment.length);
+                }
+            }
+            lengths.push(found);
+        }
+        // What 1e-9 does at first it does to the rest as well, times how far apart motions get.
+        let last = lengths.pop().expect("a run");
+        for other in &lengths {
+            for (a, b) in other.iter().zip(&last) {
+                assert!((a - b).abs() < 1e-6, "r = {r}, β = {beta}: {a} against {b}");
+                compared += 1;
+            }
+        }
+    }
+    println!("{compared} lengths compared, none skipped");
+    assert_eq!(compared, 6 * 6 * 6);
+}
+
+/// A stop in the middle of which the load is at its minimum: its ends lag by ±φ, and the positive one
+/// counts.
+#[test]
+fn of_equal_maxima_the_positive_lag() {
+    let chain = system(
+        "struct Chain { masses: { a: 1, b: 2.289, c: 1.466 },
+        springs: { base - a: 1, a - b: 1.526, b - c: 1.69 }, contact: a - wall, excitation: b,
+        damping: modal[0.02019, 0.2092, 0.004776], stiction: 3 }",
+    );
+    let at = chain.at(0.617).expect("in the domain");
+    let orbit = |beta: f64| at.orbit(beta).expect("a steady state");
+    // The stop at the largest z̄: its start, and by how much its middle is past π.
+    let stop = |orbit: &SystemOrbit<'_>| {
+        let positive = |start: f64| {
+            orbit
+                .contact()
+                .displacement(start + 1e-3 - orbit.state().origin())
+                > 0.0
+        };
+        let mut intervals = orbit.state().sticking_intervals();
+        let (start, length) = intervals
+            .find(|(start, _)| positive(*start))
+            .expect("a stop");
+        let start = start.rem_euclid(TAU);
+        (start, start + length * 0.5 - PI)
+    };
+    let (mut low, mut high) = (0.15, 0.45);
+    let (at_low, at_high) = (stop(&orbit(low)).1, stop(&orbit(high)).1);
+    assert!(
+        at_low * at_high < 0.0,
+        "{at_low} at {low}, {at_high} at {high}"
+    );
+    for _ in 0..80 {
+        let middle = 0.5 * (low + high);
+        if (stop(&orbit(middle)).1 < 0.0) == (at_low < 0.0) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let found = orbit(low);
+    let (start, past) = stop(&found);
+    println!("β = {low}: a stop from {start}, its middle {past:e} past π");
+    assert!(past.abs() < 1e-12 && start < PI - 0.1);
+    for motion in [found.contact(), found.mass_at(0).expect("a mass")] {
+        assert!(
+            (motion.phase() - start).abs() < 1e-9,
+            "{} instead of {start}",
+            motion.phase()
+        );
+    }
+}
+
+/// With μ = 1 there is one steady state, whatever the motion starts from and wherever it is cut: a
+/// stop shorter than 1/1000 counts among the others.
+#[test]
+fn a_short_stop_from_anywhere() {
+    let wall = block("damping: modal(0.02)");
+    let at = wall.at(0.6).expect("in the domain");
+    let stuck = |beta: f64| at.orbit(beta).expect("a steady state").stuck_fraction() * TAU / 2.0;
+    // Just above β_lim a stop is as short as one likes.
+    let (mut low, mut high) = (at.continuous_limit(), at.continuous_limit() * 1.05);
+    assert!(stuck(low * (1.0 - 1e-9)) == 0.0 && stuck(high) > 1e-3);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if stuck(middle) < 8e-4 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let beta = low;
+    let expected = at.orbit(beta).expect("a steady state");
+    println!(
+        "β = {beta}: stops of {}, {} stops",
+        stuck(beta),
+        expected.stops()
+    );
+    assert!(stuck(beta) > 1e-4 && expected.stops() >= 2);
+    let mut compared = 0;
+    for k in 0..60_000_u32 {
+        let angle = f64::from(k) * 2.399_963;
+        let size = 0.05 + 8.0 * f64::from(k) / 60_000.0;
+        let state = ([size * angle.cos()], [size * angle.sin()]);
+        let orbit = at
+            .orbit_from(beta, (&state.0, &state.1))
+            .expect("a steady state");
+        let counts = (orbit.stops(), orbit.reversals());
+        assert_eq!(
+            counts,
+            (expected.stops(), expected.reversals()),
+            "from {state:?}"
+        );
+        let apart = (orbit.stuck_fraction() - expected.stuck_fraction()).abs();
+        // A short stop's length is the root of a difference.
+        assert!(apart < 1e-9, "from {state:?}: {apart:e}");
+        compared += 1;
+    }
+    println!("{compared} starts, none skipped");
+    assert_eq!(compared, 60_000);
+}

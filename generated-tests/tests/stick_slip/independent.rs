@@ -1,0 +1,381 @@
+//! Steady states against `reference/orbits_more.json`, made by an integrator that shares no code with
+//! this project (`reference/tools`): asymmetric, of many segments, subharmonic, unstable, marginal.
+
+use frictiongen::study::{SystemOrbit, SystemOrbitMotion};
+use frictiongen::{NoOrbit, System};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::f64::consts::{PI, TAU};
+
+/// The reference ends Newton's method at 1e-14 to 1e-12 of the state, and rounds each event's place to
+/// 1e-15 over how steeply the velocity crosses zero: twenty times what comes of it.
+const TOLERANCE: f64 = 1e-11;
+/// The place of a maximum has half the digits of its height, or those of an event.
+const PHASES: f64 = 1e-7;
+/// Central differences over 1e-6 of the state.
+const MULTIPLIERS: f64 = 1e-4;
+/// A motion that approaches as 1/√n, continued from 4096 cycles to infinitely many.
+const CONTINUED: f64 = 2e-6;
+
+pub fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+fn count(value: &Value) -> usize {
+    value.as_u64().expect("a count") as usize
+}
+
+fn references() -> Vec<Value> {
+    serde_json::from_str(include_str!("../../reference/orbits_more.json")).expect("JSON")
+}
+
+/// A reference with its system.
+struct Point {
+    expected: Value,
+    system: System,
+    r: f64,
+    beta: f64,
+    what: String,
+}
+
+impl Point {
+    fn of(expected: Value) -> Self {
+        let text = expected["description"].as_str().expect("text");
+        let (r, beta) = (number(&expected["r"]), number(&expected["beta"]));
+        Self {
+            system: text.parse().expect("a scene"),
+            r,
+            beta,
+            what: format!("{text}, r = {r}, β = {beta}"),
+            expected,
+        }
+    }
+
+    fn orbit(&self) -> Result<SystemOrbit<'_>, NoOrbit> {
+        self.system
+            .at(self.r)
+            .expect("in the domain")
+            .orbit(self.beta)
+    }
+
+    fn kind(&self) -> &str {
+        self.expected["kind"].as_str().expect("a kind")
+    }
+
+    fn mu(&self) -> f64 {
+        number(&self.expected["mu"])
+    }
+}
+
+fn points(wanted: impl Fn(&Point) -> bool) -> Vec<Point> {
+    let points: Vec<Point> = references().into_iter().map(Point::of).collect();
+    let found: Vec<Point> = points.into_iter().filter(wanted).collect();
+    assert!(!found.is_empty());
+    found
+}
+
+/// Values compared and skipped, and the worst error of each kind.
+#[derive(Default)]
+struct Tally {
+    compared: usize,
+    skipped: BTreeMap<&'static str, usize>,
+    worst: BTreeMap<&'static str, (f64, String)>,
+}
+
+impl Tally {
+    fn note(&mut self, kind: &'static str, found: f64, expected: f64, scale: f64, what: &str) {
+        self.compared += 1;
+        let error = (found - expected).abs() / scale;
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        let worst = self.worst.entry(kind).or_insert((0.0, String::new()));
+        if worst.0 <= error {
+            *worst = (error, format!("{what}: {found} instead of {expected}"));
+        }
+    }
+
+    fn skip(&mut self, why: &'static str) {
+        *self.skipped.entry(why).or_insert(0) += 1;
+    }
+
+    /// Prints what was compared; every kind must be within its bar.
+    fn end(&self, bar: impl Fn(&str) -> f64) {
+        println!(
+            "{} values compared, skipped: {:?}",
+            self.compared, self.skipped
+        );
+        for (kind, (error, what)) in &self.worst {
+            println!("{kind}: {error:.1e} at {what}");
+        }
+        for (kind, (error, what)) in &self.worst {
+            assert!(*error <= bar(kind), "{kind}: {error:e} at {what}");
+        }
+    }
+}
+
+/// A motion against its reference; `largest` is the largest amplitude of a mass, for the contact's.
+fn compare(
+    motion: SystemOrbitMotion<'_, '_>,
+    expected: &Value,
+    phases: bool,
+    largest: f64,
+    tally: &mut Tally,
+    what: &str,
+) {
+    let amplitude = number(&expected["amplitude"]);
+    tally.note("amplitude", motion.amplitude(), amplitude, amplitude, what);
+    tally.note(
+        "mean",
+        motion.harmonic(0).re,
+        number(&expected["mean"]),
+        amplitude,
+        what,
+    );
+    for (n, name) in [(1, "fundamental"), (3, "third")] {
+        let Some(parts) = expected[name].as_array() else {
+            tally.skip("no third harmonic of a marginal reference");
+            continue;
+        };
+        let found = motion.harmonic(n);
+        tally.note(name, found.re, number(&parts[0]), amplitude, what);
+        tally.note(name, found.im, number(&parts[1]), amplitude, what);
+    }
+    if !phases {
+        tally.skip("no phase of a marginal reference");
+    } else if amplitude < 0.01 * largest {
+        // Its equal maxima are told apart by rounding of displacements a hundred times as large.
+        tally.skip("no phase where the contact moves less than 1/100 of the masses");
+    } else if expected["phase"].is_null() {
+        tally.skip("no phase where two maxima are equal");
+    } else {
+        let apart = (motion.phase() - number(&expected["phase"])).rem_euclid(TAU);
+        tally.note("phase", (apart + PI).rem_euclid(TAU) - PI, 0.0, 1.0, what);
+    }
+}
+
+fn all_motions(orbit: &SystemOrbit<'_>, point: &Point, phases: bool, tally: &mut Tally) {
+    let (expected, what) = (&point.expected, &point.what);
+    let masses = expected["masses"].as_array().expect("masses");
+    let amplitudes = masses.iter().map(|mass| number(&mass["amplitude"]));
+    let largest = amplitudes.fold(0.0, f64::max);
+    let contact = &expected["contact"];
+    compare(orbit.contact(), contact, phases, largest, tally, what);
+    assert_eq!(masses.len(), point.system.scene().masses.len(), "{what}");
+    for (mass, expected) in masses.iter().enumerate() {
+        let motion = orbit.mass_at(mass).expect("a mass");
+        compare(motion, expected, phases, 0.0, tally, what);
+    }
+}
+
+fn reported(point: &Point) -> bool {
+    point.kind() == "steady"
+        && count(&point.expected["period"]) == 1
+        && count(&point.expected["segments"]) <= 64
+}
+
+/// What repeats after a cycle, value by value.
+#[test]
+fn of_one_cycle() {
+    let points = points(reported);
+    let mut tally = Tally::default();
+    let (mut asymmetric, mut many, mut turning, mut between) = (0, 0, 0, 0);
+    for point in &points {
+        let (expected, what) = (&point.expected, &point.what);
+        let orbit = point
+            .orbit()
+            .unwrap_or_else(|error| panic!("{what}: {error}"));
+        let (stops, reversals) = (count(&expected["stops"]), count(&expected["reversals"]));
+        assert_eq!(
+            (orbit.stops(), orbit.reversals()),
+            (stops, reversals),
+            "{what}"
+        );
+        let symmetric = expected["symmetric"].as_bool().expect("a flag");
+        assert_eq!(orbit.is_symmetric(), symmetric, "{what}");
+        assert!(orbit.is_stable() && !orbit.is_marginal(), "{what}");
+        let stuck = number(&expected["stuck_fraction"]);
+        tally.note("stuck fraction", orbit.stuck_fraction(), stuck, 1.0, what);
+        let moduli = orbit.multipliers().iter().map(|value| value.norm());
+        let largest = moduli.fold(0.0, f64::max);
+        tally.note(
+            "multiplier",
+            largest,
+            number(&expected["multiplier"]),
+            1.0,
+            what,
+        );
+        if expected["origin"].is_null() {
+            tally.skip("no origin where two maxima are equal");
+        } else {
+            let apart = (orbit.state().origin() - number(&expected["origin"])).rem_euclid(TAU);
+            tally.note("origin", (apart + PI).rem_euclid(TAU) - PI, 0.0, 1.0, what);
+        }
+        all_motions(&orbit, point, true, &mut tally);
+        asymmetric += usize::from(!symmetric);
+        many += usize::from(stops >= 3);
+        turning += usize::from(reversals >= 6);
+        between += usize::from(count(&expected["held_between"]) > 0);
+    }
+    println!(
+        "{} states: {asymmetric} asymmetric, {many} of three stops and more, {turning} of six reversals \
+         and more, {between} with stops under forces between β and μβ",
+        points.len()
+    );
+    assert!(points.len() >= 60 && asymmetric >= 20 && many >= 30 && turning >= 3 && between >= 15);
+    tally.end(|kind| match kind {
+        "phase" => PHASES,
+        "multiplier" => MULTIPLIERS,
+        _ => TOLERANCE,
+    });
+}
+
+/// z̄ is largest where τ is counted from, whichever of several maxima that is.
+#[test]
+fn counted_from_the_largest() {
+    let several = |point: &Point| {
+        reported(point)
+            && point.expected["others_below"]
+                .as_f64()
+                .is_some_and(|below| below > 1e-3)
+    };
+    let points = points(several);
+    for point in &points {
+        let orbit = point.orbit().expect("a steady state");
+        let (contact, what) = (orbit.contact(), &point.what);
+        let start = contact.displacement(0.0);
+        let samples = (0..2000).map(|k| contact.displacement(TAU * f64::from(k) / 2000.0));
+        let largest = samples.fold(f64::MIN, f64::max);
+        // A sample is no higher than the maximum, but for rounding.
+        assert!(
+            largest <= start + 1e-12 * start.abs().max(1.0),
+            "{what}: {largest} above {start}"
+        );
+    }
+    println!("{} states with maxima of different height", points.len());
+    assert!(points.len() >= 20);
+}
+
+/// The references in which the force at a stop lies between β and μβ would be others if β decided.
+#[test]
+fn the_rule_matters() {
+    let (mut other, mut none) = (0, 0);
+    for point in points(|point| {
+        point.expected["held_between"]
+            .as_u64()
+            .is_some_and(|held| held > 0)
+    }) {
+        let wrong = &point.expected["by_beta"];
+        if wrong["stops"].is_null() {
+            none += 1;
+            continue;
+        }
+        let stops = (count(&wrong["stops"]), count(&wrong["reversals"]));
+        let own = (
+            count(&point.expected["stops"]),
+            count(&point.expected["reversals"]),
+        );
+        let amplitude = number(&point.expected["contact"]["amplitude"]);
+        let apart = (number(&wrong["contact_amplitude"]) / amplitude - 1.0).abs();
+        if stops != own || apart > 1e-3 {
+            other += 1;
+        }
+        assert!(point.mu() > 1.0, "{}", point.what);
+    }
+    println!("{other} would have other stops or another amplitude, {none} would not settle");
+    assert!(other >= 20);
+}
+
+/// The library told of subharmonic motions up to 16 cycles when these were made.
+#[test]
+fn of_several_cycles() {
+    let (mut told, mut longer) = (BTreeMap::new(), 0);
+    for point in points(|point| point.kind() == "steady" && count(&point.expected["period"]) > 1) {
+        let period = count(&point.expected["period"]) as u32;
+        let found = point
+            .orbit()
+            .map(|orbit| (orbit.stops(), orbit.reversals()));
+        if period <= 16 {
+            assert_eq!(found, Err(NoOrbit::Subharmonic(period)), "{}", point.what);
+            *told.entry(period).or_insert(0) += 1;
+        } else {
+            assert!(
+                matches!(found, Err(NoOrbit::Unsettled | NoOrbit::Unstable)),
+                "{}",
+                point.what
+            );
+            longer += 1;
+        }
+    }
+    println!("periods and how many: {told:?}; {longer} longer than 16 cycles");
+    assert!(told.len() >= 8 && told.values().sum::<usize>() >= 15);
+}
+
+/// A fixed point from which deviations grow is called unstable by whoever starts on it, and where the
+/// motion from rest neither repeats nor settles, from rest.
+#[test]
+fn unstable() {
+    let points = points(|point| point.kind() == "unstable");
+    for point in &points {
+        let (expected, what) = (&point.expected, &point.what);
+        assert!(number(&expected["multiplier"]) > 1.01, "{what}");
+        assert_eq!(
+            point.orbit().map(|orbit| orbit.stops()),
+            Err(NoOrbit::Unstable),
+            "{what}"
+        );
+        let state: Vec<f64> = expected["state"]
+            .as_array()
+            .expect("a state")
+            .iter()
+            .map(number)
+            .collect();
+        let (x, v) = state.split_at(state.len() / 2);
+        let at = point.system.at(point.r).expect("in the domain");
+        let found = at.orbit_from(point.beta, (x, v)).map(|orbit| orbit.stops());
+        assert_eq!(
+            found,
+            Err(NoOrbit::Unstable),
+            "{what}, from the fixed point"
+        );
+    }
+    println!("{} unstable fixed points", points.len());
+    assert!(points.len() >= 4);
+}
+
+#[test]
+fn too_many_events() {
+    let beyond = |point: &Point| {
+        point.expected["segments"]
+            .as_u64()
+            .is_some_and(|count| count > 64)
+    };
+    let points = points(|point| beyond(point) && count(&point.expected["period"]) == 1);
+    for point in &points {
+        let found = point.orbit().map(|orbit| orbit.stops());
+        assert_eq!(found, Err(NoOrbit::TooManyEvents), "{}", point.what);
+    }
+    println!("{} states of more than 64 segments", points.len());
+}
+
+/// What a motion tends to whose stops shrink for ever.
+#[test]
+fn marginal() {
+    let points = points(|point| point.kind() == "marginal");
+    let mut tally = Tally::default();
+    for point in &points {
+        let what = &point.what;
+        let orbit = point
+            .orbit()
+            .unwrap_or_else(|error| panic!("{what}: {error}"));
+        assert!(orbit.is_marginal() && orbit.is_stable(), "{what}");
+        assert_eq!(orbit.stops(), 0, "{what}");
+        assert!(
+            number(&point.expected["stuck_fraction"]).abs() < 1e-6,
+            "{what}"
+        );
+        assert!(number(&point.expected["known_to"]) < CONTINUED, "{what}");
+        all_motions(&orbit, point, false, &mut tally);
+    }
+    println!("{} marginal states", points.len());
+    assert!(points.len() >= 4);
+    tally.end(|_| CONTINUED);
+}
