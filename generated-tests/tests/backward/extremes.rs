@@ -1,19 +1,22 @@
 //! `reference/extremes.json`: beside poles and sub-harmonics, at vanishing, critical and over-critical
 //! damping, for spreads of twelve decades, at nearly equal modes, at r = 0 and r = ∞.
 
-use crate::asked::{Asked, Place, answer};
-use crate::measure::{Error, Judge, Scene};
+use crate::asked::{Asked, Of, Place, Watched, motion};
+use crate::inputs::Exact;
+use crate::judge::{Answer, Judge, modulus};
+use crate::questions::first;
+use crate::tally::Tally;
 use frictiongen::study::System;
-use frictiongen_codegen::{Limits, parse_text};
 use frictiongen_kernel::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
-use frictiongen_model::modal::Modal;
-use generated_tests::data::Data;
 use serde_json::Value;
-use std::collections::BTreeMap;
 
 /// In roundings, 2^-52 of each input.
 const BAR: f64 = 64.0;
+
+/// What the reference holds.
+const SCENES: u64 = 48;
+const VALUES: u64 = 1;
 
 fn scenes() -> Vec<Value> {
     serde_json::from_str(include_str!("../../reference/extremes.json")).expect("JSON")
@@ -56,80 +59,82 @@ fn double(value: &Value) -> f64 {
 }
 
 struct Case {
-    name: String,
-    place: Place<f64>,
     asked: Asked,
     want: Dd,
 }
 
-fn cases(scene: &Value) -> Vec<Case> {
-    let mut cases = Vec::new();
+/// A place of the reference, with all that is known there.
+struct Cases {
+    name: String,
+    place: Place<f64>,
+    cases: Vec<Case>,
+}
+
+fn value(value: &Value) -> Dd {
+    if value == "inf" {
+        Dd::from(f64::INFINITY)
+    } else {
+        exact(value)
+    }
+}
+
+fn cases(scene: &Value) -> Vec<Cases> {
+    let mut all = Vec::new();
     for point in list(&scene["points"]) {
         let r = double(&point["r"]);
-        let mut add = |beta: f64, asked: Asked, value: &Value| {
-            if !value.is_null() {
-                cases.push(Case {
-                    name: format!("{}, r = {r}, beta = {beta}", scene["name"]),
-                    place: Place { r, beta, tau: 1.0 },
-                    asked,
-                    want: if value == "inf" {
-                        Dd::from(f64::INFINITY)
-                    } else {
-                        exact(value)
-                    },
-                });
-            }
+        let mut at = |beta: f64, known: Vec<(Asked, &Value)>| {
+            let known = known.into_iter().filter(|(_, value)| !value.is_null());
+            all.push(Cases {
+                name: format!("{}, r = {r}, beta = {beta}", scene["name"]),
+                place: Place { r, beta, tau: 1.0 },
+                cases: known
+                    .map(|(asked, known)| Case {
+                        asked,
+                        want: value(known),
+                    })
+                    .collect(),
+            });
         };
-        add(0.0, Asked::ContinuousLimit, &point["continuous_limit"]);
-        add(
-            0.0,
-            Asked::WithoutSearch,
-            &point["continuous_limit_without_search"],
-        );
-        add(0.0, Asked::SlidingLimit, &point["sliding_limit"]);
+        let limits = [
+            (Asked::ContinuousLimit, "continuous_limit"),
+            (Asked::WithoutSearch, "continuous_limit_without_search"),
+            (Asked::SlidingLimit, "sliding_limit"),
+        ];
+        at(0.0, limits.map(|(asked, key)| (asked, &point[key])).into());
         for motion in list(&point["motions"]) {
-            let beta = double(&motion["beta"]);
-            add(beta, Asked::ContactAmplitude, &motion["contact_amplitude"]);
-            add(beta, Asked::ContactPhase, &motion["contact_phase"]);
-            for (mass, value) in list(&motion["displacement_at_1"]).iter().enumerate() {
-                add(beta, Asked::Displacement(mass), value);
-            }
+            let mut known = vec![
+                (Asked::Amplitude(Of::Contact), &motion["contact_amplitude"]),
+                (Asked::Phase(Of::Contact), &motion["contact_phase"]),
+            ];
+            let displacements = list(&motion["displacement_at_1"]).iter().enumerate();
+            known.extend(
+                displacements.map(|(mass, value)| (Asked::Displacement(Of::Mass(mass)), value)),
+            );
+            at(double(&motion["beta"]), known);
         }
     }
-    cases
+    all
 }
 
 fn description(scene: &Value) -> &str {
     scene["description"].as_str().expect("a description")
 }
 
-fn modal(scene: &Value) -> Modal {
-    let parsed = parse_text(description(scene), &Limits::RUN_TIME).expect("a valid scene");
-    Modal::of(&parsed.scene)
-}
-
-fn data<S: Float>(modal: &Modal, to: impl Fn(Dd) -> S) -> Data<S> {
-    Data {
-        reduced: modal.reduced(to),
-        contact: modal.contact,
-    }
-}
-
 /// What a system answers through its public face.
-fn ask<S: Float>(system: &System<S>, case: &Case) -> S {
+fn ask<S: Float>(system: &System<S>, name: &str, place: &Place<f64>, asked: Asked) -> S {
     let constant = |value: f64| S::constant(value);
-    let at = system.at(constant(case.place.r)).expect("in the domain");
+    let at = system.at(constant(place.r)).expect("in the domain");
     let motion = || {
-        at.motion(constant(case.place.beta))
-            .unwrap_or_else(|error| panic!("{}: {error}", case.name))
+        at.motion(constant(place.beta))
+            .unwrap_or_else(|error| panic!("{name}: {error}"))
     };
-    match case.asked {
+    match asked {
         Asked::ContinuousLimit => at.continuous_limit(),
         Asked::WithoutSearch => at.continuous_limit_without_search(),
         Asked::SlidingLimit => at.sliding_limit(),
-        Asked::ContactAmplitude => motion().contact().amplitude(),
-        Asked::ContactPhase => motion().contact().phase(),
-        Asked::Displacement(mass) => motion()
+        Asked::Amplitude(Of::Contact) => motion().contact().amplitude(),
+        Asked::Phase(Of::Contact) => motion().contact().phase(),
+        Asked::Displacement(Of::Mass(mass)) => motion()
             .mass_at(mass)
             .expect("a mass")
             .displacement(constant(1.0)),
@@ -137,85 +142,85 @@ fn ask<S: Float>(system: &System<S>, case: &Case) -> S {
     }
 }
 
-fn real(value: Dd) -> Complex<Dd> {
-    Complex::new(value, Dd::from(0.0))
+/// What was told of a case: measured against its own size, a displacement against its motion's.
+fn told(judge: &Judge<'_>, case: &Case, got: Dd) -> Answer {
+    let real = |value: Dd| Complex::new(value, Dd::from(0.0));
+    let instant = match case.asked {
+        Asked::ContinuousLimit => first(&judge.at().constraint_peak()),
+        _ => None,
+    };
+    let own = match case.asked {
+        Asked::Phase(_) => Dd::PI,
+        Asked::Displacement(of) => {
+            let motion = motion(judge.at(), of, judge.place().beta);
+            motion.amplitude_monoharmonic().max(case.want.abs())
+        }
+        _ => modulus(real(case.want)),
+    };
+    Answer {
+        watched: Watched {
+            asked: case.asked,
+            instant,
+            lag: None,
+        },
+        got: real(got),
+        size: own,
+        strict: own,
+        own,
+    }
 }
 
-/// The double-double reading, which serves as a reference elsewhere, against the reference: to the
-/// 20 digits that it has, wherever the formulas have a condition below 1e10.
+/// Every value of the reference from systems in a scalar, in roundings `epsilon` of the scenes' inputs.
+fn compared<S: Float>(epsilon: f64, exact: impl Fn(S) -> Dd) -> Tally {
+    let mut tally = Tally::default();
+    for scene in scenes() {
+        let system: System<S> = description(&scene).parse().expect("a valid scene");
+        let reference = Exact::of(&description(&scene).parse().expect("a valid scene"));
+        tally.scenes += 1;
+        for Cases { name, place, cases } in cases(&scene) {
+            let real = |value: Dd| Complex::new(value, Dd::from(0.0));
+            if place.r == 0.0 || !place.r.is_finite() {
+                for case in &cases {
+                    let got = exact(ask(&system, &name, &place, case.asked));
+                    let (got, want) = (got.to_f64(), case.want.to_f64());
+                    let off = (got - want).abs();
+                    assert!(
+                        got == want || off <= 4.0 * S::EPSILON.max(epsilon) * want.abs(),
+                        "{name}: {got:e}, reference {want:e}"
+                    );
+                    tally.skip("an end of the range of r, to four roundings");
+                }
+                continue;
+            }
+            let judge = Judge::new(&reference, place.read(Dd::from), epsilon, BAR);
+            let ask = |case: &Case| exact(ask(&system, &name, &place, case.asked));
+            let answers: Vec<Answer> = cases
+                .iter()
+                .map(|case| told(&judge, case, ask(case)))
+                .collect();
+            let want: Vec<_> = cases.iter().map(|case| real(case.want)).collect();
+            let verdict = judge.compared(&answers, &want);
+            tally.note(&answers, &verdict, BAR, || name.clone());
+        }
+    }
+    tally
+}
+
+/// The double-double reading, which is the reference of everything else here, against the reference: to the 20 digits
+/// that it has.
 #[test]
 fn double_double_is_a_reference() {
-    let mut worst = (0.0, String::new());
-    for scene in scenes() {
-        let exact = Scene::new(data(&modal(&scene), |value| value));
-        for case in cases(&scene) {
-            if case.place.r == 0.0 || !case.place.r.is_finite() {
-                continue;
-            }
-            let place = case.place.read(Dd::from);
-            // In roundings of 2^-64, which is the reference's last digit.
-            let judge = Judge::new(&exact, place, 2f64.powi(-64), 64.0);
-            let got = answer(&judge.at, &place, case.asked);
-            let error = judge.known(case.asked, got, case.want);
-            if error.backward > worst.0 {
-                worst = (
-                    error.backward,
-                    format!(
-                        "{} {:?}: {:?} for {:?}",
-                        case.name, case.asked, got.re, case.want
-                    ),
-                );
-            }
-        }
-    }
-    println!("double-double: {:.2} x 2^-64 at {}", worst.0, worst.1);
-    assert!(worst.0 <= 1.0, "{} at {}", worst.0, worst.1);
+    let tally = compared::<Dd>(2f64.powi(-64), |value| value);
+    tally.print("double-double, in roundings of 2^-64");
+    assert_eq!(tally.above.len(), 0);
+    assert_eq!((tally.scenes, tally.answers()), (SCENES, VALUES));
 }
 
-/// Every value through the run-time system, in roundings of its inputs.
+/// Every value through the run-time system.
 #[test]
 fn every_value() {
-    let mut worst: BTreeMap<&str, (Error, String)> = BTreeMap::new();
-    let mut failures = Vec::new();
-    for scene in scenes() {
-        let system: System = description(&scene).parse().expect("a valid scene");
-        let rounded = Scene::new(data(&modal(&scene), Dd::to_f64).read(Dd::from));
-        for case in cases(&scene) {
-            let got = ask(&system, &case);
-            assert!(!got.is_nan(), "{}: {:?} is NaN", case.name, case.asked);
-            if case.place.r == 0.0 || !case.place.r.is_finite() {
-                let want = case.want.to_f64();
-                assert!(
-                    got == want || (got - want).abs() <= 4.0 * f64::EPSILON * want.abs(),
-                    "{}: {got:e}, reference {want:e}",
-                    case.name
-                );
-                continue;
-            }
-            let judge = Judge::new(&rounded, case.place.read(Dd::from), f64::EPSILON, BAR);
-            let error = judge.known(case.asked, real(Dd::from(got)), case.want);
-            let line = format!("{}: {got:e} for {:e}", case.name, case.want.to_f64());
-            if !(error.backward <= BAR) {
-                failures.push(format!("{:?} {line}: {error:?}", case.asked));
-            }
-            let entry = worst
-                .entry(case.asked.kind())
-                .or_insert_with(|| (error, line.clone()));
-            if entry.0.backward < error.backward {
-                *entry = (error, line);
-            }
-        }
-    }
-    for (kind, (error, line)) in &worst {
-        println!(
-            "{kind:>18}: backward {:.2}, forward {:.2e} at {line}",
-            error.backward, error.forward
-        );
-    }
-    assert!(
-        failures.is_empty(),
-        "{} failures:\n{}",
-        failures.len(),
-        failures.join("\n")
-    );
+    let tally = compared::<f64>(f64::EPSILON, Dd::from);
+    tally.print("f64");
+    assert_eq!(tally.above.len(), 0);
+    assert_eq!((tally.scenes, tally.answers()), (SCENES, VALUES));
 }

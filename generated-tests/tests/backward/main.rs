@@ -2,7 +2,7 @@
 //! it is the exact one.
 
 mod asked;
-
+mod extremes;
 mod fit;
 mod inputs;
 mod instant;
@@ -10,5 +10,5 @@ mod judge;
 mod property;
 mod questions;
 mod random;
-
+mod seen;
 mod tally;

@@ -254,7 +254,9 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         let of = Of::Mass(mass);
         let real = |value: S| Complex::new(value, S::constant(0.0));
         let peak = of_mass.peak();
-        let found = if self.searched {
+        // What is left of larger motions is all rounding, in double-double too.
+        let is_far = exact.amplitude_monoharmonic() < widest * Dd::from(FAR);
+        let found = if self.searched && !is_far {
             None
         } else {
             first(&peak).map(self.exact)

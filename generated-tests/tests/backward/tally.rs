@@ -106,12 +106,12 @@ impl Tally {
         }
     }
 
-    pub fn count(&self, kind: &str) -> u64 {
-        self.kinds.get(kind).map_or(0, |kind| kind.count)
+    pub fn answers(&self) -> u64 {
+        self.kinds.values().map(|kind| kind.count).sum()
     }
 
-    pub fn skipped(&self, reason: &str) -> u64 {
-        self.skipped.get(reason).copied().unwrap_or(0)
+    pub fn counts(&self) -> impl Iterator<Item = (&'static str, u64)> {
+        self.kinds.iter().map(|(name, kind)| (*name, kind.count))
     }
 
     pub fn places(&self) -> u64 {
@@ -119,9 +119,9 @@ impl Tally {
     }
 
     pub fn print(&self, title: &str) {
-        let answers: u64 = self.kinds.values().map(|kind| kind.count).sum();
         println!(
-            "{title}: {answers} answers, {} places, {} scenes; {} places above, worst {:.2} at {}",
+            "{title}: {} answers, {} places, {} scenes; {} places above, worst {:.2} at {}",
+            self.answers(),
             self.places,
             self.scenes,
             self.above.len(),
