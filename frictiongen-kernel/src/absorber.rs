@@ -9,8 +9,11 @@ use crate::chain::{Chain, ContactAt, ModeAt};
 use crate::mode::Mode;
 use crate::scalar::Float;
 
-/// Nearer to a common zero than this, relative to the sums, the series is the more accurate.
-const NEAR: f64 = 1e-4;
+/// Nearer to a common zero than this, relative to the sums, the series is the more accurate: it leaves out
+/// the fourth power of the distance, and the quotient loses a rounding over it.
+fn near<S: Float>() -> S {
+    S::constant(S::EPSILON).sqrt().sqrt()
+}
 
 impl<S: Float> Chain<S> {
     /// V/H of an undamped chain beside a common zero of both; none elsewhere.
@@ -21,7 +24,7 @@ impl<S: Float> Chain<S> {
         modes: &[Mode<S>],
         at: &[ModeAt<S>],
     ) -> Option<S> {
-        let (zero, near) = (S::constant(0.0), S::constant(NEAR));
+        let (zero, near) = (S::constant(0.0), near::<S>());
         let (v, h) = (contact.v.re, contact.h.re);
         if self.damped || h.abs() > near * self.mobility {
             return None;

@@ -1,14 +1,24 @@
-//! `reference/closed_form.json`, and a comparison of any system with it.
+//! `reference/closed_form.json` and `reference/extremes.json`, and a comparison of any system with them.
+//!
+//! A comparison counts what it compares, by kind.  A value that the reference does not have is no
+//! reason to compare less: a missing key or a list of another length panics.
 
 use frictiongen::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady, StuckAt};
 use frictiongen_kernel::Float;
+use frictiongen_kernel::dd::Dd;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
-/// The reference's scenes.
+/// The scenes of `closed_form.json`.
 pub fn closed_form() -> Vec<Value> {
     let text = include_str!("../reference/closed_form.json");
+    serde_json::from_str(text).expect("the reference is JSON")
+}
+
+/// The scenes of `extremes.json`.
+pub fn extremes() -> Vec<Value> {
+    let text = include_str!("../reference/extremes.json");
     serde_json::from_str(text).expect("the reference is JSON")
 }
 
@@ -20,135 +30,261 @@ pub fn number(value: &Value) -> f64 {
     }
 }
 
-fn list(value: &Value) -> &[Value] {
-    value.as_array().map_or(&[], Vec::as_slice)
+/// A number of the reference with all of its 20 digits.
+pub fn exact(value: &Value) -> Dd {
+    let text = match value {
+        Value::String(text) => text.clone(),
+        Value::Number(number) => number.to_string(),
+        other => panic!("{other} is no number"),
+    };
+    if text == "inf" {
+        return Dd::from(f64::INFINITY);
+    }
+    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((&text, "0"));
+    let exponent: i32 = exponent.parse().expect("an exponent");
+    let (negative, mantissa) = match mantissa.strip_prefix('-') {
+        Some(rest) => (true, rest),
+        None => (false, mantissa),
+    };
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let ten = Dd::from(10.0);
+    let mut sum = Dd::from(0.0);
+    for digit in whole.chars().chain(fraction.chars()) {
+        sum = sum * ten + Dd::from(f64::from(digit.to_digit(10).expect("a digit")));
+    }
+    let places = exponent - i32::try_from(fraction.len()).expect("few digits");
+    for _ in 0..places.abs() {
+        sum = if places < 0 { sum / ten } else { sum * ten };
+    }
+    if negative { -sum } else { sum }
 }
 
-/// The largest error of each kind of quantity, and where it is.
+/// The scene's description.
+pub fn description(scene: &Value) -> &str {
+    scene["description"].as_str().expect("a description")
+}
+
+/// A list that the reference has to have.
+pub fn list<'a>(value: &'a Value, what: &str) -> &'a [Value] {
+    let list = value.as_array().map(Vec::as_slice);
+    list.unwrap_or_else(|| panic!("the reference has no list of {what}"))
+}
+
+/// The same, of so many.
+pub fn list_of<'a>(value: &'a Value, length: usize, what: &str) -> &'a [Value] {
+    let list = list(value, what);
+    assert_eq!(list.len(), length, "the reference's list of {what}");
+    list
+}
+
+/// What a kind of quantity came to.
 #[derive(Clone, Debug, Default)]
-pub struct Worst(pub BTreeMap<&'static str, (f64, String)>);
+pub struct Kind {
+    /// How many values were compared.
+    pub compared: usize,
+    /// The largest error.
+    pub error: f64,
+    /// Where it is.
+    pub place: String,
+}
+
+/// The largest error of each kind of quantity, where it is, and how many were compared.
+#[derive(Clone, Debug, Default)]
+pub struct Worst(pub BTreeMap<&'static str, Kind>);
+
+/// A value in double-double, whatever its scalar.
+fn wide<S: Float>(value: S) -> Dd {
+    let high = value.to_f64();
+    if !high.is_finite() {
+        return Dd::from(high);
+    }
+    Dd::from(high) + Dd::from((value - S::constant(high)).to_f64())
+}
 
 impl Worst {
     /// Notes an error, relative to `scale`.  References below 1e-30 are zeros.
-    fn note(&mut self, kind: &'static str, got: f64, want: f64, scale: f64, place: &str) {
-        let zeros = got.abs() < 1e-30 && want.abs() < 1e-30;
-        let mut error = if got == want || zeros {
+    pub fn note<S: Float>(
+        &mut self,
+        kind: &'static str,
+        got: S,
+        want: &Value,
+        scale: f64,
+        place: &str,
+    ) {
+        let (got, want) = (wide(got), exact(want));
+        let zeros = got.to_f64().abs() < 1e-30 && want.to_f64().abs() < 1e-30;
+        let same = got.to_f64() == want.to_f64() && !got.to_f64().is_finite();
+        let error = if same || zeros {
             0.0
         } else {
-            (got - want).abs() / scale
+            (got - want).to_f64().abs() / scale
         };
-        if error.is_nan() {
-            error = f64::INFINITY;
+        self.put(
+            kind,
+            error,
+            format_args!("{place}: {got:?}, reference {want:?}"),
+        );
+    }
+
+    /// Notes the error of an angle, which may be a whole turn away.
+    pub fn note_angle<S: Float>(&mut self, kind: &'static str, got: S, want: &Value, place: &str) {
+        let (got, want) = (wide(got), exact(want));
+        let mut error = got - want;
+        if error.to_f64().abs() > PI {
+            let turn = Dd::PI + Dd::PI;
+            error = error - turn * Dd::from((error.to_f64() / TAU).round());
         }
-        let worst = self.0.entry(kind).or_insert_with(|| (0.0, String::new()));
-        if worst.0 < error {
-            *worst = (error, format!("{place}: {got:e}, reference {want:e}"));
+        let place = format_args!("{place}: {got:?}, reference {want:?}");
+        self.put(kind, error.to_f64().abs(), place);
+    }
+
+    fn put(&mut self, kind: &'static str, error: f64, place: std::fmt::Arguments<'_>) {
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        let worst = self.0.entry(kind).or_default();
+        worst.compared += 1;
+        if worst.error < error {
+            (worst.error, worst.place) = (error, place.to_string());
         }
     }
 
     /// The larger of both, kind by kind.
     pub fn join(&mut self, other: Self) {
-        for (kind, (error, place)) in other.0 {
-            let worst = self.0.entry(kind).or_insert_with(|| (0.0, String::new()));
-            if worst.0 <= error {
-                *worst = (error, place);
+        for (kind, other) in other.0 {
+            let worst = self.0.entry(kind).or_default();
+            worst.compared += other.compared;
+            if worst.error < other.error {
+                (worst.error, worst.place) = (other.error, other.place);
             }
         }
+    }
+
+    /// How many values were compared, by kind.
+    pub fn compared(&self) -> Vec<(&'static str, usize)> {
+        let all = self.0.iter();
+        all.map(|(kind, worst)| (*kind, worst.compared)).collect()
     }
 
     /// What exceeds its tolerance, readable; `tolerance` is by kind of quantity.
     pub fn beyond(&self, tolerance: impl Fn(&str) -> f64) -> Vec<String> {
         let all = self.0.iter();
-        all.filter(|(kind, (error, _))| *error > tolerance(kind))
-            .map(|(kind, (error, place))| format!("{kind}: {error:.2e} at {place}"))
+        all.filter(|(kind, worst)| !(worst.error <= tolerance(kind)))
+            .map(|(kind, worst)| format!("{kind}: {:.2e} at {}", worst.error, worst.place))
             .collect()
     }
 }
 
 impl std::fmt::Display for Worst {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        for (kind, (error, place)) in &self.0 {
-            writeln!(f, "{kind:>26}: {error:.2e}  {place}")?;
+        for (kind, worst) in &self.0 {
+            writeln!(
+                f,
+                "{kind:>26}: {} compared, none skipped; worst {:.2e}  {}",
+                worst.compared, worst.error, worst.place
+            )?;
         }
         Ok(())
     }
 }
 
-fn angle(got: f64, want: f64) -> f64 {
-    let difference = (got - want).rem_euclid(TAU);
-    if difference > PI {
-        difference - TAU
-    } else {
-        difference
+/// Both limits and that without search, as far as the reference has them.
+fn compare_limits<S: Float>(
+    at: &impl LimitsAt<Scalar = S>,
+    point: &Value,
+    place: &str,
+    worst: &mut Worst,
+) {
+    let limits = [
+        (
+            "continuous limit",
+            at.continuous_limit(),
+            "continuous_limit",
+        ),
+        (
+            "without search",
+            at.continuous_limit_without_search(),
+            "continuous_limit_without_search",
+        ),
+        ("sliding limit", at.sliding_limit(), "sliding_limit"),
+    ];
+    for (kind, got, key) in limits {
+        let want = &point[key];
+        if !want.is_null() {
+            worst.note(kind, got, want, number(want).abs(), place);
+        }
     }
 }
 
-/// Every value of one reference scene against a system.
+fn compare_frequencies<F: FrictionSystem>(system: &F, reference: &Value, worst: &mut Worst)
+where
+    F::Scalar: Float,
+{
+    let resonances = system.resonances();
+    let ratios = &reference["natural_frequency_ratios"];
+    for (resonance, want) in resonances
+        .iter()
+        .zip(list_of(ratios, resonances.len(), "frequencies"))
+    {
+        worst.note("natural frequency", *resonance, want, number(want), "");
+    }
+}
+
+/// Every value of one scene of `closed_form.json` against a system.
 pub fn compare<S: Float, F: FrictionSystem<Scalar = S>>(system: &F, reference: &Value) -> Worst
 where
     for<'a> F::At<'a>: MotionAt<Scalar = S> + StuckAt,
 {
     let mut worst = Worst::default();
-    let ratios = list(&reference["natural_frequency_ratios"]);
-    for (resonance, want) in system.resonances().iter().zip(ratios) {
-        let want = number(want);
-        worst.note("natural frequency", resonance.to_f64(), want, want, "");
-    }
-    for point in list(&reference["points"]) {
+    compare_frequencies(system, reference, &mut worst);
+    let masses = system.masses();
+    for point in list_of(&reference["points"], 3, "points") {
         let r = number(&point["r"]);
         let place = format!("r = {r}");
         let at = system.at(S::constant(r)).expect("a ratio in the domain");
-        let limits = [
-            (
-                "continuous limit",
-                at.continuous_limit(),
-                "continuous_limit",
-            ),
-            (
-                "without search",
-                at.continuous_limit_without_search(),
-                "continuous_limit_without_search",
-            ),
-            ("sliding limit", at.sliding_limit(), "sliding_limit"),
-        ];
-        for (kind, got, key) in limits {
-            let want = number(&point[key]);
-            worst.note(kind, got.to_f64(), want, want.abs(), &place);
-        }
-        let stuck = list(&point["stuck"]);
+        compare_limits(&at, point, &place, &mut worst);
+        let stuck = list_of(&point["stuck"], masses, "stuck amplitudes");
         let amplitude = |value: &Value| number(&value[0]).hypot(number(&value[1]));
         let largest = stuck.iter().map(amplitude).fold(1e-300, f64::max);
         for (mass, want) in stuck.iter().enumerate() {
             let got = at.stuck_mass(mass).expect("no resonance").expect("a mass");
-            worst.note("stuck", got.re.to_f64(), number(&want[0]), largest, &place);
-            worst.note("stuck", got.im.to_f64(), number(&want[1]), largest, &place);
+            worst.note("stuck", got.re, &want[0], largest, &place);
+            worst.note("stuck", got.im, &want[1], largest, &place);
         }
-        for motion in list(&point["motions"]) {
-            compare_motion(&at, motion, &place, &mut worst);
+        for reference in list_of(&point["motions"], 2, "motions") {
+            compare_motion(&at, reference, masses, &place, &mut worst);
         }
     }
     worst
 }
 
+fn compare_contact<S: Float>(
+    motion: &impl ContinuousMotion<Scalar = S>,
+    reference: &Value,
+    place: &str,
+    worst: &mut Worst,
+) {
+    let (amplitude, phase) = motion
+        .ask(Of::Contact, |contact| {
+            (contact.amplitude(), contact.phase())
+        })
+        .expect("the contact");
+    let want = &reference["contact_amplitude"];
+    worst.note("contact amplitude", amplitude, want, number(want), place);
+    worst.note_angle("contact phase", phase, &reference["contact_phase"], place);
+}
+
 fn compare_motion<S: Float>(
     at: &impl MotionAt<Scalar = S>,
     reference: &Value,
+    masses: usize,
     place: &str,
     worst: &mut Worst,
 ) {
     let beta = number(&reference["beta"]);
     let place = format!("{place}, beta = {beta}");
     let motion = at.motion(S::constant(beta)).expect("a continuous motion");
-    let (amplitude, phase) = motion
-        .ask(Of::Contact, |contact| {
-            (contact.amplitude().to_f64(), contact.phase().to_f64())
-        })
-        .expect("the contact");
-    let want = number(&reference["contact_amplitude"]);
-    worst.note("contact amplitude", amplitude, want, want, &place);
-    let want = number(&reference["contact_phase"]);
-    worst.note("contact phase", angle(phase, want), 0.0, 1.0, &place);
-    for (mass, want) in list(&reference["masses"]).iter().enumerate() {
+    compare_contact(&motion, reference, &place, worst);
+    let wanted = list_of(&reference["masses"], masses, "masses");
+    for (mass, want) in wanted.iter().enumerate() {
         let place = format!("{place}, mass {}", mass + 1);
         let asked = motion.ask(Of::Mass(mass), |steady| {
             compare_mass(steady, want, &place, worst)
@@ -163,39 +299,63 @@ fn compare_mass<S: Float>(
     place: &str,
     worst: &mut Worst,
 ) {
-    let scale = number(&reference["amplitude"]);
-    worst.note(
-        "amplitude",
-        steady.amplitude().to_f64(),
-        scale,
-        scale,
-        place,
-    );
-    let phase = steady.phase().to_f64();
-    worst.note(
-        "phase",
-        angle(phase, number(&reference["phase"])),
-        0.0,
-        1.0,
-        place,
-    );
-    for (tau, want) in [0.5, 1.7, 3.0]
-        .into_iter()
-        .zip(list(&reference["displacement"]))
-    {
-        let got = steady.displacement(S::constant(tau)).to_f64();
-        worst.note(
-            "displacement",
-            got,
-            number(want),
-            scale,
-            &format!("{place}, tau = {tau}"),
-        );
+    let want = &reference["amplitude"];
+    let scale = number(want);
+    worst.note("amplitude", steady.amplitude(), want, scale, place);
+    worst.note_angle("phase", steady.phase(), &reference["phase"], place);
+    let displacements = list_of(&reference["displacement"], 3, "displacements");
+    for (tau, want) in [0.5, 1.7, 3.0].into_iter().zip(displacements) {
+        let got = steady.displacement(S::constant(tau));
+        let place = format!("{place}, tau = {tau}");
+        worst.note("displacement", got, want, scale, &place);
     }
-    for (n, want) in [1, 3, 5].into_iter().zip(list(&reference["harmonics"])) {
+    let harmonics = list_of(&reference["harmonics"], 3, "harmonics");
+    for (n, want) in [1, 3, 5].into_iter().zip(harmonics) {
         let got = steady.harmonic(n);
         let place = format!("{place}, n = {n}");
-        worst.note("harmonic", got.re.to_f64(), number(&want[0]), scale, &place);
-        worst.note("harmonic", got.im.to_f64(), number(&want[1]), scale, &place);
+        worst.note("harmonic", got.re, &want[0], scale, &place);
+        worst.note("harmonic", got.im, &want[1], scale, &place);
     }
+}
+
+/// Every value of one scene of `extremes.json` against a system.  There a point may be without its
+/// continuous limit or its motions: at the ends of the range, and where r was too small for a search.
+pub fn compare_extremes<S: Float, F: FrictionSystem<Scalar = S>>(
+    system: &F,
+    reference: &Value,
+) -> Worst
+where
+    for<'a> F::At<'a>: MotionAt<Scalar = S>,
+{
+    let mut worst = Worst::default();
+    compare_frequencies(system, reference, &mut worst);
+    for point in list(&reference["points"], "points") {
+        let r = number(&point["r"]);
+        let place = format!("{}, r = {r}", reference["name"]);
+        let at = system.at(S::constant(r)).expect("a ratio in the domain");
+        compare_limits(&at, point, &place, &mut worst);
+        if point["motions"].is_null() {
+            continue;
+        }
+        for reference in list_of(&point["motions"], 2, "motions") {
+            let beta = number(&reference["beta"]);
+            let place = format!("{place}, beta = {beta}");
+            let motion = at.motion(S::constant(beta)).expect("a continuous motion");
+            compare_contact(&motion, reference, &place, &mut worst);
+            let wanted = &reference["displacement_at_1"];
+            let wanted = list_of(wanted, system.masses(), "displacements");
+            let scale = wanted.iter().map(|want| number(want).abs());
+            let scale = scale.fold(number(&reference["contact_amplitude"]), f64::max);
+            for (mass, want) in wanted.iter().enumerate() {
+                let got = motion
+                    .ask(Of::Mass(mass), |steady| {
+                        steady.displacement(S::constant(1.0))
+                    })
+                    .expect("a mass");
+                let place = format!("{place}, mass {}", mass + 1);
+                worst.note("displacement", got, want, scale, &place);
+            }
+        }
+    }
+    worst
 }

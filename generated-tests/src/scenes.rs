@@ -30,11 +30,13 @@ macro_rules! scenes {
         }
         /// Compares every emitted scene in double precision with its reference.
         pub fn compare_double(references: &[serde_json::Value]) -> Vec<crate::reference::Worst> {
+            assert_eq!(references.len(), TEXTS.len());
             let mut references = references.iter();
             vec![$(crate::reference::compare(&double::$name, references.next().expect(stringify!($name)))),*]
         }
         /// Compares every emitted scene in single precision with its reference.
         pub fn compare_single(references: &[serde_json::Value]) -> Vec<crate::reference::Worst> {
+            assert_eq!(references.len(), TEXTS.len());
             let mut references = references.iter();
             vec![$(crate::reference::compare(&single::$name, references.next().expect(stringify!($name)))),*]
         }

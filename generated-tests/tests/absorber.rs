@@ -1,6 +1,11 @@
 //! Masses beyond the contact as absorbers: V and H vanish together at their own frequencies.
+//!
+//! With the contact held, what is beyond it has no load and stands still: every mass is compared, not only
+//! those between load and contact.
 
-use frictiongen::{Regime, System, friction_system};
+use frictiongen::{FrictionSystem, LimitsAt, Regime, StuckAt, System, friction_system};
+use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::{Float, Scalar};
 
 friction_system! {
     pub struct Three {
@@ -12,45 +17,115 @@ friction_system! {
     }
 }
 
-const TEXT: &str = "struct Three { masses: { m1: 1, m2: 1, m3: 1 },
-    springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1 }, contact: m2 - wall, excitation: m1 }";
-
-/// With the contact held, m1 is between two unit springs: limit and amplitude are 1/|2 − r²|, also
-/// at r = 1, where m3 on its spring resonates, and at every distance from it.
-#[test]
-fn limit_and_amplitude_at_the_absorbers_frequency() {
-    let system: System = TEXT.parse().expect("a valid scene");
-    let mut ratios = vec![1.0, 1.0_f64.next_up(), 1.0_f64.next_down()];
-    for exponent in 1..=15 {
-        ratios.extend([
-            1.0 - 10.0_f64.powi(-exponent),
-            1.0 + 3.0 * 10.0_f64.powi(-exponent),
-        ]);
+friction_system! {
+    pub struct ThreeSingle {
+        masses: { m1: 1, m2: 1, m3: 1 },
+        springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1 },
+        contact: m2 - wall,
+        excitation: m1,
+        provide: [limits, stuck],
+        scalar: f32,
     }
-    for r in ratios {
-        let exact = 1.0 / (2.0 - r * r);
-        let emitted = Three::at(r).expect("in the domain");
-        let run_time = system.at(r).expect("in the domain");
-        let amplitudes = [
-            emitted.stuck().expect("no resonance").m1().re,
-            run_time
-                .stuck()
-                .expect("no resonance")
-                .mass("m1")
-                .expect("a mass")
-                .re,
-        ];
-        for value in [emitted.sliding_limit(), run_time.sliding_limit()]
-            .into_iter()
-            .chain(amplitudes)
-        {
-            let error = (value.abs() / exact.abs() - 1.0).abs();
-            // The quotient loses 1e-16 over the distance, the series its fourth power.
-            assert!(
-                error < 1e-11,
-                "r = {r:e}: {value} against {exact}, off by {error:e}"
-            );
+}
+
+// Enough modes for sums by calls instead of straight lines.
+friction_system! {
+    pub struct Five {
+        masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1 },
+        springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1 },
+        contact: m3 - wall,
+        excitation: m1,
+        provide: [limits, stuck],
+    }
+}
+
+const THREE: &str = "struct Three { masses: { m1: 1, m2: 1, m3: 1 },
+    springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1 }, contact: m2 - wall, excitation: m1 }";
+const FIVE: &str = "struct Five { masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1 },
+    springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1 },
+    contact: m3 - wall, excitation: m1 }";
+
+/// The places: a frequency and beside it on either side, nearer and nearer.
+fn beside(r: f64) -> Vec<f64> {
+    let mut ratios = vec![r, r.next_up(), r.next_down()];
+    for exponent in 1..=15 {
+        let distance = 10.0_f64.powi(-exponent);
+        ratios.extend([r * (1.0 - distance), r * (1.0 + 3.0 * distance)]);
+    }
+    ratios
+}
+
+/// The limit and the masses' amplitudes at r.
+type Exact = fn(f64) -> (f64, Vec<f64>);
+
+/// With the contact held, m₁ is between two unit springs and m₃ hangs on a mass at rest.
+fn three(r: f64) -> (f64, Vec<f64>) {
+    let first = 1.0 / (2.0 - r * r);
+    (first.abs(), vec![first, 0.0, 0.0])
+}
+
+/// m₁ and m₂ are between the base and the held m₃, which m₂ pulls at.
+fn five(r: f64) -> (f64, Vec<f64>) {
+    let a = 2.0 - r * r;
+    let (first, second) = (a / (a * a - 1.0), 1.0 / (a * a - 1.0));
+    (second.abs(), vec![first, second, 0.0, 0.0, 0.0])
+}
+
+/// Every limit and amplitude of a system beside `r`, each within `tolerance` of the largest amplitude;
+/// returns how many were compared and the worst.
+fn check<F>(system: &F, r: f64, exact: Exact, tolerance: f64) -> (usize, f64)
+where
+    F: FrictionSystem,
+    for<'a> F::At<'a>: LimitsAt<Scalar = F::Scalar> + StuckAt<Scalar = F::Scalar>,
+    F::Scalar: Float,
+{
+    let (mut compared, mut worst) = (0, 0.0_f64);
+    let mut note = |got: f64, want: f64, scale: f64, what: &str, r: f64| {
+        let error = (got - want).abs() / scale;
+        assert!(
+            error < tolerance,
+            "r = {r:e}: {what} {got} against {want}, off by {error:e}"
+        );
+        (compared, worst) = (compared + 1, worst.max(error));
+    };
+    for r in beside(r) {
+        // As the system's scalar reads it.
+        let read = F::Scalar::constant(r);
+        let (limit, amplitudes) = exact(read.to_f64());
+        let at = system.at(read).expect("in the domain");
+        note(at.sliding_limit().to_f64(), limit, limit, "limit", r);
+        let largest = amplitudes.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        assert_eq!(system.masses(), amplitudes.len());
+        for (mass, want) in amplitudes.into_iter().enumerate() {
+            let got = at.stuck_mass(mass).expect("no resonance").expect("a mass");
+            let what = format!("mass {}", mass + 1);
+            note(got.re.to_f64(), want, largest, &what, r);
+            note(got.im.to_f64(), 0.0, largest, &what, r);
         }
+    }
+    println!("{compared} compared, none skipped; worst {worst:.1e}");
+    (compared, worst)
+}
+
+/// The quotient loses a rounding over the distance, the series the distance's fourth power: they meet at
+/// the fourth root of a rounding, where a quarter of the digits are lost, and a factor of a few.
+const DOUBLE: f64 = 1e-11;
+const SINGLE: f64 = 1e-4;
+/// Three quarters of 31 digits would be 1e-23: the values beside it are in double precision.
+const EXACT: f64 = 2e-15;
+
+#[test]
+fn three_masses_at_the_absorbers_frequency() {
+    let system: System = THREE.parse().expect("a valid scene");
+    let exact: System<Dd> = THREE.parse().expect("a valid scene");
+    // 33 places, a limit and three complex amplitudes each.
+    for (compared, _) in [
+        check(&Three, 1.0, three, DOUBLE),
+        check(&system, 1.0, three, DOUBLE),
+        check(&exact, 1.0, three, EXACT),
+        check(&ThreeSingle, 1.0, three, SINGLE),
+    ] {
+        assert_eq!(compared, 33 * 7);
     }
     assert_eq!(
         Three::at(1.0).expect("in the domain").regime(2.0),
@@ -58,23 +133,19 @@ fn limit_and_amplitude_at_the_absorbers_frequency() {
     );
 }
 
-/// Five unit masses, contact in the middle: the golden ratio's reciprocal is the frequency of the
+/// Five unit masses, contact in the middle: the golden ratio and its reciprocal are the frequencies of the
 /// two beyond it.
 #[test]
 fn two_masses_beyond_the_contact() {
-    let system: System = "struct Five { masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1 },
-        springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1 },
-        contact: m3 - wall, excitation: m1 }"
-        .parse()
-        .expect("a valid scene");
-    let r = 0.618_033_988_749_894_9;
-    let at = system.at(r).expect("in the domain");
-    let (a, b) = (2.0 - r * r, 1.0);
-    // m1 and m2 between the base and the held m3: x₂ = F on unit springs.
-    let exact = (b / (a * a - b)).abs();
-    assert!(
-        (at.sliding_limit() / exact - 1.0).abs() < 1e-11,
-        "{} {exact}",
-        at.sliding_limit()
-    );
+    let system: System = FIVE.parse().expect("a valid scene");
+    let exact: System<Dd> = FIVE.parse().expect("a valid scene");
+    for r in [0.618_033_988_749_894_9, 1.618_033_988_749_895] {
+        for (compared, _) in [
+            check(&Five, r, five, DOUBLE),
+            check(&system, r, five, DOUBLE),
+            check(&exact, r, five, EXACT),
+        ] {
+            assert_eq!(compared, 33 * 11);
+        }
+    }
 }

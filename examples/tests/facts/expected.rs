@@ -1,8 +1,10 @@
 //! What each row comes out as, to the digits stated, and which of its printed numbers do not hold.
 //!
 //! Most are from the governing equations in extended precision.  This library gave these first: the
-//! widths of F05, F06, F08, F09, the regions of F28, the peaks of F29, the shares of F33, F34.  Of them the widths, F06 and
-//! F09 have another way in `beside`, and F34 is held to the simulation in its own row.
+//! widths of F05, F06, F08, F09, the regions of F28, the peaks of F29, the shares of F33, F34.  The widths, F06 and
+//! F09 have another way in `beside`; F08, F28 and F29 come out of the closed forms typed in and searched by brute
+//! force in `typed`; F34 is held to the simulation in its own row.  The shares of F33 are recorded, no more: counts
+//! over ten thousand steady states, of which other tests hold some to other programs.
 
 /// A row's expected numbers.
 pub struct Expected {

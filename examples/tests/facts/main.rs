@@ -14,6 +14,7 @@ use std::sync::LazyLock;
 
 mod beside;
 mod expected;
+mod typed;
 
 use expected::{Expected, ROWS};
 

@@ -9,7 +9,7 @@ use frictiongen_codegen::{Diagnostics, Limits, parse_text};
 use frictiongen_kernel::chain::{Chain, ModeAt};
 use frictiongen_kernel::dd::Dd;
 use frictiongen_kernel::mode::ModeResponse;
-use frictiongen_kernel::{Float, Scalar, regime};
+use frictiongen_kernel::{Float, regime};
 use frictiongen_model::modal::{Modal, Reduced};
 use frictiongen_model::scene::Scene;
 use frictiongen_model::transient::Transient;
@@ -68,9 +68,18 @@ impl<S: Float> TryFrom<Scene> for System<S> {
 }
 
 /// A double-double rounded once to a scalar.
-fn rounded<S: Scalar>(value: Dd) -> S {
-    // `constant` rounds an f64; what the f64 left out still counts for wider scalars.
-    S::constant(value.hi) + S::constant(value.lo)
+fn rounded<S: Float>(value: Dd) -> S {
+    let plain = S::constant(value.hi);
+    if plain.to_f64() == value.hi {
+        // What the f64 left out still counts for wider scalars.
+        return plain + S::constant(value.lo);
+    }
+    // Halfway between two narrower numbers the f64 would hide on which side the low part is: move it.
+    S::constant(match value.lo.partial_cmp(&0.0) {
+        Some(std::cmp::Ordering::Greater) => value.hi.next_up(),
+        Some(std::cmp::Ordering::Less) => value.hi.next_down(),
+        _ => value.hi,
+    })
 }
 
 impl<S: Float> System<S> {

@@ -31,24 +31,33 @@ fn show<T>(got: &Result<T, NotContinuous>) -> String {
     }
 }
 
-/// How many β were asked, and those whose answer breaks the rule.
+/// How many β were asked, how many were not for being no friction ratio (below 0, beside a limit of 0, or
+/// infinite), and those whose answer breaks the rule.
+#[derive(Debug, Default)]
+struct Told {
+    asked: usize,
+    skipped: usize,
+    failures: Vec<String>,
+}
+
 fn check<S: Rounded, F: FrictionSystem<Scalar = S>>(
     name: &str,
     system: &F,
     ratios: Vec<S>,
     unbounded: &[S],
-) -> (usize, Vec<String>)
+) -> Told
 where
     for<'a> F::At<'a>: MotionAt<Scalar = S>,
 {
     let [zero, half, two] = [0.0, 0.5, 2.0].map(S::constant);
-    let (mut asked, mut failures) = (0, Vec::new());
+    let mut all = Told::default();
     for r in ratios {
         let at = system.at(r).expect("in the domain");
         let (continuous, sliding) = (at.continuous_limit(), at.sliding_limit());
         let (lowest, highest) = (continuous.min(sliding), continuous.max(sliding));
         if !(zero <= lowest) || highest.to_f64().is_nan() {
-            failures.push(format!("{name}, r = {r:?}: {continuous:?}, {sliding:?}"));
+            all.failures
+                .push(format!("{name}, r = {r:?}: {continuous:?}, {sliding:?}"));
         }
         let betas = [continuous, sliding].map(|limit| [limit.down(), limit, limit.up()]);
         let others = [
@@ -59,9 +68,10 @@ where
         ];
         for beta in betas.into_iter().flatten().chain(others) {
             if !(zero <= beta && beta.is_finite()) {
+                all.skipped += 1;
                 continue;
             }
-            asked += 1;
+            all.asked += 1;
             let regime = if !(beta < sliding) {
                 Regime::Stuck
             } else if beta < continuous {
@@ -85,7 +95,7 @@ where
                 zero <= margin
             };
             if told != regime || !right || !inside {
-                failures.push(format!(
+                all.failures.push(format!(
                     "{name}, r = {r:?}, beta = {beta:?} (limits {continuous:?}, {sliding:?}): \
                      {told:?}, margin {margin:?}, {}, should be {regime:?}",
                     show(&motion)
@@ -95,23 +105,27 @@ where
                 let amplitude = motion.ask(Of::Contact, |contact| contact.amplitude());
                 // Rounding may leave a little less than 0 only where the limit is 0 itself.
                 if !amplitude.is_some_and(|z| zero <= z && z.is_finite()) {
-                    failures.push(format!("{name}, r = {r:?}, beta = {beta:?}: {amplitude:?}"));
+                    all.failures
+                        .push(format!("{name}, r = {r:?}, beta = {beta:?}: {amplitude:?}"));
                 }
             }
         }
     }
-    (asked, failures)
+    all
 }
 
-fn report(title: &str, results: Vec<(usize, Vec<String>)>) {
-    let asked: usize = results.iter().map(|result| result.0).sum();
-    let failures: Vec<String> = results.into_iter().flat_map(|result| result.1).collect();
+/// Prints the sum; so many friction ratios have to have been asked for, and so many skipped.
+fn report(title: &str, results: Vec<Told>, counts: (usize, usize)) {
+    let asked: usize = results.iter().map(|result| result.asked).sum();
+    let skipped: usize = results.iter().map(|result| result.skipped).sum();
+    let failures: Vec<String> = results.into_iter().flat_map(|told| told.failures).collect();
     println!(
-        "{title}: {asked} friction ratios, {} failures",
+        "{title}: {asked} friction ratios, {skipped} beside 0 or infinity skipped, {} failures",
         failures.len()
     );
     let first: Vec<&String> = failures.iter().take(20).collect();
     assert!(failures.is_empty(), "{first:#?}");
+    assert_eq!((asked, skipped), counts, "{title}");
 }
 
 /// The grid, and r = 0.
@@ -121,7 +135,7 @@ fn with_rest<S: Rounded>(resonances: &[S]) -> Vec<S> {
     ratios
 }
 
-fn at_run_time<S: Rounded>() -> Vec<(usize, Vec<String>)> {
+fn at_run_time<S: Rounded>() -> Vec<Told> {
     let scenes = SCENES.iter();
     scenes
         .map(|(name, text)| {
@@ -134,12 +148,12 @@ fn at_run_time<S: Rounded>() -> Vec<(usize, Vec<String>)> {
 
 #[test]
 fn at_run_time_in_double_precision() {
-    report("run time, f64", at_run_time::<f64>());
+    report("run time, f64", at_run_time::<f64>(), (101_319, 21));
 }
 
 #[test]
 fn at_run_time_in_single_precision() {
-    report("run time, f32", at_run_time::<f32>());
+    report("run time, f32", at_run_time::<f32>(), (49_463, 37));
 }
 
 /// An emitted scene, its text read at run time for what is unbounded.
@@ -161,6 +175,7 @@ fn emitted() {
         emitted![
             SdofWall, SdofDamped, PairBase, PairMasses, Thesis, Five, Single
         ],
+        (42_167, 13),
     );
 }
 
@@ -172,7 +187,7 @@ fn at_infinity() {
         let system = system::<f64>(text);
         check(name, &system, infinity(), &unbounded(&system))
     });
-    report("r = ∞", results.collect());
+    report("r = ∞", results.collect(), (117, 33));
 }
 
 /// The closed form goes through a limit without a step: neighbouring β on both sides of it give
@@ -182,8 +197,8 @@ fn at_infinity() {
 /// first-order condition means nothing; so the effect of r and β is the spread of the double-double
 /// answer over r(1 ± kε), β(1 ± kε), and of the modal data ε k Σ|x ∂f/∂x|, in the smallest of that
 /// spread's corners where the root is real, k = 64.
-fn amplitudes<S: Rounded>() {
-    let (mut asked, mut failures) = (0, Vec::new());
+fn amplitudes<S: Rounded>(counts: (usize, usize)) {
+    let (mut asked, mut skipped, mut failures) = (0, 0, Vec::new());
     for (name, text) in SCENES {
         let system = system::<S>(text);
         let modal = system.modal();
@@ -197,6 +212,7 @@ fn amplitudes<S: Rounded>() {
             for limit in limits {
                 let low = limit.down().down();
                 if !(S::constant(0.0) < low) {
+                    skipped += 1;
                     continue;
                 }
                 let betas = [low, limit.down(), limit, limit.up()];
@@ -233,26 +249,30 @@ fn amplitudes<S: Rounded>() {
             }
         }
     }
-    println!("{asked} limits, {} failures", failures.len());
+    println!(
+        "{asked} limits, {skipped} that are 0 skipped, {} failures",
+        failures.len()
+    );
     let first: Vec<&String> = failures.iter().take(20).collect();
     assert!(failures.is_empty(), "{first:#?}");
+    assert_eq!((asked, skipped), counts);
 }
 
 #[test]
 fn amplitude_on_both_sides_in_double_precision() {
-    amplitudes::<f64>();
+    amplitudes::<f64>((2262, 0));
 }
 
 #[test]
 fn amplitude_on_both_sides_in_single_precision() {
-    amplitudes::<f32>();
+    amplitudes::<f32>((1110, 0));
 }
 
 /// Far below a limit's own rounding: one rounding of β alone moves the contact's amplitude by
 /// |∂Z/∂β| times it, and the amplitude's own rounding.
 #[test]
 fn a_rounding_of_beta() {
-    let mut worst = 0.0_f64;
+    let (mut worst, mut compared) = (0.0_f64, 0);
     for (name, text) in SCENES {
         let system = system::<f64>(text);
         for r in [0.17, 0.83, 1.37, 2.9] {
@@ -272,8 +292,12 @@ fn a_rounding_of_beta() {
                 let own = 8.0 * f64::EPSILON * modal_condition(&system, question);
                 worst = worst.max((step - one) / own);
                 assert!(step <= one + own, "{name}, r = {r}: {step:e}, {value}");
+                compared += 1;
             }
         }
     }
-    println!("beyond the slope: {worst:.2} of the rounding allowed");
+    println!(
+        "{compared} steps, none skipped; beyond the slope: {worst:.2} of the rounding allowed"
+    );
+    assert_eq!(compared, 16 * SCENES.len());
 }

@@ -66,6 +66,8 @@ fn extrapolated(values: &[[Dd; 2]], h: Dd, side: Side, size: f64) -> Difference 
 #[derive(Default)]
 pub struct Outcome {
     pub compared: usize,
+    /// Answers that only one of both readings has.
+    pub skipped: usize,
     pub worst: f64,
     /// The largest tolerance, relative to slope and value over variable.
     pub widest: f64,
@@ -75,21 +77,23 @@ pub struct Outcome {
 impl Outcome {
     pub fn join(&mut self, other: Self) {
         self.compared += other.compared;
+        self.skipped += other.skipped;
         self.worst = self.worst.max(other.worst);
         self.widest = self.widest.max(other.widest);
         self.failures.extend(other.failures);
     }
 
-    pub fn report(&self, title: &str) {
+    /// Prints it; so many have to have been compared, and so many skipped.
+    pub fn report(&self, title: &str, counts: (usize, usize)) {
         println!(
-            "{title}: {} derivatives, worst {:.3} of the difference's own error, which is {:.1e} of \
+            "{title}: {} derivatives, {} skipped that one reading does not have; worst {:.3} of the difference's own error, which is {:.1e} of \
              the derivative at most",
-            self.compared, self.worst, self.widest
+            self.compared, self.skipped, self.worst, self.widest
         );
         let first: Vec<&String> = self.failures.iter().take(20).collect();
         let count = self.failures.len();
         assert!(self.failures.is_empty(), "{count} failures: {first:#?}");
-        assert!(self.compared > 0, "nothing was compared");
+        assert_eq!((self.compared, self.skipped), counts, "{title}");
     }
 }
 
@@ -123,6 +127,7 @@ pub fn compare(
     let mut outcome = Outcome::default();
     for (place, (asked, middle)) in centre.iter().enumerate() {
         let Some((_, answer)) = dual.iter().find(|(name, _)| name == asked) else {
+            outcome.skipped += 1;
             continue;
         };
         let values: Vec<[Dd; 2]> = pairs

@@ -185,7 +185,7 @@ fn of_the_description() {
             }
         }
     }
-    outcome.report("description");
+    outcome.report("description", (6657, 0));
 }
 
 fn exact_modal(system: &System<Dd>) -> Modal {

@@ -102,7 +102,7 @@ fn modal_data() {
             }
         }
     }
-    outcome.report("modal data");
+    outcome.report("modal data", (11_702, 0));
 }
 
 #[test]
@@ -136,7 +136,7 @@ fn frequency_and_friction_ratio() {
             ));
         }
     }
-    outcome.report("r and β");
+    outcome.report("r and β", (1560, 0));
 }
 
 /// A search for S that takes hundreds of steps: how they moved with r grew from one to the next until

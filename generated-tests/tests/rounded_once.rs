@@ -1,0 +1,80 @@
+//! Constants in single precision are double-double numbers rounded once.
+//!
+//! Through a double they would be rounded twice.  That shows only where the double is halfway between two
+//! single numbers: the second rounding then no longer knows on which side of it the number was.  The
+//! stiffnesses here are (1 + k·2⁻²⁴)² a rounding up or down, so that ω = √(k₁/m₁) is such a halfway
+//! point but for 2⁻⁵³.
+
+use frictiongen::{System, friction_system};
+
+/// ω = 1 + 2⁻²⁴ + 2⁻⁵³: 1 + 2⁻²³ is nearest, but the even neighbour of the halfway point is 1.
+const ABOVE: &str = "1.0000001192092933";
+/// ω = 1 + 3·2⁻²⁴ − 2⁻⁵³: 1 + 2⁻²³ is nearest, but the even neighbour is 1 + 2⁻²².
+const BELOW: &str = "1.0000003576279004";
+
+friction_system! {
+    pub struct Above {
+        masses: { block: 1 },
+        springs: { base - block: 1.0000001192092933 },
+        contact: block - wall,
+        excitation: block,
+        scalar: f32,
+    }
+}
+
+friction_system! {
+    pub struct Below {
+        masses: { block: 1 },
+        springs: { base - block: 1.0000003576279004 },
+        contact: block - wall,
+        excitation: block,
+        scalar: f32,
+    }
+}
+
+/// (1 + k·2⁻²⁴)², which a double holds, and the double after it.
+fn square(k: f64) -> f64 {
+    let root = 1.0 + k * 2.0_f64.powi(-24);
+    root * root
+}
+
+#[test]
+fn emitted_and_at_run_time() {
+    // The stiffnesses are what they are meant to be.
+    let texts = [ABOVE, BELOW];
+    let meant = [square(1.0).next_up(), square(3.0).next_down()];
+    for (text, meant) in texts.iter().zip(meant) {
+        assert_eq!(text.parse::<f64>().expect("a number"), meant);
+    }
+    let nearest = 1.0 + f32::EPSILON;
+    let single = texts.map(|stiffness| {
+        let text = format!(
+            "struct Block {{ masses: {{ block: 1 }}, springs: {{ base - block: {stiffness} }},
+                contact: block - wall, excitation: block }}"
+        );
+        let system: System<f32> = text.parse().expect("a valid scene");
+        (system.natural_frequencies()[0], system.frequency_ratio(1.0))
+    });
+    let mut compared = 0;
+    for (what, got) in [
+        ("emitted, above", Above::NATURAL_FREQUENCIES[0]),
+        ("emitted, below", Below::NATURAL_FREQUENCIES[0]),
+        ("run time, above", single[0].0),
+        ("run time, below", single[1].0),
+    ] {
+        assert_eq!(got, nearest, "{what}");
+        compared += 1;
+    }
+    // ω is also what a frequency is divided by.
+    for (what, got) in [
+        ("emitted, above", Above::frequency_ratio(1.0)),
+        ("emitted, below", Below::frequency_ratio(1.0)),
+        ("run time, above", single[0].1),
+        ("run time, below", single[1].1),
+    ] {
+        assert_eq!(got, 1.0 / nearest, "{what}");
+        compared += 1;
+    }
+    println!("{compared} constants compared, none skipped");
+    assert_eq!(compared, 8);
+}

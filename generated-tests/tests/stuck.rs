@@ -1,0 +1,192 @@
+//! Where the response with a stuck contact is refused: `StuckResonance`, emitted and at run time, in
+//! both precisions, on every mass, and nowhere beside it.
+
+use frictiongen::{FrictionSystem, StuckAt, StuckResonance, System, friction_system};
+use frictiongen_kernel::{Float, Scalar};
+
+/// A symmetric chain: the contact, in its middle, does not touch the second mode, (1, 0, −1) at r = √2.
+macro_rules! symmetric {
+    ($name:ident $(, $scalar:ident)?) => {
+        friction_system! {
+            pub struct $name {
+                masses: { left: 1, middle: 1, right: 1 },
+                springs: { base - left: 1, left - middle: 1, middle - right: 1, right - wall: 1 },
+                contact: middle - wall,
+                excitation: left,
+                provide: [limits, stuck],
+                $(scalar: $scalar,)?
+            }
+        }
+    };
+}
+symmetric!(Symmetric);
+symmetric!(SymmetricSingle, f32);
+
+const SYMMETRIC: &str = "struct Symmetric { masses: { left: 1, middle: 1, right: 1 },
+    springs: { base - left: 1, left - middle: 1, middle - right: 1, right - wall: 1 },
+    contact: middle - wall, excitation: left }";
+
+/// The same with seven masses, whose sums over modes are calls: three modes out of sight of the contact.
+const SEVEN: &str = "struct Seven { masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1, m6: 1, m7: 1 },
+    springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1, m5 - m6: 1, m6 - m7: 1,
+    m7 - wall: 1 }, contact: m4 - wall, excitation: m1 }";
+
+friction_system! {
+    pub struct Seven {
+        masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1, m6: 1, m7: 1 },
+        springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1, m5 - m6: 1,
+            m6 - m7: 1, m7 - wall: 1 },
+        contact: m4 - wall,
+        excitation: m1,
+        provide: [limits, stuck],
+    }
+}
+
+// Damped, the same mode is bounded.
+friction_system! {
+    pub struct Damped {
+        masses: { left: 1, middle: 1, right: 1 },
+        springs: { base - left: 1, left - middle: 1, middle - right: 1, right - wall: 1 },
+        contact: middle - wall,
+        excitation: left,
+        damping: modal(0.01),
+        provide: [limits, stuck],
+    }
+}
+
+/// Refused on the resonances in `invisible`, by number, on every mass; not on the others, nor one rounding
+/// beside any.  Returns how many answers were asked for.
+fn check<F>(system: &F, invisible: &[usize]) -> usize
+where
+    F: FrictionSystem,
+    for<'a> F::At<'a>: StuckAt<Scalar = F::Scalar>,
+    F::Scalar: Float,
+{
+    let mut asked = 0;
+    let one = F::Scalar::constant(1.0);
+    let rounding = F::Scalar::constant(F::Scalar::EPSILON);
+    for (number, resonance) in system.resonances().iter().copied().enumerate() {
+        for (r, on) in [
+            (resonance, true),
+            (resonance * (one + rounding), false),
+            (resonance * (one - rounding), false),
+        ] {
+            let at = system.at(r).expect("in the domain");
+            for mass in 0..system.masses() {
+                let answer = at.stuck_mass(mass);
+                asked += 1;
+                if on && invisible.contains(&number) {
+                    assert_eq!(answer.err(), Some(StuckResonance), "r = {r:?}");
+                    continue;
+                }
+                let answer = answer.unwrap_or_else(|error| panic!("r = {r:?}: {error}"));
+                let answer = answer.expect("a mass");
+                assert!(answer.re.is_finite() && answer.im.is_finite(), "r = {r:?}");
+            }
+        }
+    }
+    println!("{asked} answers asked for, none skipped");
+    asked
+}
+
+#[test]
+fn a_resonance_that_the_contact_does_not_touch() {
+    let system: System = SYMMETRIC.parse().expect("a valid scene");
+    let single: System<f32> = SYMMETRIC.parse().expect("a valid scene");
+    let seven: System = SEVEN.parse().expect("a valid scene");
+    assert_eq!(check(&Symmetric, &[1]), 27);
+    assert_eq!(check(&SymmetricSingle, &[1]), 27);
+    assert_eq!(check(&system, &[1]), 27);
+    assert_eq!(check(&single, &[1]), 27);
+    assert_eq!(check(&Seven, &[1, 3, 5]), 147);
+    assert_eq!(check(&seven, &[1, 3, 5]), 147);
+    // The inherent calls say the same as those of the trait.
+    let r = Symmetric::RESONANCES[1];
+    let refused = |at: Result<_, _>| matches!(at, Err(StuckResonance));
+    assert!(refused(
+        Symmetric::at(r).expect("in the domain").stuck().map(|_| ())
+    ));
+    assert!(refused(
+        system.at(r).expect("in the domain").stuck().map(|_| ())
+    ));
+}
+
+#[test]
+fn a_damped_one_is_bounded() {
+    let text = SYMMETRIC.replace("excitation", "damping: modal(0.01), excitation");
+    let system: System = text.parse().expect("a valid scene");
+    assert_eq!(check(&Damped, &[]), 27);
+    assert_eq!(check(&system, &[]), 27);
+    // What left and right have apart is that mode alone: φ² of each is 1/2 and λ is 2, so that each has
+    // (1/4)/(2iζ) of it, with opposite signs.
+    let at = Damped::at(Damped::RESONANCES[1]).expect("in the domain");
+    let stuck = at.stuck().expect("damped");
+    let apart = stuck.left() - stuck.right();
+    assert!(
+        apart.re.abs() < 1e-12 && (apart.im + 25.0).abs() < 1e-12,
+        "{apart}"
+    );
+}
+
+/// Out of sight of the contact and of the load as well, a mode is none of the response's: here the load
+/// is in the middle.
+#[test]
+fn one_that_nothing_drives_is_not_there() {
+    let text = SYMMETRIC.replace("excitation: left", "excitation: middle");
+    let system: System = text.parse().expect("a valid scene");
+    assert_eq!(check(&system, &[]), 27);
+}
+
+// With its contact held, m₁ has the base's spring and three times that: it resonates at r = 2, where H
+// vanishes.
+friction_system! {
+    pub struct Held {
+        masses: { m1: 1, m2: 1 },
+        springs: { base - m1: 1, m1 - m2: 3 },
+        contact: m2 - wall,
+        excitation: m1,
+        provide: [limits, stuck],
+    }
+}
+
+/// On a resonance that the contact holds together the response is 1/(4 − r²) but for the rounding of
+/// the natural frequencies: beyond 10¹⁴, or refused.
+#[test]
+fn a_resonance_of_the_held_chain() {
+    let text = "struct Held { masses: { m1: 1, m2: 1 }, springs: { base - m1: 1, m1 - m2: 3 },
+        contact: m2 - wall, excitation: m1 }";
+    let system: System = text.parse().expect("a valid scene");
+    let (mut refused, mut answered) = (0, 0);
+    let mut see = |answer: Result<f64, StuckResonance>, r: f64| match answer {
+        Err(StuckResonance) if r == 2.0 => refused += 1,
+        Err(StuckResonance) => panic!("refused at {r}"),
+        Ok(x) if r == 2.0 => {
+            assert!(x.abs() > 1e14, "{x} at the resonance");
+            answered += 1;
+        }
+        Ok(x) => {
+            let exact = 1.0 / (4.0 - r * r);
+            // λ and r have a rounding each, which the distance from the resonance enlarges.
+            let tolerance = 64.0 * f64::EPSILON / (2.0 - r).abs();
+            assert!((x / exact - 1.0).abs() < tolerance, "{x} {exact}");
+            answered += 1;
+        }
+    };
+    for r in [2.0, 1.999_999_999, 1.99, 1.3, 0.7, 2.01, 2.000_000_001, 5.0] {
+        see(
+            Held::at(r)
+                .expect("in the domain")
+                .stuck()
+                .map(|stuck| stuck.m1().re),
+            r,
+        );
+        let at = system.at(r).expect("in the domain");
+        see(
+            at.stuck().map(|stuck| stuck.mass("m1").expect("a mass").re),
+            r,
+        );
+    }
+    println!("{answered} answers, {refused} refused on the resonance itself");
+    assert_eq!(refused + answered, 16);
+    assert!(refused <= 2);
+}
