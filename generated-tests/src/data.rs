@@ -171,6 +171,14 @@ impl<S: Float> DataAt<'_, S> {
         })
     }
 
+    /// β_lim were S what it is at τ, of either sign over the whole half period, or the break-away term.
+    pub fn continuous_limit_by(&self, tau: S) -> S {
+        let constraint = self.at_instant(tau, |sum, at| sum.value(at) / at.sine);
+        let chain = self.chain();
+        let constraint = constraint.max(chain.break_away(&self.contact));
+        chain.continuous_limit(&self.contact, constraint)
+    }
+
     /// What is 0 where the constraint is at its largest.
     pub fn constraint_slope(&self, tau: S) -> S {
         self.at_instant(tau, |sum, at| {

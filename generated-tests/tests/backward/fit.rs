@@ -2,15 +2,6 @@
 
 use frictiongen_kernel::dd::Dd;
 
-/// What was found.
-#[derive(Clone, Debug)]
-pub struct Fit {
-    /// In roundings: no input moves by more, and no answer is off by more of its own.
-    pub roundings: f64,
-    /// By how many roundings each input moves.
-    pub inputs: Vec<f64>,
-}
-
 /// So often are the weights changed.
 const ROUNDS: usize = 60;
 /// So often where the bar is far away, and by how much: there the equations are not yet those of the right place.
@@ -24,29 +15,21 @@ const FAINT: f64 = 1e-9;
 /// The smallest k found such that some inputs δ with |δ_j| ≤ k leave |b_i − Σ a_ij δ_j| ≤ k, up to one that is
 /// well below the bar: a Chebyshev fit by Lawson's iteration, weighted least squares whose weights grow with what they leave.
 /// Every δ proves its own k, so that what is found is an upper bound.
-pub fn fit(a: &[Vec<Dd>], b: &[Dd], bar: f64) -> Fit {
+pub fn fit(a: &[Vec<Dd>], b: &[Dd], bar: f64) -> f64 {
     let inputs = a.first().map_or(0, Vec::len);
-    let mut best = Fit {
-        roundings: worst(b.iter().map(|b| b.to_f64())),
-        inputs: vec![0.0; inputs],
-    };
+    let mut best = worst(b.iter().map(|b| b.to_f64()));
     let mut input_weights = vec![1.0; inputs];
     let mut answer_weights = vec![1.0; b.len()];
     for round in 0..ROUNDS {
-        let hopeless = round >= FAR_ROUNDS && best.roundings > FAR * bar && bar > 0.0;
-        if best.roundings <= ENOUGH * bar || hopeless {
+        let hopeless = round >= FAR_ROUNDS && best > FAR * bar && bar > 0.0;
+        if best <= ENOUGH * bar || hopeless {
             break;
         }
         let Some((moved, left)) = least_squares(a, b, &input_weights, &answer_weights) else {
             break;
         };
         let roundings = worst(moved.iter().chain(&left).copied());
-        if roundings < best.roundings {
-            best = Fit {
-                roundings,
-                inputs: moved.clone(),
-            };
-        }
+        best = best.min(roundings);
         let of_largest = |value: f64| (value.abs() / roundings).max(FAINT);
         let weights = input_weights.iter_mut().chain(&mut answer_weights);
         for (weight, value) in weights.zip(moved.iter().chain(&left)) {
@@ -133,9 +116,9 @@ fn nothing_is_explained_twice() {
     let dd = Dd::from;
     let a = [vec![dd(1e6)], vec![dd(1e6)]];
     let alike = fit(&a, &[dd(1e6), dd(1e6)], 0.0);
-    assert!((alike.roundings - 1.0).abs() < 1e-3, "{alike:?}");
+    assert!((alike - 1.0).abs() < 1e-3, "{alike:?}");
     let opposite = fit(&a, &[dd(1e6), dd(-1e6)], 0.0);
-    assert!(opposite.roundings > 0.99e6, "{opposite:?}");
+    assert!(opposite > 0.99e6, "{opposite:?}");
 }
 
 /// k = |b|/(1 + Σ|a|) for one answer, by hand.
@@ -143,5 +126,5 @@ fn nothing_is_explained_twice() {
 fn one_answer() {
     let dd = Dd::from;
     let found = fit(&[vec![dd(3.0), dd(-6.0)]], &[dd(100.0)], 0.0);
-    assert!((found.roundings - 10.0).abs() < 1e-3, "{found:?}");
+    assert!((found - 10.0).abs() < 1e-3, "{found:?}");
 }

@@ -49,11 +49,6 @@ impl Exact {
         }
     }
 
-    /// How many numbers the description has that are not 0, but for r, β and τ.
-    pub fn inputs(&self) -> usize {
-        self.along().len()
-    }
-
     /// The scene with every number displaced by so many roundings: the first-order change of its modal data, whose
     /// second order is a rounding of double-double.
     pub fn displaced(&self, by: &[f64], epsilon: f64) -> (Data<Dd>, Modal) {

@@ -17,6 +17,9 @@ fn zero(of: impl Fn(Dd) -> Dd, from: Dd, epsilon: f64) -> Option<Dd> {
 /// radian still has its own maximum.
 const ABOUT: f64 = 0.5;
 
+/// A place that was found may be higher than an exact one by this many roundings.
+const NEARLY: f64 = 64.0;
+
 /// The secant method, up to a step of `last`.
 fn secant(of: impl Fn(Dd) -> Dd, from: Dd, first: f64, last: f64) -> Option<Dd> {
     let (mut before, mut tau) = (from, from + Dd::from(first));
@@ -57,7 +60,11 @@ pub fn largest(motion: &DataMotion<Dd>, found: Option<Dd>, epsilon: f64) -> Dd {
         let mut places = places.iter().flatten();
         return places.next().map_or(Dd::from(0.0), |place| place.tau);
     };
-    if let Some(tau) = stationary(motion, found, epsilon) {
+    let height = |tau: Dd| motion.displacement(tau).abs();
+    // Not a minimum, nor another maximum.
+    if let Some(tau) = stationary(motion, found, epsilon)
+        && height(found) * Dd::from(1.0 - NEARLY * epsilon) <= height(tau)
+    {
         return tau;
     }
     let below = |away: f64| -motion.displacement(found + Dd::from(away)).abs().to_f64();

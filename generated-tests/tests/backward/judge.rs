@@ -6,7 +6,7 @@
 //! beside a pole derivatives change within a rounding: they are taken anew where the fit has moved r and β to.
 
 use crate::asked::{Asked, Of, Place, Watched, answers, motion};
-use crate::fit::{Fit, fit, least_squares};
+use crate::fit::{fit, least_squares};
 use crate::inputs::Exact;
 use crate::instant::{constraining, followed};
 use frictiongen_kernel::dd::Dd;
@@ -21,9 +21,14 @@ pub const PLAIN: f64 = 4.0;
 const STILL: f64 = 1e-4;
 /// The weight of an answer that is below the bar.
 const IDLE: f64 = 1e-100;
+/// No answer may be off by more: a stuck response is a difference of free ones, which may be larger than it by so much.
+const MOST: f64 = 4096.0;
+/// Answers of a place with a larger condition need not agree on one displacement: they come from different sums, whose
+/// roundings the condition magnifies.  Each by itself must have one.
+const AGREEING: f64 = 100.0;
 /// So often are the derivatives taken anew: with respect to r, β and τ, then to every input.
-const FEW_TURNS: usize = 4;
-const TURNS: usize = 10;
+const FEW_TURNS: usize = 6;
+const TURNS: usize = 12;
 /// The columns of r, β and τ come first, then those of the description.
 const RATIO: usize = 0;
 const BETA: usize = 1;
@@ -37,6 +42,8 @@ pub struct Answer {
     pub watched: Watched<Dd>,
     /// What was told.
     pub got: Complex<Dd>,
+    /// Whether double-double has searched for the instant itself.
+    pub searched: bool,
     /// What its own roundings are counted in where answers are explained.
     pub size: Dd,
     /// Its own size, or a thousandth of the largest motion.
@@ -71,8 +78,24 @@ impl Judged {
 #[derive(Clone, Debug)]
 pub struct Verdict {
     /// The smallest k found for all answers together.
-    pub roundings: f64,
+    pub together: f64,
+    /// The largest of the answers, each by itself.
+    pub alone: f64,
+    /// By how many roundings an answer moves with one of every input, at most.
+    pub condition: f64,
     pub answers: Vec<Judged>,
+}
+
+impl Verdict {
+    /// Whether the place keeps the bar: every answer by itself, and all together unless their condition is large.
+    pub fn keeps(&self, bar: f64) -> bool {
+        self.alone <= bar && (self.together <= bar || AGREEING < self.condition)
+    }
+
+    /// Whether nothing about it is to be understood.
+    pub fn is_wrong(&self) -> bool {
+        !(self.alone <= MOST)
+    }
 }
 
 /// One place of a scene.
@@ -171,12 +194,14 @@ impl<'a> Judge<'a> {
             .fold(0.0, |most: f64, one| most.max(one.direct));
         if worst <= PLAIN || !pairs.all(|(answer, exact)| known(answer, exact)) {
             return Verdict {
-                roundings: worst,
+                together: worst,
+                alone: worst,
+                condition: 1.0,
                 answers: judged,
             };
         }
-        let mut roundings: f64 = 0.0;
-        for group in [Group::Motion, Group::Harmonics, Group::PerMode] {
+        let (mut together, mut condition): (f64, f64) = (0.0, 1.0);
+        for group in [Group::Motion, Group::Harmonics] {
             let of_group: Vec<usize> = (0..told.len())
                 .filter(|index| Group::of(told[*index].watched.asked) == group)
                 // What is 0 and told as 0 needs no displacement.
@@ -192,50 +217,71 @@ impl<'a> Judge<'a> {
                 .iter()
                 .fold(0.0, |most: f64, one| most.max(one.direct));
             if PLAIN < worst {
-                roundings = roundings.max(self.explained(&group, &values, &mut known));
+                let explained = self.explained(&group, &values, &mut known);
+                together = together.max(explained.0);
+                condition = condition.max(explained.1);
                 for (index, known) in of_group.iter().zip(known) {
                     judged[*index] = known;
                 }
             } else {
-                roundings = roundings.max(worst);
+                together = together.max(worst);
             }
         }
+        let alone = judged.iter();
         Verdict {
-            roundings,
+            together,
+            alone: alone.fold(0.0, |most: f64, one| most.max(one.alone)),
+            condition,
             answers: judged,
         }
     }
 
     /// The smallest k found: by r, β and τ alone, which is cheap, then by every input.  Derivatives are taken anew at
-    /// what the last step found.
-    fn explained(&self, told: &[Answer], exact: &[Complex<Dd>], judged: &mut [Judged]) -> f64 {
-        let mut best = f64::INFINITY;
+    /// what the last step found.  With the place's condition.
+    fn explained(
+        &self,
+        told: &[Answer],
+        exact: &[Complex<Dd>],
+        judged: &mut [Judged],
+    ) -> (f64, f64) {
+        let (mut best, mut condition) = (f64::INFINITY, 1.0);
         for (every, turns) in [(false, FEW_TURNS), (true, TURNS)] {
-            let (mut to, mut back): (Vec<f64>, f64) = (Vec::new(), 0.5);
-            let mut linear = self.linear(told, exact, &to, every);
+            let mut linear = self.linear(told, exact, &[], every);
+            condition = linear.condition();
             linear.each_alone(told, judged);
-            best = best.min(linear.fitted(self.bar).roundings);
+            best = best.min(linear.fitted(self.bar));
+            let mut to = vec![0.0; linear.a.first().map_or(0, Vec::len)];
+            let (mut moving, mut back): (Option<Vec<f64>>, f64) = (None, 0.5);
             for _ in 0..turns {
                 if best <= self.bar {
-                    return best;
+                    return (best, condition);
                 }
-                let Some(step) = linear.step(&to, self.bar) else {
-                    break;
-                };
-                to.resize(step.len(), 0.0);
-                for (to, step) in to.iter_mut().zip(step) {
-                    *to = (*to + step).clamp(-self.bar, self.bar);
-                }
-                if linear.stands {
-                    // Beyond |V|/|U| the contact stands still whatever moves: back by more and more of β.
-                    back = (back + back).min(self.bar);
-                    to[BETA] = (to[BETA] - back).max(-self.bar);
+                if let (true, Some(moving)) = (linear.stands, &moving) {
+                    // Beyond |V|/|U| the contact stands still whatever moves: halfway to where it did not.
+                    for (to, moving) in to.iter_mut().zip(moving) {
+                        *to = 0.5 * (*to + moving);
+                    }
+                } else {
+                    let Some(step) = linear.step(&to, self.bar) else {
+                        break;
+                    };
+                    if linear.stands {
+                        // To where the limits are as they were told, and back by more and more of β.
+                        back = (back + back).min(self.bar);
+                        to[BETA] -= back;
+                    } else {
+                        moving = Some(to.clone());
+                    }
+                    for (to, step) in to.iter_mut().zip(step) {
+                        *to = (*to + step).clamp(-self.bar, self.bar);
+                    }
                 }
                 linear = self.linear(told, exact, &to, every);
-                best = best.min(linear.fitted(self.bar).roundings);
+                linear.each_alone(told, judged);
+                best = best.min(linear.fitted(self.bar));
             }
         }
-        best
+        (best, condition)
     }
 
     /// The equations about inputs displaced by these roundings; for every input, or for those of the place.
@@ -352,7 +398,7 @@ impl<'a> Judge<'a> {
 }
 
 impl Linear {
-    fn fitted(&self, bar: f64) -> Fit {
+    fn fitted(&self, bar: f64) -> f64 {
         fit(&self.a, &self.b, bar)
     }
 
@@ -378,6 +424,17 @@ impl Linear {
         least_squares(&self.a, &rest, &inputs, &answers).map(|(moved, _)| moved)
     }
 
+    /// The most that an answer moves by, with one rounding of every input.
+    fn condition(&self) -> f64 {
+        let sum = |row: &Vec<Dd>| {
+            let sum = row
+                .iter()
+                .fold(Dd::from(1.0), |sum, slope| sum + slope.abs());
+            sum.to_f64()
+        };
+        self.a.iter().map(sum).fold(1.0, f64::max)
+    }
+
     /// k of every answer by itself: |b|/(1 + Σ|a|).
     fn each_alone(&self, told: &[Answer], judged: &mut [Judged]) {
         let mut rows = self.a.iter().zip(&self.b);
@@ -394,7 +451,7 @@ impl Linear {
                     .fold(Dd::from(1.0), |sum, slope| sum + slope.abs());
                 alone = alone.max((off.abs() / sum).to_f64());
             }
-            judged.alone = alone;
+            judged.alone = judged.alone.min(alone);
         }
     }
 }
@@ -414,15 +471,12 @@ enum Group {
     Motion,
     /// The fundamental is put together from whole responses, not from the motion.
     Harmonics,
-    /// Where the maxima of single modes are taken says nothing of the motion.
-    PerMode,
 }
 
 impl Group {
     fn of(asked: Asked) -> Self {
         match asked {
             Asked::Harmonic(..) => Self::Harmonics,
-            Asked::PerMode => Self::PerMode,
             _ => Self::Motion,
         }
     }

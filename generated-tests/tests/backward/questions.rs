@@ -69,6 +69,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         self.told.push(Answer {
             watched,
             got,
+            searched: false,
             size: if own < largest * Dd::from(FAR) {
                 largest * Dd::from(LEFT)
             } else {
@@ -270,6 +271,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         } else {
             let told = real(of_mass.amplitude());
             self.wide(Asked::Amplitude(of), told, Some(top), amplitude, widest);
+            self.mark_searched(found.is_none());
         }
         self.wide(Asked::Estimate(mass), estimate, None, amplitude, widest);
         // The instant counts from the contact's maximum, whose own roundings V's are.
@@ -321,6 +323,12 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         self.plain(asked, got, None, largest);
         if let Some(answer) = self.told.last_mut() {
             answer.size = answer.size.max(whole);
+        }
+    }
+
+    fn mark_searched(&mut self, searched: bool) {
+        if let Some(answer) = self.told.last_mut() {
+            answer.searched = searched;
         }
     }
 

@@ -3,6 +3,9 @@
 use crate::judge::{Answer, Judged, Verdict};
 use std::collections::BTreeMap;
 
+/// Below this condition the worst of all answers together is told.
+const ORDINARY: f64 = 100.0;
+
 /// A kind of answer.
 #[derive(Default)]
 struct Kind {
@@ -39,8 +42,14 @@ pub struct Tally {
     pub scenes: u64,
     places: u64,
     worst: Worst,
+    /// The worst of all answers of a place together, where the condition is [`ORDINARY`].
+    together: Worst,
+    /// Places whose answers have no displacement in common.
+    disagreeing: u64,
     /// Places above the bar.
     pub above: Vec<String>,
+    /// How many of them are wrong altogether.
+    pub wrong: u64,
     skipped: BTreeMap<&'static str, u64>,
 }
 
@@ -53,9 +62,20 @@ impl Tally {
         place: impl Fn() -> String,
     ) {
         self.places += 1;
-        self.worst.note(verdict.roundings, &place);
-        if !(verdict.roundings <= bar) {
-            let mut line = format!("{:.3e}: {}", verdict.roundings, place());
+        self.worst.note(verdict.alone, &place);
+        if verdict.condition < ORDINARY {
+            self.together.note(verdict.together, &place);
+        }
+        self.disagreeing += u64::from(!(verdict.together <= bar));
+        self.wrong += u64::from(verdict.is_wrong());
+        if !verdict.keeps(bar) {
+            let mut line = format!(
+                "{:.3e} alone, {:.3e} together, condition {:.1e}: {}",
+                verdict.alone,
+                verdict.together,
+                verdict.condition,
+                place()
+            );
             for (answer, judged) in told.iter().zip(&verdict.answers) {
                 if !(judged.direct <= bar) {
                     let Judged { direct, alone, .. } = judged;
@@ -91,6 +111,9 @@ impl Tally {
         self.scenes += other.scenes;
         self.places += other.places;
         self.worst.join(other.worst);
+        self.together.join(other.together);
+        self.disagreeing += other.disagreeing;
+        self.wrong += other.wrong;
         self.above.extend(other.above);
         for (reason, count) in other.skipped {
             *self.skipped.entry(reason).or_default() += count;
@@ -114,8 +137,9 @@ impl Tally {
         self.kinds.iter().map(|(name, kind)| (*name, kind.count))
     }
 
-    pub fn places(&self) -> u64 {
-        self.places
+    /// The share of places above the bar, and of those whose answers have no displacement in common.
+    pub fn shares(&self) -> [f64; 2] {
+        [self.above.len() as f64, self.disagreeing as f64].map(|count| count / self.places as f64)
     }
 
     pub fn print(&self, title: &str) {
@@ -127,6 +151,10 @@ impl Tally {
             self.above.len(),
             self.worst.0,
             self.worst.1
+        );
+        println!(
+            "all answers of a place together: worst {:.2} at {}; {} places without one displacement for all",
+            self.together.0, self.together.1, self.disagreeing
         );
         for (name, kind) in &self.kinds {
             println!(
