@@ -226,7 +226,7 @@ macro_rules! scene {
                         .iter()
                         .map(|angle| {
                             while passed < settled + angle {
-                                let segment = run.advance(settled + angle - passed);
+                                let segment = run.advance(settled + angle - passed).ok()?;
                                 // The last piece may be lost in the rounding of what has passed.
                                 if segment.length <= 1e-9 && segment.event.is_none() {
                                     break;

@@ -16,7 +16,7 @@ pub enum Regime {
 /// An argument that is NaN or negative, or infinite where that has no meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutOfDomain {
-    /// Which argument: "r", "beta", "state".
+    /// Which argument: "r", "beta", "state", "reach".
     pub argument: &'static str,
 }
 

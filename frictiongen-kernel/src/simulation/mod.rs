@@ -5,6 +5,7 @@
 //! searched is the next event, the relative velocity's zero or the instant at which the contact
 //! force reaches μβ.
 
+mod clock;
 mod part;
 mod peak;
 mod run;

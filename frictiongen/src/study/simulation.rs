@@ -92,8 +92,11 @@ impl<'a, S: Float> SystemSimulation<'a, S> {
         &self.run
     }
 
-    /// Moves on to the next event, at most by `reach` in τ.
-    pub fn advance(&mut self, reach: S) -> Segment<S> {
+    /// Moves on to the next event, at most by `reach` in τ; by 0 it does nothing.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN, which changes nothing.
+    pub fn advance(&mut self, reach: S) -> Result<Segment<S>, OutOfDomain> {
         self.run.advance(reach)
     }
 }
