@@ -95,7 +95,8 @@ impl<'a, S: Float> Dynamics<'a, S> {
 }
 
 /// Whether the contact sticks, or which way it slides.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Contact {
     /// It sticks.
     Stuck,
@@ -136,7 +137,8 @@ impl Contact {
 }
 
 /// What ends a segment of the motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Event {
     /// The contact stops.
     Stop,

@@ -8,6 +8,7 @@ use crate::scalar::{Float, Plain};
 
 /// A segment of the motion: the contact sticks, or slides one way.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment<S> {
     /// τ at its start, within the excitation's cycle: [0, 2π).
     pub start: S,
@@ -21,6 +22,7 @@ pub struct Segment<S> {
 
 /// A mass at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Moment<S> {
     displacement: S,
     velocity: S,
@@ -65,8 +67,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     /// [`Part::empty`] for each mode and each held mode.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for r that is not positive and finite, for β as everywhere, and for a state
-    /// that is not finite.
+    /// [`OutOfDomain`] for r that is not positive and finite, for β as everywhere, for a state that is
+    /// not one finite number for each mass, and for another number of parts.
     pub fn new(
         dynamics: Dynamics<'a, S>,
         r: S,
@@ -79,10 +81,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     {
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
         if let Some((displacements, velocities)) = state {
-            let finite = |values: &[S]| values.iter().all(|value| value.is_finite());
-            if !(finite(displacements) && finite(velocities)) {
-                return Err(OutOfDomain { argument: "state" });
-            }
+            setting.check_state((displacements, velocities))?;
             setting.load_state(displacements, velocities, parts.as_mut());
         }
         let stance = setting.stance(parts.as_ref(), S::constant(0.0));
