@@ -221,25 +221,23 @@ macro_rules! scene {
                 let mut run = $name::simulation(r, beta).ok()?;
                 let settled = std::f64::consts::TAU * CYCLES as f64;
                 let mut passed = 0.0;
-                Some(
-                    angles
-                        .iter()
-                        .map(|angle| {
-                            while passed < settled + angle {
-                                let segment = run.advance(settled + angle - passed);
-                                // The last piece may be lost in the rounding of what has passed.
-                                if segment.length <= 1e-9 && segment.event.is_none() {
-                                    break;
-                                }
-                                passed += segment.length;
+                angles
+                    .iter()
+                    .map(|angle| {
+                        while passed < settled + angle {
+                            let segment = run.advance(settled + angle - passed).ok()?;
+                            // The last piece may be lost in the rounding of what has passed.
+                            if segment.length <= 1e-9 && segment.event.is_none() {
+                                break;
                             }
-                            match of {
-                                Of::Contact => run.relative().0,
-                                Of::Mass(index) => run.mass(index).displacement(),
-                            }
+                            passed += segment.length;
+                        }
+                        Some(match of {
+                            Of::Contact => run.relative().0,
+                            Of::Mass(index) => run.mass(index).displacement(),
                         })
-                        .collect(),
-                )
+                    })
+                    .collect()
             }
         }
     )+};

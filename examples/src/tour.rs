@@ -67,6 +67,7 @@ fn regimes() -> Result<(), Error> {
             Regime::Continuous => "continuous",
             Regime::StickSlip => "stick-slip",
             Regime::Stuck => "stuck",
+            _ => "another regime",
         };
         println!(
             "{r:6} {:12.6} {:12.6}   {regime}",

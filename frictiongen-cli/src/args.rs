@@ -7,7 +7,8 @@ const GRIDS: &str = "\
 Grids:
   A grid is a number, a range a:step:b (b included), or a comma-separated list of those:
   0.9   0.2:0.01:2.5   0,0.5,1:0.1:2,inf
-  A frequency ratio may be 0 and inf; a friction ratio is finite. At most 10 million points.
+  A grid of decimal numbers has decimal points. A frequency ratio may be 0 and inf; a friction
+  ratio is finite. At most 10 million points.
 
 Exit status:
   0, or 2 with one line on standard error for each thing that is wrong.";
@@ -24,10 +25,16 @@ Quantities:
 const RESPONSES: &str = "\
 Regimes:
   continuous  the contact slides all the time: exact amplitudes, phases and harmonics
-  stick-slip  the contact stops and slides in turn: no motion is given (empty cells, null)
+  stick-slip  the contact stops and slides in turn: the steady state from rest
   stuck       the contact never slides: amplitude and phase of each mass
   unbounded   on an undamped resonance: the margin says whether the contact slides (negative)
               or is stuck
+
+Answers:
+  closed form  exact, of a contact that always or never slides
+  orbit        exact, from event to event: as `orbit` gives it, with its stability
+  otherwise    why there is none, in the words of `orbit`; its cells are empty (JSON: null)
+  no cycle     at a frequency ratio of 0 or infinity, between the limits
 
 Quantities:
   margin      beta/min(beta_lim, beta*_lim) - 1, negative in the continuous regime
@@ -38,6 +45,9 @@ Quantities:
 ";
 
 const ORBITS: &str = "\
+Regimes:
+  as `response` gives them: continuous, stick-slip, stuck, unbounded
+
 States:
   stable     small deviations die
   marginal   some deviation stays, or dies more slowly than any power: one of a continuum of
@@ -61,6 +71,17 @@ Quantities:
 
 ";
 
+const GRIDS_IN_TIME: &str = "\
+Grids:
+  A grid is a number, a range a:step:b (b included), or a comma-separated list of those:
+  0.9   0.2:0.01:2.5   0.5,1:0.1:2
+  A grid of decimal numbers has decimal points. A frequency ratio is above 0 and below infinity:
+  at 0 a cycle never ends, and at infinity nothing has time to move (`limits` and `response` answer
+  at both). A friction ratio is finite. At most 10 million points.
+
+Exit status:
+  0, or 2 with one line on standard error for each thing that is wrong.";
+
 /// Exact solutions of mass-spring chains with one Coulomb friction contact.
 #[derive(Debug, Parser)]
 #[command(name = "frictiongen", version)]
@@ -80,7 +101,7 @@ pub enum Command {
     #[command(after_help = format!("{RESPONSES}{GRIDS}"))]
     Response(ResponseArguments),
     /// The steady state from rest over frequency and friction, stops included
-    #[command(after_help = format!("{ORBITS}{GRIDS}"))]
+    #[command(after_help = format!("{ORBITS}{GRIDS_IN_TIME}"))]
     Orbit(OrbitArguments),
     /// The Rust that the macro emits for a description
     Expand(ExpandArguments),

@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::grid::{self, MOST_POINTS, Quantity};
-use frictiongen::study::UnknownMass;
-use frictiongen::{Complex, System};
+use frictiongen::study::{SystemAt, SystemMotion, UnknownMass};
+use frictiongen::{Complex, NoOrbit, NotContinuous, OutOfDomain, System};
 use std::f64::consts::PI;
 
 /// The highest harmonic there may be.
@@ -19,8 +19,8 @@ pub struct Mass {
 }
 
 /// Frequency ratios and friction ratios.
-pub fn grids(r: &str, beta: &str) -> Result<(Vec<f64>, Vec<f64>), Failure> {
-    let r = grid::parse(r, Quantity::FrequencyRatio).map_err(Failure::new)?;
+pub fn grids(r: &str, quantity: Quantity, beta: &str) -> Result<(Vec<f64>, Vec<f64>), Failure> {
+    let r = grid::parse(r, quantity).map_err(Failure::new)?;
     let beta = grid::parse(beta, Quantity::FrictionRatio).map_err(Failure::new)?;
     if r.len().saturating_mul(beta.len()) > MOST_POINTS {
         return Err(Failure::new(format_args!(
@@ -68,6 +68,35 @@ pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
         }
     }
     Ok(masses)
+}
+
+/// The regime in a word, the same in every command.
+pub fn regime(
+    at: &SystemAt<'_>,
+    motion: &Result<SystemMotion<'_>, NotContinuous>,
+) -> Result<&'static str, OutOfDomain> {
+    Ok(match motion {
+        Ok(_) => "continuous",
+        Err(NotContinuous::StickSlip) => "stick-slip",
+        Err(NotContinuous::Stuck) if at.stuck().is_ok() => "stuck",
+        // On an undamped resonance, of the chain or of the chain with its contact stuck.
+        Err(NotContinuous::Stuck | NotContinuous::Unbounded) => "unbounded",
+        Err(_) => return Err(OutOfDomain { argument: "beta" }),
+    })
+}
+
+/// Why there is no steady state, in a word.
+pub fn reason(error: NoOrbit) -> &'static str {
+    match error {
+        NoOrbit::OutOfDomain(_) => "no cycle",
+        NoOrbit::TooManyEvents => "crowded",
+        NoOrbit::Unbounded => "unbounded",
+        NoOrbit::Undamped(_) => "undamped",
+        NoOrbit::Unstable => "unstable",
+        NoOrbit::Subharmonic(_) => "subharmonic",
+        NoOrbit::Unsettled => "unsettled",
+        _ => "none",
+    }
 }
 
 /// |z|, and −arg z in (−π, π].

@@ -1,4 +1,4 @@
-//! Writes CSV. No value holds a comma or a quote: words are regimes and Rust identifiers.
+//! Writes CSV. No value holds a comma or a quote: words are regimes, answers and Rust identifiers.
 
 use crate::number::Value;
 use std::io::{self, Write};

@@ -1,5 +1,6 @@
 //! Grids: `a:step:b`, a number, or a comma-separated list of those.
 
+use crate::decimal::{Decimal, Decimals};
 use std::fmt;
 
 /// The most points of a grid, and of two grids together.
@@ -10,6 +11,8 @@ pub const MOST_POINTS: usize = 10_000_000;
 pub enum Quantity {
     /// r: 0 and infinity are values like any other.
     FrequencyRatio,
+    /// r of a motion in time, which has a cycle.
+    FrequencyRatioInTime,
     /// β: finite.
     FrictionRatio,
 }
@@ -17,14 +20,14 @@ pub enum Quantity {
 impl Quantity {
     fn option(self) -> &'static str {
         match self {
-            Self::FrequencyRatio => "--r",
+            Self::FrequencyRatio | Self::FrequencyRatioInTime => "--r",
             Self::FrictionRatio => "--beta",
         }
     }
 
     fn name(self) -> &'static str {
         match self {
-            Self::FrequencyRatio => "frequency ratio",
+            Self::FrequencyRatio | Self::FrequencyRatioInTime => "frequency ratio",
             Self::FrictionRatio => "friction ratio",
         }
     }
@@ -61,20 +64,36 @@ pub fn parse(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
 fn extend(points: &mut Vec<f64>, entry: &str, quantity: Quantity) -> Result<(), String> {
     let mut parts = entry.split(':');
     match (parts.next(), parts.next(), parts.next(), parts.next()) {
-        (Some(value), None, ..) => {
-            let value = number(value)?;
+        (Some(text), None, ..) => {
+            let value = number(text, quantity)?;
             admit(value, quantity)?;
             room(points.len(), 1.0)?;
             points.push(value);
         }
         (Some(first), Some(step), Some(last), None) => {
-            let range = Range::new(number(first)?, number(step)?, number(last)?, quantity)?;
+            let texts = [first, step, last];
+            let [first, step, last] = texts.map(|text| number(text, Quantity::FrictionRatio));
+            let range = Range::new(first?, step?, last?, quantity)?;
             let count = room(points.len(), range.steps + 1.0)?;
-            points.extend((0..count).map(|index| range.point(index)));
+            match decimals(texts) {
+                Some(exact) => {
+                    let count = room(points.len(), exact.steps as f64 + 1.0)?;
+                    let indices = (0..).take(count);
+                    // A negative zero is a zero.
+                    points.extend(indices.map(|index| exact.point(index) + 0.0));
+                }
+                None => points.extend((0..count).map(|index| range.point(index))),
+            }
         }
         _ => return Err("a grid is a number, or a range a:step:b".to_owned()),
     }
     Ok(())
+}
+
+/// A range whose three numbers are decimals has decimals between them.
+fn decimals(texts: [&str; 3]) -> Option<Decimals> {
+    let [first, step, last] = texts.map(Decimal::parse);
+    Decimals::new(first?, step?, last?)
 }
 
 /// The number of points, if there is room for that many more.
@@ -141,7 +160,7 @@ impl Range {
 }
 
 /// A number, with −0 taken for 0.
-fn number(text: &str) -> Result<f64, String> {
+fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
     let text = text.trim();
     let value: f64 = text.parse().map_err(|_| {
         if text.is_empty() {
@@ -154,7 +173,11 @@ fn number(text: &str) -> Result<f64, String> {
         return Err("NaN is not a number to compute with".to_owned());
     }
     if value.is_infinite() && text.contains(|letter: char| letter.is_ascii_digit()) {
-        return Err(format!("`{text}` is too large; write inf if it is meant"));
+        return Err(if quantity == Quantity::FrequencyRatio {
+            format!("`{text}` is too large; write inf if it is meant")
+        } else {
+            format!("`{text}` is too large")
+        });
     }
     Ok(value + 0.0)
 }
@@ -162,8 +185,14 @@ fn number(text: &str) -> Result<f64, String> {
 /// Nothing, if a quantity can have this value.
 fn admit(value: f64, quantity: Quantity) -> Result<(), String> {
     let name = quantity.name();
+    let in_time = quantity == Quantity::FrequencyRatioInTime;
     if value < 0.0 {
         Err(format!("a {name} is not negative"))
+    } else if in_time && (value == 0.0 || value.is_infinite()) {
+        Err(
+            "a motion in time needs a frequency ratio above 0 and below infinity; `limits` and `response` answer there too"
+                .to_owned(),
+        )
     } else if value.is_infinite() && quantity == Quantity::FrictionRatio {
         Err(format!("a {name} is finite"))
     } else {

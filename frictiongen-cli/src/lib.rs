@@ -6,6 +6,7 @@
 mod args;
 mod asked;
 mod csv;
+mod decimal;
 mod expand;
 mod failure;
 mod grid;

@@ -62,12 +62,13 @@ impl Report for LimitsReport {
     fn each(&self, visit: Visitor<'_, Point>) -> Result<(), Failure> {
         for &r in &self.r {
             let at = self.system.at(r).map_err(Failure::new)?;
+            let limits = at.limits();
             visit(&Point {
                 r,
-                continuous: at.continuous_limit(),
+                continuous: limits.continuous,
                 without_search: at.continuous_limit_without_search(),
                 per_mode: at.continuous_limit_per_mode(),
-                sliding: at.sliding_limit(),
+                sliding: limits.sliding,
             })?;
         }
         Ok(())

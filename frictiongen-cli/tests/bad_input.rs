@@ -100,7 +100,7 @@ fn every_error_of_a_description_is_on_its_own_line() {
     let scene = "struct Block {\n    masses: { block: 1, block: x },\n    springs: { base - block: 1 },\n    contact: roof - wall,\n    excitation: block,\n}";
     let expected = [
         "<stdin>:2:25: two masses are called `block`; give this one a name of its own",
-        "<stdin>:2:32: `x` is not a number; numbers are literals joined by `+ - * / ( )`, for example `2.0 * 3.27`",
+        "<stdin>:2:32: `x` is not a number, and a description cannot see the value of a constant: write the number itself; numbers are literals joined by `+ - * / ( )`, for example `2.0 * 3.27`",
         "<stdin>:4:14: there is no mass `roof`; the masses are block",
     ];
     assert_eq!(failure(scene, &["limits", "--r", "1"]), expected);

@@ -47,7 +47,7 @@ fn stops_and_reversals_are_counted() {
 fn a_point_without_a_steady_state_says_why() {
     let text = output(BLOCK, &["orbit", "--r", "1", "--beta", "0.4", "--csv"]);
     let line = text.lines().nth(1).unwrap();
-    assert_eq!(line, "1.0,0.4,continuous,unbounded,,,,,,,,,");
+    assert_eq!(line, "1.0,0.4,unbounded,unbounded,,,,,,,,,");
     let text = output(BLOCK, &["orbit", "--r", "1", "--beta", "0.4", "--json"]);
     let point = &json(&text)["points"][0];
     assert_eq!(point["state"], "unbounded");
@@ -111,13 +111,13 @@ fn an_asymmetric_state_has_a_mean() {
 
 #[test]
 fn r_must_be_positive_and_finite() {
-    for grid in ["0", "0.5,inf", "0:0.1:1"] {
+    for (grid, entry) in [("0", "0"), ("0.5,inf", "inf"), ("0:0.1:1", "0:0.1:1")] {
         let lines = failure(BLOCK, &["orbit", "--r", grid, "--beta", "1"]);
         assert_eq!(
             lines,
-            [
-                "frictiongen: --r: a motion in time needs a frequency ratio above 0 and below infinity"
-            ]
+            [format!(
+                "frictiongen: --r `{entry}`: a motion in time needs a frequency ratio above 0 and below infinity; `limits` and `response` answer there too"
+            )]
         );
     }
     let lines = failure(

@@ -130,7 +130,13 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
         damping: Damping::None,
         stiction: 1.0,
         precision,
-        provide: vec![Provide::Limits, Provide::Motion(None), Provide::Stuck],
+        provide: vec![
+            Provide::Limits,
+            Provide::Motion(None),
+            Provide::Stuck,
+            Provide::Orbit,
+            Provide::Simulation,
+        ],
         accuracy: Accuracy::Exact,
         range: None,
     };

@@ -8,7 +8,7 @@
 
 use frictiongen_codegen::{Description, Limits, parse_text, parse_tokens};
 use frictiongen_model::scene::{
-    Accuracy, Contact, Damping, Excitation, Node, Precision, Provide, Range, Scene, Spring,
+    Accuracy, Contact, Damping, Excitation, Node, Precision, Provide, Scene, Spring,
 };
 
 /// Reads a text through both doors.
@@ -100,19 +100,9 @@ fn every_form_of_every_field() {
     assert_eq!(scene("damping: rayleigh(0.1, 0.2)").damping, rayleigh);
     assert_eq!(scene("scalar: f32").precision, Precision::F32);
     assert_eq!(scene("accuracy: exact").accuracy, Accuracy::Exact);
-    let budget = scene("accuracy: 1e-6, range: { beta: 0..2, r: 1/10 .. 3. }");
-    assert_eq!(budget.accuracy, Accuracy::Relative(1e-6));
     assert_eq!(
-        budget.range,
-        Some(Range {
-            r: (0.1, 3.0),
-            beta: (0.0, 2.0)
-        })
-    );
-    assert_eq!(
-        scene("provide: [stepper, motion(b, a), stuck, orbit, simulation, limits]").provide,
+        scene("provide: [motion(b, a), stuck, orbit, simulation, limits]").provide,
         [
-            Provide::Stepper,
             Provide::Motion(Some(vec![1, 0])),
             Provide::Stuck,
             Provide::Orbit,

@@ -57,7 +57,7 @@ told! {
         "3:22: a number belongs here, not `;`; write, for example, `1.0`",
     ]
     a_word_for_a_number: [("3.27", "PI")] => [
-        "3:22: `PI` is not a number; numbers are literals joined by `+ - * / ( )`, for example `2.0 * 3.27`",
+        "3:22: `PI` is not a number, and a description cannot see the value of a constant: write the number itself; numbers are literals joined by `+ - * / ( )`, for example `2.0 * 3.27`",
     ]
     a_number_in_quotation_marks: [("3.27", "\"3.27\"")] => [
         "3:22: a number stands without quotation marks; delete them",

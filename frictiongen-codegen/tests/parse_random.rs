@@ -17,8 +17,7 @@ pub(crate) struct Frame {
     damping: modal[0.010, 0.012],
     stiction: 1.2,
     provide: [limits, motion(lower), stuck],
-    accuracy: 1e-6,
-    range: { r: 0.1..2, beta: 0..1.5 },
+    accuracy: exact,
     scalar: f64,
     crate: ::frictiongen,
 }";

@@ -116,7 +116,7 @@ told! {
         "1:13: the fields of a scene stand in braces, but here is `;`; write `{ … }` behind the name",
     ]
     a_second_scene: [("1.2,\n}", "1.2,\n} struct Other {}")] => [
-        "9:3: `struct` stands behind the scene; one description holds one scene, so delete it",
+        "9:3: `struct` stands behind the scene; one description holds one scene: give each a file or a macro call of its own",
     ]
     a_strange_visibility: [("pub struct", "pub(somewhere else) struct")] => [
         "2:4: a visibility is `pub`, `pub(crate)`, `pub(super)` or `pub(in path)`; write one of these",
@@ -134,7 +134,7 @@ told! {
         "1:1: this attribute cannot be read: unexpected end of input, expected an expression",
     ]
     a_lone_hash: [("/// A frame.", "#")] => [
-        "1:1: `#` means nothing here; delete it",
+        "1:1: `#` means nothing here; a comment begins with `//`, a line of documentation with `///`",
     ]
     a_doc_comment_between_fields: [("    contact", "    /// Brass.\n    contact")] => [
         "5:5: doc comments and attributes stand before `struct` only; write a comment with `//` here",

@@ -79,8 +79,9 @@ impl<S: Scalar> ContactAt<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// First pass: every mode's functions, and the scale E.
+    /// First pass: every mode's functions, and the scale E.  `out` has a place for each mode.
     pub fn responses(modes: &[Mode<S>], inverse_r: S, out: &mut [ModeResponse<S>]) -> S {
+        debug_assert_eq!(modes.len(), out.len(), "a place for each mode");
         let mut scale: Option<S> = None;
         for (index, (mode, out)) in modes.iter().zip(out.iter_mut()).enumerate() {
             *out = mode.response(inverse_r, index);
@@ -155,7 +156,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The contact's sums over all modes (section 3: V, H, U, G, H_c).
+    /// The contact's sums over all modes (section 3 of `docs/derivation.md`: V, H, U, G, H_c).  The slices have a place for each
+    /// mode.
     pub fn contact(
         &self,
         modes: &[Mode<S>],
@@ -164,6 +166,8 @@ impl<S: Scalar> Chain<S> {
         inverse_r: S,
         out: &mut [ModeAt<S>],
     ) -> ContactAt<S> {
+        debug_assert_eq!(modes.len(), responses.len(), "a response of each mode");
+        debug_assert_eq!(modes.len(), out.len(), "a place for each mode");
         let single = modes.len() == 1;
         let mut sum = ContactAt::zero(scale);
         for (index, ((mode, response), out)) in

@@ -230,6 +230,8 @@ fn fill<S: Float, D: Decay<S>>(
     at: &[ModeAt<S>],
     waves: &mut [Wave<S, D>],
 ) {
+    debug_assert_eq!(modes.len(), at.len(), "every mode at this r");
+    debug_assert_eq!(modes.len(), waves.len(), "a wave for each mode");
     for ((mode, at), wave) in modes.iter().zip(at).zip(waves) {
         *wave = constraint_wave(mode, at, contact, mode.mobility);
     }

@@ -4,6 +4,8 @@ use core::fmt;
 
 /// How the contact moves in the steady state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Regime {
     /// It slides all the time: the closed form holds.
     Continuous,
@@ -14,14 +16,18 @@ pub enum Regime {
 }
 
 /// An argument that is NaN or negative, or infinite where that has no meaning.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OutOfDomain {
-    /// Which argument: "r", "beta", "state".
+    /// Which argument: "r", "beta", "state", "reach"; or a slice that is too short or too long, "parts",
+    /// "numbers", "multipliers", "continuous", "sliding".
     pub argument: &'static str,
 }
 
 /// Why there is no continuous motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum NotContinuous {
     /// β lies between the limits: the contact stops and slides in turn.
     StickSlip,
@@ -34,11 +40,14 @@ pub enum NotContinuous {
 }
 
 /// On an undamped resonance of the chain whose contact is stuck.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StuckResonance;
 
 /// Why there is no steady state to report.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub enum NoOrbit {
     /// r, β or the state to start from.
     OutOfDomain(OutOfDomain),
@@ -59,7 +68,9 @@ pub enum NoOrbit {
 }
 
 /// Any error of a solver, so that one function can use `?` on all.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub enum Error {
     /// See [`OutOfDomain`].
     OutOfDomain(OutOfDomain),
@@ -78,6 +89,8 @@ impl fmt::Display for OutOfDomain {
                 "it must be a number, not negative and not NaN; a motion in time needs it clear of 0 and infinity too"
             }
             "state" => "it must have a finite displacement and velocity for each mass",
+            "continuous" | "sliding" => "the slice must have one place for each r",
+            "parts" | "numbers" | "multipliers" => "the room for the answer has another size",
             _ => "it must be a finite number, not negative",
         };
         write!(f, "{} is outside the domain: {needed}", self.argument)

@@ -14,6 +14,8 @@ mod float;
 pub mod limits;
 #[doc(hidden)]
 pub mod locals;
+#[doc(hidden)]
+pub mod missing;
 pub mod mode;
 pub mod motion;
 pub mod orbit;

@@ -1,4 +1,4 @@
-//! The boundaries of the three regimes (section 4), from the contact's sums.
+//! The boundaries of the three regimes (section 4 of `docs/derivation.md`), from the contact's sums.
 
 use crate::chain::{Chain, ContactAt};
 use crate::complex;

@@ -110,7 +110,7 @@ impl<S: Scalar> Mode<S> {
         (Complex::new(re, im), (re.abs() + im).named("size", at))
     }
 
-    /// 0 < ζ < 1, section 3 of the derivation with 1 + e^{−πx(ζ−iq)} written about its zeros:
+    /// 0 < ζ < 1, section 3 of `docs/derivation.md` with 1 + e^{−πx(ζ−iq)} written about its zeros:
     /// (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2) − i m sin(θ/2), θ = πqx.
     #[inline]
     fn oscillating(&self, x: S, at: Option<usize>) -> ModeResponse<S> {

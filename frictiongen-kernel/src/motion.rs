@@ -1,4 +1,4 @@
-//! The continuous motion at one friction ratio: coefficients of the exact response (section 4).
+//! The continuous motion at one friction ratio: coefficients of the exact response (section 4 of `docs/derivation.md`).
 //!
 //! The response of mode i, V-part and friction together, has a pole wherever the mode resonates,
 //! which the two parts share and which cancels in part.  Written with ν = p v/V and

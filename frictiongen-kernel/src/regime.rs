@@ -54,6 +54,34 @@ pub fn regime<S: Float>(beta: S, continuous: S, sliding: S) -> Regime {
     }
 }
 
+/// Both boundaries at one frequency ratio.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Limits<S> {
+    /// β_lim, exact: below it the contact slides all the time.
+    pub continuous: S,
+    /// β*_lim: from it on the contact never slides.
+    pub sliding: S,
+}
+
+impl<S: Float> Limits<S> {
+    /// The regime at β = F/P, without another search.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β.
+    pub fn regime(&self, beta: S) -> Result<Regime, OutOfDomain> {
+        Ok(regime(check_beta(beta)?, self.continuous, self.sliding))
+    }
+
+    /// β/min(β_lim, β*_lim) − 1, without another search: negative in the continuous regime.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β.
+    pub fn margin(&self, beta: S) -> Result<S, OutOfDomain> {
+        Ok(margin(check_beta(beta)?, self.continuous, self.sliding))
+    }
+}
+
 /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime; 0 where β and the limit both are.
 #[inline]
 pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {

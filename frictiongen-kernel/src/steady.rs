@@ -7,7 +7,7 @@ use crate::decay::{Decay, Instant};
 use crate::mode::Mode;
 use crate::motion::{Carrier, Friction, Share};
 use crate::scalar::Float;
-use crate::search::{self, Peak, Question, Weight};
+use crate::search::{self, Effort, Peak, Question, Weight};
 use crate::sway::is_slow;
 use crate::wave::{Sum, Wave};
 
@@ -25,6 +25,18 @@ pub struct Motion<S, D, W> {
     waves: W,
     is_contact: bool,
     decay: core::marker::PhantomData<D>,
+}
+
+/// The largest displacement of a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Largest<S> {
+    /// The exact maximum of |x̄|.
+    pub amplitude: S,
+    /// Its lag behind the excitation's maximum, rad, in (−π, π].
+    pub phase: S,
+    /// What the search for it took.
+    pub effort: Effort,
 }
 
 /// A mode's wave in a motion.
@@ -78,7 +90,28 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// The exact maximum of |x̄| over the period (P/k₁; for base motion Y).
+    /// Amplitude and phase by one search, and what that took.
+    ///
+    /// It evaluates the motion at most [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS) times, of the contact
+    /// never.
+    pub fn largest(&self) -> Largest<S> {
+        if self.is_contact {
+            return Largest {
+                amplitude: self.friction.amplitude,
+                phase: self.friction.phase,
+                effort: Effort::Bounded(0),
+            };
+        }
+        let peak = self.peak();
+        Largest {
+            amplitude: peak.value,
+            phase: self.lag(&peak),
+            effort: peak.effort(),
+        }
+    }
+
+    /// The exact maximum of |x̄| over the period (P/k₁; for base motion Y).  A search of its own, as of
+    /// [`largest`](Self::largest), which says whether it came to its end.
     pub fn amplitude(&self) -> S {
         if self.is_contact {
             self.friction.amplitude
@@ -122,13 +155,18 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 
     /// The lag of the motion's maximum behind the excitation's, rad, in (−π, π].  Of equal maxima
-    /// the one of the smallest |lag| counts, then the positive one.
+    /// the one of the smallest |lag| counts, then the positive one.  A search of its own, as of
+    /// [`largest`](Self::largest).
     pub fn phase(&self) -> S {
         if self.is_contact {
             return self.friction.phase;
         }
+        self.lag(&self.peak())
+    }
+
+    fn lag(&self, peak: &Peak<S>) -> S {
         let mut best: Option<S> = None;
-        for place in self.peak().places.into_iter().flatten() {
+        for place in peak.places.into_iter().flatten() {
             let shift = if place.negative {
                 S::pi()
             } else {
@@ -160,7 +198,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         if negative { -value } else { value }
     }
 
-    /// X_n, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the excitation (section 5).
+    /// X_n, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the excitation (section 5 of `docs/derivation.md`).
     /// Even n, and n = 0, are 0: the motion repeats with the opposite sign after half a period.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         let zero = S::constant(0.0);

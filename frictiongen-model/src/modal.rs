@@ -10,7 +10,7 @@ use frictiongen_kernel::mode::{Kind, Mode};
 /// Below this share of the largest that it could be, a residue is rounding noise: exactly zero.
 pub(crate) const NOISE: f64 = 1e-26;
 
-/// A scene in modal coordinates (section 2), to about 30 digits: numbers, or numbers with their
+/// A scene in modal coordinates (section 2 of `docs/derivation.md`), to about 30 digits: numbers, or numbers with their
 /// derivatives ([`Modal::along`]).
 #[derive(Clone, Debug)]
 pub struct Modal<T = Dd> {
@@ -55,7 +55,7 @@ pub struct Reduced<S> {
     pub ends: Ends<S>,
 }
 
-/// The limits at r = 0 and r = ∞ (6.4, 6.28 and the high-frequency limits of section 6).
+/// The limits at r = 0 and r = ∞ (6.4, 6.28 and the high-frequency limits of section 6 there).
 #[derive(Clone, Copy, Debug)]
 pub struct Ends<S> {
     /// β*_lim at r = 0; β_lim is 0 there.

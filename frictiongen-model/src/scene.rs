@@ -2,6 +2,7 @@
 
 /// One end of a spring, or the far side of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Node {
     /// A mass, by its zero-based place in [`Scene::masses`].
     Mass(usize),
@@ -13,6 +14,7 @@ pub enum Node {
 
 /// A point mass.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Mass {
     /// Its name, a Rust identifier.
     pub name: String,
@@ -22,6 +24,7 @@ pub struct Mass {
 
 /// A linear spring between two nodes.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spring {
     /// Where it starts, as written.
     pub from: Node,
@@ -33,6 +36,7 @@ pub struct Spring {
 
 /// The one Coulomb contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Contact {
     /// The side written first.
     pub from: Node,
@@ -42,6 +46,7 @@ pub struct Contact {
 
 /// The harmonic excitation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Excitation {
     /// A force P cos ωt on a mass.
     Force(usize),
@@ -51,6 +56,7 @@ pub enum Excitation {
 
 /// Viscous damping.
 #[derive(Clone, Debug, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Damping {
     /// None.
     #[default]
@@ -70,6 +76,7 @@ pub enum Damping {
 
 /// The precision of the emitted code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Precision {
     /// `f64`.
     #[default]
@@ -80,6 +87,7 @@ pub enum Precision {
 
 /// What is to be emitted.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Provide {
     /// Both limits and the regime.
     Limits,
@@ -97,6 +105,7 @@ pub enum Provide {
 
 /// How exact the emitted code has to be.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Accuracy {
     /// Every formula exact.
     #[default]
@@ -107,6 +116,7 @@ pub enum Accuracy {
 
 /// The values of r and β for which an accuracy is asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Range {
     /// Smallest and largest frequency ratio.
     pub r: (f64, f64),
@@ -116,6 +126,7 @@ pub struct Range {
 
 /// A whole description.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Scene {
     /// The name of the type.
     pub name: String,

@@ -1,4 +1,4 @@
-//! Special values in closed form (section 6): thresholds, starts, peaks.
+//! Special values in closed form (section 6 of `docs/derivation.md`): thresholds, starts, peaks.
 
 use crate::modal::Modal;
 use frictiongen_kernel::Float;

@@ -60,10 +60,8 @@ pub enum Path {
     Provide(Option<usize>),
     /// The accuracy.
     Accuracy,
-    /// The range of the frequency ratio.
-    RangeR,
-    /// The range of the friction ratio.
-    RangeBeta,
+    /// The range of the frequency and the friction ratio.
+    Range,
 }
 
 /// What the checks may rely on.

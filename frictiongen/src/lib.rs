@@ -41,11 +41,12 @@
 //! | `Frame::NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES` | ω_i in rad/s, the ratios r of them, φ by mode and mass with φᵀΓφ = 1 |
 //! | `Frame::frequency_ratio(omega)`, `friction_ratio(friction, load)` | r = ω√(m₁/k₁), β = F/P |
 //! | `Frame::at(r)` | the scene at one frequency ratio, `FrameAt`, or [`OutOfDomain`] |
+//! | `at.limits()`, `at.limits_searched()` | both limits by one search, [`Limits`], which answers for every β; with the search's [`Effort`] |
 //! | `at.continuous_limit()`, `.continuous_limit_without_search()`, `.continuous_limit_per_mode()` | β_lim exact; with S at τ → 0; as the thesis prints it |
 //! | `at.sliding_limit()` | β*_lim |
 //! | `at.regime(beta)`, `at.margin(beta)` | [`Regime`]; β/min(β_lim, β*_lim) − 1 |
 //! | `at.motion(beta)` | the exact continuous motion, `FrameMotion`, or [`NotContinuous`] |
-//! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::steady::Motion): `amplitude`, `amplitude_monoharmonic`, `phase`, `displacement`, `velocity`, `harmonic` |
+//! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::steady::Motion): `largest` (both of them by one search), `amplitude`, `phase`, `amplitude_monoharmonic`, `displacement`, `velocity`, `harmonic` |
 //! | `at.stuck()` | the response with the contact stuck, or [`StuckResonance`] |
 //! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
 //! | `Frame::simulation(r, beta)`, `simulation_from(r, beta, state)` | the exact motion in time, `FrameSimulation`: `next` and `advance` give its [`Segment`](kernel::simulation::Segment)s, `upper()` where a mass is |
@@ -65,6 +66,19 @@
 //! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation` | `[limits, motion]` |
 //! | `crate` | path of this crate, when it is renamed | `::frictiongen` |
 //!
+//! # What a call can cost
+//!
+//! Nothing allocates, and everything that searches is bounded:
+//!
+//! | call | bound |
+//! |---|---|
+//! | `at`, `continuous_limit_without_search`, `continuous_limit_per_mode` in passes, `sliding_limit`, `stuck` | operations, listed with each emitted function |
+//! | `continuous_limit`, `limits`, `regime`, `margin` | one search; `motion` one or two |
+//! | `amplitude`, `phase`, `largest` of a mass | one search |
+//! | a search | [`MAX_EVALUATIONS`](kernel::search::MAX_EVALUATIONS) evaluations of a sum over the modes; [`Effort`] tells if they did not do, and then the answer is the best seen: a limit on the unsafe side, an amplitude too small |
+//! | `simulation`'s `advance` | two segments of [`MAX_STEPS`](kernel::simulation::MAX_STEPS) steps each |
+//! | `orbit` | [`MAX_CYCLES`](kernel::orbit::MAX_CYCLES) cycles and [`orbit::MAX_STEPS`](kernel::orbit::MAX_STEPS) steps, else [`NoOrbit`] |
+//!
 //! # Conventions
 //!
 //! x̄ = x/(P/k₁), for base motion x/Y; β = F/P, r = ω√(m₁/k₁), τ = ωt.  Phases are lags, in
@@ -72,6 +86,7 @@
 //! Coulomb friction*, DPhil thesis, Oxford, 2021.
 #![cfg_attr(not(feature = "std"), no_std)]
 
+mod in_time;
 pub mod sweep;
 pub mod system;
 
@@ -83,8 +98,12 @@ pub use frictiongen_kernel::Complex;
 pub use frictiongen_kernel::errors::{
     Error, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance,
 };
+pub use frictiongen_kernel::regime::Limits;
+pub use frictiongen_kernel::search::Effort;
+pub use frictiongen_kernel::steady::Largest;
 /// Turns the description of a scene into its solver; see the [crate's documentation](crate).
 pub use frictiongen_macros::friction_system;
+pub use in_time::{OrbitAt, Periodic, Run, Simulates, SteadyState};
 #[cfg(feature = "study")]
 pub use study::System;
 pub use system::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady, StuckAt};

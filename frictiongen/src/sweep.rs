@@ -37,6 +37,7 @@ use frictiongen_kernel::regime;
 
 /// Both limits at one frequency ratio.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LimitsPoint<S> {
     /// r.
     pub r: S,
@@ -47,7 +48,8 @@ pub struct LimitsPoint<S> {
 }
 
 /// Why a sweep ends early.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum SweepError {
     /// A value of r or β; what came before it is filled in.
     OutOfDomain(OutOfDomain),
@@ -101,11 +103,11 @@ pub fn limits<F: FrictionSystem>(
 ) -> Result<(), SweepError> {
     check_length(ratios.len(), out.len())?;
     for (r, out) in ratios.iter().zip(out) {
-        let at = system.at(*r)?;
+        let limits = system.at(*r)?.limits();
         *out = LimitsPoint {
             r: *r,
-            continuous: at.continuous_limit(),
-            sliding: at.sliding_limit(),
+            continuous: limits.continuous,
+            sliding: limits.sliding,
         };
     }
     Ok(())
@@ -124,10 +126,9 @@ pub fn regimes<F: FrictionSystem>(
 ) -> Result<(), SweepError> {
     check_length(ratios.len().saturating_mul(betas.len()), out.len())?;
     for (r, row) in ratios.iter().zip(out.chunks_mut(betas.len().max(1))) {
-        let at = system.at(*r)?;
-        let (continuous, sliding) = (at.continuous_limit(), at.sliding_limit());
+        let limits = system.at(*r)?.limits();
         for (beta, out) in betas.iter().zip(row) {
-            *out = regime::regime(regime::check_beta(*beta)?, continuous, sliding);
+            *out = limits.regime(*beta)?;
         }
     }
     Ok(())

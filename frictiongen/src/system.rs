@@ -4,7 +4,8 @@
 use crate::{Complex, NotContinuous, OutOfDomain, Regime, StuckResonance};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::decay::Decay;
-use frictiongen_kernel::steady::Motion;
+use frictiongen_kernel::regime::Limits;
+use frictiongen_kernel::steady::{Largest, Motion};
 use frictiongen_kernel::wave::Wave;
 
 /// A scene that answers at any frequency ratio.
@@ -66,6 +67,13 @@ pub trait LimitsAt {
     fn continuous_limit_per_mode(&self) -> Self::Scalar;
     /// β*_lim, beyond which the contact never slides (6.11, 6.27, 6.33).
     fn sliding_limit(&self) -> Self::Scalar;
+    /// Both limits, by one search: what is asked of them needs no other.
+    fn limits(&self) -> Limits<Self::Scalar> {
+        Limits {
+            continuous: self.continuous_limit(),
+            sliding: self.sliding_limit(),
+        }
+    }
     /// The regime at β = F/P.
     ///
     /// # Errors
@@ -79,6 +87,10 @@ pub trait LimitsAt {
 }
 
 /// A scene at one frequency ratio that also gives motions.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` gives no motion",
+    label = "add `motion` to the scene's `provide: [...]`"
+)]
 pub trait MotionAt: LimitsAt {
     /// The motion at one friction ratio.
     type Motion: ContinuousMotion<Scalar = Self::Scalar>;
@@ -91,6 +103,10 @@ pub trait MotionAt: LimitsAt {
 }
 
 /// A scene at one frequency ratio that also gives the response while the contact is stuck.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` gives no response of a stuck contact",
+    label = "add `stuck` to the scene's `provide: [...]`"
+)]
 pub trait StuckAt: LimitsAt {
     /// x̄* = V_k − H_kV/H, the complex amplitude of a mass, by its place in the description; none
     /// if there is no such mass.
@@ -101,7 +117,8 @@ pub trait StuckAt: LimitsAt {
 }
 
 /// Which motion is meant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Of {
     /// The relative motion in the contact.
     Contact,
@@ -128,6 +145,8 @@ pub trait Steady {
     /// The scene's scalar.
     type Scalar: Float;
 
+    /// Amplitude and phase by one search, and what that took.
+    fn largest(&self) -> Largest<Self::Scalar>;
     /// The exact maximum of |x̄|.
     fn amplitude(&self) -> Self::Scalar;
     /// The estimate 5.50, 7.33.
@@ -145,6 +164,9 @@ pub trait Steady {
 impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Steady for Motion<S, D, W> {
     type Scalar = S;
 
+    fn largest(&self) -> Largest<S> {
+        Motion::largest(self)
+    }
     fn amplitude(&self) -> S {
         Motion::amplitude(self)
     }

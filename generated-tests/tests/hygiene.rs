@@ -226,7 +226,7 @@ mod with_masses_called_like_variables {
                 u: 1.0, beta: 1.0, modes: 1.0, carrier: 1.0, scale: 1.0, mode: 1.0, response: 1.0,
                 responses: 1.0, sum: 1.0, others: 1.0, waves: 1.0, constraint: 1.0, index: 1.0,
                 question: 1.0, of: 1.0, rs: 1.0, v: 1.0, g: 1.0, h: 1.0, ask: 1.0, map: 1.0, get: 1.0,
-                stuck_mass: 1.0, masses: 1.0, springs: 1.0, modal: 1.0, limits: 1.0, name: 1.0,
+                stuck_mass: 1.0, masses: 1.0, springs: 1.0, modal: 1.0, limited: 1.0, name: 1.0,
             },
             springs: {
                 base - u: 1.0, u - beta: 1.0, beta - modes: 1.0, modes - carrier: 1.0,
@@ -236,7 +236,7 @@ mod with_masses_called_like_variables {
                 index - question: 1.0, question - of: 1.0, of - rs: 1.0, rs - v: 1.0, v - g: 1.0,
                 g - h: 1.0, h - ask: 1.0, ask - map: 1.0, map - get: 1.0, get - stuck_mass: 1.0,
                 stuck_mass - masses: 1.0, masses - springs: 1.0, springs - modal: 1.0,
-                modal - limits: 1.0, limits - name: 1.0,
+                modal - limited: 1.0, limited - name: 1.0,
             },
             contact: name - wall,
             excitation: u,

@@ -34,9 +34,47 @@ fn ranges_include_their_end_and_are_not_accumulated() {
     let grid = ratios("0.2:0.01:2.5");
     assert_eq!(grid.len(), 231);
     assert_eq!(grid.last(), Some(&2.5));
-    for (index, value) in (0_u32..).zip(&grid).take(230) {
-        assert_eq!(*value, 0.2 + f64::from(index) * 0.01);
+    for (index, value) in (20_u32..).zip(&grid) {
+        assert_eq!(*value, f64::from(index) / 100.0);
     }
+}
+
+/// A decimal grid has the numbers that its points are written as, whatever its length and its exponents.
+#[test]
+fn decimal_points() {
+    let (mut compared, mut differ) = (0, 0);
+    for (text, first, step, places) in [
+        ("0.1:0.1:100", 1_i64, 1_i64, 1),
+        ("0.05:0.05:1.0", 5, 5, 2),
+        ("2.5:-0.001:0.0004", 25_000, -10, 4),
+        ("1e-3:3e-5:.25E0", 100, 3, 5),
+        ("+0.70:0.07:7e1", 70, 7, 2),
+    ] {
+        let scale = 10_i64.pow(places);
+        for (index, value) in (0..).zip(ratios(text)) {
+            let number = first + index * step;
+            let width = places as usize;
+            let written = format!("{}.{:0width$}", number / scale, number % scale);
+            assert_eq!(value, written.parse::<f64>().unwrap(), "{text}: {written}");
+            let binary =
+                (first as f64 + 0.0) / scale as f64 + index as f64 * (step as f64 / scale as f64);
+            differ += usize::from(value != binary);
+            compared += 1;
+        }
+    }
+    // Steps in binary miss a good part of them.
+    assert!(
+        compared == 1000 + 20 + 2500 + 8301 + 991 && differ > 1000,
+        "{compared} {differ}"
+    );
+}
+
+#[test]
+fn numbers_too_long_to_be_held_are_read_all_the_same() {
+    let third = "0.3333333333333333333333333333333333333333";
+    assert_eq!(ratios(&format!("0:{third}:1")).len(), 4);
+    assert_eq!(ratios("1e-300:1e-2:0.02").len(), 3);
+    assert_eq!(ratios("0:1e100:3e100"), [0.0, 1e100, 2e100, 3e100]);
 }
 
 #[test]

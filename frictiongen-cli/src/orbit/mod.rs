@@ -6,6 +6,7 @@ mod report;
 use crate::args::OrbitArguments;
 use crate::asked;
 use crate::failure::Failure;
+use crate::grid::Quantity;
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
@@ -15,12 +16,8 @@ use std::io::Write;
 
 /// Runs the command.
 pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let (r, beta) = asked::grids(&arguments.r, &arguments.beta)?;
-    if r.iter().any(|r| *r == 0.0 || r.is_infinite()) {
-        return Err(Failure::new(
-            "--r: a motion in time needs a frequency ratio above 0 and below infinity",
-        ));
-    }
+    let in_time = Quantity::FrequencyRatioInTime;
+    let (r, beta) = asked::grids(&arguments.r, in_time, &arguments.beta)?;
     let orders = match asked::harmonics(arguments.harmonics.as_deref())? {
         Some(highest) => (0..=highest).collect(),
         None => Vec::new(),

@@ -1,8 +1,8 @@
 //! Computes the steady state at one frequency ratio and one friction ratio.
 
-use crate::asked::Mass;
+use crate::asked::{self, Mass};
 use frictiongen::study::{SystemAt, SystemOrbit, SystemOrbitMotion};
-use frictiongen::{Complex, NoOrbit, OutOfDomain, Regime};
+use frictiongen::{Complex, NoOrbit, OutOfDomain};
 
 /// The steady state at one frequency ratio and one friction ratio.
 #[derive(Debug)]
@@ -11,7 +11,7 @@ pub struct Point {
     pub r: f64,
     /// β.
     pub beta: f64,
-    /// Continuous, stick-slip or stuck.
+    /// Continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
     /// Stable, marginal, or why there is none.
     pub state: &'static str,
@@ -51,9 +51,10 @@ pub struct Movement {
 
 impl Movement {
     fn of(motion: &SystemOrbitMotion<'_, '_>, orders: &[u32]) -> Self {
+        let (amplitude, phase) = motion.largest();
         Self {
-            amplitude: motion.amplitude(),
-            phase: motion.phase(),
+            amplitude,
+            phase,
             harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
         }
     }
@@ -94,11 +95,7 @@ pub fn answer(
     masses: &[Mass],
     orders: &[u32],
 ) -> Result<Point, OutOfDomain> {
-    let regime = match at.regime(beta)? {
-        Regime::Continuous => "continuous",
-        Regime::StickSlip => "stick-slip",
-        Regime::Stuck => "stuck",
-    };
+    let regime = asked::regime(at, &at.motion(beta))?;
     let (state, orbit) = match at.orbit(beta) {
         Ok(orbit) => {
             let state = match (orbit.is_marginal(), orbit.is_stable()) {
@@ -109,12 +106,7 @@ pub fn answer(
             (state, Some(Steady::of(&orbit, masses, orders)))
         }
         Err(NoOrbit::OutOfDomain(error)) => return Err(error),
-        Err(NoOrbit::TooManyEvents) => ("crowded", None),
-        Err(NoOrbit::Unbounded) => ("unbounded", None),
-        Err(NoOrbit::Undamped(_)) => ("undamped", None),
-        Err(NoOrbit::Unstable) => ("unstable", None),
-        Err(NoOrbit::Subharmonic(_)) => ("subharmonic", None),
-        Err(NoOrbit::Unsettled) => ("unsettled", None),
+        Err(error) => (asked::reason(error), None),
     };
     Ok(Point {
         r,

@@ -6,6 +6,7 @@ mod report;
 use crate::args::ResponseArguments;
 use crate::asked;
 use crate::failure::Failure;
+use crate::grid::Quantity;
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
@@ -15,7 +16,7 @@ use std::io::Write;
 
 /// Runs the command.
 pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let (r, beta) = asked::grids(&arguments.r, &arguments.beta)?;
+    let (r, beta) = asked::grids(&arguments.r, Quantity::FrequencyRatio, &arguments.beta)?;
     let orders = match asked::harmonics(arguments.harmonics.as_deref())? {
         Some(highest) => (1..=highest).step_by(2).collect(),
         None => Vec::new(),

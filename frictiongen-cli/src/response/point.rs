@@ -1,10 +1,10 @@
 //! Computes the response at one frequency ratio and one friction ratio.
 
-use crate::asked::{Mass, polar};
+use crate::asked::{self, Mass, polar};
 use crate::failure::Failure;
 use crate::output::Visitor;
-use frictiongen::study::{SystemAt, SystemMotion, SystemSteady};
-use frictiongen::{Complex, NotContinuous, OutOfDomain};
+use frictiongen::study::{SystemAt, SystemMotion, SystemOrbitMotion, SystemSteady};
+use frictiongen::{Complex, Limits, NotContinuous, OutOfDomain};
 
 /// The response at one frequency ratio and one friction ratio.
 #[derive(Debug)]
@@ -17,6 +17,8 @@ pub struct Point {
     pub regime: &'static str,
     /// β/min(β_lim, β*_lim) − 1.
     pub margin: f64,
+    /// Where the motion comes from, or why there is none.
+    pub answer: &'static str,
     /// The relative motion in the contact.
     pub contact: Movement,
     /// The motion of the masses asked for, in their order.
@@ -36,10 +38,29 @@ pub struct Movement {
 
 impl Movement {
     fn continuous(motion: &SystemSteady, orders: &[u32]) -> Self {
+        let largest = motion.largest();
         Self {
-            swing: Some((motion.amplitude(), motion.phase())),
+            swing: Some((largest.amplitude, largest.phase)),
             monoharmonic: Some(motion.amplitude_monoharmonic()),
             harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
+        }
+    }
+
+    fn orbit(motion: &SystemOrbitMotion<'_, '_>, orders: &[u32]) -> Self {
+        Self {
+            swing: Some(motion.largest()),
+            monoharmonic: None,
+            harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
+        }
+    }
+
+    /// What is left where nothing has time to move: the formulas are evaluated at a finite r.
+    fn at_infinity(&mut self) {
+        let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
+        self.swing = self.swing.map(|(size, phase)| (settled(size), phase));
+        self.monoharmonic = self.monoharmonic.map(settled);
+        for harmonic in &mut self.harmonics {
+            *harmonic = Complex::new(settled(harmonic.re), settled(harmonic.im));
         }
     }
 
@@ -67,33 +88,71 @@ impl Question<'_> {
         (r, beta): (f64, &[f64]),
         visit: Visitor<'_, Point>,
     ) -> Result<(), Failure> {
+        // One search for all β.
+        let limits = at.limits();
         for &beta in beta {
-            visit(&self.answer(at, r, beta).map_err(Failure::new)?)?;
+            visit(&self.answer(at, &limits, r, beta).map_err(Failure::new)?)?;
         }
         Ok(())
     }
 
-    fn answer(&self, at: &SystemAt<'_>, r: f64, beta: f64) -> Result<Point, OutOfDomain> {
+    fn answer(
+        &self,
+        at: &SystemAt<'_>,
+        limits: &Limits<f64>,
+        r: f64,
+        beta: f64,
+    ) -> Result<Point, OutOfDomain> {
         let mut point = Point {
             r,
             beta,
             regime: "",
-            margin: at.margin(beta)?,
+            margin: limits.margin(beta)?,
+            answer: "closed form",
             contact: Movement::default(),
             masses: vec![Movement::default(); self.masses.len()],
         };
-        match at.motion(beta) {
+        let motion = at.motion(beta);
+        point.regime = asked::regime(at, &motion)?;
+        match motion {
             Ok(motion) => {
-                point.regime = "continuous";
                 point.contact = Movement::continuous(&motion.contact(), self.orders);
                 point.masses = self.each(|mass| self.mass(&motion, mass));
             }
-            Err(NotContinuous::StickSlip) => point.regime = "stick-slip",
-            Err(NotContinuous::Unbounded) => point.regime = "unbounded",
-            Err(NotContinuous::Stuck) => self.stuck(at, &mut point),
-            Err(NotContinuous::OutOfDomain) => return Err(OutOfDomain { argument: "beta" }),
+            Err(NotContinuous::Stuck) => match at.stuck() {
+                Ok(stuck) => {
+                    point.masses =
+                        self.each(|mass| stuck.mass(&mass.name).ok().map(Movement::stuck));
+                }
+                Err(_) => point.answer = "unbounded",
+            },
+            Err(NotContinuous::StickSlip) => self.orbit(at, &mut point),
+            Err(NotContinuous::Unbounded) => point.answer = "unbounded",
+            Err(_) => return Err(OutOfDomain { argument: "beta" }),
+        }
+        if r.is_infinite() {
+            point.contact.at_infinity();
+            point.masses.iter_mut().for_each(Movement::at_infinity);
         }
         Ok(point)
+    }
+
+    fn orbit(&self, at: &SystemAt<'_>, point: &mut Point) {
+        match at.orbit(point.beta) {
+            Ok(orbit) => {
+                point.answer = match (orbit.is_marginal(), orbit.is_stable()) {
+                    (true, _) => "orbit: marginal",
+                    (false, true) => "orbit: stable",
+                    (false, false) => "orbit: unstable",
+                };
+                point.contact = Movement::orbit(&orbit.contact(), self.orders);
+                point.masses = self.each(|mass| {
+                    let motion = orbit.mass_at(mass.index)?;
+                    Some(Movement::orbit(&motion, self.orders))
+                });
+            }
+            Err(error) => point.answer = asked::reason(error),
+        }
     }
 
     fn each(&self, movement: impl Fn(&Mass) -> Option<Movement>) -> Vec<Movement> {
@@ -106,16 +165,5 @@ impl Question<'_> {
     fn mass(&self, motion: &SystemMotion<'_>, mass: &Mass) -> Option<Movement> {
         let motion = motion.mass_at(mass.index)?;
         Some(Movement::continuous(&motion, self.orders))
-    }
-
-    fn stuck(&self, at: &SystemAt<'_>, point: &mut Point) {
-        match at.stuck() {
-            Ok(stuck) => {
-                point.regime = "stuck";
-                point.masses = self.each(|mass| stuck.mass(&mass.name).ok().map(Movement::stuck));
-            }
-            // An undamped resonance that the contact does not reach.
-            Err(_) => point.regime = "unbounded",
-        }
     }
 }

@@ -113,6 +113,7 @@ impl Report for ResponseReport {
             Column::given(&["beta"], &self.beta),
             Column::words(&["regime"], ["continuous"]),
             Column::computed(&["margin"]),
+            Column::words(&["answer"], ["orbit: marginal"]),
             Column::words(&["motion"], self.parts()),
             Column::computed(&["amplitude", unit]),
             Column::computed(&["phase", "(rad)"]),
@@ -131,6 +132,7 @@ impl Report for ResponseReport {
             point.beta.into(),
             point.regime.into(),
             point.margin.into(),
+            point.answer.into(),
         ];
         let movements = self.movements(point);
         let mut rows: Vec<Vec<Value<'a>>> = movements
@@ -153,7 +155,7 @@ impl Report for ResponseReport {
     }
 
     fn names(&self) -> Vec<String> {
-        let mut names = ["r", "beta", "regime", "margin"]
+        let mut names = ["r", "beta", "regime", "margin", "answer"]
             .map(str::to_owned)
             .to_vec();
         for part in self.parts() {
@@ -174,6 +176,7 @@ impl Report for ResponseReport {
             point.beta.into(),
             point.regime.into(),
             point.margin.into(),
+            point.answer.into(),
         ];
         for (_, movement) in self.movements(point) {
             record.extend(self.values(movement));
@@ -193,6 +196,7 @@ impl Report for ResponseReport {
             ("beta", Value::from(point.beta).json()),
             ("regime", Json::from(point.regime)),
             ("margin", Value::from(point.margin).json()),
+            ("answer", Json::from(point.answer)),
             ("contact", Json::Object(self.object(&point.contact))),
             ("masses", masses.collect()),
         ]))

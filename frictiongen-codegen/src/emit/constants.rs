@@ -29,6 +29,9 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         #[doc = ""]
         #[doc = #header]
         #derives
+        #[::core::prelude::v1::derive(
+            ::core::cmp::Eq, ::core::cmp::PartialEq, ::core::default::Default, ::core::hash::Hash
+        )]
         #visibility struct #name;
     };
 
@@ -77,7 +80,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
             #[inline]
             #[must_use]
-            pub fn frequency_ratio(omega: #scalar) -> #scalar {
+            pub const fn frequency_ratio(omega: #scalar) -> #scalar {
                 omega / #reference
             }
 
@@ -85,7 +88,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             /// base motion of amplitude Y the load is P = k₁Y.
             #[inline]
             #[must_use]
-            pub fn friction_ratio(friction: #scalar, load: #scalar) -> #scalar {
+            pub const fn friction_ratio(friction: #scalar, load: #scalar) -> #scalar {
                 friction / load
             }
         }

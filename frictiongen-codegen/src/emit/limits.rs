@@ -68,14 +68,35 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
             #every_mode_counts
             ///
             #[doc = #exact_count]
+            /// The search takes at most `kernel::search::MAX_EVALUATIONS` evaluations of a sum over the
+            /// modes; `limits_searched` says how many, and whether it came to its end.
             #[must_use]
             pub fn continuous_limit(&self) -> #scalar {
+                self.limit_searched().0
+            }
+
+            fn limit_searched(&self) -> (#scalar, Effort) {
                 let Self { r, contact, modes, .. } = *self;
                 let mut waves = #name::MODES.map(|mode| Wave::<#scalar, #decay>::idle(&mode));
                 let constraint =
-                    #name::CHAIN.velocity_constraint(&contact, &#name::MODES, &modes, &mut waves).value;
+                    #name::CHAIN.velocity_constraint(&contact, &#name::MODES, &modes, &mut waves);
+                let effort = constraint.effort();
+                let constraint = constraint.value;
                 let limit = { #with_constraint };
-                regime::with_ends(r, limit, 0.0, #name::CONTINUOUS_AT_INFINITY)
+                (regime::with_ends(r, limit, 0.0, #name::CONTINUOUS_AT_INFINITY), effort)
+            }
+
+            /// Both limits, by one search: what is asked of them needs no other.
+            #[must_use]
+            pub fn limits(&self) -> Limits<#scalar> {
+                Limits { continuous: self.continuous_limit(), sliding: self.sliding_limit() }
+            }
+
+            /// Both limits, and what the search took.
+            #[must_use]
+            pub fn limits_searched(&self) -> (Limits<#scalar>, Effort) {
+                let (continuous, effort) = self.limit_searched();
+                (Limits { continuous, sliding: self.sliding_limit() }, effort)
             }
 
             /// β_lim with S replaced by its limit for τ → 0 (5.64): an upper bound, exact wherever
@@ -114,7 +135,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
                 regime::with_ends(r, limit, #name::SLIDING_AT_REST, #name::SLIDING_AT_INFINITY)
             }
 
-            /// The regime at the friction ratio β = F/P.
+            /// The regime at the friction ratio β = F/P.  It searches for β_lim: for many β at one r, ask
+            /// [`limits`](Self::limits) once.
             ///
             /// # Errors
             /// `OutOfDomain` for NaN, negative and infinite β.
@@ -123,7 +145,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
                 Ok(regime::regime(beta, self.continuous_limit(), self.sliding_limit()))
             }
 
-            /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime.
+            /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime.  It searches as `regime` does.
             ///
             /// # Errors
             /// `OutOfDomain` for NaN, negative and infinite β.
@@ -134,15 +156,21 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
         }
 
         impl #name {
-            /// Both limits over a slice of frequency ratios; the shortest slice ends it.
+            /// Both limits over a slice of frequency ratios, into slices of the same length.
             ///
             /// # Errors
-            /// `OutOfDomain` at the first NaN or negative r; what came before it is filled in.
+            /// `OutOfDomain` for a slice of another length, which leaves both as they are, and at the
+            /// first NaN or negative r; what came before it is filled in.
             pub fn limits_into(
                 rs: &[#scalar],
                 continuous: &mut [#scalar],
                 sliding: &mut [#scalar],
             ) -> Result<(), OutOfDomain> {
+                for (room, argument) in [(continuous.len(), "continuous"), (sliding.len(), "sliding")] {
+                    if room != rs.len() {
+                        return Err(OutOfDomain { argument });
+                    }
+                }
                 for ((r, continuous), sliding) in
                     IntoIterator::into_iter(rs).zip(continuous).zip(sliding)
                 {

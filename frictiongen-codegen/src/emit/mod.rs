@@ -4,9 +4,11 @@ mod constants;
 mod dynamics;
 mod frequency;
 mod limits;
+mod missing;
 mod motion;
 mod names;
 mod orbit;
+mod shield;
 mod simulation;
 mod stuck;
 mod trace;
@@ -59,7 +61,6 @@ struct Wanted<'a> {
     stuck: bool,
     simulation: bool,
     orbit: bool,
-    unbuilt: Vec<&'static str>,
 }
 
 impl Emission<'_> {
@@ -118,7 +119,6 @@ impl Emission<'_> {
             stuck: false,
             simulation: false,
             orbit: false,
-            unbuilt: Vec::new(),
         };
         let all = || {
             self.description
@@ -144,7 +144,8 @@ impl Emission<'_> {
                 Provide::Stuck => wanted.stuck = true,
                 Provide::Orbit => wanted.orbit = true,
                 Provide::Simulation => wanted.simulation = true,
-                Provide::Stepper => wanted.unbuilt.push("stepper"),
+                // Refused before it comes here.
+                Provide::Stepper => {}
             }
         }
         wanted
@@ -220,13 +221,6 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
         wanted.orbit,
     ];
     let in_time = wanted.simulation || wanted.orbit;
-    let unbuilt = wanted.unbuilt.iter().map(|item| {
-        let message = format!(
-            "`{item}` under `provide` is not built yet: leave it out; the other items are there"
-        );
-        code!(::core::compile_error!(#message);)
-    });
-    let unbuilt: Vec<_> = unbuilt.collect();
     let (types, mut items) = parts(&emission);
     let own = emission.names();
     let clashes = own
@@ -258,11 +252,14 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
             };
         }
     });
+    let shield = shield::emit(&items);
     let block = code! {
             use #facade::kernel::chain::{Chain, ContactAt, ModeAt};
             use #facade::kernel::decay::{Damped, Decay, Undamped};
             use #facade::kernel::mode::{Kind, Mode, ModeResponse};
             use #facade::kernel::motion::{Carrier, Friction, Share};
+            use #facade::kernel::regime::Limits;
+            use #facade::kernel::search::Effort;
             use #facade::kernel::steady::{self, Motion};
             use #facade::kernel::wave::Wave;
             use #facade::kernel::{Complex, Scalar, regime};
@@ -273,6 +270,7 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
             use ::core::result::Result::{self, Err, Ok};
             // Local variables may have the names of the user's constants: these come first.
             use #facade::kernel::locals::*;
+            #shield
             use ::core::primitive::#scalar;
             #items
     };
@@ -282,7 +280,6 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
         block
     };
     code! {
-        #(#unbuilt)*
         #types
         #[automatically_derived]
         #[allow(
@@ -316,6 +313,7 @@ fn parts(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     let mut items = constants.items;
     items.extend(frequency.items);
     items.extend(limits);
+    items.extend(missing::emit(emission, &wanted));
     let in_time = wanted.simulation || wanted.orbit;
     let dynamics = in_time.then(|| dynamics::emit(emission));
     let (mut simulation, mut orbit) = (None, None);

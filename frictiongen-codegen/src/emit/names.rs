@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
 /// What emitted code imports: a scene may have the same name.
-pub(super) const IMPORTED: [&str; 41] = [
+pub(super) const IMPORTED: [&str; 43] = [
     "Chain",
     "ContactAt",
     "ModeAt",
@@ -20,6 +20,8 @@ pub(super) const IMPORTED: [&str; 41] = [
     "Motion",
     "Wave",
     "Complex",
+    "Effort",
+    "Limits",
     "Scalar",
     "regime",
     "steady",

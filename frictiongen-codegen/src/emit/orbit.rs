@@ -70,6 +70,13 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
         });
     let methods: TokenStream = methods.collect();
+    let asked = description.mass_names.iter().enumerate();
+    let asked: TokenStream = asked
+        .map(|(mass, method)| {
+            let index = count(mass);
+            code!(#facade::Of::Mass(#index) => Some(question(&self.#method())),)
+        })
+        .collect();
     let items = code! {
         impl #at {
             /// The steady state at β = F/P that is reached from rest, in any regime.
@@ -114,6 +121,51 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
 
         impl #orbit {
             #methods
+        }
+
+        impl #facade::OrbitAt for #at {
+            type Orbit<'o> = #orbit;
+
+            fn orbit(&self, beta: #scalar) -> Result<#orbit, NoOrbit> {
+                Self::orbit(self, beta)
+            }
+        }
+
+        impl #facade::SteadyState for #orbit {
+            type Scalar = #scalar;
+
+            fn stops(&self) -> ::core::primitive::usize {
+                self.orbit.stops()
+            }
+            fn reversals(&self) -> ::core::primitive::usize {
+                self.orbit.reversals()
+            }
+            fn stuck_fraction(&self) -> #scalar {
+                self.orbit.stuck_fraction()
+            }
+            fn is_symmetric(&self) -> ::core::primitive::bool {
+                self.orbit.is_symmetric()
+            }
+            fn is_stable(&self) -> ::core::primitive::bool {
+                self.orbit.is_stable()
+            }
+            fn is_marginal(&self) -> ::core::primitive::bool {
+                self.orbit.is_marginal()
+            }
+            fn multipliers(&self) -> &[Complex<#scalar>] {
+                self.orbit.multipliers()
+            }
+            fn ask<T>(
+                &self,
+                of: #facade::Of,
+                question: impl ::core::ops::FnOnce(&dyn #facade::Periodic<Scalar = #scalar>) -> T,
+            ) -> Option<T> {
+                match of {
+                    #facade::Of::Contact => Some(question(&self.orbit.contact())),
+                    #asked
+                    _ => None,
+                }
+            }
         }
 
         impl ::core::ops::Deref for #orbit {

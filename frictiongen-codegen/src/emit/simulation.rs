@@ -88,6 +88,14 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             #methods
         }
 
+        impl #facade::Simulates for #name {
+            type Run<'a> = #simulation;
+
+            fn simulation(&self, r: #scalar, beta: #scalar) -> Result<#simulation, OutOfDomain> {
+                Self::simulation(r, beta)
+            }
+        }
+
         impl ::core::ops::Deref for #simulation {
             type Target = Simulation<'static, #scalar, [Part<#scalar>; #parts]>;
 

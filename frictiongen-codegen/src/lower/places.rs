@@ -29,7 +29,6 @@ impl Places<'_> {
                 .and_then(|masses| masses.list.entries.get(index))
         };
         let spring = |index: usize| self.springs.get(index);
-        let range = fields.range.given();
         match path {
             Path::Scene => None,
             Path::Masses => fields.masses.given().map(|masses| masses.place),
@@ -49,13 +48,10 @@ impl Places<'_> {
             Path::Provide(None) => fields.provide.given().map(|provide| provide.place),
             Path::Provide(Some(index)) => self.provide.get(index).map(|entry| entry.place),
             Path::Accuracy => match fields.accuracy.given() {
-                Some(AccuracyEntry::Relative(number)) => Some(number.place),
+                Some(AccuracyEntry::Other(place)) => Some(*place),
                 _ => None,
             },
-            Path::RangeR => range.and_then(|range| range.r.as_ref()).map(|r| r.place),
-            Path::RangeBeta => range
-                .and_then(|range| range.beta.as_ref())
-                .map(|beta| beta.place),
+            Path::Range => fields.range.given().copied(),
         }
     }
 

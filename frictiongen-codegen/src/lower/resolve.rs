@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use frictiongen_model::scene::{Accuracy, Contact, Excitation, Mass, Node, Scene, Spring};
+use frictiongen_model::scene::{Accuracy, Contact, Excitation, Mass, Node, Range, Scene, Spring};
 use frictiongen_model::validate::{Checks, Path, validate_known};
 
 use super::Limits;
@@ -37,12 +37,14 @@ pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems)
     };
     let (provide, provide_entries) = lowering.provide(fields);
     let accuracy = match fields.accuracy.given() {
-        Some(AccuracyEntry::Relative(number)) => {
-            Accuracy::Relative(lowering.number(*number, Path::Accuracy))
-        }
+        Some(AccuracyEntry::Other(_)) => Accuracy::Relative(f64::NAN),
         Some(AccuracyEntry::Exact) | None => Accuracy::Exact,
     };
-    let range = lowering.range(fields);
+    // Refused whatever it is.
+    let range = fields.range.given().map(|_| Range {
+        r: (0.0, f64::INFINITY),
+        beta: (0.0, f64::INFINITY),
+    });
     let scene = Scene {
         name: syntax
             .name

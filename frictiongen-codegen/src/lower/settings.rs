@@ -1,15 +1,13 @@
-//! Damping, what to provide, and the range, from what was written.
+//! Damping and what to provide, from what was written.
 
 use std::collections::HashSet;
 
-use frictiongen_model::scene::{Damping, Provide, Range};
+use frictiongen_model::scene::{Damping, Provide};
 use frictiongen_model::validate::Path;
 
 use super::resolve::Lowering;
 use crate::diagnostics::Reported;
-use crate::parse::syntax::{
-    DampingKind, Fields, Interval, Placed, ProvideEntry, ProvideKind, Slot,
-};
+use crate::parse::syntax::{DampingKind, Fields, Placed, ProvideEntry, ProvideKind, Slot};
 use crate::parse::{List, Name};
 
 impl<'s> Lowering<'s, '_> {
@@ -86,28 +84,5 @@ impl<'s> Lowering<'s, '_> {
         }
         // What is left of a faulty list may be empty, which is no error of its own.
         Provide::Motion((sound || !masses.is_empty()).then_some(masses))
-    }
-
-    pub(super) fn range(&mut self, fields: &Fields) -> Option<Range> {
-        let placeholder = (0.0, 1.0);
-        let mut interval = |interval: &Option<Interval>, path| {
-            interval.as_ref().map_or(placeholder, |interval| {
-                (
-                    self.number(interval.start, path),
-                    self.number(interval.end, path),
-                )
-            })
-        };
-        match &fields.range {
-            Slot::Missing => None,
-            Slot::Broken => Some(Range {
-                r: placeholder,
-                beta: placeholder,
-            }),
-            Slot::Given(range) => Some(Range {
-                r: interval(&range.r, Path::RangeR),
-                beta: interval(&range.beta, Path::RangeBeta),
-            }),
-        }
     }
 }

@@ -48,8 +48,10 @@ fn known(word: &str) -> Option<Field> {
         .map(|&(_, field)| field)
 }
 
+/// The fields that are advised; the range, of which nothing is built yet, is not.
 fn names() -> impl Iterator<Item = &'static str> {
-    FIELDS.iter().map(|&(name, _)| name)
+    let built = FIELDS.iter().filter(|(_, field)| *field != Field::Range);
+    built.map(|&(name, _)| name)
 }
 
 /// Whether a field that exists begins here: `crate:` and `crate: ::path`, but not `crate::path`.
@@ -87,6 +89,10 @@ fn field(
         );
         return Err(problems.report(place, message));
     };
+    if fields.contact.given().is_some() && reader.is_punct(0, '-') && known(&word.text).is_none() {
+        let message = format!("{}; delete this one", graph::ONE_CONTACT);
+        return Err(problems.report(place, message));
+    }
     // What is no field at all needs no colon either: one error is enough.
     let field = recognise(&word, problems).ok_or(Reported)?;
     reader.take_colon(problems, "the name of a field and its value")?;
@@ -123,10 +129,36 @@ fn field(
     }
 }
 
+/// What belongs to a question rather than to a scene, and what its author is told.
+const ASKED: [(&[&str], &str); 3] = [
+    (
+        &[
+            "friction",
+            "friction_force",
+            "friction_ratio",
+            "beta",
+            "coulomb",
+        ],
+        "how much friction there is, β = F/P, is said when an answer is asked for, as in `at.motion(0.3)` or `--beta 0.3`; leave it out, and see `stiction` for μ, static over kinetic friction",
+    ),
+    (
+        &["frequency", "frequency_ratio", "omega", "r"],
+        "the frequency, r = ω√(m₁/k₁), is said when an answer is asked for, as in `Frame::at(0.9)` or `--r 0.9`; leave it out",
+    ),
+    (&["mu", "static_friction"], "did you mean `stiction`?"),
+];
+
 /// Which field a word names; a misspelt one is reported and then read as what it must have meant,
 /// so that it does not count as missing too.
 fn recognise(word: &Name, problems: &mut Problems) -> Option<Field> {
     let text = word.text.as_str();
+    if let Some((_, message)) = ASKED.iter().find(|(words, _)| words.contains(&text)) {
+        problems.report(
+            word.place,
+            format!("a scene has no field `{text}`; {message}"),
+        );
+        return None;
+    }
     known(text).or_else(|| {
         let hint = suggest::hint(text, names(), || {
             format!("the fields are {}", names().collect::<Vec<_>>().join(", "))

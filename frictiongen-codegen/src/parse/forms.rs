@@ -5,21 +5,12 @@ use proc_macro2::Delimiter;
 use super::number::{Number, number};
 use super::reader::{Inside, List, Name, Read, Reader};
 use super::suggest;
-use super::syntax::{
-    AccuracyEntry, DampingEntry, DampingKind, Interval, Placed, ProvideEntry, ProvideKind,
-    RangeEntry,
-};
+use super::syntax::{AccuracyEntry, DampingEntry, DampingKind, Placed, ProvideEntry, ProvideKind};
 use crate::diagnostics::{Place, Problems, Reported};
 
 const DAMPING: [&str; 3] = ["none", "modal", "rayleigh"];
-const PROVIDE: [&str; 6] = [
-    "limits",
-    "motion",
-    "stuck",
-    "orbit",
-    "simulation",
-    "stepper",
-];
+/// What can be provided; the stepper, which is not built yet, is known but not advised.
+const PROVIDE: [&str; 5] = ["limits", "motion", "stuck", "orbit", "simulation"];
 
 /// `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)`
 pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<DampingEntry> {
@@ -203,106 +194,22 @@ fn mass_names(reader: &mut Reader<'_>, problems: &mut Problems) -> List<Name> {
     )
 }
 
-/// `exact` or a number.
-pub(crate) fn accuracy(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<AccuracyEntry> {
+/// `exact`; whatever else there is is kept as such.
+pub(crate) fn accuracy(reader: &mut Reader<'_>, _: &mut Problems) -> Read<AccuracyEntry> {
     let place = reader.place();
-    if !reader.is_word(0) {
-        let read = number(reader, problems);
-        return Read {
-            value: read.value.map(AccuracyEntry::Relative),
-            clean: read.clean,
-        };
-    }
-    let found = reader.found();
     if reader.take_word().is_some_and(|word| word.text == "exact") {
         return Read::clean(AccuracyEntry::Exact);
     }
-    problems.report(
-        place,
-        format!("the accuracy is `exact` or a relative error such as `1e-6`, not {found}; write one of the two"),
-    );
-    Read::lost()
+    Read {
+        value: Some(AccuracyEntry::Other(place)),
+        clean: false,
+    }
 }
 
-/// `{ r: a..b, beta: a..b }`
-pub(crate) fn range(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<RangeEntry> {
-    const FORM: &str = "write, for example, `{ r: 0.1..3.0, beta: 0.0..2.0 }`";
-    let place = reader.place();
-    let Some(mut inside) = reader.take_group(Delimiter::Brace) else {
-        let message = format!(
-            "the range stands in braces, but here is {}; {FORM}",
-            reader.found()
-        );
-        problems.report(place, message);
-        return Read::lost();
-    };
-    let mut range = RangeEntry {
-        r: None,
-        beta: None,
-    };
-    let begins = |reader: &Reader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
-    let list = inside
-        .reader
-        .list(problems, begins, begins, |reader, problems| {
-            interval(reader, problems, &mut range).into()
-        });
-    if list.complete {
-        for (is_missing, name) in [(range.r.is_none(), "r"), (range.beta.is_none(), "beta")] {
-            if is_missing {
-                problems.report(
-                    inside.place,
-                    format!("the range of `{name}` is missing; {FORM}"),
-                );
-            }
-        }
+/// A range, of which only the place is kept.
+pub(crate) fn range(reader: &mut Reader<'_>, _: &mut Problems) -> Read<Place> {
+    Read {
+        value: Some(reader.place()),
+        clean: false,
     }
-    Read::clean(range)
-}
-
-fn interval(
-    reader: &mut Reader<'_>,
-    problems: &mut Problems,
-    range: &mut RangeEntry,
-) -> Result<(), Reported> {
-    let place = reader.place();
-    let found = reader.found();
-    let word = reader.take_word().map(|word| word.text).unwrap_or_default();
-    let slot = match word.as_str() {
-        "r" => &mut range.r,
-        "beta" => &mut range.beta,
-        _ => {
-            let message = format!(
-                "a range is given for `r`, the frequency ratio, and `beta`, the friction ratio, not for {found}; write one of the two"
-            );
-            return Err(problems.report(place, message));
-        }
-    };
-    reader.take_colon(problems, "the name of a range and its ends")?;
-    let start = lossless(number(reader, problems))?;
-    let dots = reader.place();
-    if !(reader.take_punct('.') && reader.take_punct('.')) {
-        let message = format!(
-            "two points stand between the ends of a range, but here is {}; write, for example, `0.1..3.0`",
-            reader.found()
-        );
-        return Err(problems.report(dots, message));
-    }
-    if reader.take_punct('=') || reader.take_punct('.') {
-        problems.report(dots, "both ends belong to a range anyway; write `..`");
-    }
-    let end = lossless(number(reader, problems))?;
-    if slot.is_some() {
-        problems.report(
-            place,
-            format!("the range of `{word}` is there twice; keep one of the two"),
-        );
-    } else {
-        *slot = Some(Interval { place, start, end });
-    }
-    Ok(())
-}
-
-/// The number, where the reader still knows its place.
-fn lossless(read: Read<Number>) -> Result<Number, Reported> {
-    read.value.filter(|_| read.clean).ok_or(Reported)
 }

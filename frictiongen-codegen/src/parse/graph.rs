@@ -85,8 +85,20 @@ fn spring(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<Sprin
     })
 }
 
+/// What a list of contacts is told.
+pub(crate) const ONE_CONTACT: &str =
+    "a scene has one contact, and its closed forms hold for no more";
+
 /// `mass - wall`, `mass - mass`, `mass - base`, either way round.
 pub(crate) fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<ContactEntry> {
+    if let Some(Token {
+        kind: Kind::Group { .. },
+        place,
+    }) = reader.peek(0)
+    {
+        let message = format!("{ONE_CONTACT}; write one without brackets, for example `m1 - wall`");
+        return Err(problems.report(*place, message)).into();
+    }
     ends(reader, problems, "the contact", "m1 - wall")
         .map(|(from, to)| ContactEntry { from, to })
         .into()

@@ -85,7 +85,10 @@ fn attribute(
     }
     let token = reader.peek(0);
     let Some(inside) = reader.take_group(Delimiter::Bracket) else {
-        problems.report(place, "`#` means nothing here; delete it");
+        problems.report(
+            place,
+            "`#` means nothing here; a comment begins with `//`, a line of documentation with `///`",
+        );
         return;
     };
     let name = match inside.reader.peek(0) {

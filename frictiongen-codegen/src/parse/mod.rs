@@ -47,6 +47,7 @@ pub(crate) fn text(text: &str, problems: &mut Problems) -> Option<Syntax> {
 
 fn syntax(tokens: &[Token], end: Place, problems: &mut Problems) -> Syntax {
     let mut reader = Reader::new(tokens, end);
+    let mut reader = call(&mut reader, problems).unwrap_or(reader);
     let reader = &mut reader;
     let attributes = header::attributes(reader, problems);
     let visibility = header::visibility(reader, problems);
@@ -74,13 +75,34 @@ fn syntax(tokens: &[Token], end: Place, problems: &mut Problems) -> Syntax {
         syntax.has_body = true;
         if !reader.is_empty() {
             let message = format!(
-                "{} stands behind the scene; one description holds one scene, so delete it",
+                "{} stands behind the scene; one description holds one scene: give each a file or a macro call of its own",
                 reader.found()
             );
             problems.report(reader.place(), message);
         }
     }
     syntax
+}
+
+/// The inside of a macro call that was pasted with its description.
+fn call<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'t>> {
+    const NAME: &str = "friction_system";
+    let mut ahead = *reader;
+    let place = ahead.place();
+    while ahead.is_punct(0, ':') || (ahead.is_word(0) && ahead.is_punct(1, ':')) {
+        ahead.next();
+    }
+    if ahead.take_word()?.text != NAME || !ahead.take_punct('!') {
+        return None;
+    }
+    let inside = [Delimiter::Brace, Delimiter::Parenthesis, Delimiter::Bracket]
+        .into_iter()
+        .find_map(|bracket| ahead.take_group(bracket))?;
+    problems.report(
+        place,
+        format!("a description is what stands inside `{NAME}! {{ … }}`; delete the call around it"),
+    );
+    Some(inside.reader)
 }
 
 /// The inside of the braces.

@@ -109,7 +109,7 @@ fn single(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repor
             format!("`{text}` is not finite; write a finite number")
         }
         Some(Kind::Word { text, .. }) => format!(
-            "`{text}` is not a number; numbers are literals joined by `+ - * / ( )`, for example `2.0 * 3.27`"
+            "`{text}` is not a number, and a description cannot see the value of a constant: write the number itself; numbers are literals joined by `+ - * / ( )`, for example `2.0 * 3.27`"
         ),
         Some(Kind::Quoted { .. }) => {
             "a number stands without quotation marks; delete them".to_owned()

@@ -91,19 +91,8 @@ pub(crate) enum ProvideKind {
 
 pub(crate) enum AccuracyEntry {
     Exact,
-    Relative(Number),
-}
-
-/// From where to where, with the place of the name.
-pub(crate) struct Interval {
-    pub(crate) place: Place,
-    pub(crate) start: Number,
-    pub(crate) end: Number,
-}
-
-pub(crate) struct RangeEntry {
-    pub(crate) r: Option<Interval>,
-    pub(crate) beta: Option<Interval>,
+    /// Anything else, and where.
+    Other(Place),
 }
 
 /// A whole description, as far as it could be read.
@@ -129,6 +118,7 @@ pub(crate) struct Fields {
     pub(crate) scalar: Slot<Precision>,
     pub(crate) provide: Slot<Placed<ProvideEntry>>,
     pub(crate) accuracy: Slot<AccuracyEntry>,
-    pub(crate) range: Slot<RangeEntry>,
+    /// Where its value begins.
+    pub(crate) range: Slot<Place>,
     pub(crate) facade: Slot<syn::Path>,
 }

@@ -22,7 +22,7 @@ where
     /// on the contact is stuck.
     ///
     /// # Errors
-    /// [`NoOrbit`] says why there is none.
+    /// [`NoOrbit`] says why there is none; `OutOfDomain` also for room of another size.
     #[allow(
         clippy::too_many_arguments,
         reason = "one question and the room for its answer"
@@ -42,6 +42,19 @@ where
     {
         let zero = S::constant(0.0);
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
+        let driven = dynamics.in_contact();
+        for (found, needed, argument) in [
+            (
+                numbers.as_ref().len(),
+                super::numbers(dynamics.modes.len(), driven),
+                "numbers",
+            ),
+            (multipliers.as_ref().len(), 2 * driven, "multipliers"),
+        ] {
+            if found != needed {
+                return Err(crate::errors::OutOfDomain { argument }.into());
+            }
+        }
         let sticks = start.is_none() && !(beta < sliding);
         for (index, mode) in dynamics.modes.iter().enumerate() {
             settles(&dynamics, mode, index)?;
@@ -60,7 +73,6 @@ where
             stuck: zero,
             patience: MAX_STEPS,
         };
-        let driven = dynamics.in_contact();
         let room = numbers.as_mut();
         let (states, rest) =
             room.split_at_mut(room.len().min(MAX_SEGMENTS * 2 * dynamics.modes.len()));
@@ -81,13 +93,7 @@ where
             relative: zero,
         }; MAX_SEGMENTS];
         if let Some((displacements, velocities)) = start {
-            if !displacements
-                .iter()
-                .chain(velocities)
-                .all(|value| value.is_finite())
-            {
-                return Err(crate::errors::OutOfDomain { argument: "state" }.into());
-            }
+            setting.check_state((displacements, velocities))?;
             setting.load_state(displacements, velocities, flow.modes);
             flow.stance = setting.stance(flow.modes, zero);
         }

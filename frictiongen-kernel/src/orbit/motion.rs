@@ -49,6 +49,12 @@ where
         }
     }
 
+    /// Amplitude and phase, found together: (largest |x̄|, its lag).
+    pub fn largest(&self) -> (S, S) {
+        let best = self.best();
+        (best.value, best.lag.unwrap_or(S::constant(0.0)))
+    }
+
     /// The largest |x̄| of the cycle (P/k₁; for base motion Y).
     pub fn amplitude(&self) -> S {
         self.best().value

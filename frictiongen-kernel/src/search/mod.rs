@@ -77,6 +77,28 @@ pub struct Peak<S> {
     pub evaluations: u32,
 }
 
+/// What a search took.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Effort {
+    /// It came to its end after so many evaluations, and nothing larger remains.
+    Bounded(u32),
+    /// It stopped after [`MAX_EVALUATIONS`]: its answer is the best that it had seen.
+    Exceeded,
+}
+
+impl<S> Peak<S> {
+    /// Whether the search came to its end.
+    #[must_use]
+    pub fn effort(&self) -> Effort {
+        if self.evaluations < MAX_EVALUATIONS {
+            Effort::Bounded(self.evaluations)
+        } else {
+            Effort::Exceeded
+        }
+    }
+}
+
 struct Search<'a, S, D> {
     sum: Sum<'a, S, D>,
     question: Question<S>,

@@ -5,6 +5,7 @@
 //! searched is the next event, the relative velocity's zero or the instant at which the contact
 //! force reaches μβ.
 
+mod clock;
 mod part;
 mod peak;
 mod run;
@@ -94,7 +95,8 @@ impl<'a, S: Float> Dynamics<'a, S> {
 }
 
 /// Whether the contact sticks, or which way it slides.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Contact {
     /// It sticks.
     Stuck,
@@ -135,7 +137,8 @@ impl Contact {
 }
 
 /// What ends a segment of the motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Event {
     /// The contact stops.
     Stop,

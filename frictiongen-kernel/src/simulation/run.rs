@@ -1,12 +1,14 @@
 //! A run in time, segment by segment.
 
-use super::segment::{self, Stance, leap};
+use super::clock::{Clock, Total};
+use super::segment::{self, Sought, Stance, ended, place, seek};
 use super::{Contact, Dynamics, Event, Part, Setting};
 use crate::errors::OutOfDomain;
 use crate::scalar::{Float, Plain};
 
 /// A segment of the motion: the contact sticks, or slides one way.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment<S> {
     /// τ at its start, within the excitation's cycle: [0, 2π).
     pub start: S,
@@ -20,6 +22,7 @@ pub struct Segment<S> {
 
 /// A mass at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Moment<S> {
     displacement: S,
     velocity: S,
@@ -47,8 +50,15 @@ impl<S: Float> Moment<S> {
 pub struct Simulation<'a, S, P> {
     setting: Setting<'a, S>,
     parts: P,
+    /// How the contact stands at the start of the segment.
     stance: Stance<S>,
-    cycles: u64,
+    /// The excitation at the start of the segment, and now.
+    start: Clock<S>,
+    now: Clock<S>,
+    /// The segment, once it has been looked through, and how much of it is over.  It is looked through once,
+    /// whatever steps it is passed in: a search that began anew beside an event would see it again.
+    sought: Option<Sought<S>>,
+    passed: Total<S>,
 }
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> {
@@ -57,8 +67,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     /// [`Part::empty`] for each mode and each held mode.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for r that is not positive and finite, for β as everywhere, and for a state
-    /// that is not finite.
+    /// [`OutOfDomain`] for r that is not positive and finite, for β as everywhere, for a state that is
+    /// not one finite number for each mass, and for another number of parts.
     pub fn new(
         dynamics: Dynamics<'a, S>,
         r: S,
@@ -71,10 +81,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     {
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
         if let Some((displacements, velocities)) = state {
-            let finite = |values: &[S]| values.iter().all(|value| value.is_finite());
-            if !(finite(displacements) && finite(velocities)) {
-                return Err(OutOfDomain { argument: "state" });
-            }
+            setting.check_state((displacements, velocities))?;
             setting.load_state(displacements, velocities, parts.as_mut());
         }
         let stance = setting.stance(parts.as_ref(), S::constant(0.0));
@@ -82,20 +89,23 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
             setting,
             parts,
             stance,
-            cycles: 0,
+            start: Clock::start(),
+            now: Clock::start(),
+            sought: None,
+            passed: Total::zero(),
         })
     }
 
     /// How many cycles of the excitation are over.
     #[must_use]
     pub fn cycles(&self) -> u64 {
-        self.cycles
+        self.now.cycles
     }
 
     /// τ within the excitation's cycle, [0, 2π).
     #[must_use]
     pub fn phase(&self) -> S {
-        self.stance.t * S::pi()
+        self.now.t * S::pi()
     }
 
     /// What the contact does from now on.
@@ -117,7 +127,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     /// z̄ and dz̄/dτ, the relative motion in the contact, now.
     #[must_use]
     pub fn relative(&self) -> (S, S) {
-        let at = segment::phase(self.stance.t);
+        let at = segment::phase(self.now.t);
         let velocity = if self.stance.contact == Contact::Stuck {
             S::constant(0.0)
         } else {
@@ -133,7 +143,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         match self.stance.contact {
             Contact::Stuck => self
                 .setting
-                .holding(self.parts.as_ref(), segment::phase(self.stance.t)),
+                .holding(self.parts.as_ref(), segment::phase(self.now.t)),
             sliding => sliding.sign::<S>() * self.setting.beta,
         }
     }
@@ -145,39 +155,88 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         })
     }
 
-    /// Moves on to the next event, at most by `reach` in τ.
-    pub fn advance(&mut self, reach: S) -> Segment<S> {
-        let (start, mut contact) = (self.stance.t, self.stance.contact);
-        let (modes, held) = self.setting.split(self.parts.as_mut());
-        let mut end = leap(&self.setting, modes, held, self.stance, reach);
-        if end.stance.wedged {
-            // The contact could not leave after all: it goes on sticking.
-            contact = Contact::Stuck;
-            end = leap(&self.setting, modes, held, end.stance, reach);
+    /// Moves on to the next event, at most by `reach` in τ; by 0 it does nothing.
+    ///
+    /// In whatever steps a run is passed, its events are the same, and neither its phase nor its motion
+    /// collects the rounding of the steps.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN, which changes nothing.
+    pub fn advance(&mut self, reach: S) -> Result<Segment<S>, OutOfDomain> {
+        if !(S::constant(0.0) <= reach && reach.is_finite()) {
+            return Err(OutOfDomain { argument: "reach" });
         }
-        // The phase is reduced at every event, so that no count of cycles takes digits from it.
-        let turns = start + end.tau * S::inverse_pi();
-        let whole = (turns * S::constant(0.5)).floor().to_f64();
-        let lapped = if whole < 1.0 && end.stance.t < start && S::constant(1.0) < turns {
-            1.0
-        } else {
-            whole
+        Ok(self.moved(reach))
+    }
+
+    /// Moves on by a reach that is finite and not negative.
+    fn moved(&mut self, reach: S) -> Segment<S> {
+        let zero = S::constant(0.0);
+        let mut segment = Segment {
+            start: self.phase(),
+            length: zero,
+            contact: self.stance.contact,
+            event: None,
         };
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "few cycles"
-        )]
-        {
-            self.cycles = self.cycles.wrapping_add(lapped as u64);
+        if !(zero < reach) {
+            return segment;
         }
-        self.stance = end.stance;
-        Segment {
-            start: start * S::pi(),
-            length: end.tau,
-            contact,
-            event: end.event,
+        let known = self.sought.is_some();
+        segment.contact = self.look(reach).stance.contact;
+        let (length, mut ended) = self.pass(reach);
+        segment.length = length;
+        // What was looked through before may end, without an event, short of the reach.
+        if known && ended == Some(None) && length < reach {
+            let (more, next) = self.pass(reach - length);
+            segment.length = length + more;
+            ended = next;
         }
+        segment.event = ended.flatten();
+        segment
+    }
+
+    /// The segment, looked through for a cycle at least.
+    fn look(&mut self, reach: S) -> Sought<S> {
+        if let Some(sought) = self.sought {
+            return sought;
+        }
+        let reach = reach.max(S::pi() + S::pi());
+        let (modes, held) = self.setting.split(self.parts.as_mut());
+        let mut sought = seek(&self.setting, modes, held, self.stance, reach);
+        if sought.holds() {
+            // The contact could not leave after all: it goes on sticking.
+            let stance = ended(&self.setting, modes, &sought, segment::phase(self.now.t)).stance;
+            sought = seek(&self.setting, modes, held, stance, reach);
+        }
+        self.stance = sought.stance;
+        self.sought = Some(sought);
+        sought
+    }
+
+    /// Moves on within the segment; its length, and what ends the segment if it is over.
+    fn pass(&mut self, reach: S) -> (S, Option<Option<Event>>) {
+        let sought = self.look(reach);
+        let (modes, held) = self.setting.split(self.parts.as_mut());
+        let rest = self.passed.short_of(sought.tau).max(S::constant(0.0));
+        if reach < rest {
+            self.passed = self.passed.plus(reach);
+            self.now = self.now.moved(Total::zero().plus(reach));
+            let to = segment::phase(self.now.t);
+            place(&self.setting, modes, held, &sought, self.passed.value, to);
+            return (reach, None);
+        }
+        self.now = self.start.moved(Total::zero().plus(sought.tau));
+        let to = segment::phase(self.now.t);
+        place(&self.setting, modes, held, &sought, sought.tau, to);
+        let end = ended(&self.setting, modes, &sought, to);
+        self.stance = Stance {
+            t: self.now.t,
+            ..end.stance
+        };
+        self.start = self.now;
+        self.passed = Total::zero();
+        self.sought = None;
+        (rest, Some(end.event))
     }
 }
 
@@ -185,7 +244,7 @@ impl<S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Iterator for Simulation<'
     type Item = Segment<S>;
 
     fn next(&mut self) -> Option<Segment<S>> {
-        Some(self.advance(S::pi() + S::pi()))
+        Some(self.moved(S::pi() + S::pi()))
     }
 }
 

@@ -202,6 +202,149 @@ pub(crate) fn advanced<S: Float>(parts: &mut [Part<S>], tau: S, from: (S, S), to
     }
 }
 
+/// A segment that has been looked through: where it ends, before anything is moved.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sought<S> {
+    /// How the contact stands at its start.
+    pub stance: Stance<S>,
+    /// Its length, in τ.
+    pub tau: S,
+    /// z̄ less the base's motion, where the contact sticks.
+    offset: S,
+    outcome: Outcome,
+    slope: S,
+    steps: u32,
+}
+
+/// What ends a segment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Outcome {
+    /// Nothing within the reach.
+    Goes,
+    /// The relative velocity vanishes.
+    Halts,
+    /// The contact force reaches ±μβ; whether it is −μβ.
+    Breaks(bool),
+    /// The contact does not leave at all.
+    Holds,
+}
+
+/// Looks for the next event from a stance, as far as `reach`; the parts are set to the segment.
+pub(crate) fn seek<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &mut [Part<S>],
+    held: &mut [Part<S>],
+    stance: Stance<S>,
+    reach: S,
+) -> Sought<S> {
+    let zero = S::constant(0.0);
+    let mut sought = Sought {
+        stance,
+        tau: zero,
+        offset: zero,
+        outcome: Outcome::Goes,
+        slope: zero,
+        steps: 0,
+    };
+    if stance.contact == Contact::Stuck {
+        let (sum, offset) = setting.stick(modes, held, &stance, reach);
+        let start = if stance.wedged {
+            Start::Held
+        } else {
+            Start::Anywhere
+        };
+        let walk = first_reach(&sum, setting.grip(), zero, start, &mut sought.steps);
+        (sought.tau, sought.outcome) = match walk {
+            Walk::Zero(tau, negative) => (tau, Outcome::Breaks(negative)),
+            Walk::Until(tau) => (tau, Outcome::Goes),
+            Walk::NoStart => (reach, Outcome::Goes),
+        };
+        sought.offset = offset;
+        sought.slope = sum.local(sought.tau).slope;
+    } else {
+        let sum = setting.slide(modes, &stance, reach);
+        let start = stance.departing.map_or(Start::Anywhere, Start::Zero);
+        (sought.tau, sought.outcome) = match first_zero(&sum, start, &mut sought.steps) {
+            Walk::Zero(tau, _) => (tau, Outcome::Halts),
+            Walk::Until(tau) => (tau, Outcome::Goes),
+            Walk::NoStart => (zero, Outcome::Holds),
+        };
+    }
+    sought
+}
+
+/// Puts the parts where they are τ after the segment's start; `to` is the excitation's phase then.
+pub(crate) fn place<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &mut [Part<S>],
+    held: &mut [Part<S>],
+    sought: &Sought<S>,
+    tau: S,
+    to: (S, S),
+) {
+    let from = phase(sought.stance.t);
+    if sought.stance.contact != Contact::Stuck {
+        return advanced(modes, tau, from, to);
+    }
+    advanced(held, tau, from, to);
+    let driven = setting.dynamics.in_contact().min(modes.len());
+    let (modes, others) = modes.split_at_mut(driven);
+    advanced(others, tau, from, to);
+    let states = modes.iter_mut().map(|part| (&mut part.y, &mut part.u));
+    setting.release(held, setting.lifted(sought.offset, to), states);
+}
+
+/// What comes of the end of a segment at which the parts have been placed.
+pub(crate) fn ended<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &[Part<S>],
+    sought: &Sought<S>,
+    to: (S, S),
+) -> End<S> {
+    let zero = S::constant(0.0);
+    let mut end = quiet(sought.tau, sought.stance, sought.steps);
+    match sought.outcome {
+        Outcome::Goes => {}
+        Outcome::Holds => {
+            end.stance.contact = Contact::Stuck;
+            end.stance.wedged = true;
+        }
+        Outcome::Breaks(negative) => {
+            let contact = if negative {
+                Contact::Backward
+            } else {
+                Contact::Forward
+            };
+            let sign: S = contact.sign();
+            let excess = setting.grip() - setting.beta;
+            end.event = Some(Event::Slip);
+            end.stance.contact = contact;
+            end.stance.departing = Some(setting.acceleration(excess));
+            end.slope = sought.slope;
+            end.jump = sign * excess;
+        }
+        Outcome::Halts => {
+            let sign: S = sought.stance.contact.sign();
+            let force = setting.holding(modes, to);
+            end.slope = setting.acceleration(force - sign * setting.beta);
+            if force.abs() <= setting.grip() {
+                end.event = Some(Event::Stop);
+                end.stance.contact = Contact::Stuck;
+                end.jump = sign * setting.beta - force;
+            } else if zero < force * sign {
+                // It touched zero and goes on.
+                end.stance.departing = Some(setting.acceleration(force.abs() - setting.beta));
+            } else {
+                end.event = Some(Event::Reversal);
+                end.stance.contact = sought.stance.contact.reversed();
+                end.stance.departing = Some(setting.acceleration(force.abs() - setting.beta));
+                end.jump = (sign + sign) * setting.beta;
+            }
+        }
+    }
+    end
+}
+
 /// From a stance to the next event, or as far as `reach`.
 pub(crate) fn leap<S: Float>(
     setting: &Setting<'_, S>,
@@ -210,10 +353,18 @@ pub(crate) fn leap<S: Float>(
     stance: Stance<S>,
     reach: S,
 ) -> End<S> {
-    if stance.contact == Contact::Stuck {
-        stuck(setting, modes, held, stance, reach)
-    } else {
-        sliding(setting, modes, stance, reach)
+    let sought = seek(setting, modes, held, stance, reach);
+    let to = phase(moved(stance.t, sought.tau));
+    if sought.outcome != Outcome::Holds {
+        place(setting, modes, held, &sought, sought.tau, to);
+    }
+    ended(setting, modes, &sought, to)
+}
+
+impl<S: Float> Sought<S> {
+    /// Whether the contact, on the point of leaving, does not.
+    pub(crate) fn holds(&self) -> bool {
+        self.outcome == Outcome::Holds
     }
 }
 
@@ -233,97 +384,4 @@ fn quiet<S: Float>(tau: S, stance: Stance<S>, steps: u32) -> End<S> {
         jump: zero,
         steps,
     }
-}
-
-fn sliding<S: Float>(
-    setting: &Setting<'_, S>,
-    modes: &mut [Part<S>],
-    stance: Stance<S>,
-    reach: S,
-) -> End<S> {
-    let zero = S::constant(0.0);
-    let from = phase(stance.t);
-    let sum = setting.slide(modes, &stance, reach);
-    let start = stance.departing.map_or(Start::Anywhere, Start::Zero);
-    let mut steps = 0;
-    let (tau, ends) = match first_zero(&sum, start, &mut steps) {
-        Walk::Zero(tau, _) => (tau, true),
-        Walk::Until(tau) => (tau, false),
-        Walk::NoStart => {
-            let mut end = quiet(zero, stance, steps);
-            end.stance.contact = Contact::Stuck;
-            end.stance.wedged = true;
-            return end;
-        }
-    };
-    let mut end = quiet(tau, stance, steps);
-    let to = phase(end.stance.t);
-    advanced(modes, tau, from, to);
-    if !ends {
-        return end;
-    }
-    let sign: S = stance.contact.sign();
-    let force = setting.holding(modes, to);
-    end.slope = setting.acceleration(force - sign * setting.beta);
-    if force.abs() <= setting.grip() {
-        end.event = Some(Event::Stop);
-        end.stance.contact = Contact::Stuck;
-        end.jump = sign * setting.beta - force;
-    } else if zero < force * sign {
-        // It touched zero and goes on.
-        end.stance.departing = Some(setting.acceleration(force.abs() - setting.beta));
-    } else {
-        end.event = Some(Event::Reversal);
-        end.stance.contact = stance.contact.reversed();
-        end.stance.departing = Some(setting.acceleration(force.abs() - setting.beta));
-        end.jump = (sign + sign) * setting.beta;
-    }
-    end
-}
-
-fn stuck<S: Float>(
-    setting: &Setting<'_, S>,
-    modes: &mut [Part<S>],
-    held: &mut [Part<S>],
-    stance: Stance<S>,
-    reach: S,
-) -> End<S> {
-    let from = phase(stance.t);
-    let (sum, offset) = setting.stick(modes, held, &stance, reach);
-    let start = if stance.wedged {
-        Start::Held
-    } else {
-        Start::Anywhere
-    };
-    let mut steps = 0;
-    let walk = first_reach(&sum, setting.grip(), S::constant(0.0), start, &mut steps);
-    let (tau, breaks) = match walk {
-        Walk::Zero(tau, negative) => (tau, Some(negative)),
-        Walk::Until(tau) => (tau, None),
-        Walk::NoStart => (reach, None),
-    };
-    let slope = sum.local(tau).slope;
-    let mut end = quiet(tau, stance, steps);
-    let to = phase(end.stance.t);
-    advanced(held, tau, from, to);
-    let driven = setting.dynamics.in_contact().min(modes.len());
-    let (modes, others) = modes.split_at_mut(driven);
-    advanced(others, tau, from, to);
-    let states = modes.iter_mut().map(|part| (&mut part.y, &mut part.u));
-    setting.release(held, setting.lifted(offset, to), states);
-    if let Some(negative) = breaks {
-        let contact = if negative {
-            Contact::Backward
-        } else {
-            Contact::Forward
-        };
-        let sign: S = contact.sign();
-        let excess = setting.grip() - setting.beta;
-        end.event = Some(Event::Slip);
-        end.stance.contact = contact;
-        end.stance.departing = Some(setting.acceleration(excess));
-        end.slope = slope;
-        end.jump = sign * excess;
-    }
-    end
 }

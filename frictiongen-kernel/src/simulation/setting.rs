@@ -30,7 +30,7 @@ impl<'a, S: Float> Setting<'a, S> {
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative, zero and infinite r, for r so near to 0 or ∞ that the formulas
-    /// leave the scalar's range, and for NaN, negative and infinite β and μβ.
+    /// leave the scalar's range, and for NaN, negative and infinite β and μβ; for another number of parts.
     pub fn new(
         dynamics: Dynamics<'a, S>,
         r: S,
@@ -41,6 +41,9 @@ impl<'a, S: Float> Setting<'a, S> {
         S: Plain,
     {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
+        if parts.len() != dynamics.modes.len() + dynamics.held.len() {
+            return Err(OutOfDomain { argument: "parts" });
+        }
         let r = check_ratio(r, "r")?;
         let (low, high) = S::inverse_ratio_range();
         let inverse = one / r;
@@ -108,6 +111,19 @@ impl<'a, S: Float> Setting<'a, S> {
         let (modes, rest) = parts.split_at_mut(modes);
         let held = self.dynamics.held.len().min(rest.len());
         (modes, rest.split_at_mut(held).0)
+    }
+
+    /// Nothing, if a state has a finite displacement and velocity for each mass.
+    pub(crate) fn check_state(&self, (x, v): (&[S], &[S])) -> Result<(), OutOfDomain> {
+        // There are as many modes as masses.
+        let masses = self.dynamics.modes.len();
+        let sound =
+            |values: &[S]| values.len() == masses && values.iter().all(|value| value.is_finite());
+        if sound(x) && sound(v) {
+            Ok(())
+        } else {
+            Err(OutOfDomain { argument: "state" })
+        }
     }
 
     /// μβ.

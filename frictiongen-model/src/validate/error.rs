@@ -4,6 +4,7 @@ use super::Path;
 
 /// One thing that keeps a scene from making physical sense.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 #[allow(
     missing_docs,
     reason = "each message says what its variant and fields mean"
@@ -166,30 +167,16 @@ pub enum SceneError {
         "`motion()` names no mass; write `motion` for all masses, or name some in the parentheses"
     )]
     MotionOfNothing { path: Path },
+    #[error("`stepper` is not built yet: leave it out; the other items are there")]
+    StepperNotBuilt { path: Path },
     #[error(
-        "an accuracy is a relative error between 0 and 1, and {value:?} is not; write, for example, `1e-6`, or `exact`"
+        "no accuracy is built yet but `exact`: write `accuracy: exact`, or leave the field out"
     )]
-    AccuracyOutOfRange { path: Path, value: f64 },
+    AccuracyNotBuilt { path: Path },
     #[error(
-        "an accuracy holds over a range of r and β: add, for example, `range: {{ r: 0.1..3.0, beta: 0.0..2.0 }}`, or write `exact`"
+        "`range` belongs to an accuracy, and none is built yet but `exact`, which holds everywhere: leave the field out"
     )]
-    AccuracyWithoutRange { path: Path },
-    #[error("{what} is never negative, but its range begins at {value:?}; begin at 0 or above")]
-    RangeNegative {
-        path: Path,
-        what: String,
-        value: f64,
-    },
-    #[error("this range runs backwards; write `{end:?}..{start:?}`")]
-    RangeReversed { path: Path, start: f64, end: f64 },
-    #[error(
-        "the range of {what} begins and ends at {start:?} and holds nothing; write a larger end"
-    )]
-    RangeEmpty {
-        path: Path,
-        what: String,
-        start: f64,
-    },
+    RangeNotBuilt { path: Path },
 }
 
 impl SceneError {
@@ -228,11 +215,9 @@ impl SceneError {
             | Self::NothingProvided { path }
             | Self::ProvidedTwice { path, .. }
             | Self::MotionOfNothing { path }
-            | Self::AccuracyOutOfRange { path, .. }
-            | Self::AccuracyWithoutRange { path }
-            | Self::RangeNegative { path, .. }
-            | Self::RangeReversed { path, .. }
-            | Self::RangeEmpty { path, .. } => *path,
+            | Self::StepperNotBuilt { path }
+            | Self::AccuracyNotBuilt { path }
+            | Self::RangeNotBuilt { path } => *path,
         }
     }
 }

@@ -20,6 +20,8 @@ pub const RESERVED: &[&str] = &[
     "continuous_limit",
     "continuous_limit_per_mode",
     "continuous_limit_without_search",
+    "limits",
+    "limits_searched",
     "margin",
     "motion",
     "orbit",
@@ -32,6 +34,7 @@ pub const RESERVED: &[&str] = &[
     "amplitude_monoharmonic",
     "displacement",
     "harmonic",
+    "largest",
     "phase",
     "velocity",
     // an orbit

@@ -85,6 +85,9 @@ fn check_provide(scene: &Scene, errors: &mut Vec<SceneError>) {
                 item: item_name(item).to_owned(),
             });
         }
+        if *item == Provide::Stepper {
+            errors.push(SceneError::StepperNotBuilt { path });
+        }
         if let Provide::Motion(Some(masses)) = item {
             if masses.is_empty() {
                 errors.push(SceneError::MotionOfNothing { path });
@@ -107,35 +110,14 @@ fn item_name(item: &Provide) -> &'static str {
     }
 }
 
+/// Neither is built yet: whoever asks for it must not believe to have got it.
 fn check_accuracy(scene: &Scene, errors: &mut Vec<SceneError>) {
-    if let Accuracy::Relative(value) = scene.accuracy {
-        let path = Path::Accuracy;
-        // Written so that NaN fails too.
-        if !(value > 0.0 && value < 1.0) {
-            errors.push(SceneError::AccuracyOutOfRange { path, value });
-        }
-        if scene.range.is_none() {
-            errors.push(SceneError::AccuracyWithoutRange { path });
-        }
+    if scene.accuracy != Accuracy::Exact {
+        errors.push(SceneError::AccuracyNotBuilt {
+            path: Path::Accuracy,
+        });
     }
-    let Some(range) = scene.range else { return };
-    for (path, what, (start, end)) in [
-        (Path::RangeR, "the frequency ratio r", range.r),
-        (Path::RangeBeta, "the friction ratio β", range.beta),
-    ] {
-        let what = what.to_owned();
-        if let Some(value) = [start, end].into_iter().find(|value| !value.is_finite()) {
-            errors.push(SceneError::NotFinite { path, what, value });
-        } else if start < 0.0 {
-            errors.push(SceneError::RangeNegative {
-                path,
-                what,
-                value: start,
-            });
-        } else if start > end {
-            errors.push(SceneError::RangeReversed { path, start, end });
-        } else if start == end {
-            errors.push(SceneError::RangeEmpty { path, what, start });
-        }
+    if scene.range.is_some() {
+        errors.push(SceneError::RangeNotBuilt { path: Path::Range });
     }
 }

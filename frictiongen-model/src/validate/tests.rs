@@ -125,8 +125,7 @@ fn numbers_that_are_not_finite_are_told_wherever_they_stand() {
             Path::Damping(Some(1)),
             Path::Stiction,
             Path::Accuracy,
-            Path::RangeR,
-            Path::RangeBeta
+            Path::Range
         ]
     );
     assert_eq!(

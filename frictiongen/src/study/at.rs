@@ -6,6 +6,8 @@ use crate::system::{LimitsAt, MotionAt};
 use crate::{NotContinuous, OutOfDomain, Regime, StuckResonance};
 use frictiongen_kernel::chain::{ContactAt, ModeAt};
 use frictiongen_kernel::decay::{Damped, Decay};
+use frictiongen_kernel::regime::Limits;
+use frictiongen_kernel::search::Effort;
 use frictiongen_kernel::wave::Wave;
 use frictiongen_kernel::{Float, regime};
 use frictiongen_model::modal::Reduced;
@@ -41,7 +43,26 @@ impl<'a, S: Float> SystemAt<'a, S> {
         (self.continuous(peak.value), peak.evaluations)
     }
 
-    /// β_lim, the exact boundary of continuous motion (5.65, 5.80, 5.96, 7.49).
+    /// Both limits, by one search: what is asked of them needs no other.
+    #[must_use]
+    pub fn limits(&self) -> Limits<S> {
+        self.limits_searched().0
+    }
+
+    /// Both limits, and what the search took.
+    #[must_use]
+    pub fn limits_searched(&self) -> (Limits<S>, Effort) {
+        let Reduced { modes, chain, .. } = &self.system.reduced;
+        let peak = chain.velocity_constraint(&self.contact, modes, &self.modes, &mut self.waves());
+        let limits = Limits {
+            continuous: self.continuous(peak.value),
+            sliding: self.sliding_limit(),
+        };
+        (limits, peak.effort())
+    }
+
+    /// β_lim, the exact boundary of continuous motion (5.65, 5.80, 5.96, 7.49).  The search takes at most
+    /// [`MAX_EVALUATIONS`](frictiongen_kernel::search::MAX_EVALUATIONS) evaluations of a sum over the modes.
     #[must_use]
     pub fn continuous_limit(&self) -> S {
         self.continuous_limit_counted().0

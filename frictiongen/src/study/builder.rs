@@ -6,6 +6,7 @@ use frictiongen_kernel::Float;
 use frictiongen_model::scene::{
     Accuracy, Contact, Damping, Excitation, Mass, Node, Precision, Provide, Scene, Spring,
 };
+use frictiongen_model::validate::{Checks, validate_known};
 
 /// Puts a scene together; nodes are named as in a description: a mass, `base` or `wall`.
 ///
@@ -101,71 +102,90 @@ impl Builder {
         self
     }
 
-    /// The system.
+    /// The system, in double precision.
     ///
     /// # Errors
     /// [`InvalidScene`] with everything that is wrong: names that are not there, and whatever makes
     /// no physical sense.
-    pub fn build<S: Float>(self) -> Result<System<S>, InvalidScene> {
+    pub fn build(self) -> Result<System, InvalidScene> {
+        self.build_in()
+    }
+
+    /// The system in another scalar, as in `build_in::<f32>()`.
+    ///
+    /// # Errors
+    /// As of [`build`](Self::build).
+    pub fn build_in<S: Float>(self) -> Result<System<S>, InvalidScene> {
         let mut unknown = Vec::new();
-        let mut node = |name: &str, place: String| {
+        let mut checks = Checks::default();
+        let mut node = |name: &str, place: &dyn Fn() -> String| {
             let mass = self.masses.iter().position(|mass| mass.name == name);
             match (name, mass) {
-                ("base", _) => Node::Base,
-                ("wall", _) => Node::Wall,
-                (_, Some(mass)) => Node::Mass(mass),
+                ("base", _) => Some(Node::Base),
+                ("wall", _) => Some(Node::Wall),
+                (_, Some(mass)) => Some(Node::Mass(mass)),
                 (_, None) => {
+                    let place = place();
                     unknown.push(format!(
                         "{place} names `{name}`, which is neither a mass nor `base` nor `wall`"
                     ));
-                    Node::Wall
+                    None
                 }
             }
         };
+        // A part that names what is not there is left out of the further checks, and they go on.
         let mut springs = Vec::with_capacity(self.springs.len());
         for (from, to, stiffness) in &self.springs {
             let place = || format!("the spring `{from} - {to}`");
-            let (from, to) = (node(from, place()), node(to, place()));
-            springs.push(Spring {
-                from,
-                to,
-                stiffness: *stiffness,
-            });
-        }
-        let contact = self.contact.as_ref().map(|(from, to)| {
-            let place = || format!("the contact `{from} - {to}`");
-            Contact {
-                from: node(from, place()),
-                to: node(to, place()),
+            let ends = (node(from, &place), node(to, &place));
+            if let (Some(from), Some(to)) = ends {
+                springs.push(Spring {
+                    from,
+                    to,
+                    stiffness: *stiffness,
+                });
+            } else {
+                checks.springs = false;
             }
+        }
+        let sides = self.contact.as_ref().map(|(from, to)| {
+            let place = || format!("the contact `{from} - {to}`");
+            (node(from, &place), node(to, &place))
         });
-        let excitation = self
+        let excited = self
             .excitation
             .as_ref()
-            .map(|name| node(name, "the excitation".to_owned()));
-        let excitation = match excitation {
-            Some(Node::Mass(mass)) => Some(Excitation::Force(mass)),
-            Some(Node::Base) => Some(Excitation::Base),
-            Some(Node::Wall) if self.excitation.as_deref() == Some("wall") => {
-                unknown.push("the excitation names `wall`, which never moves".to_owned());
-                None
-            }
-            Some(Node::Wall) | None => None,
-        };
-        if contact.is_none() {
+            .map(|name| node(name, &|| "the excitation".to_owned()));
+        if self.contact.is_none() {
             unknown.push("there is no contact; add one by `contact`".to_owned());
         }
-        if self.excitation.is_none() {
-            unknown.push("there is no excitation; add one by `excitation`".to_owned());
-        }
-        let (Some(contact), Some(excitation), true) = (contact, excitation, unknown.is_empty())
-        else {
-            return Err(InvalidScene {
-                unknown,
-                errors: Vec::new(),
-            });
+        let contact = if let Some((Some(from), Some(to))) = sides {
+            Contact { from, to }
+        } else {
+            checks.contact = false;
+            Contact {
+                from: Node::Base,
+                to: Node::Wall,
+            }
         };
-        System::try_from(Scene {
+        let excitation = match excited {
+            Some(Some(Node::Mass(mass))) => Excitation::Force(mass),
+            Some(Some(Node::Base)) => Excitation::Base,
+            other => {
+                checks.excitation = false;
+                match other {
+                    Some(Some(_)) => {
+                        unknown.push("the excitation names `wall`, which never moves".to_owned());
+                    }
+                    Some(None) => {}
+                    None => {
+                        unknown.push("there is no excitation; add one by `excitation`".to_owned())
+                    }
+                }
+                Excitation::Base
+            }
+        };
+        let scene = Scene {
             name: self.name,
             masses: self.masses,
             springs,
@@ -177,6 +197,11 @@ impl Builder {
             provide: vec![Provide::Limits, Provide::Motion(None)],
             accuracy: Accuracy::Exact,
             range: None,
-        })
+        };
+        if unknown.is_empty() {
+            return System::try_from(scene);
+        }
+        let errors = validate_known(&scene, &checks).err().unwrap_or_default();
+        Err(InvalidScene { unknown, errors })
     }
 }

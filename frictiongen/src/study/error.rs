@@ -59,6 +59,7 @@ impl std::error::Error for InvalidScene {}
 
 /// So that one function can use `?` on everything that a run-time system answers.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum StudyError {
     /// The description does not make a scene.
     Description(Diagnostics),

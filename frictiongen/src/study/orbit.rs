@@ -3,7 +3,7 @@
 use super::at::SystemAt;
 use super::error::UnknownMass;
 use super::system::System;
-use crate::{Complex, NoOrbit};
+use crate::{Complex, NoOrbit, Of, OrbitAt, Periodic, SteadyState};
 use frictiongen_kernel::orbit::{self, Orbit, OrbitMotion};
 use frictiongen_kernel::simulation::Part;
 use frictiongen_kernel::{Float, Plain};
@@ -152,5 +152,48 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
     #[must_use]
     pub fn state(&self) -> &SystemOrbitState<'a, S> {
         &self.state
+    }
+}
+
+impl<S: Plain> OrbitAt for SystemAt<'_, S> {
+    type Orbit<'o>
+        = SystemOrbit<'o, S>
+    where
+        Self: 'o;
+
+    fn orbit(&self, beta: S) -> Result<SystemOrbit<'_, S>, NoOrbit> {
+        SystemAt::orbit(self, beta)
+    }
+}
+
+impl<S: Float> SteadyState for SystemOrbit<'_, S> {
+    type Scalar = S;
+
+    fn stops(&self) -> usize {
+        Self::stops(self)
+    }
+    fn reversals(&self) -> usize {
+        Self::reversals(self)
+    }
+    fn stuck_fraction(&self) -> S {
+        Self::stuck_fraction(self)
+    }
+    fn is_symmetric(&self) -> bool {
+        Self::is_symmetric(self)
+    }
+    fn is_stable(&self) -> bool {
+        Self::is_stable(self)
+    }
+    fn is_marginal(&self) -> bool {
+        Self::is_marginal(self)
+    }
+    fn multipliers(&self) -> &[Complex<S>] {
+        Self::multipliers(self)
+    }
+    fn ask<T>(&self, of: Of, question: impl FnOnce(&dyn Periodic<Scalar = S>) -> T) -> Option<T> {
+        match of {
+            Of::Contact => Some(question(&self.contact())),
+            Of::Mass(index) => self.mass_at(index).map(|motion| question(&motion)),
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::error::UnknownMass;
 use super::system::System;
-use crate::OutOfDomain;
+use crate::{OutOfDomain, Simulates};
 use frictiongen_kernel::simulation::{Dynamics, Moment, Part, Segment, Simulation};
 use frictiongen_kernel::{Float, Plain};
 
@@ -92,8 +92,11 @@ impl<'a, S: Float> SystemSimulation<'a, S> {
         &self.run
     }
 
-    /// Moves on to the next event, at most by `reach` in τ.
-    pub fn advance(&mut self, reach: S) -> Segment<S> {
+    /// Moves on to the next event, at most by `reach` in τ; by 0 it does nothing.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN, which changes nothing.
+    pub fn advance(&mut self, reach: S) -> Result<Segment<S>, OutOfDomain> {
         self.run.advance(reach)
     }
 }
@@ -103,5 +106,27 @@ impl<S: Float> Iterator for SystemSimulation<'_, S> {
 
     fn next(&mut self) -> Option<Segment<S>> {
         self.run.next()
+    }
+}
+
+impl<'a, S> std::ops::Deref for SystemSimulation<'a, S> {
+    type Target = Simulation<'a, S, Vec<Part<S>>>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.run
+    }
+}
+
+impl<S> std::ops::DerefMut for SystemSimulation<'_, S> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.run
+    }
+}
+
+impl<S: Plain> Simulates for System<S> {
+    type Run<'a> = SystemSimulation<'a, S>;
+
+    fn simulation(&self, r: S, beta: S) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
+        System::simulation(self, r, beta)
     }
 }

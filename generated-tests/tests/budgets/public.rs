@@ -9,7 +9,7 @@ use syn::{ImplItem, Item, TraitItem, Type, Visibility};
 const KERNEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../frictiongen-kernel/src");
 
 /// Functions that compute no numbers of their own, and why.
-const NO_NUMBERS: [(&str, &[&str]); 3] = [
+const NO_NUMBERS: [(&str, &[&str]); 4] = [
     (
         "hands on, picks or compares numbers as they are",
         &[
@@ -23,6 +23,8 @@ const NO_NUMBERS: [(&str, &[&str]); 3] = [
             "regime::check_beta",
             "regime::check_ratio",
             "regime::inverse_ratio_range",
+            "regime::Limits::margin",
+            "regime::Limits::regime",
             "regime::regime",
             "regime::with_ends",
             "scalar::Float::held",
@@ -39,6 +41,17 @@ const NO_NUMBERS: [(&str, &[&str]); 3] = [
             "scalar::Scalar::named",
             "scalar::Scalar::replaced",
             "scalar::Scalar::select",
+            "search::Peak::effort",
+        ],
+    ),
+    (
+        "is never called",
+        &[
+            "missing::AddMassToMotion::answer",
+            "missing::AddMotionToProvide::answer",
+            "missing::AddOrbitToProvide::answer",
+            "missing::AddSimulationToProvide::answer",
+            "missing::AddStuckToProvide::answer",
         ],
     ),
     (
@@ -113,6 +126,7 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
             "search::largest",
             "search::largest_from",
             "steady::Motion::amplitude",
+            "steady::Motion::largest",
             "steady::Motion::peak",
             "steady::Motion::phase",
         ],

@@ -199,7 +199,7 @@ fn a_mode_that_the_contact_hardly_touches() {
         .simulation(119.3, 0.8 * sliding)
         .expect("in the domain");
     for _ in 0..24 {
-        run.advance(std::f64::consts::TAU);
+        run.advance(std::f64::consts::TAU).expect("a reach");
         let (z, velocity) = run.run().relative();
         assert!(z.is_finite() && velocity.is_finite(), "{z}, {velocity}");
     }
@@ -245,7 +245,7 @@ fn a_base_that_shakes_faster_than_a_cube_can_hold() {
     let beta = Shaken::at(r).expect("a ratio").continuous_limit();
     let mut run = Shaken::simulation(r, beta).expect("in the domain");
     for _ in 0..8 {
-        run.advance(core::f64::consts::TAU);
+        run.advance(core::f64::consts::TAU).expect("a reach");
         let (z, velocity) = run.relative();
         assert!(z.is_finite() && velocity.is_finite(), "{z} {velocity}");
     }
@@ -286,7 +286,7 @@ fn a_mode_whose_share_is_all_rounding() {
         .simulation(0.370_744, 1.0 / 60.0)
         .expect("in the domain");
     for _ in 0..8 {
-        run.advance(core::f64::consts::TAU);
+        run.advance(core::f64::consts::TAU).expect("a reach");
         let (z, velocity) = run.run().relative();
         assert!(z.is_finite() && velocity.is_finite(), "{z} {velocity}");
     }
@@ -352,7 +352,7 @@ fn decays_of_two_modes() {
     let system: System<f32> = text.parse().expect("a sound scene");
     let mut run = system.simulation(0.5, 0.1).expect("in the domain");
     for _ in 0..8 {
-        run.advance(core::f32::consts::TAU);
+        run.advance(core::f32::consts::TAU).expect("a reach");
         let (z, _) = run.run().relative();
         assert!(z.abs() < 1e-8, "{z}");
     }

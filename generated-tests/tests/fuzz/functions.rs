@@ -147,7 +147,7 @@ where
                 None | Some(NotContinuous::Unbounded) => regime == Regime::Continuous,
                 Some(NotContinuous::StickSlip) => regime == Regime::StickSlip,
                 Some(NotContinuous::Stuck) => regime == Regime::Stuck,
-                Some(NotContinuous::OutOfDomain) => false,
+                Some(_) => false,
             };
             promise(agree, || {
                 format!(

@@ -90,7 +90,7 @@ fn dear<S: Plain>(system: &System<S>, asked: &Asked) -> Result<(), String> {
     if let Ok(mut run) = system.simulation(r, beta) {
         let most = S::pi() + S::pi();
         for _ in 0..24 {
-            let length = run.advance(most).length;
+            let length = run.advance(most).expect("a reach").length;
             promise(S::constant(0.0) <= length && length <= most, || {
                 format!("a segment of {length:?}")
             })?;

@@ -58,7 +58,7 @@ fn balance(system: &System, r: f64, beta: f64) -> (f64, f64) {
     let modal = system.modal();
     while left > 1e-13 {
         let before = run.run().relative().0;
-        let segment = run.advance(left);
+        let segment = run.advance(left).expect("a reach");
         if segment.contact != Contact::Stuck {
             slid += (run.run().relative().0 - before).abs();
         }

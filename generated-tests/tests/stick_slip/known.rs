@@ -64,10 +64,10 @@ fn one_of_a_continuum() {
     let mut apart = [0.0_f64; 2];
     for (cycles, worst) in [200, 20_000].into_iter().zip(&mut apart) {
         while run.run().cycles() < cycles {
-            let _ = run.advance(TAU);
+            run.advance(TAU).expect("a reach");
         }
         for _ in 0..8 {
-            let _ = run.advance(TAU);
+            run.advance(TAU).expect("a reach");
             let found = run.mass("block").expect("a mass").displacement();
             let tau = run.run().phase() - orbit.state().origin();
             let steady = orbit.mass_at(0).expect("a mass").displacement(tau);

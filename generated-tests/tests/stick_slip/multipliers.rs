@@ -18,7 +18,7 @@ fn period(system: &System, r: f64, beta: f64, state: &[f64]) -> Vec<f64> {
         .expect("in the domain");
     let mut left = TAU;
     while left > 1e-14 {
-        left -= run.advance(left).length;
+        left -= run.advance(left).expect("a reach").length;
     }
     let masses = system.scene().masses.iter();
     let ends: Vec<_> = masses

@@ -11,8 +11,6 @@ pub enum Door {
     Text,
     /// The macro alone, from the tokens that it is given.
     Macro,
-    /// The macro alone, from what it is to emit: it is told on the macro call.
-    Emitted,
     /// The path of a file.
     File,
     /// A scene put together in code.
@@ -27,7 +25,7 @@ impl Door {
 
     /// Whether the compiler is to read the case.
     pub fn takes_tokens(self) -> bool {
-        matches!(self, Self::Every | Self::Macro | Self::Emitted)
+        matches!(self, Self::Every | Self::Macro)
     }
 
     /// Whether there is a description at all.
@@ -57,7 +55,7 @@ pub struct Case {
 impl Case {
     /// The message of a line without its place.
     pub fn message<'t>(&self, line: &'t str) -> &'t str {
-        if self.door.is_description() && self.door != Door::Emitted {
+        if self.door.is_description() {
             let mut parts = line.splitn(3, ':');
             parts.nth(2).expect("line:column: message").trim_start()
         } else {
@@ -105,7 +103,6 @@ fn read(path: &Path) -> Case {
             ("cause", cause) => case.cause = cause.to_owned(),
             ("door", "text") => case.door = Door::Text,
             ("door", "macro") => case.door = Door::Macro,
-            ("door", "emitted") => case.door = Door::Emitted,
             ("door", "file") => case.door = Door::File,
             ("door", "code") => case.door = Door::Code,
             other => panic!("{name}: what is {other:?}?"),

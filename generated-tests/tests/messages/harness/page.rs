@@ -41,7 +41,6 @@ fn show(case: &Case, page: &mut String) {
         Door::Every | Door::Code | Door::File => "",
         Door::Text => "In a macro call the compiler itself refuses this.\n\n",
         Door::Macro => "In a macro call only.\n\n",
-        Door::Emitted => "In a macro call only, told on the call.\n\n",
     };
     page.push_str(note);
     let told = case.told.join("\n").replace("{folder}", "…");

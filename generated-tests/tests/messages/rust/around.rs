@@ -201,4 +201,18 @@ struct Frame {
 }
 }
 
+mod case_219_call_around_it {
+frictiongen::friction_system! {
+friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+}
+
 fn main() {}

@@ -202,4 +202,40 @@ struct Frame {
 }
 }
 
+mod case_318_friction_of_a_scene {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    friction: 2.0,
+}
+}
+}
+
+mod case_319_frequency_of_a_scene {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    omega: 19.0,
+}
+}
+}
+
+mod case_320_mu {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    mu: 1.2,
+}
+}
+}
+
 fn main() {}

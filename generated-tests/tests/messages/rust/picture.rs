@@ -216,4 +216,28 @@ struct Frame {
 }
 }
 
+mod case_419_list_of_contacts {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: [upper - wall, lower - wall],
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_420_second_contact {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall, lower - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
 fn main() {}

@@ -1,0 +1,35 @@
+//! What a change of the scene, or of frictiongen, does to a user's solver: see docs/snapshots.md.
+
+use frictiongen_codegen::{Limits, parse_text, pretty};
+use snapshots::{Mount, transmissibility};
+use std::fmt::Write;
+
+/// The code that the macro emits.
+#[test]
+fn emitted() {
+    let text = include_str!("../scenes/mount.friction");
+    let description = parse_text(text, &Limits::MACRO).expect("the scene is sound");
+    insta::assert_snapshot!(pretty(&description).expect("Rust"));
+}
+
+/// The answers that matter, to nine digits: one point in each regime, and both sides of the first resonance.
+#[test]
+fn answers() {
+    let mut text = String::new();
+    let points = [
+        (0.3, 0.05),
+        (0.5, 0.02),
+        (0.5, 0.09),
+        (0.6, 0.02),
+        (0.66, 0.02),
+        (2.0, 0.2),
+    ];
+    for (r, beta) in points {
+        let regime = Mount::at(r)
+            .and_then(|at| at.regime(beta))
+            .expect("in the domain");
+        let amplitude = transmissibility(r, beta).expect("a steady state");
+        writeln!(text, "r {r}, β {beta}: {regime:?}, {amplitude:.9}").expect("a string");
+    }
+    insta::assert_snapshot!(text);
+}

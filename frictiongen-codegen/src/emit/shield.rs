@@ -1,0 +1,75 @@
+//! Keeps the user's constants out of emitted patterns.
+//!
+//! A pattern `let r` means the constant `r` where there is one.  Functions of the same names hide it, and a
+//! pattern may in turn hide them.  The library has those of most scenes; the others are emitted.
+
+use frictiongen_kernel::locals::NAMES;
+use frictiongen_model::validate::is_keyword;
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use std::collections::BTreeSet;
+
+/// Functions for the names in emitted items that the library does not have.
+pub(super) fn emit(items: &TokenStream) -> TokenStream {
+    let mut names = BTreeSet::new();
+    collect(items.clone(), &mut names);
+    let known: BTreeSet<&str> = NAMES.iter().copied().collect();
+    let missing = names.iter().filter(|name| !known.contains(name.as_str()));
+    missing
+        .map(|name| {
+            let name = Ident::new(name, Span::mixed_site());
+            code!(#[allow(dead_code)] fn #name() {})
+        })
+        .collect()
+}
+
+/// Types that are written without a path; keywords are left out too.
+const TYPES: [&str; 4] = ["bool", "f32", "f64", "usize"];
+
+/// `mode_3_decay`: nobody calls a constant so, and there are dozens of these for each mode.
+fn is_of_a_mode(text: &str) -> bool {
+    let rest = text.strip_prefix("mode_").unwrap_or_default();
+    let rest = rest.trim_start_matches(|letter: char| letter.is_ascii_digit());
+    rest.starts_with('_')
+}
+
+/// Every word that a pattern may bind: it begins with a small letter, is no part of a path and neither called
+/// nor defined.
+fn collect(tokens: TokenStream, names: &mut BTreeSet<String>) {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    let sign = |index: Option<usize>, sign: char| matches!(index.and_then(|index| tokens.get(index)), Some(TokenTree::Punct(punct)) if punct.as_char() == sign);
+    for (index, token) in tokens.iter().enumerate() {
+        let before = index.checked_sub(1);
+        match token {
+            // What stands in an attribute binds nothing.
+            TokenTree::Group(group)
+                if !(group.delimiter() == Delimiter::Bracket && sign(before, '#')) =>
+            {
+                collect(group.stream(), names);
+            }
+            TokenTree::Ident(ident) => {
+                let text = ident.to_string();
+                let after = Some(index + 1);
+                let in_path = sign(before, ':')
+                    && sign(before.and_then(|at| at.checked_sub(1)), ':')
+                    || sign(after, ':') && sign(Some(index + 2), ':');
+                let called = matches!(tokens.get(index + 1), Some(TokenTree::Group(group))
+                        if group.delimiter() == Delimiter::Parenthesis)
+                    || sign(after, '!') && !sign(Some(index + 2), '=');
+                let defined = matches!(before.and_then(|at| tokens.get(at)), Some(TokenTree::Ident(word))
+                        if *word == "fn");
+                let asked =
+                    sign(before, '.') && !sign(before.and_then(|at| at.checked_sub(1)), '.');
+                let lifetime = sign(before, '\'');
+                if text.starts_with(|letter: char| letter.is_lowercase())
+                    && !(in_path || called || defined || asked || lifetime)
+                    && !is_keyword(&text)
+                    && !TYPES.contains(&text.as_str())
+                    && !is_of_a_mode(&text)
+                {
+                    names.insert(text);
+                }
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,228 @@
+//! Steady states and runs in time, of emitted solvers and of the run-time `System` alike.
+
+use crate::{Complex, FrictionSystem, LimitsAt, NoOrbit, Of, OutOfDomain};
+use core::ops::DerefMut;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::orbit::OrbitMotion;
+use frictiongen_kernel::simulation::{Contact, Moment, Part, Segment, Simulation};
+
+/// A scene at one frequency ratio that also gives steady states in any regime.
+///
+/// ```
+/// use frictiongen::{FrictionSystem, Of, OrbitAt, SteadyState, friction_system};
+///
+/// friction_system! {
+///     struct Block {
+///         masses: { block: 1.0 },
+///         springs: { base - block: 1.0 },
+///         contact: block - wall,
+///         excitation: block,
+///         provide: [orbit],
+///     }
+/// }
+///
+/// /// The amplitude of a mass with stops or without, of any system.
+/// fn amplitude<F>(system: &F, r: f64, beta: f64, mass: usize) -> Option<f64>
+/// where
+///     F: FrictionSystem<Scalar = f64>,
+///     for<'a> F::At<'a>: OrbitAt,
+/// {
+///     let at = system.at(r).ok()?;
+///     let orbit = at.orbit(beta).ok()?;
+///     orbit.ask(Of::Mass(mass), |motion| motion.amplitude())
+/// }
+///
+/// assert!(amplitude(&Block, 0.3, 0.4, 0).is_some_and(|amplitude| amplitude > 0.8));
+/// assert!(amplitude(&Block, 0.3, 0.4, 1).is_none());
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` gives no steady states",
+    label = "add `orbit` to the scene's `provide: [...]`"
+)]
+pub trait OrbitAt: LimitsAt {
+    /// The steady state at one friction ratio.
+    type Orbit<'o>: SteadyState<Scalar = Self::Scalar>
+    where
+        Self: 'o;
+
+    /// The steady state at β = F/P that is reached from rest.
+    ///
+    /// # Errors
+    /// [`NoOrbit`] says why there is none.
+    fn orbit(&self, beta: Self::Scalar) -> Result<Self::Orbit<'_>, NoOrbit>;
+}
+
+/// A steady state in any regime.
+pub trait SteadyState {
+    /// The scene's scalar.
+    type Scalar: Float;
+
+    /// How often the contact stops in a cycle.
+    fn stops(&self) -> usize;
+    /// How often the direction of sliding changes in a cycle without a stop.
+    fn reversals(&self) -> usize;
+    /// The part of the cycle for which the contact sticks.
+    fn stuck_fraction(&self) -> Self::Scalar;
+    /// Whether every motion repeats with the opposite sign after half a cycle.
+    fn is_symmetric(&self) -> bool;
+    /// Whether no small deviation grows.
+    fn is_stable(&self) -> bool;
+    /// Whether the state is a member of a continuum, or at its end.
+    fn is_marginal(&self) -> bool;
+    /// The Floquet multipliers.
+    fn multipliers(&self) -> &[Complex<Self::Scalar>];
+    /// Puts a question to the contact's or a mass's motion; `None` if there is no such mass.
+    fn ask<T>(
+        &self,
+        of: Of,
+        question: impl FnOnce(&dyn Periodic<Scalar = Self::Scalar>) -> T,
+    ) -> Option<T>;
+}
+
+/// The motion of the contact or of a mass in a steady state.
+pub trait Periodic {
+    /// The scene's scalar.
+    type Scalar: Float;
+
+    /// The largest |x̄| of the cycle.
+    fn amplitude(&self) -> Self::Scalar;
+    /// Lag of its maximum behind the excitation's, rad, in (−π, π].
+    fn phase(&self) -> Self::Scalar;
+    /// x̄ at τ, from a maximum of the contact's relative motion.
+    fn displacement(&self, tau: Self::Scalar) -> Self::Scalar;
+    /// dx̄/dτ at τ, from a maximum of the contact's relative motion.
+    fn velocity(&self, tau: Self::Scalar) -> Self::Scalar;
+    /// X_n with x̄ = Re Σ X_n e^{inτ_e}, τ_e from a maximum of the excitation; X_0 is the mean.
+    fn harmonic(&self, n: u32) -> Complex<Self::Scalar>;
+}
+
+impl<S, P, V, C> Periodic for OrbitMotion<'_, '_, S, P, V, C>
+where
+    S: Float,
+    P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
+    V: AsRef<[S]> + AsMut<[S]>,
+    C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+{
+    type Scalar = S;
+
+    fn amplitude(&self) -> S {
+        OrbitMotion::amplitude(self)
+    }
+    fn phase(&self) -> S {
+        OrbitMotion::phase(self)
+    }
+    fn displacement(&self, tau: S) -> S {
+        OrbitMotion::displacement(self, tau)
+    }
+    fn velocity(&self, tau: S) -> S {
+        OrbitMotion::velocity(self, tau)
+    }
+    fn harmonic(&self, n: u32) -> Complex<S> {
+        OrbitMotion::harmonic(self, n)
+    }
+}
+
+/// A scene that also gives its exact motion in time.
+///
+/// ```
+/// use frictiongen::{FrictionSystem, OutOfDomain, Run, Simulates, friction_system};
+///
+/// friction_system! {
+///     struct Block {
+///         masses: { block: 1.0 },
+///         springs: { base - block: 1.0 },
+///         contact: block - wall,
+///         excitation: block,
+///         provide: [simulation],
+///     }
+/// }
+///
+/// /// The first mass after so many steps from rest, of any system.
+/// fn after<F: Simulates<Scalar = f64>>(system: &F, steps: u32) -> Result<f64, OutOfDomain> {
+///     let mut run = system.simulation(0.3, 0.4)?;
+///     for _ in 0..steps {
+///         let mut left = 0.01;
+///         while left > 0.0 {
+///             // An event ends a step early.
+///             left -= run.advance(left)?.length;
+///         }
+///     }
+///     Ok(run.moment(0).displacement())
+/// }
+///
+/// assert!(after(&Block, 1000)?.abs() < 1.0);
+/// # Ok::<(), OutOfDomain>(())
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` gives no motion in time",
+    label = "add `simulation` to the scene's `provide: [...]`"
+)]
+pub trait Simulates: FrictionSystem {
+    /// A run.
+    type Run<'a>: Run<Scalar = Self::Scalar>
+    where
+        Self: 'a;
+
+    /// The exact motion in time from rest, the excitation at its maximum.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] unless r is positive and finite and β finite and not negative.
+    fn simulation(&self, r: Self::Scalar, beta: Self::Scalar)
+    -> Result<Self::Run<'_>, OutOfDomain>;
+}
+
+/// An exact run in time.
+pub trait Run {
+    /// The scene's scalar.
+    type Scalar: Float;
+
+    /// Moves on to the next event, at most by `reach` in τ; by 0 it does nothing.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN, which changes nothing.
+    fn advance(&mut self, reach: Self::Scalar) -> Result<Segment<Self::Scalar>, OutOfDomain>;
+    /// How many cycles of the excitation are over.
+    fn cycles(&self) -> u64;
+    /// τ within the excitation's cycle, [0, 2π).
+    fn phase(&self) -> Self::Scalar;
+    /// What the contact does from now on.
+    fn contact(&self) -> Contact;
+    /// z̄ and dz̄/dτ, the relative motion in the contact.
+    fn relative(&self) -> (Self::Scalar, Self::Scalar);
+    /// The friction force in the contact over P.
+    fn friction(&self) -> Self::Scalar;
+    /// A mass now, by its place in the description; at rest if there is no such mass.
+    fn moment(&self, mass: usize) -> Moment<Self::Scalar>;
+}
+
+/// Emitted runs and those of a `System` hold the kernel's.
+impl<'a, S, P, R> Run for R
+where
+    S: Float,
+    P: AsRef<[Part<S>]> + AsMut<[Part<S>]> + 'a,
+    R: DerefMut<Target = Simulation<'a, S, P>>,
+{
+    type Scalar = S;
+
+    fn advance(&mut self, reach: S) -> Result<Segment<S>, OutOfDomain> {
+        (**self).advance(reach)
+    }
+    fn cycles(&self) -> u64 {
+        (**self).cycles()
+    }
+    fn phase(&self) -> S {
+        (**self).phase()
+    }
+    fn contact(&self) -> Contact {
+        (**self).contact()
+    }
+    fn relative(&self) -> (S, S) {
+        (**self).relative()
+    }
+    fn friction(&self) -> S {
+        (**self).friction()
+    }
+    fn moment(&self, mass: usize) -> Moment<S> {
+        (**self).mass(mass)
+    }
+}

@@ -1,0 +1,90 @@
+//! A builder tells everything that is wrong at once, and needs no type to be named.
+
+use frictiongen::System;
+use frictiongen::study::{Damping, InvalidScene, StudyError};
+
+fn lines(error: &InvalidScene) -> Vec<String> {
+    error.to_string().lines().map(str::to_owned).collect()
+}
+
+/// With an unknown node and no contact a negative mass went unreported.
+#[test]
+fn everything_that_is_wrong() {
+    let error = System::builder()
+        .mass("a", -1.0)
+        .mass("a", 2.0)
+        .mass("type", 1.0)
+        .spring("base", "a", 1.0)
+        .spring("a", "roof", -3.0)
+        .spring("a", "type", 0.0)
+        .excitation("wall")
+        .damping(Damping::Uniform(-0.1))
+        .stiction(0.5)
+        .build()
+        .expect_err("much is wrong");
+    let told = lines(&error);
+    println!("{error}");
+    let parts = [
+        "the spring `a - roof` names `roof`",
+        "there is no contact",
+        "the excitation names `wall`",
+        "the mass `a` is -1.0",
+        "two masses are called `a`",
+        "`type` is a keyword",
+        "the spring `a - type` has the stiffness 0.0",
+        "negative damping",
+        "the stiction",
+    ];
+    for part in parts {
+        let count = told.iter().filter(|line| line.contains(part)).count();
+        assert_eq!(count, 1, "{part}: {told:#?}");
+    }
+    assert_eq!(told.len(), parts.len(), "{told:#?}");
+}
+
+/// What cannot be known is not told: a mass is not called loose whose spring could not be read.
+#[test]
+fn no_second_error_of_one_cause() {
+    let scene = || {
+        System::builder()
+            .mass("a", 1.0)
+            .mass("b", 1.0)
+            .spring("base", "a", 1.0)
+    };
+    let cases = [
+        scene()
+            .spring("a", "c", 1.0)
+            .contact("b", "wall")
+            .excitation("a"),
+        scene()
+            .spring("a", "b", 1.0)
+            .contact("c", "wall")
+            .excitation("a"),
+        scene()
+            .spring("a", "b", 1.0)
+            .contact("b", "wall")
+            .excitation("c"),
+        scene().spring("a", "b", 1.0).excitation("a"),
+        scene().spring("a", "b", 1.0).contact("b", "wall"),
+    ];
+    for case in cases {
+        let error = case.build().expect_err("one thing is wrong");
+        assert_eq!(lines(&error).len(), 1, "{error}");
+        assert!(error.errors.is_empty() && error.unknown.len() == 1);
+    }
+}
+
+fn block() -> frictiongen::study::Builder {
+    let builder = System::builder().mass("block", 1.0);
+    let builder = builder.spring("base", "block", 1.0);
+    builder.contact("block", "wall").excitation("block")
+}
+
+/// This line was E0283.
+#[test]
+fn a_call_may_follow_at_once() -> Result<(), StudyError> {
+    let limit = block().build()?.at(0.9)?.continuous_limit();
+    let single = block().build_in::<f32>()?.at(0.9)?.continuous_limit();
+    assert!((limit - f64::from(single)).abs() < 1e-6);
+    Ok(())
+}

@@ -1,0 +1,16 @@
+//! What users met in their first hour, each as a test.
+#![cfg(feature = "study")]
+#![allow(
+    clippy::expect_used,
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    reason = "a test may fail"
+)]
+
+mod builder;
+mod limits;
+mod random;
+mod runs;
+mod slices;
+mod traits;

@@ -1,0 +1,106 @@
+//! A slice of another length is an error, and nothing is left out in silence.
+
+use frictiongen::kernel::Complex;
+use frictiongen::kernel::orbit::{Orbit, numbers};
+use frictiongen::kernel::simulation::{Dynamics, HeldMode, Part, Simulation};
+use frictiongen::kernel::{
+    chain::Chain,
+    mode::{Kind, Mode},
+};
+use frictiongen::{NoOrbit, OutOfDomain, friction_system};
+
+friction_system! {
+    struct Pair {
+        masses: { a: 1, b: 1 },
+        springs: { base - a: 1, a - b: 1 },
+        contact: b - wall,
+        excitation: a,
+    }
+}
+
+#[test]
+fn limits_into_slices_of_other_lengths() {
+    let ratios = [0.5, 0.8, 1.1];
+    let mut compared = 0;
+    for continuous in 0..5 {
+        for sliding in 0..5 {
+            let (mut first, mut second) = (vec![-1.0; continuous], vec![-1.0; sliding]);
+            let told = Pair::limits_into(&ratios, &mut first, &mut second);
+            let wrong = [(continuous, "continuous"), (sliding, "sliding")];
+            match wrong.iter().find(|(room, _)| *room != 3) {
+                Some((_, argument)) => {
+                    assert_eq!(told, Err(OutOfDomain { argument }));
+                    assert!(first.iter().chain(&second).all(|value| *value == -1.0));
+                }
+                None => {
+                    assert_eq!(told, Ok(()));
+                    assert!(first.iter().chain(&second).all(|value| *value > 0.0));
+                }
+            }
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 25);
+    let told = OutOfDomain {
+        argument: "sliding",
+    }
+    .to_string();
+    assert!(told.contains("one place for each r"), "{told}");
+}
+
+/// One mass and one mode, by hand.
+const MODES: [Mode<f64>; 1] = [Mode {
+    kind: Kind::Undamped,
+    in_contact: true,
+    resonance: 1.0,
+    zeta: 0.0,
+    q: 1.0,
+    q_defect: 0.0,
+    load: 1.0,
+    contact: 1.0,
+    residue: 1.0,
+    mobility: 1.0,
+    static_residue: 1.0,
+}];
+const HELD: [HeldMode<f64>; 0] = [];
+const DYNAMICS: Dynamics<'static, f64> = Dynamics {
+    chain: Chain {
+        damped: false,
+        on_moving_base: None,
+        mobility: 1.0,
+        stiction: 1.0,
+    },
+    modes: &MODES,
+    held: &HELD,
+    shares: &[],
+    shapes: &[1.0],
+    weights: &[1.0],
+};
+
+#[test]
+fn room_of_another_size() {
+    let run = |parts: usize, state: Option<(&[f64], &[f64])>| {
+        let parts = vec![Part::empty(); parts];
+        Simulation::new(DYNAMICS, 0.3, 0.4, state, parts).map(|_| ())
+    };
+    let out = |argument| Err(OutOfDomain { argument });
+    assert_eq!(run(1, None), Ok(()));
+    assert_eq!(run(0, None), out("parts"));
+    assert_eq!(run(2, None), out("parts"));
+    assert_eq!(run(1, Some((&[0.1], &[0.2]))), Ok(()));
+    assert_eq!(run(1, Some((&[], &[0.2]))), out("state"));
+    assert_eq!(run(1, Some((&[0.1, 0.2], &[0.2]))), out("state"));
+    let orbit = |room: usize, multipliers: usize, state: Option<(&[f64], &[f64])>| {
+        let parts = vec![Part::empty(); 1];
+        let room = vec![0.0; room];
+        let multipliers = vec![Complex { re: 0.0, im: 0.0 }; multipliers];
+        Orbit::new(DYNAMICS, 0.3, 0.4, 1.0989, state, parts, room, multipliers).map(|_| ())
+    };
+    let none = |argument| Err(NoOrbit::OutOfDomain(OutOfDomain { argument }));
+    let room = numbers(1, 1);
+    assert_eq!(orbit(room, 2, None), Ok(()));
+    assert_eq!(orbit(room - 1, 2, None), none("numbers"));
+    assert_eq!(orbit(room + 1, 2, None), none("numbers"));
+    assert_eq!(orbit(room, 1, None), none("multipliers"));
+    assert_eq!(orbit(room, 2, Some((&[0.1], &[]))), none("state"));
+}

@@ -1,0 +1,118 @@
+//! One function for emitted scenes and for systems at run time: steady states and runs in time.
+
+use frictiongen::kernel::simulation::Event;
+use frictiongen::{
+    FrictionSystem, Of, OrbitAt, OutOfDomain, Run, Simulates, SteadyState, System, friction_system,
+};
+
+const TEXT: &str = "struct Pair { masses: { a: 1, b: 0.7 }, springs: { base - a: 1, a - b: 2 },
+    contact: b - wall, excitation: base, damping: modal[0.02, 0.05], stiction: 1.3 }";
+
+friction_system! {
+    pub struct Pair {
+        masses: { a: 1, b: 0.7 },
+        springs: { base - a: 1, a - b: 2 },
+        contact: b - wall,
+        excitation: base,
+        damping: modal[0.02, 0.05],
+        stiction: 1.3,
+        provide: [limits, orbit, simulation],
+    }
+}
+
+/// Everything that a steady state says, as bits.
+fn steady<F>(system: &F, points: &[(f64, f64)]) -> Vec<u64>
+where
+    F: FrictionSystem<Scalar = f64>,
+    for<'a> F::At<'a>: OrbitAt,
+{
+    let mut told = Vec::new();
+    for (r, beta) in points {
+        let at = system.at(*r).expect("a ratio");
+        let orbit = at.orbit(*beta).expect("a steady state");
+        told.extend([orbit.stops(), orbit.reversals()].map(|count| count as u64));
+        told.extend([orbit.is_symmetric(), orbit.is_stable(), orbit.is_marginal()].map(u64::from));
+        told.push(orbit.stuck_fraction().to_bits());
+        told.extend(orbit.multipliers().iter().map(|value| value.re.to_bits()));
+        for of in [Of::Contact, Of::Mass(0), Of::Mass(1)] {
+            let motion = orbit.ask(of, |motion| {
+                let harmonic = motion.harmonic(3);
+                [
+                    motion.amplitude(),
+                    motion.phase(),
+                    motion.displacement(0.3),
+                    motion.velocity(0.3),
+                    harmonic.re,
+                    harmonic.im,
+                ]
+            });
+            told.extend(motion.expect("a motion").map(f64::to_bits));
+        }
+        assert!(orbit.ask(Of::Mass(2), |_| ()).is_none());
+    }
+    told
+}
+
+fn events<F: Simulates<Scalar = f64>>(system: &F) -> Result<Vec<(u64, Event)>, OutOfDomain> {
+    let mut run = system.simulation(0.4, 0.3)?;
+    let mut events = Vec::new();
+    while run.cycles() < 20 {
+        if let Some(event) = run.advance(0.5)?.event {
+            events.push((run.phase().to_bits(), event));
+            events.push((run.moment(0).velocity().to_bits(), event));
+            events.push((run.relative().0.to_bits() ^ run.friction().to_bits(), event));
+        }
+    }
+    Ok(events)
+}
+
+#[test]
+fn one_function_for_both() {
+    let system: System = TEXT.parse().expect("a sound scene");
+    let points = [(0.4, 0.3), (0.6, 0.2), (1.3, 0.1), (0.5, 9.0)];
+    let (emitted, run_time) = (steady(&Pair, &points), steady(&system, &points));
+    assert_eq!(emitted, run_time);
+    assert!(emitted.len() > 4 * 24);
+    let (emitted, run_time) = (events(&Pair), events(&system));
+    assert!(emitted.as_ref().is_ok_and(|events| events.len() > 100));
+    assert_eq!(emitted, run_time);
+}
+
+const RATIO: f64 = Pair::frequency_ratio(2.0);
+const FRICTION: f64 = Pair::friction_ratio(3.0, 4.0);
+
+#[test]
+fn ratios_at_compile_time() {
+    assert_eq!((RATIO, FRICTION), (2.0, 0.75));
+    fn initial<T: Default>() -> T {
+        T::default()
+    }
+    assert_eq!(Pair, initial());
+}
+
+#[cfg(feature = "serde")]
+#[test]
+fn results_and_scenes_are_written_and_read() {
+    use frictiongen::kernel::simulation::Segment;
+    use frictiongen::study::scene::Scene;
+    use frictiongen::sweep::{self, LimitsPoint};
+    let system: System = TEXT.parse().expect("a sound scene");
+    let text = serde_json::to_string(system.scene()).expect("JSON");
+    let scene: Scene = serde_json::from_str(&text).expect("a scene");
+    assert_eq!(&scene, system.scene());
+    let again = System::<f64>::try_from(scene).expect("a sound scene");
+    assert_eq!(again.resonances(), system.resonances());
+    let mut limits = [LimitsPoint::default(); 2];
+    sweep::limits(&system, &[0.5, 1.5], &mut limits).expect("in the domain");
+    let text = serde_json::to_string(&limits).expect("JSON");
+    let read: [LimitsPoint<f64>; 2] = serde_json::from_str(&text).expect("limits");
+    assert_eq!(read, limits);
+    let mut run = system.simulation(0.4, 0.3).expect("in the domain");
+    let segments: Vec<_> = run.by_ref().take(9).collect();
+    let text = serde_json::to_string(&segments).expect("JSON");
+    let read: Vec<Segment<f64>> = serde_json::from_str(&text).expect("segments");
+    assert_eq!(read, segments);
+    let error = frictiongen::Error::from(OutOfDomain { argument: "r" });
+    let text = serde_json::to_string(&error).expect("JSON");
+    assert_eq!(text, r#"{"OutOfDomain":{"argument":"r"}}"#);
+}
