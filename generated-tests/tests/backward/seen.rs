@@ -37,8 +37,8 @@ fn each_place(mut visit: impl FnMut(&Judge<'_>, &[Answer], &str)) {
         let exact = Exact::of(&text.parse().expect("a scene"));
         let masses = system.scene().masses.len();
         let resonances = system.resonances();
-        let beside = resonances.iter().flat_map(|r| [r * 1.001, r / 3.0 * 0.999]);
-        for r in [0.6, 0.9, 1.7].into_iter().chain(beside) {
+        let first = resonances[0];
+        for r in [0.9, 1.7, first * 1.001, first / 3.0 * 0.999] {
             let at = system.at(r).expect("in the domain");
             let beta = 0.4 * at.continuous_limit().min(at.sliding_limit());
             let place = Place { r, beta, tau: 0.8 };
@@ -69,7 +69,7 @@ fn what_is_right_is_below_the_bar() {
         places += 1;
     });
     println!("{places} places");
-    assert_eq!(places, 48);
+    assert_eq!(places, 24);
 }
 
 /// A thousand roundings of its size in one answer, all others as they are.
@@ -78,17 +78,14 @@ fn a_thousand_roundings_are_above_it() {
     let mut seen: BTreeMap<&str, (u64, u64)> = BTreeMap::new();
     each_place(|judge, told, place| {
         for (index, answer) in told.iter().enumerate() {
-            for sign in [1.0, -1.0] {
-                let mut faulty = told.to_vec();
-                let off = answer.size * Dd::from(sign * FAULT * f64::EPSILON);
-                faulty[index].got.re = answer.got.re + off;
-                let found = !(judge.verdict(&faulty).together <= BAR);
-                let (all, missed) = seen.entry(answer.watched.asked.kind()).or_default();
-                *all += 1;
-                *missed += u64::from(!found);
-                if !found {
-                    println!("missed {:?} at {place}", answer.watched.asked);
-                }
+            let mut faulty = told.to_vec();
+            faulty[index].got.re = answer.got.re + answer.size * Dd::from(FAULT * f64::EPSILON);
+            let found = !(judge.verdict(&faulty).together <= BAR);
+            let (all, missed) = seen.entry(answer.watched.asked.kind()).or_default();
+            *all += 1;
+            *missed += u64::from(!found);
+            if !found {
+                println!("missed {:?} at {place}", answer.watched.asked);
             }
         }
     });
