@@ -352,7 +352,7 @@ struct MassPlace {
 
 /// 0, but NaN where the lag is.
 fn zero_at(lag: Dd) -> Complex<Dd> {
-    Complex::new(lag - lag, Dd::from(0.0))
+    Complex::new(lag * Dd::from(0.0), Dd::from(0.0))
 }
 
 /// The largest free response over that of the contact.
