@@ -133,6 +133,39 @@ fn bounds_shrink_beside_the_resonance() {
     assert!(compared > 2_000);
 }
 
+/// There, without damping, y = sin τ − sin(xτ)/x has y″ = 2 cos((x + 1)τ/2) sin((x − 1)τ/2) + (x − 1) sin xτ,
+/// and that keeps its digits.
+#[test]
+fn differences_keep_their_digits_beside_the_resonance() {
+    let mut compared = 0;
+    for step in [-1e-4, 1e-9, 1e-6, 1e-3] {
+        let x = 1.0 + step;
+        let apart: f64 = x - 1.0;
+        let parts = parts(x, 0.0);
+        let of = |wanted: &str| &parts.iter().find(|(name, _)| *name == wanted).unwrap().1;
+        for tau in instants(x) {
+            let (half, turned) = (apart * tau / 2.0, x * tau);
+            let (sum, slow) = ((x + 1.0) * tau / 2.0, half.sin());
+            let second = 2.0 * sum.cos() * slow + apart * turned.sin();
+            let third = -(x + 1.0) * sum.sin() * slow
+                + apart * sum.cos() * half.cos()
+                + apart * x * turned.cos();
+            for (name, want) in [("swing", second), ("swing_slope", third)] {
+                let (local, _) = alone(of(name)).local(&Instant::new(tau / PI), None);
+                // A few roundings of terms of the size of |x − 1|.
+                assert!(
+                    (local.curvature - want).abs() < 1e-13 * apart.abs(),
+                    "{name}, x − 1 = {apart:e}, τ {tau}: {} instead of {want}",
+                    local.curvature
+                );
+                compared += 1;
+            }
+        }
+    }
+    println!("{compared} derivatives compared, none skipped");
+    assert_eq!(compared, 192);
+}
+
 /// Sums of waves: values and two derivatives, their bounds, what the tail comes to, and the largest values.
 #[test]
 fn sums_stay_within_their_bounds() {
