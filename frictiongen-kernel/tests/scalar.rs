@@ -358,6 +358,7 @@ fn exact_points<T: Float>() {
     assert_eq!(number(f64::NEG_INFINITY).exp(), number(0.0));
     assert_eq!(exp_m1_minus(number(f64::INFINITY)).to_f64(), f64::INFINITY);
     assert_eq!(number(2.0).copysign(number(-0.0)), number(-2.0));
+    assert!(number(0.0).abs().to_f64().is_sign_positive());
     for bad in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
         let (sin, cos) = number(bad).sin_cos_pi();
         assert!(sin.to_f64().is_nan() && cos.to_f64().is_nan());
