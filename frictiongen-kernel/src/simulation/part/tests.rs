@@ -34,7 +34,8 @@ fn third_derivatives_stay_within_their_bound() {
         let mut most = 0.0_f64;
         for _ in 0..400 {
             let mut part = part(zeta, random.log_uniform(0.05, 20.0));
-            part.free = [random.signed(), random.signed()];
+            let size = random.log_uniform(1e-3, 1e3);
+            part.free = [random.signed(), random.signed()].map(|part| size * part);
             part.weight = [random.signed(), random.signed()];
             part.aim();
             let [a, b] = part.derived(part.derived(part.slope));
