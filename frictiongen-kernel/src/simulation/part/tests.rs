@@ -1,5 +1,6 @@
-//! The bound on a free motion's third derivative, which says how far a walk may step.
+//! What says how far a walk may step: derivatives of a part's motion, and the bound on the third.
 
+use super::super::sum::Sum;
 use super::*;
 use crate::testing::Lcg;
 
@@ -58,4 +59,59 @@ fn third_derivatives_stay_within_their_bound() {
     }
     println!("{compared} derivatives compared, none skipped");
     assert_eq!(compared, 11 * 400 * 40);
+}
+
+/// Slope and curve of the function sought against differences of the one before, beside a resonance too, where
+/// a forced motion grows.
+#[test]
+fn slope_and_curve_are_derivatives() {
+    // Central differences: h² is lost to curvature, ε/h to rounding.
+    const STEP: f64 = 1e-5;
+    let mut random = Lcg(31);
+    let (mut compared, mut beside) = (0, 0);
+    for case in 0..300 {
+        let zeta = [0.0, 1e-3, 5e-3, 0.2][case % 4];
+        let mut part = part(zeta, 1.0);
+        part.sigma = 1.3;
+        let r = if case % 3 == 0 {
+            1.3 * random.log_uniform(0.5, 2.0)
+        } else {
+            1.3 * (1.0 + 5e-3 * random.signed())
+        };
+        let direct = Complex::new(random.signed(), random.signed());
+        part.tuned(
+            r,
+            Complex::new(random.signed(), random.signed()),
+            1.0,
+            direct,
+        );
+        beside += usize::from(part.near);
+        (part.y, part.u) = (random.signed(), random.signed());
+        part.weight = [random.signed(), random.signed()];
+        let phase = random.signed().sin_cos();
+        part.start(phase);
+        part.aim();
+        let parts = [part];
+        let sum = Sum::new(&parts, 0.3, (random.signed(), random.signed()), phase, 6.0);
+        for _ in 0..10 {
+            let tau = 0.1 + 5.0 * random.unit();
+            let (local, before, after) =
+                (sum.local(tau), sum.local(tau - STEP), sum.local(tau + STEP));
+            for (name, found, by) in [
+                ("slope", local.slope, after.value - before.value),
+                ("curve", local.curve, after.slope - before.slope),
+            ] {
+                let want = by / (2.0 * STEP);
+                assert!(
+                    (found - want).abs() < 1e-8 * (1.0 + local.bound),
+                    "{name}, ζ {zeta}, r {r}, τ {tau}: {found} instead of {want}"
+                );
+                compared += 1;
+            }
+        }
+    }
+    println!(
+        "{compared} derivatives compared, none skipped; beside a resonance {beside} of 300 parts"
+    );
+    assert!(compared == 6000 && beside > 100);
 }
