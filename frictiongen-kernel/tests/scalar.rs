@@ -358,6 +358,7 @@ fn exact_points<T: Float>() {
     assert_eq!(number(f64::NEG_INFINITY).exp(), number(0.0));
     assert_eq!(exp_m1_minus(number(f64::INFINITY)).to_f64(), f64::INFINITY);
     assert_eq!(number(2.0).copysign(number(-0.0)), number(-2.0));
+    assert!(number(0.0).abs().to_f64().is_sign_positive());
     for bad in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
         let (sin, cos) = number(bad).sin_cos_pi();
         assert!(sin.to_f64().is_nan() && cos.to_f64().is_nan());
@@ -392,6 +393,49 @@ fn double_double_at_the_ends_of_the_range() {
     assert_eq!(format!("{:.5}", Dd::from(9.999_999)), "1.00000e1");
     assert_eq!(format!("{:.3}", Dd::from(-1.5e-200)), "-1.500e-200");
     assert_eq!(format!("{}", Dd::from(0.0)), "0e0");
+}
+
+/// A power of two changes no quotient by more than its error, whichever of the two is next to overflow.
+#[test]
+fn double_double_divides_next_to_overflow() {
+    let (mut source, mut points) = (Source(4), 0);
+    let number = |source: &mut Source| {
+        let hi = 1.0 + source.unit();
+        Dd::sum(hi, hi * 2.0_f64.powi(-54) * source.unit())
+    };
+    for _ in 0..10_000 {
+        let (x, y) = (number(&mut source), number(&mut source));
+        let want = x / y;
+        let mut power = |most: f64| 2.0_f64.powf((most + 1.0 - 50.0 * source.unit()).floor());
+        // A quotient of 2^−1013 has a first digit that is still normal.
+        let (up, down) = (power(1023.0), power(1012.0));
+        for (up, down) in [(up, 1.0), (1.0, down), (up, down)] {
+            let scaled = |value: Dd, by: f64| Dd::new(value.hi * by, value.lo * by);
+            let back = |value: f64| value * (down / up);
+            let got = scaled(x, up) / scaled(y, down);
+            // A digit close to the least number loses its own end, and in the product with it some more.
+            let lost = 16.0 * 2.0_f64.powi(-1074) * (down / up);
+            // Both quotients may be off by 2^−103.
+            let budget = 2.0 * 2.0_f64.powi(-103) * want.hi + lost;
+            let off = difference(Dd::new(back(got.hi), back(got.lo)), want);
+            assert!(
+                off.abs() <= budget,
+                "{x:?} · {up:e} / {y:?} · {down:e}: {off:e}"
+            );
+            points += 1;
+        }
+    }
+    // The largest number: its product with the first digit, or a part of it, rounds up to infinity.
+    let (largest, half) = (Dd::from(f64::MAX), Dd::from(f64::MAX / 2.0));
+    for by in (3..2003).step_by(2) {
+        let by = Dd::from(f64::from(by));
+        let (got, want) = (largest / by, half / by);
+        let off = difference(Dd::new(got.hi / 2.0, got.lo / 2.0), want);
+        assert!(off.abs() <= 2.0 * 2.0_f64.powi(-103) * want.hi, "{by:?}");
+        points += 1;
+    }
+    println!("quotients next to overflow: {points} points");
+    assert_eq!(points, 31_000);
 }
 
 /// The exact product's error term must not loop on what cannot be split.

@@ -179,7 +179,8 @@ fn stuck<S: Float>(flow: &mut Flow<'_, '_, S>, room: &mut Room<'_, S>) -> Result
     let one = S::constant(1.0);
     let two_pi = S::pi() + S::pi();
     let mut out = room.multipliers.iter_mut();
-    for (out, re) in out.by_ref().zip([one, zero]) {
+    // The array ends first: the other way round `zip` takes one more of the multipliers, and leaves it out.
+    for (re, out) in [one, zero].into_iter().zip(out.by_ref()) {
         *out = Complex::new(re, zero);
     }
     for part in flow.held.iter() {

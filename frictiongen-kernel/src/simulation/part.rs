@@ -371,3 +371,6 @@ impl<S: Float> Part<S> {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -103,6 +103,69 @@ fn derivatives_stay_within_their_bounds() {
     }
 }
 
+/// Beside x = 1 the two parts that compare the mode with the excitation hardly move, and their bounds say so:
+/// by π(|x − 1| + 3ζx) of the waves' difference and a few units of |x − 1| + 2ζx, eight in all.
+#[test]
+fn bounds_shrink_beside_the_resonance() {
+    let mut compared = 0;
+    for zeta in [0.0, 1e-9, 1e-6, 1e-3, 0.01] {
+        for apart in [-0.01, -1e-4, 1e-8, 1e-5, 1e-3] {
+            let x = 1.0 + apart;
+            for (name, wave) in parts(x, zeta) {
+                if !name.starts_with("swing") {
+                    continue;
+                }
+                let most = 8.0 * (apart.abs() + 3.0 * zeta * x);
+                for tau in instants(x) {
+                    let (local, _) = alone(&wave).local(&Instant::new(tau / PI), None);
+                    assert!(
+                        local.curvature_bound < most && local.third_bound < most,
+                        "{name}, ζ {zeta}, x − 1 = {apart}, τ {tau}: {}, {} of {most}",
+                        local.curvature_bound,
+                        local.third_bound
+                    );
+                    compared += 2;
+                }
+            }
+        }
+    }
+    println!("{compared} bounds compared, none skipped");
+    assert!(compared > 2_000);
+}
+
+/// There, without damping, y = sin τ − sin(xτ)/x has y″ = 2 cos((x + 1)τ/2) sin((x − 1)τ/2) + (x − 1) sin xτ,
+/// and that keeps its digits.
+#[test]
+fn differences_keep_their_digits_beside_the_resonance() {
+    let mut compared = 0;
+    for step in [-1e-4, 1e-9, 1e-6, 1e-3] {
+        let x = 1.0 + step;
+        let apart: f64 = x - 1.0;
+        let parts = parts(x, 0.0);
+        let of = |wanted: &str| &parts.iter().find(|(name, _)| *name == wanted).unwrap().1;
+        for tau in instants(x) {
+            let (half, turned) = (apart * tau / 2.0, x * tau);
+            let (sum, slow) = ((x + 1.0) * tau / 2.0, half.sin());
+            let second = 2.0 * sum.cos() * slow + apart * turned.sin();
+            let third = -(x + 1.0) * sum.sin() * slow
+                + apart * sum.cos() * half.cos()
+                + apart * x * turned.cos();
+            for (name, want) in [("swing", second), ("swing_slope", third)] {
+                let (local, _) = alone(of(name)).local(&Instant::new(tau / PI), None);
+                // A few roundings of terms of the size of |x − 1|.
+                assert!(
+                    (local.curvature - want).abs() < 1e-13 * apart.abs(),
+                    "{name}, x − 1 = {apart:e}, τ {tau}: {} instead of {want}",
+                    local.curvature
+                );
+                compared += 1;
+            }
+        }
+    }
+    println!("{compared} derivatives compared, none skipped");
+    assert_eq!(compared, 192);
+}
+
 /// Sums of waves: values and two derivatives, their bounds, what the tail comes to, and the largest values.
 #[test]
 fn sums_stay_within_their_bounds() {

@@ -228,3 +228,35 @@ fn a_short_stop_from_anywhere() {
     println!("{compared} starts, none skipped");
     assert_eq!(compared, 60_000);
 }
+
+/// Without friction the block follows 1/(1 − r² + 2iζr), also where the excitation is so near to the
+/// resonance that its motion is formed from differences.
+#[test]
+fn next_to_a_resonance_without_friction() {
+    let mut compared = 0;
+    for zeta in [1e-6, 1e-3, 0.008, 0.04] {
+        let wall = block(&format!("damping: modal[{zeta}]"));
+        for r in [0.99, 0.999, 1.0 - 1e-9, 1.0, 1.0 + 1e-6, 1.004, 1.05] {
+            let orbit = wall.at(r).expect("in the domain").orbit(0.0);
+            let orbit = orbit.unwrap_or_else(|error| panic!("ζ = {zeta}, r = {r}: {error}"));
+            let mass = orbit.mass_at(0).expect("a mass");
+            let (re, im) = ((1.0 - r) * (1.0 + r), 2.0 * zeta * r);
+            let (size, lag) = (1.0 / re.hypot(im), im.atan2(re));
+            // ζ and r are given to 1.1e-16, and the detuning is formed from their products.
+            let budget = 1e-12_f64.max(4e-16 * size);
+            assert!(
+                (mass.amplitude() - size).abs() < budget * size,
+                "ζ = {zeta}, r = {r}: {} instead of {size}",
+                mass.amplitude()
+            );
+            assert!(
+                (mass.phase() - lag).abs() < budget.max(1e-9),
+                "ζ = {zeta}, r = {r}: {} instead of {lag}",
+                mass.phase()
+            );
+            compared += 1;
+        }
+    }
+    println!("{compared} motions compared, none skipped");
+    assert_eq!(compared, 28);
+}

@@ -103,3 +103,42 @@ fn finite_differences() {
         }
     }
 }
+
+/// Stuck for good, the upper mass stays where it is put and loses its velocity; the lower one swings on two
+/// springs by itself, λ² + (α + 2β)λ + 2 = 0 for the factors α and β.
+#[test]
+fn of_a_contact_that_never_slides() {
+    let mut compared = 0;
+    for (mass, stiffness) in [(0.0, 0.0), (0.1, 0.05), (1.0, 2.0)] {
+        let text = format!(
+            "struct Pair {{ masses: {{ lower: 1, upper: 1 }}, springs: {{ base - lower: 1, lower - upper: 1 }},
+            contact: upper - wall, excitation: lower, damping: rayleigh({mass}, {stiffness}) }}"
+        );
+        let system: System = text.parse().expect("a scene");
+        for r in [0.35, 0.9, 2.2] {
+            let orbit = system.at(r).expect("in the domain").orbit(5.0);
+            let orbit = orbit.unwrap_or_else(|error| panic!("{text}, r = {r}: {error}"));
+            assert_eq!(orbit.stuck_fraction(), 1.0);
+            let loss = nalgebra::Complex::new(mass + 2.0 * stiffness, 0.0);
+            let root = (loss * loss - 8.0).sqrt();
+            let swings = [root, -root].map(|root| ((root - loss) * 0.5 * TAU / r).exp());
+            let mut expected = vec![1.0.into(), 0.0.into()];
+            expected.extend(swings);
+            assert_eq!(orbit.multipliers().len(), expected.len());
+            for found in orbit.multipliers() {
+                let found = nalgebra::Complex::new(found.re, found.im);
+                let distances = expected.iter().map(|value| (value - found).norm());
+                let (nearest, distance) = distances
+                    .enumerate()
+                    .min_by(|a, b| a.1.total_cmp(&b.1))
+                    .expect("one is left");
+                // Roundings of a few turns.
+                assert!(distance < 1e-12, "{text}, r = {r}: {found} of {expected:?}");
+                expected.swap_remove(nearest);
+                compared += 1;
+            }
+        }
+    }
+    println!("{compared} multipliers compared, none skipped");
+    assert_eq!(compared, 36);
+}

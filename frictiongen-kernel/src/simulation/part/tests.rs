@@ -1,0 +1,117 @@
+//! What says how far a walk may step: derivatives of a part's motion, and the bound on the third.
+
+use super::super::sum::Sum;
+use super::*;
+use crate::testing::Lcg;
+
+fn part(zeta: f64, x: f64) -> Part<f64> {
+    let mut part = Part::empty();
+    part.kind = if zeta == 0.0 {
+        Kind::Undamped
+    } else if zeta < 1.0 {
+        Kind::Light
+    } else if zeta == 1.0 {
+        Kind::Critical
+    } else {
+        Kind::Over
+    };
+    (part.x, part.zeta) = (x, zeta);
+    part.q2 = (1.0 - zeta) * (1.0 + zeta);
+    part.q = if zeta == 1.0 {
+        1.0
+    } else {
+        part.q2.abs().sqrt()
+    };
+    part
+}
+
+#[test]
+fn third_derivatives_stay_within_their_bound() {
+    let mut random = Lcg(29);
+    let mut compared = 0;
+    for zeta in [
+        0.0, 1e-3, 0.3, 0.96, 0.98, 0.999, 1.0, 1.001, 1.5, 4.0, 30.0,
+    ] {
+        let mut most = 0.0_f64;
+        for _ in 0..400 {
+            let mut part = part(zeta, random.log_uniform(0.05, 20.0));
+            let size = random.log_uniform(1e-3, 1e3);
+            part.free = [random.signed(), random.signed()].map(|part| size * part);
+            part.weight = [random.signed(), random.signed()];
+            part.aim();
+            let [a, b] = part.derived(part.derived(part.slope));
+            for k in 0..40 {
+                let tau = 0.15 * f64::from(k) / part.x;
+                let turn = part.turn(tau / core::f64::consts::PI, tau);
+                let share = (a * turn.c + b * turn.s).abs() / (part.bound * turn.kept);
+                assert!(
+                    share <= 1.0 + 1e-9,
+                    "ζ {zeta}, x {}, τ {tau}: {share}",
+                    part.x
+                );
+                most = most.max(share);
+                compared += 1;
+            }
+        }
+        println!("ζ {zeta}: {most} of the bound");
+        // No looser than it need be, or walks are slow.
+        assert!(most > 0.3, "ζ {zeta}: {most}");
+    }
+    println!("{compared} derivatives compared, none skipped");
+    assert_eq!(compared, 11 * 400 * 40);
+}
+
+/// Slope and curve of the function sought against differences of the one before, beside a resonance too, where
+/// a forced motion grows.
+#[test]
+fn slope_and_curve_are_derivatives() {
+    // Central differences: h² is lost to curvature, ε/h to rounding.
+    const STEP: f64 = 1e-5;
+    let mut random = Lcg(31);
+    let (mut compared, mut beside) = (0, 0);
+    for case in 0..300 {
+        let zeta = [0.0, 1e-3, 5e-3, 0.2][case % 4];
+        let mut part = part(zeta, 1.0);
+        part.sigma = 1.3;
+        let r = if case % 3 == 0 {
+            1.3 * random.log_uniform(0.5, 2.0)
+        } else {
+            1.3 * (1.0 + 5e-3 * random.signed())
+        };
+        let direct = Complex::new(random.signed(), random.signed());
+        part.tuned(
+            r,
+            Complex::new(random.signed(), random.signed()),
+            1.0,
+            direct,
+        );
+        beside += usize::from(part.near);
+        (part.y, part.u) = (random.signed(), random.signed());
+        part.weight = [random.signed(), random.signed()];
+        let phase = random.signed().sin_cos();
+        part.start(phase);
+        part.aim();
+        let parts = [part];
+        let sum = Sum::new(&parts, 0.3, (random.signed(), random.signed()), phase, 6.0);
+        for _ in 0..10 {
+            let tau = 0.1 + 5.0 * random.unit();
+            let (local, before, after) =
+                (sum.local(tau), sum.local(tau - STEP), sum.local(tau + STEP));
+            for (name, found, by) in [
+                ("slope", local.slope, after.value - before.value),
+                ("curve", local.curve, after.slope - before.slope),
+            ] {
+                let want = by / (2.0 * STEP);
+                assert!(
+                    (found - want).abs() < 1e-8 * (1.0 + local.bound),
+                    "{name}, ζ {zeta}, r {r}, τ {tau}: {found} instead of {want}"
+                );
+                compared += 1;
+            }
+        }
+    }
+    println!(
+        "{compared} derivatives compared, none skipped; beside a resonance {beside} of 300 parts"
+    );
+    assert!(compared == 6000 && beside > 100);
+}
