@@ -105,6 +105,8 @@ pub struct Judge<'a> {
     at: DataAt<'a, Dd>,
     epsilon: f64,
     bar: f64,
+    /// How often derivatives are taken anew, for few inputs and for all.
+    turns: [usize; 2],
 }
 
 /// The fit's equations about some r and β.
@@ -139,6 +141,15 @@ impl<'a> Judge<'a> {
             at,
             epsilon,
             bar,
+            turns: [FEW_TURNS, TURNS],
+        }
+    }
+
+    /// By the derivatives where the answers were asked alone, which is enough where a thousand roundings are few.
+    pub fn at_once(self) -> Self {
+        Self {
+            turns: [0, 0],
+            ..self
         }
     }
 
@@ -245,7 +256,7 @@ impl<'a> Judge<'a> {
         judged: &mut [Judged],
     ) -> (f64, f64) {
         let (mut best, mut condition) = (f64::INFINITY, 1.0);
-        for (every, turns) in [(false, FEW_TURNS), (true, TURNS)] {
+        for (every, turns) in [false, true].into_iter().zip(self.turns) {
             let mut linear = self.linear(told, exact, &[], every);
             condition = linear.condition();
             linear.each_alone(told, judged);

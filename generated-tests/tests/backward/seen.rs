@@ -42,7 +42,7 @@ fn each_place(mut visit: impl FnMut(&Judge<'_>, &[Answer], &str)) {
             let at = system.at(r).expect("in the domain");
             let beta = 0.4 * at.continuous_limit().min(at.sliding_limit());
             let place = Place { r, beta, tau: 0.8 };
-            let judge = Judge::new(&exact, place.read(Dd::from), f64::EPSILON, BAR);
+            let judge = Judge::new(&exact, place.read(Dd::from), f64::EPSILON, BAR).at_once();
             let mut questions = Questions::new(&judge, Dd::from, true, masses);
             questions.sliding(&at);
             let all: Vec<usize> = (0..masses).collect();
