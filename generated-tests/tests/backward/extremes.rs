@@ -9,6 +9,7 @@ use crate::tally::Tally;
 use frictiongen::study::System;
 use frictiongen_kernel::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
+use generated_tests::reference::{description, exact};
 use serde_json::Value;
 
 /// In roundings, 2^-52 of each input.
@@ -28,30 +29,6 @@ fn scenes() -> Vec<Value> {
 
 fn list(value: &Value) -> &[Value] {
     value.as_array().map_or(&[], Vec::as_slice)
-}
-
-/// A decimal number to 30 digits.
-fn exact(value: &Value) -> Dd {
-    let text = value
-        .as_str()
-        .map_or_else(|| value.to_string(), str::to_owned);
-    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((&text, "0"));
-    let exponent: i32 = exponent.parse().expect("an exponent");
-    let (negative, mantissa) = match mantissa.strip_prefix('-') {
-        Some(rest) => (true, rest),
-        None => (false, mantissa),
-    };
-    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let ten = Dd::from(10.0);
-    let mut sum = Dd::from(0.0);
-    for digit in whole.chars().chain(fraction.chars()) {
-        sum = sum * ten + Dd::from(f64::from(digit.to_digit(10).expect("a digit")));
-    }
-    let places = exponent - i32::try_from(fraction.len()).expect("few digits");
-    for _ in 0..places.abs() {
-        sum = if places < 0 { sum / ten } else { sum * ten };
-    }
-    if negative { -sum } else { sum }
 }
 
 /// A number that the reference gives as an exact double.
@@ -74,14 +51,6 @@ struct Cases {
     cases: Vec<Case>,
 }
 
-fn value(value: &Value) -> Dd {
-    if value == "inf" {
-        Dd::from(f64::INFINITY)
-    } else {
-        exact(value)
-    }
-}
-
 fn cases(scene: &Value) -> Vec<Cases> {
     let mut all = Vec::new();
     for point in list(&scene["points"]) {
@@ -94,7 +63,7 @@ fn cases(scene: &Value) -> Vec<Cases> {
                 cases: known
                     .map(|(asked, known)| Case {
                         asked,
-                        want: value(known),
+                        want: exact(known),
                     })
                     .collect(),
             });
@@ -118,10 +87,6 @@ fn cases(scene: &Value) -> Vec<Cases> {
         }
     }
     all
-}
-
-fn description(scene: &Value) -> &str {
-    scene["description"].as_str().expect("a description")
 }
 
 /// What a system answers through its public face.
@@ -176,7 +141,7 @@ fn told(judge: &Judge<'_>, case: &Case, got: Dd) -> Answer {
 }
 
 /// Every value of the reference from systems in a scalar, in roundings `epsilon` of the scenes' inputs.
-fn compared<S: Float>(epsilon: f64, exact: impl Fn(S) -> Dd) -> Tally {
+fn compared<S: Float>(epsilon: f64, read: impl Fn(S) -> Dd) -> Tally {
     let mut tally = Tally::default();
     let mut worst_of_ill: f64 = 0.0;
     for scene in scenes() {
@@ -187,7 +152,7 @@ fn compared<S: Float>(epsilon: f64, exact: impl Fn(S) -> Dd) -> Tally {
             let real = |value: Dd| Complex::new(value, Dd::from(0.0));
             if place.r == 0.0 || !place.r.is_finite() {
                 for case in &cases {
-                    let got = exact(ask(&system, &name, &place, case.asked));
+                    let got = read(ask(&system, &name, &place, case.asked));
                     let (got, want) = (got.to_f64(), case.want.to_f64());
                     let off = (got - want).abs();
                     assert!(
@@ -199,7 +164,7 @@ fn compared<S: Float>(epsilon: f64, exact: impl Fn(S) -> Dd) -> Tally {
                 continue;
             }
             let judge = Judge::new(&reference, place.read(Dd::from), epsilon, BAR);
-            let ask = |case: &Case| exact(ask(&system, &name, &place, case.asked));
+            let ask = |case: &Case| read(ask(&system, &name, &place, case.asked));
             let answers: Vec<Answer> = cases
                 .iter()
                 .map(|case| told(&judge, case, ask(case)))
