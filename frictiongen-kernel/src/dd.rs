@@ -52,21 +52,30 @@ fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
 /// Dekker's splitting into two numbers of at most 26 bits.
 #[inline]
 fn split(a: f64) -> (f64, f64) {
-    const FACTOR: f64 = 134_217_729.0;
     const LARGE: f64 = 6.696928794914171e299;
-    const DOWN: f64 = 1.0 / 268_435_456.0;
     // The product with the factor must not overflow.
     if a.abs() > LARGE {
-        let (hi, lo) = if a.is_finite() {
-            split(a * DOWN)
-        } else {
-            (a, 0.0)
-        };
-        return (hi / DOWN, lo / DOWN);
+        return split_large(a);
     }
+    halved(a)
+}
+
+#[inline]
+fn halved(a: f64) -> (f64, f64) {
+    const FACTOR: f64 = 134_217_729.0;
     let scaled = FACTOR * a;
     let hi = scaled - (scaled - a);
     (hi, a - hi)
+}
+
+#[cold]
+fn split_large(a: f64) -> (f64, f64) {
+    const DOWN: f64 = 1.0 / 268_435_456.0;
+    if !a.is_finite() {
+        return (a, 0.0);
+    }
+    let (hi, lo) = halved(a * DOWN);
+    (hi / DOWN, lo / DOWN)
 }
 
 /// The rounded product and what it lost (unless that underflows).

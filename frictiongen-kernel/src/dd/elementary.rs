@@ -28,10 +28,24 @@ fn series<'a>(
     })
 }
 
-/// Σ v^k/(first + 2k)!, up to the term of 1/last!.
-fn factorials_in_twos(first: usize, last: usize, exact: usize, v: Dd) -> Dd {
-    let factorials = INVERSE_FACTORIAL.iter().take(last + 1).skip(first);
-    series(factorials.step_by(2), exact, v)
+/// 1/first!, 1/(first + 2)!, 1/(first + 4)! ….
+const fn in_twos(first: usize) -> [Dd; 18] {
+    let mut factorials = [Dd::ZERO; 18];
+    let mut k = 0;
+    while k < factorials.len() {
+        factorials[k] = INVERSE_FACTORIAL[first + 2 * k];
+        k += 1;
+    }
+    factorials
+}
+/// 1/2!, 1/4! … 1/36!.
+static EVEN: [Dd; 18] = in_twos(2);
+/// 1/3!, 1/5! … 1/37!.
+static ODD: [Dd; 18] = in_twos(3);
+
+/// Σ factorials[k]·v^k, so many terms of it.
+fn factorials_in_twos(factorials: &[Dd], terms: usize, exact: usize, v: Dd) -> Dd {
+    series(factorials.iter().take(terms), exact, v)
 }
 
 /// The number of halves nearest to h (its two lowest bits) and the exact remainder.
@@ -48,8 +62,8 @@ fn reduced(h: Dd) -> (u64, Dd) {
 fn turned(q: u64, r: Dd) -> (Dd, Dd) {
     let x = r * Dd::PI;
     let u = x * x;
-    let sin = x - x * u * factorials_in_twos(3, 31, 8, -u);
-    let cos = Dd::ONE - u * factorials_in_twos(2, 32, 9, -u);
+    let sin = x - x * u * factorials_in_twos(&ODD, 15, 8, -u);
+    let cos = Dd::ONE - u * factorials_in_twos(&EVEN, 16, 9, -u);
     match q & 3 {
         0 => (sin, cos),
         1 => (cos, -sin),
@@ -191,7 +205,7 @@ impl Scalar for Dd {
         let x = self * Self::PI;
         if self.hi.abs() < 0.5 {
             let u = x * x;
-            return u * factorials_in_twos(3, 37, 10, -u);
+            return u * factorials_in_twos(&ODD, 18, 10, -u);
         }
         Self::ONE - self.sin_cos_pi().0 / x
     }
@@ -206,7 +220,7 @@ impl Scalar for Dd {
         let decay = (-a).exp();
         if a.hi < 2.0 {
             let u = a * a;
-            return (a * u * factorials_in_twos(3, 37, 11, u) * decay).scaled(2.0);
+            return (a * u * factorials_in_twos(&ODD, 18, 11, u) * decay).scaled(2.0);
         }
         Self::ONE - decay * (decay + a.scaled(2.0))
     }

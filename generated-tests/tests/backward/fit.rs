@@ -1,9 +1,12 @@
 //! The smallest displacement of the inputs that explains all answers of a place at once.
 
+use frictiongen_kernel::Float;
 use frictiongen_kernel::dd::Dd;
 
 /// So often are the weights changed.
 const ROUNDS: usize = 60;
+/// So often in plain double precision, which is enough at most places.
+const QUICK_ROUNDS: usize = 4;
 /// So often where the bar is far away, and by how much: there the equations are not yet those of the right place.
 const FAR_ROUNDS: usize = 4;
 const FAR: f64 = 100.0;
@@ -16,18 +19,49 @@ const FAINT: f64 = 1e-9;
 /// well below the bar: a Chebyshev fit by Lawson's iteration, weighted least squares whose weights grow with what they leave.
 /// Every δ proves its own k, so that what is found is an upper bound.
 pub fn fit(a: &[Vec<Dd>], b: &[Dd], bar: f64) -> f64 {
+    let plain: Vec<Vec<f64>> = a.iter().map(|row| to_f64(row)).collect();
+    let quick = lawson(a, b, bar, QUICK_ROUNDS, |b, inputs, answers| {
+        // Its own rounding is taken back by what is left of the answers.
+        let moved = shortest(&plain, &to_f64(b), inputs, answers)?;
+        let more = shortest(&plain, &left(a, b, &moved), inputs, answers)?;
+        Some(
+            moved
+                .iter()
+                .zip(&more)
+                .map(|(moved, more)| moved + more)
+                .collect(),
+        )
+    });
+    if quick <= ENOUGH * bar {
+        return quick;
+    }
+    quick.min(lawson(a, b, bar, ROUNDS, |b, inputs, answers| {
+        let moved = shortest(a, b, inputs, answers)?;
+        Some(to_f64(&moved))
+    }))
+}
+
+/// Lawson's iteration about a way to the δ of some weights.
+fn lawson(
+    a: &[Vec<Dd>],
+    b: &[Dd],
+    bar: f64,
+    rounds: usize,
+    shortest: impl Fn(&[Dd], &[f64], &[f64]) -> Option<Vec<f64>>,
+) -> f64 {
     let inputs = a.first().map_or(0, Vec::len);
-    let mut best = worst(b.iter().map(|b| b.to_f64()));
+    let mut best = worst(to_f64(b).into_iter());
     let mut input_weights = vec![1.0; inputs];
     let mut answer_weights = vec![1.0; b.len()];
-    for round in 0..ROUNDS {
+    for round in 0..rounds {
         let hopeless = round >= FAR_ROUNDS && best > FAR * bar && bar > 0.0;
         if best <= ENOUGH * bar || hopeless {
             break;
         }
-        let Some((moved, left)) = least_squares(a, b, &input_weights, &answer_weights) else {
+        let Some(moved) = shortest(b, &input_weights, &answer_weights) else {
             break;
         };
+        let left = left(a, b, &moved);
         let roundings = worst(moved.iter().chain(&left).copied());
         best = best.min(roundings);
         let of_largest = |value: f64| (value.abs() / roundings).max(FAINT);
@@ -44,6 +78,21 @@ pub fn fit(a: &[Vec<Dd>], b: &[Dd], bar: f64) -> f64 {
     best
 }
 
+fn to_f64(values: &[Dd]) -> Vec<f64> {
+    values.iter().map(|value| value.to_f64()).collect()
+}
+
+/// b − aδ.
+fn left(a: &[Vec<Dd>], b: &[Dd], moved: &[f64]) -> Vec<f64> {
+    let left = a.iter().zip(b).map(|(row, b)| {
+        let moves = row.iter().zip(moved);
+        moves
+            .fold(*b, |left, (a, moved)| left - *a * Dd::from(*moved))
+            .to_f64()
+    });
+    left.collect()
+}
+
 /// The largest modulus; infinite if any is NaN.
 fn worst(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, |most: f64, value| {
@@ -55,59 +104,99 @@ fn worst(values: impl Iterator<Item = f64>) -> f64 {
     })
 }
 
-/// min Σ w_j δ_j² + Σ v_i (b_i − a_i·δ)²: the shortest z with Mᵀz = b, where z is √w δ and √v times what is left, and
-/// a column of M is an answer's a_ij/√w_j and 1/√v_i.  By M = QR, whose condition is not squared: answers beside a pole
-/// move by 10¹⁶ of what they differ by.
-pub fn least_squares(
-    a: &[Vec<Dd>],
-    b: &[Dd],
+/// δ of min Σ w_j δ_j² + Σ v_i (b_i − a_i·δ)².  By orthogonal columns, so that the condition is not squared: answers
+/// beside a pole move by 10¹⁶ of what they differ by.
+pub fn shortest<S: Float>(
+    a: &[Vec<S>],
+    b: &[S],
     input_weights: &[f64],
     answer_weights: &[f64],
-) -> Option<(Vec<f64>, Vec<f64>)> {
-    let zero = Dd::from(0.0);
-    let inputs = input_weights.len();
-    let roots: Vec<Dd> = input_weights.iter().map(|w| Dd::from(*w).sqrt()).collect();
-    let dot = |a: &[Dd], b: &[Dd]| {
-        let products = a.iter().zip(b);
-        products.fold(zero, |sum, (a, b)| sum + *a * *b)
-    };
-    let mut q: Vec<Vec<Dd>> = Vec::new();
-    let mut z = vec![zero; inputs + b.len()];
-    let mut y: Vec<Dd> = Vec::new();
-    for (i, (row, b)) in a.iter().zip(b).enumerate() {
-        let mut column: Vec<Dd> = row.iter().zip(&roots).map(|(a, w)| *a / *w).collect();
-        column.resize(inputs + i, zero);
-        column.push(Dd::from(1.0) / Dd::from(answer_weights[i]).sqrt());
-        let mut rest = *b;
-        for (q, y) in q.iter().zip(&y) {
+) -> Option<Vec<S>> {
+    let root = |weight: &f64| S::constant(*weight).sqrt();
+    let inputs: Vec<S> = input_weights.iter().map(root).collect();
+    let answers: Vec<S> = answer_weights.iter().map(root).collect();
+    let zero = S::constant(0.0);
+    if inputs.len() < answers.len() {
+        // (√v a, √w) δ against (√v b, 0).
+        let columns = (0..inputs.len()).map(|j| {
+            let weighted = a.iter().zip(&answers);
+            let mut column: Vec<S> = weighted.map(|(row, root)| row[j] * *root).collect();
+            column.resize(answers.len() + inputs.len(), zero);
+            column[answers.len() + j] = inputs[j];
+            column
+        });
+        let mut aim: Vec<S> = b.iter().zip(&answers).map(|(b, root)| *b * *root).collect();
+        aim.resize(answers.len() + inputs.len(), zero);
+        let (q, r) = orthogonal(columns)?;
+        let mut moved = vec![zero; inputs.len()];
+        for j in (0..inputs.len()).rev() {
+            // What the columns after it leave.
+            let along = dot(&q[j], &aim);
+            for (value, q) in aim.iter_mut().zip(&q[j]) {
+                *value = *value - along * *q;
+            }
+            moved[j] = along;
+        }
+        for j in (0..inputs.len()).rev() {
+            let others = (j + 1..inputs.len()).map(|k| r[k][j] * moved[k]);
+            moved[j] = others.fold(moved[j], |sum, other| sum - other) / r[j][j];
+        }
+        return Some(moved);
+    }
+    // The shortest z with Mᵀz = b, where z is √w δ and √v times what is left, and a column of M is an answer's a_ij/√w_j
+    // and 1/√v_i.
+    let columns = a.iter().zip(&answers).enumerate().map(|(i, (row, root))| {
+        let mut column: Vec<S> = row.iter().zip(&inputs).map(|(a, w)| *a / *w).collect();
+        column.resize(inputs.len() + answers.len(), zero);
+        column[inputs.len() + i] = S::constant(1.0) / *root;
+        column
+    });
+    let (q, r) = orthogonal(columns)?;
+    let mut z = vec![zero; inputs.len()];
+    let mut along = Vec::new();
+    for ((b, q), r) in b.iter().zip(&q).zip(&r) {
+        let rest = dot(&r[..along.len()], &along);
+        along.push((*b - rest) / r[along.len()]);
+        for (z, q) in z.iter_mut().zip(q) {
+            *z = *z + along[along.len() - 1] * *q;
+        }
+    }
+    Some(z.iter().zip(&inputs).map(|(z, w)| *z / *w).collect())
+}
+
+fn dot<S: Float>(a: &[S], b: &[S]) -> S {
+    let products = a.iter().zip(b);
+    products.fold(S::constant(0.0), |sum, (a, b)| sum + *a * *b)
+}
+
+/// Columns of length 1 at right angles, and what of each goes into every given one: by Gram and Schmidt, one after the
+/// other.
+fn orthogonal<S: Float>(
+    columns: impl Iterator<Item = Vec<S>>,
+) -> Option<(Vec<Vec<S>>, Vec<Vec<S>>)> {
+    let (mut all, mut parts): (Vec<Vec<S>>, Vec<Vec<S>>) = (Vec::new(), Vec::new());
+    for mut column in columns {
+        let mut part = Vec::new();
+        for q in &all {
             let along = dot(q, &column);
             for (value, q) in column.iter_mut().zip(q) {
                 *value = *value - along * *q;
             }
-            rest = rest - along * *y;
+            part.push(along);
         }
         let length = dot(&column, &column).sqrt();
         if !(length.to_f64() > 0.0) {
             return None;
         }
-        column.iter_mut().for_each(|value| *value = *value / length);
-        let y_here = rest / length;
-        for (z, q) in z.iter_mut().zip(&column) {
-            *z = *z + y_here * *q;
-        }
-        y.push(y_here);
-        q.push(column);
+        let inverse = S::constant(1.0) / length;
+        column
+            .iter_mut()
+            .for_each(|value| *value = *value * inverse);
+        part.push(length);
+        all.push(column);
+        parts.push(part);
     }
-    let moved: Vec<Dd> = z.iter().zip(&roots).map(|(z, w)| *z / *w).collect();
-    // What is left of δ itself, whatever the iteration has lost.
-    let left = a
-        .iter()
-        .zip(b)
-        .map(|(row, b)| (*b - dot(row, &moved)).to_f64());
-    Some((
-        moved.iter().map(|moved| moved.to_f64()).collect(),
-        left.collect(),
-    ))
+    Some((all, parts))
 }
 
 /// Two answers that one input moves the same way and that are off by opposite amounts are not explained by it.

@@ -6,14 +6,14 @@
 //! beside a pole derivatives change within a rounding: they are taken anew where the fit has moved r and β to.
 
 use crate::asked::{Asked, Of, Place, Watched, answers, motion};
-use crate::fit::{fit, least_squares};
+use crate::fit::{fit, shortest};
 use crate::inputs::Exact;
 use crate::instant::{constraining, followed};
 use frictiongen_kernel::dd::Dd;
 use frictiongen_kernel::dual::Dual;
 use frictiongen_kernel::{Complex, Float, complex};
 use frictiongen_model::modal::Modal;
-use generated_tests::data::DataAt;
+use generated_tests::data::{Data, DataAt};
 
 /// So few roundings of an answer need no input to explain them.
 pub const PLAIN: f64 = 4.0;
@@ -153,6 +153,11 @@ impl<'a> Judge<'a> {
         }
     }
 
+    /// The scene's own.
+    pub fn data(&self) -> &'a Data<Dd> {
+        &self.exact.data
+    }
+
     pub fn at(&self) -> &DataAt<'a, Dd> {
         &self.at
     }
@@ -255,41 +260,35 @@ impl<'a> Judge<'a> {
         exact: &[Complex<Dd>],
         judged: &mut [Judged],
     ) -> (f64, f64) {
-        let (mut best, mut condition) = (f64::INFINITY, 1.0);
-        for (every, turns) in [false, true].into_iter().zip(self.turns) {
-            let mut linear = self.linear(told, exact, &[], every);
-            condition = linear.condition();
+        let mut judge = |linear: &Linear| {
             linear.each_alone(told, judged);
-            best = best.min(linear.fitted(self.bar));
-            let mut to = vec![0.0; linear.a.first().map_or(0, Vec::len)];
-            let (mut moving, mut back): (Option<Vec<f64>>, f64) = (None, 0.5);
+            linear.fitted(self.bar)
+        };
+        let (mut best, mut condition) = (f64::INFINITY, 1.0);
+        // Most places are explained where they are.
+        let mut here = Vec::new();
+        for every in [false, true] {
+            let linear = self.linear(told, exact, &[], every);
+            condition = linear.condition();
+            best = best.min(judge(&linear));
+            if best <= self.bar {
+                return (best, condition);
+            }
+            here.push((every, linear));
+        }
+        for ((every, linear), turns) in here.into_iter().zip(self.turns) {
+            let mut turning = Turning::of(linear);
             for _ in 0..turns {
+                let Some(to) = turning.next(self.bar) else {
+                    break;
+                };
+                let there = self.linear(told, exact, to, every);
+                best = best.min(judge(&there));
+                condition = there.condition();
                 if best <= self.bar {
                     return (best, condition);
                 }
-                if let (true, Some(moving)) = (linear.stands, &moving) {
-                    // Beyond |V|/|U| the contact stands still whatever moves: halfway to where it did not.
-                    for (to, moving) in to.iter_mut().zip(moving) {
-                        *to = 0.5 * (*to + moving);
-                    }
-                } else {
-                    let Some(step) = linear.step(&to, self.bar) else {
-                        break;
-                    };
-                    if linear.stands {
-                        // To where the limits are as they were told, and back by more and more of β.
-                        back = (back + back).min(self.bar);
-                        to[BETA] -= back;
-                    } else {
-                        moving = Some(to.clone());
-                    }
-                    for (to, step) in to.iter_mut().zip(step) {
-                        *to = (*to + step).clamp(-self.bar, self.bar);
-                    }
-                }
-                linear = self.linear(told, exact, &to, every);
-                linear.each_alone(told, judged);
-                best = best.min(linear.fitted(self.bar));
+                turning.linear = there;
             }
         }
         (best, condition)
@@ -408,6 +407,51 @@ impl<'a> Judge<'a> {
     }
 }
 
+/// Displacements at which the derivatives are taken anew, one after the other.
+struct Turning {
+    /// The equations at the displacement found last.
+    linear: Linear,
+    /// It, in roundings.
+    to: Vec<f64>,
+    /// The last one before the contact stood still.
+    moving: Option<Vec<f64>>,
+    /// By how many roundings of β the contact is set free.
+    back: f64,
+}
+
+impl Turning {
+    fn of(linear: Linear) -> Self {
+        Self {
+            to: vec![0.0; linear.a.first().map_or(0, Vec::len)],
+            linear,
+            moving: None,
+            back: 0.5,
+        }
+    }
+
+    fn next(&mut self, bar: f64) -> Option<&[f64]> {
+        if let (true, Some(moving)) = (self.linear.stands, &self.moving) {
+            // Beyond |V|/|U| the contact stands still whatever moves: halfway to where it did not.
+            for (to, moving) in self.to.iter_mut().zip(moving) {
+                *to = 0.5 * (*to + moving);
+            }
+        } else {
+            let step = self.linear.step(&self.to, bar)?;
+            if self.linear.stands {
+                // To where the limits are as they were told, and back by more and more of β.
+                self.back = (self.back + self.back).min(bar);
+                self.to[BETA] -= self.back;
+            } else {
+                self.moving = Some(self.to.clone());
+            }
+            for (to, step) in self.to.iter_mut().zip(step) {
+                *to = (*to + step).clamp(-bar, bar);
+            }
+        }
+        Some(&self.to)
+    }
+}
+
 impl Linear {
     fn fitted(&self, bar: f64) -> f64 {
         fit(&self.a, &self.b, bar)
@@ -432,7 +476,8 @@ impl Linear {
         };
         let answers: Vec<f64> = self.a.iter().zip(&rest).map(weight).collect();
         let inputs = vec![STILL; self.a.first().map_or(0, Vec::len)];
-        least_squares(&self.a, &rest, &inputs, &answers).map(|(moved, _)| moved)
+        let moved = shortest(&self.a, &rest, &inputs, &answers)?;
+        Some(moved.iter().map(|moved| moved.to_f64()).collect())
     }
 
     /// The most that an answer moves by, with one rounding of every input.

@@ -214,50 +214,64 @@ fn rounded_data<S: Float>(system: &System<S>) -> Data<S> {
     }
 }
 
-/// Looks for larger values at instants all over the half period, and has answers judged by those.  The code under test
-/// searches with the same bounds in double-double: what it has found itself must be the largest.
+/// Looks for larger values at instants all over the half period, and has answers judged by those: in double precision
+/// first, then closer in double-double.  The code under test searches with the same bounds in double-double: what it has
+/// found itself must be the largest.
 fn by_force<S: Float>(judge: &Judge<'_>, told: &mut [Answer], fastest: f64, place: &Place<S>) {
     let instants = 64 + (12.0 * fastest) as u32;
-    let largest = |of: &dyn Fn(Dd) -> Dd| {
-        let step = Dd::PI / Dd::from(f64::from(instants));
-        let tau = |i: u32| step * Dd::from(f64::from(i) - 0.5);
-        let highest = |best: (Dd, Dd), tau: Dd| {
-            let value = of(tau);
-            if best.0 < value { (value, tau) } else { best }
-        };
-        let none = (Dd::from(0.0), Dd::from(0.0));
-        let (mut value, mut about) = (1..=instants).map(tau).fold(none, highest);
+    let largest = |rough: &dyn Fn(f64) -> f64, of: &dyn Fn(Dd) -> Dd| {
+        let step = std::f64::consts::PI / f64::from(instants);
+        let instant = |i: u32| step * (f64::from(i) - 0.5);
+        let all = (1..=instants).map(|i| (rough(instant(i)), instant(i)));
+        let higher = |best: (f64, f64), one: (f64, f64)| if best.0 < one.0 { one } else { best };
+        let mut about = Dd::from(all.fold((0.0, 0.0), higher).1);
+        let mut value = of(about);
         // Closer about the highest, by halves of the step.
-        let mut width = step;
+        let mut width = Dd::from(step);
         for _ in 0..24 {
             width = width * Dd::from(0.5);
-            let sides = [about - width, about + width].into_iter();
-            let inside = sides.filter(|tau| Dd::from(0.0) < *tau && *tau < Dd::PI);
-            (value, about) = inside.fold((value, about), highest);
+            for tau in [about - width, about + width] {
+                if Dd::from(0.0) < tau && tau < Dd::PI {
+                    let there = of(tau);
+                    if value < there {
+                        (value, about) = (there, tau);
+                    }
+                }
+            }
         }
         (value, about)
+    };
+    let plain = judge.data().read(|value| value.to_f64());
+    let rough = plain.at(judge.place().r.to_f64());
+    let beta = judge.place().beta.to_f64();
+    let of_mass = |mass: usize| {
+        let (exact, rough) = (
+            motion(judge.at(), Of::Mass(mass), judge.place().beta),
+            motion(&rough, Of::Mass(mass), beta),
+        );
+        let found = largest(&|tau| rough.displacement(tau).abs(), &|tau| {
+            exact.displacement(tau).abs()
+        });
+        (exact, found)
     };
     let room = Dd::from(BAR * S::EPSILON);
     for answer in told {
         let asked = answer.watched.asked;
-        let exact = judge.exact(&[answer.watched])[0].re;
         let (known, size, (found, tau)) = match asked {
             Asked::ContinuousLimit => {
-                let inverse = Dd::from(1.0) / exact;
+                let inverse = Dd::from(1.0) / judge.exact(&[answer.watched])[0].re;
                 let by = |tau| Dd::from(1.0) / judge.at().continuous_limit_by(tau);
-                (inverse, inverse, largest(&by))
+                let roughly = |tau| 1.0 / rough.continuous_limit_by(tau);
+                (inverse, inverse, largest(&roughly, &by))
             }
-            Asked::Amplitude(of @ Of::Mass(_)) => {
-                let motion = motion(judge.at(), of, judge.place().beta);
-                let size = answer.size;
-                (exact, size, largest(&|tau| motion.displacement(tau).abs()))
+            Asked::Amplitude(Of::Mass(mass)) => {
+                let known = judge.exact(&[answer.watched])[0].re;
+                (known, answer.size, of_mass(mass).1)
             }
             Asked::Height(mass) => {
-                let motion = motion(judge.at(), Of::Mass(mass), judge.place().beta);
+                let (motion, found) = of_mass(mass);
                 let instant = answer.watched.instant.unwrap_or(Dd::from(0.0));
-                let known = motion.displacement(instant).abs();
-                let found = largest(&|tau| motion.displacement(tau).abs());
-                (known, answer.size, found)
+                (motion.displacement(instant).abs(), answer.size, found)
             }
             _ => continue,
         };
@@ -323,24 +337,32 @@ struct Shares {
     above: f64,
     /// Without a displacement in common, all of them with a condition above 100.
     disagreeing: f64,
+    /// Wrong altogether: where the contact's force is known to no digit, in double-double neither, and where r within a
+    /// rounding of a resonance decides whether the contact moves.
+    wrong: f64,
 }
 /// Of a hundred places one is more than of thousands.
 const FEW: Shares = Shares {
     above: 0.0,
     disagreeing: 0.04,
+    wrong: 0.0,
 };
 const MANY: Shares = Shares {
     above: 0.01,
     disagreeing: 0.02,
+    wrong: 1e-3,
 };
 
 /// What a run has to keep.
 fn report(title: &str, tally: &Tally, most: &Shares) {
     tally.print(title);
-    assert_eq!(tally.wrong, 0, "places are wrong altogether");
     // The limit per mode is asked for at few places.
     assert!(KINDS - 1 <= tally.counts().count(), "a kind is missing");
-    let [above, disagreeing] = tally.shares();
+    let [above, disagreeing, wrong] = tally.shares();
+    assert!(
+        wrong <= most.wrong,
+        "{wrong} of all places are wrong altogether"
+    );
     assert!(
         above <= most.above,
         "{above} of all places are above the bar"

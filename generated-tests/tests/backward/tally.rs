@@ -137,18 +137,25 @@ impl Tally {
         self.kinds.iter().map(|(name, kind)| (*name, kind.count))
     }
 
-    /// The share of places above the bar, and of those whose answers have no displacement in common.
-    pub fn shares(&self) -> [f64; 2] {
-        [self.above.len() as f64, self.disagreeing as f64].map(|count| count / self.places as f64)
+    /// The share of places above the bar, of those whose answers have no displacement in common, and of those that are
+    /// wrong altogether.
+    pub fn shares(&self) -> [f64; 3] {
+        let counts = [
+            self.above.len() as f64,
+            self.disagreeing as f64,
+            self.wrong as f64,
+        ];
+        counts.map(|count| count / self.places as f64)
     }
 
     pub fn print(&self, title: &str) {
         println!(
-            "{title}: {} answers, {} places, {} scenes; {} places above, worst {:.2} at {}",
+            "{title}: {} answers, {} places, {} scenes; {} places above, {} of them wrong altogether; worst {:.2} at {}",
             self.answers(),
             self.places,
             self.scenes,
             self.above.len(),
+            self.wrong,
             self.worst.0,
             self.worst.1
         );
