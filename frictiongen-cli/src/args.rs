@@ -32,7 +32,9 @@ Regimes:
 
 Answers:
   closed form  exact, of a contact that always or never slides
-  orbit        exact, from event to event: as `orbit` gives it, with its stability
+  orbit        exact, from event to event: as `orbit` gives it, with its stability; subharmonic if it repeats
+               after several cycles
+  unsettled    the motion does not settle: its last 64 cycles, the amplitude the largest seen in them
   otherwise    why there is none, in the words of `orbit`; its cells are empty (JSON: null)
   no cycle     at a frequency ratio of 0 or infinity, between the limits
 
@@ -55,16 +57,17 @@ States:
   unbounded  none: on an undamped resonance
   undamped   none: nothing damps a mode that the load drives and the contact does not touch
   unstable   none was found that deviations do not leave
-  subharmonic  none: the motion from rest repeats after several cycles instead of one
-  unsettled  none: the motion from rest does not come to repeat from cycle to cycle
+  unsettled  none: the motion from rest does not come to repeat, after a cycle or after up to 64;
+             what is printed is of its last 64 cycles, the amplitude the largest seen in them
   crowded    a cycle has more than 64 segments
 
 Quantities:
-  stops       how often the contact stops in a cycle
+  period      after how many cycles of the excitation the motion repeats: 1, or more for a subharmonic state
+  stops       how often the contact stops in a period
   reversals   how often it changes its direction without a stop
-  stuck       the part of the cycle for which it sticks
-  multiplier  by how much the deviation that dies most slowly is multiplied in a cycle
-  amplitude   largest displacement of the cycle over P/k1, for base motion over Y
+  stuck       the part of the period for which it sticks
+  multiplier  by how much the deviation that dies most slowly is multiplied in a period
+  amplitude   largest displacement of the period over P/k1, for base motion over Y
   phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]
   X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
               X_0 is the mean

@@ -93,7 +93,6 @@ pub fn reason(error: NoOrbit) -> &'static str {
         NoOrbit::Unbounded => "unbounded",
         NoOrbit::Undamped(_) => "undamped",
         NoOrbit::Unstable => "unstable",
-        NoOrbit::Subharmonic(_) => "subharmonic",
         NoOrbit::Unsettled => "unsettled",
         _ => "none",
     }

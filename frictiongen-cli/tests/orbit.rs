@@ -12,13 +12,13 @@ fn table() {
     let text = output("", &arguments);
     let table = text.split("\n\n").nth(2).unwrap();
     let expected = "
-  r  beta  regime      state        symmetry    stops  reversals         stuck    multiplier  motion      amplitude         phase
-                                                                    (of cycle)     (largest)                 (of Y)         (rad)
----  ----  ----------  -----------  ----------  -----  ---------  ------------  ------------  -------  ------------  ------------
-0.3   0.1  stick-slip  stable       symmetric       2          0      0.016053      0.727854  contact      1.330410             0
-                                                                                              lower        1.231456     -0.063372
-0.3   3.0  stuck       marginal     symmetric       0          0      1.000000      1.000000  contact             0             0
-                                                                                              lower        0.494612    4.77119e-3
+  r  beta  regime      state      symmetry      period  stops  reversals         stuck    multiplier  motion      amplitude         phase
+                                              (cycles)                     (of period)     (largest)                 (of Y)         (rad)
+---  ----  ----------  ---------  ----------  --------  -----  ---------  ------------  ------------  -------  ------------  ------------
+0.3   0.1  stick-slip  stable     symmetric          1      2          0      0.016053      0.727854  contact      1.330410             0
+                                                                                                      lower        1.231456     -0.063372
+0.3   3.0  stuck       marginal   symmetric          1      0          0      1.000000      1.000000  contact             0             0
+                                                                                                      lower        0.494612    4.77119e-3
 ";
     assert_eq!(format!("\n{table}"), expected);
 }
@@ -47,7 +47,7 @@ fn stops_and_reversals_are_counted() {
 fn a_point_without_a_steady_state_says_why() {
     let text = output(BLOCK, &["orbit", "--r", "1", "--beta", "0.4", "--csv"]);
     let line = text.lines().nth(1).unwrap();
-    assert_eq!(line, "1.0,0.4,unbounded,unbounded,,,,,,,,,");
+    assert_eq!(line, "1.0,0.4,unbounded,unbounded,,,,,,,,,,");
     let text = output(BLOCK, &["orbit", "--r", "1", "--beta", "0.4", "--json"]);
     let point = &json(&text)["points"][0];
     assert_eq!(point["state"], "unbounded");

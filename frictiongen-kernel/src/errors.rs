@@ -60,9 +60,7 @@ pub enum NoOrbit {
     Undamped(usize),
     /// Every steady state that was found is unstable, and the motion did not come to rest on another.
     Unstable,
-    /// The motion repeats after so many cycles of the excitation instead of one.
-    Subharmonic(u32),
-    /// No motion that repeats after a cycle within [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) and
+    /// No motion that repeats after a cycle, or after [`MAX_PERIOD`](crate::orbit::MAX_PERIOD) at most, within [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) and
     /// [`MAX_STEPS`](crate::orbit::MAX_STEPS).
     Unsettled,
 }
@@ -130,12 +128,8 @@ impl fmt::Display for NoOrbit {
                 mode.wrapping_add(1)
             ),
             Self::Unstable => f.write_str("no steady state: the one that was found is unstable, and the motion leaves it"),
-            Self::Subharmonic(cycles) => write!(
-                f,
-                "no steady state: the motion repeats after {cycles} cycles of the excitation"
-            ),
             Self::Unsettled => f.write_str(
-                "no steady state: the motion does not come to repeat from cycle to cycle",
+                "no steady state: the motion does not come to repeat, neither after a cycle nor after several",
             ),
         }
     }

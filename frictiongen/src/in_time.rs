@@ -50,6 +50,13 @@ pub trait OrbitAt: LimitsAt {
     /// # Errors
     /// [`NoOrbit`] says why there is none.
     fn orbit(&self, beta: Self::Scalar) -> Result<Self::Orbit<'_>, NoOrbit>;
+
+    /// The same; where the motion from rest does not settle, what it does in its last 64 cycles, with
+    /// [`SteadyState::is_settled`] false.
+    ///
+    /// # Errors
+    /// [`NoOrbit`] where nothing bounds the motion, where its way takes too many steps, and for what is no β.
+    fn orbit_or_last_cycles(&self, beta: Self::Scalar) -> Result<Self::Orbit<'_>, NoOrbit>;
 }
 
 /// A steady state in any regime.
@@ -57,13 +64,17 @@ pub trait SteadyState {
     /// The scene's scalar.
     type Scalar: Float;
 
-    /// How often the contact stops in a cycle.
+    /// After how many cycles of the excitation it repeats: 1, or up to 64 for a subharmonic state.
+    fn period(&self) -> u32;
+    /// Whether the motion repeats; otherwise this is what it does in its last 64 cycles.
+    fn is_settled(&self) -> bool;
+    /// How often the contact stops in a period.
     fn stops(&self) -> usize;
-    /// How often the direction of sliding changes in a cycle without a stop.
+    /// How often the direction of sliding changes in a period without a stop.
     fn reversals(&self) -> usize;
-    /// The part of the cycle for which the contact sticks.
+    /// The part of the period for which the contact sticks.
     fn stuck_fraction(&self) -> Self::Scalar;
-    /// Whether every motion repeats with the opposite sign after half a cycle.
+    /// Whether every motion repeats with the opposite sign after half a period.
     fn is_symmetric(&self) -> bool;
     /// Whether no small deviation grows.
     fn is_stable(&self) -> bool;
@@ -84,7 +95,7 @@ pub trait Periodic {
     /// The scene's scalar.
     type Scalar: Float;
 
-    /// The largest |x̄| of the cycle.
+    /// The largest |x̄| of the period.
     fn amplitude(&self) -> Self::Scalar;
     /// Lag of its maximum behind the excitation's, rad, in (−π, π].
     fn phase(&self) -> Self::Scalar;
@@ -94,6 +105,8 @@ pub trait Periodic {
     fn velocity(&self, tau: Self::Scalar) -> Self::Scalar;
     /// X_n with x̄ = Re Σ X_n e^{inτ_e}, τ_e from a maximum of the excitation; X_0 is the mean.
     fn harmonic(&self, n: u32) -> Complex<Self::Scalar>;
+    /// The component that turns k times in a period of the motion; every [`SteadyState::period`]-th is a harmonic.
+    fn subharmonic(&self, k: u32) -> Complex<Self::Scalar>;
 }
 
 impl<S, P, V, C> Periodic for OrbitMotion<'_, '_, S, P, V, C>
@@ -119,6 +132,9 @@ where
     }
     fn harmonic(&self, n: u32) -> Complex<S> {
         OrbitMotion::harmonic(self, n)
+    }
+    fn subharmonic(&self, k: u32) -> Complex<S> {
+        OrbitMotion::subharmonic(self, k)
     }
 }
 

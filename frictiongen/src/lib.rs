@@ -48,7 +48,8 @@
 //! | `at.motion(beta)` | the exact continuous motion, `FrameMotion`, or [`NotContinuous`] |
 //! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::steady::Motion): `largest` (both of them by one search), `amplitude`, `phase`, `amplitude_monoharmonic`, `displacement`, `velocity`, `harmonic` |
 //! | `at.stuck()` | the response with the contact stuck, or [`StuckResonance`] |
-//! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
+//! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `period` (1, or up to 64 cycles if it is subharmonic), `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
+//! | `at.orbit_or_last_cycles(beta)` | the same; where the motion does not settle, its last 64 cycles, with `is_settled()` false |
 //! | `Frame::simulation(r, beta)`, `simulation_from(r, beta, state)` | the exact motion in time, `FrameSimulation`: `next` and `advance` give its [`Segment`](kernel::simulation::Segment)s, `upper()` where a mass is |
 //! | `Frame::limits_into(&rs, &mut continuous, &mut sliding)` | both limits over a slice |
 //!
@@ -77,7 +78,7 @@
 //! | `amplitude`, `phase`, `largest` of a mass | one search |
 //! | a search | [`MAX_EVALUATIONS`](kernel::search::MAX_EVALUATIONS) evaluations of a sum over the modes; [`Effort`] tells if they did not do, and then the answer is the best seen: a limit on the unsafe side, an amplitude too small |
 //! | `simulation`'s `advance` | two segments of [`MAX_STEPS`](kernel::simulation::MAX_STEPS) steps each |
-//! | `orbit` | [`MAX_CYCLES`](kernel::orbit::MAX_CYCLES) cycles and [`orbit::MAX_STEPS`](kernel::orbit::MAX_STEPS) steps, else [`NoOrbit`] |
+//! | `orbit` | about [`MAX_CYCLES`](kernel::orbit::MAX_CYCLES) cycles, and [`orbit::MAX_STEPS`](kernel::orbit::MAX_STEPS) steps in all, else [`NoOrbit`] |
 //!
 //! # Conventions
 //!

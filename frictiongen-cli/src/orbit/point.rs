@@ -13,22 +13,18 @@ pub struct Point {
     pub beta: f64,
     /// Continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
-    /// Stable, marginal, or why there is none.
+    /// Stable, marginal, unsettled, or why there is none.
     pub state: &'static str,
     /// What there is.
     pub orbit: Option<Steady>,
 }
 
-/// A steady state.
+/// A steady state, or the last cycles of a motion that does not settle.
 #[derive(Debug)]
 pub struct Steady {
-    /// Whether half a cycle repeats with the opposite sign.
-    pub symmetric: bool,
-    /// How often the contact stops.
-    pub stops: usize,
-    /// How often it reverses without a stop.
-    pub reversals: usize,
-    /// The part of the cycle for which it sticks.
+    /// What repeats, if anything does.
+    pub period: Option<Period>,
+    /// The part of the period for which it sticks.
     pub stuck_fraction: f64,
     /// When it sticks: start and length in τ.
     pub sticking: Vec<(f64, f64)>,
@@ -36,6 +32,19 @@ pub struct Steady {
     pub multipliers: Vec<Complex<f64>>,
     /// The contact and the masses asked for, in their order.
     pub movements: Vec<Movement>,
+}
+
+/// How a motion repeats.
+#[derive(Debug)]
+pub struct Period {
+    /// After how many cycles.
+    pub cycles: usize,
+    /// Whether half a period repeats with the opposite sign.
+    pub symmetric: bool,
+    /// How often the contact stops in a period.
+    pub stops: usize,
+    /// How often it reverses without a stop.
+    pub reversals: usize,
 }
 
 /// How the contact or a mass moves.
@@ -65,9 +74,12 @@ impl Steady {
         let contact = std::iter::once(orbit.contact());
         let masses = masses.iter().filter_map(|mass| orbit.mass_at(mass.index));
         Self {
-            symmetric: orbit.is_symmetric(),
-            stops: orbit.stops(),
-            reversals: orbit.reversals(),
+            period: orbit.is_settled().then(|| Period {
+                cycles: orbit.period() as usize,
+                symmetric: orbit.is_symmetric(),
+                stops: orbit.stops(),
+                reversals: orbit.reversals(),
+            }),
             stuck_fraction: orbit.stuck_fraction(),
             sticking: orbit.state().sticking_intervals().collect(),
             multipliers: orbit.multipliers().to_vec(),
@@ -78,13 +90,13 @@ impl Steady {
         }
     }
 
-    /// The largest modulus of a multiplier.
-    pub fn largest_multiplier(&self) -> f64 {
+    /// The largest modulus of a multiplier, if there are any.
+    pub fn largest_multiplier(&self) -> Option<f64> {
         let moduli = self
             .multipliers
             .iter()
             .map(|value| value.re.hypot(value.im));
-        moduli.fold(0.0, f64::max)
+        moduli.reduce(f64::max)
     }
 }
 
@@ -96,9 +108,10 @@ pub fn answer(
     orders: &[u32],
 ) -> Result<Point, OutOfDomain> {
     let regime = asked::regime(at, &at.motion(beta))?;
-    let (state, orbit) = match at.orbit(beta) {
+    let (state, orbit) = match at.orbit_or_last_cycles(beta) {
         Ok(orbit) => {
             let state = match (orbit.is_marginal(), orbit.is_stable()) {
+                _ if !orbit.is_settled() => asked::reason(NoOrbit::Unsettled),
                 (true, _) => "marginal",
                 (false, true) => "stable",
                 (false, false) => "unstable",

@@ -30,12 +30,13 @@ pub struct OrbitReport {
 const CONTACT: &str = "contact";
 
 /// What a point says once.
-const ONCE: [&str; 9] = [
+const ONCE: [&str; 10] = [
     "r",
     "beta",
     "regime",
     "state",
     "symmetry",
+    "period",
     "stops",
     "reversals",
     "stuck_fraction",
@@ -50,8 +51,9 @@ fn pair((first, second): (f64, f64)) -> Json {
     Json::from(vec![number(first), number(second)])
 }
 
-fn once(point: &Point) -> [Value<'_>; 9] {
+fn once(point: &Point) -> [Value<'_>; 10] {
     let orbit = point.orbit.as_ref();
+    let period = orbit.and_then(|orbit| orbit.period.as_ref());
     let symmetry = |symmetric| if symmetric { "symmetric" } else { "asymmetric" };
     let or_none = |value: Option<Value<'static>>| value.unwrap_or(Value::Missing);
     [
@@ -59,11 +61,14 @@ fn once(point: &Point) -> [Value<'_>; 9] {
         point.beta.into(),
         point.regime.into(),
         point.state.into(),
-        or_none(orbit.map(|orbit| symmetry(orbit.symmetric).into())),
-        or_none(orbit.map(|orbit| orbit.stops.into())),
-        or_none(orbit.map(|orbit| orbit.reversals.into())),
+        or_none(period.map(|period| symmetry(period.symmetric).into())),
+        or_none(period.map(|period| period.cycles.into())),
+        or_none(period.map(|period| period.stops.into())),
+        or_none(period.map(|period| period.reversals.into())),
         orbit.map(|orbit| orbit.stuck_fraction).into(),
-        orbit.map(super::point::Steady::largest_multiplier).into(),
+        orbit
+            .and_then(super::point::Steady::largest_multiplier)
+            .into(),
     ]
 }
 
@@ -134,11 +139,12 @@ impl Report for OrbitReport {
             Column::given(&["r"], &self.r),
             Column::given(&["beta"], &self.beta),
             Column::words(&["regime"], ["continuous"]),
-            Column::words(&["state"], ["subharmonic"]),
+            Column::words(&["state"], ["unsettled"]),
             Column::words(&["symmetry"], ["asymmetric"]),
+            Column::counts(&["period", "(cycles)"]),
             Column::counts(&["stops"]),
             Column::counts(&["reversals"]),
-            Column::computed(&["stuck", "(of cycle)"]),
+            Column::computed(&["stuck", "(of period)"]),
             Column::computed(&["multiplier", "(largest)"]),
             Column::words(&["motion"], self.parts()),
             Column::computed(&["amplitude", unit]),

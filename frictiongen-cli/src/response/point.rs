@@ -138,10 +138,12 @@ impl Question<'_> {
     }
 
     fn orbit(&self, at: &SystemAt<'_>, point: &mut Point) {
-        match at.orbit(point.beta) {
+        match at.orbit_or_last_cycles(point.beta) {
             Ok(orbit) => {
                 point.answer = match (orbit.is_marginal(), orbit.is_stable()) {
+                    _ if !orbit.is_settled() => "unsettled: of 64 cycles",
                     (true, _) => "orbit: marginal",
+                    (false, true) if orbit.period() > 1 => "orbit: subharmonic",
                     (false, true) => "orbit: stable",
                     (false, false) => "orbit: unstable",
                 };

@@ -84,7 +84,16 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             /// # Errors
             /// `NoOrbit` says why there is none.
             pub fn orbit(&self, beta: #scalar) -> Result<#orbit, NoOrbit> {
-                self.settled(beta, None)
+                self.settled(beta, None, false)
+            }
+
+            /// The same; where the motion from rest does not settle, what it does in its last 64 cycles, with
+            /// `is_settled()` false: an amplitude is the largest that was seen in those.
+            ///
+            /// # Errors
+            /// `NoOrbit` where nothing bounds the motion, where its way takes too many steps, and for what is no β.
+            pub fn orbit_or_last_cycles(&self, beta: #scalar) -> Result<#orbit, NoOrbit> {
+                self.settled(beta, None, true)
             }
 
             /// The same reached from another state at a maximum of the excitation: x̄ and dx̄/dτ of
@@ -97,13 +106,14 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
                 beta: #scalar,
                 state: (&[#scalar; #masses], &[#scalar; #masses]),
             ) -> Result<#orbit, NoOrbit> {
-                self.settled(beta, Some((state.0, state.1)))
+                self.settled(beta, Some((state.0, state.1)), false)
             }
 
             fn settled(
                 &self,
                 beta: #scalar,
                 state: Option<(&[#scalar], &[#scalar])>,
+                last: ::core::primitive::bool,
             ) -> Result<#orbit, NoOrbit> {
                 let orbit = Orbit::new(
                     #name::DYNAMICS,
@@ -111,6 +121,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
                     beta,
                     self.sliding_limit(),
                     state,
+                    last,
                     [Part::empty(); #parts],
                     [0.0; #room],
                     [Complex { re: 0.0, im: 0.0 }; #multipliers],
@@ -129,11 +140,20 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             fn orbit(&self, beta: #scalar) -> Result<#orbit, NoOrbit> {
                 Self::orbit(self, beta)
             }
+            fn orbit_or_last_cycles(&self, beta: #scalar) -> Result<#orbit, NoOrbit> {
+                Self::orbit_or_last_cycles(self, beta)
+            }
         }
 
         impl #facade::SteadyState for #orbit {
             type Scalar = #scalar;
 
+            fn period(&self) -> ::core::primitive::u32 {
+                self.orbit.period()
+            }
+            fn is_settled(&self) -> ::core::primitive::bool {
+                self.orbit.is_settled()
+            }
             fn stops(&self) -> ::core::primitive::usize {
                 self.orbit.stops()
             }

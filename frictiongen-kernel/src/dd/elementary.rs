@@ -29,6 +29,10 @@ fn series<'a>(
 }
 
 /// 1/first!, 1/(first + 2)!, 1/(first + 4)! ….
+#[expect(
+    clippy::indexing_slicing,
+    reason = "only while compiling, where a panic is an error of the build"
+)]
 const fn in_twos(first: usize) -> [Dd; 18] {
     let mut factorials = [Dd::ZERO; 18];
     let mut k = 0;

@@ -1,8 +1,9 @@
 //! From a scene, r and β to its steady state.
 
 use super::flow::Flow;
-use super::solve::{Found, MAX_STEPS, ON_CIRCLE, Room, multipliers, settle};
-use super::{MAX_SEGMENTS, Mark, Orbit};
+use super::record::{Record, Recorded};
+use super::solve::{Found, MAX_STEPS, ON_CIRCLE, Room, Settled, multipliers_of_cycle, settle};
+use super::{MAX_SEGMENTS, Orbit};
 use crate::complex::Complex;
 use crate::errors::NoOrbit;
 use crate::mode::{Kind, Mode};
@@ -21,6 +22,9 @@ where
     /// from rest where none is given.  From rest the sliding limit decides: from `sliding` = β*_lim
     /// on the contact is stuck.
     ///
+    /// Where the motion does not settle, its last [`MAX_PERIOD`](super::MAX_PERIOD) cycles are taken for an answer if `last` says so:
+    /// [`Self::is_settled`] tells.
+    ///
     /// # Errors
     /// [`NoOrbit`] says why there is none; `OutOfDomain` also for room of another size.
     #[allow(
@@ -33,6 +37,7 @@ where
         beta: S,
         sliding: S,
         start: Option<(&[S], &[S])>,
+        last: bool,
         mut parts: P,
         mut numbers: V,
         mut multipliers: C,
@@ -84,39 +89,42 @@ where
             other,
             multipliers: multipliers.as_mut(),
         };
-        let mut marks = [Mark {
-            t: zero,
-            length: zero,
-            contact: Contact::Stuck,
-            departing: None,
-            event: None,
-            relative: zero,
-        }; MAX_SEGMENTS];
+        let mut record = Record::new(states, 2 * dynamics.modes.len());
         if let Some((displacements, velocities)) = start {
             setting.check_state((displacements, velocities))?;
             setting.load_state(displacements, velocities, flow.modes);
             flow.stance = setting.stance(flow.modes, zero);
         }
-        let (found, count) = if sticks {
+        let found = if sticks {
             let found = stuck(&mut flow, &mut room)?;
-            if let Some(first) = marks.first_mut() {
-                first.length = S::pi() + S::pi();
-            }
-            save(&flow, states, 0);
-            (found, 1)
+            record.stuck(&flow);
+            found
         } else {
             let found = if beta.is_zero() {
                 linear(&mut flow, &mut room)?
             } else {
-                settle(&mut flow, &mut room)?
+                match settle(&mut flow, &mut room)? {
+                    Settled::Found(found) => found,
+                    Settled::Not(_) if last => Found::NONE,
+                    Settled::Not(error) => return Err(error),
+                }
             };
-            // However long the way, the cycle itself may take as much again.
+            // However long the way, the period itself may take as much again.
             flow.patience = MAX_STEPS;
-            let count = recorded(&mut flow, &mut marks, states)?;
-            let symmetric = found.symmetric || is_symmetric(&mut flow, &mut room)?;
-            (Found { symmetric, ..found }, count)
+            to_event(&mut flow, found.period)?;
+            let at = flow.stance.t.sin_cos_pi();
+            settle_free(&mut flow, at)?;
+            record.follow(&mut flow, found.period)?;
+            let symmetric = found.symmetric || is_symmetric(&mut flow, &mut room, found.period)?;
+            Found { symmetric, ..found }
         };
-        let origin = origin(marks.get(..count).unwrap_or_default());
+        let Recorded {
+            marks,
+            count,
+            stops,
+            reversals,
+            origin,
+        } = record.done();
         Ok(Self {
             setting,
             parts: clean,
@@ -124,9 +132,14 @@ where
             multipliers,
             marks,
             count,
+            period: found.period,
+            stops,
+            reversals,
             symmetric: found.symmetric,
             marginal: found.marginal,
-            origin,
+            settled: found.settled,
+            origin: origin.0,
+            origin_cycle: origin.1,
         })
     }
 }
@@ -191,6 +204,8 @@ fn stuck<S: Float>(flow: &mut Flow<'_, '_, S>, room: &mut Room<'_, S>) -> Result
         }
     }
     Ok(Found {
+        settled: true,
+        period: 1,
         symmetric: true,
         marginal: true,
     })
@@ -205,8 +220,10 @@ fn linear<S: Float>(flow: &mut Flow<'_, '_, S>, room: &mut Room<'_, S>) -> Resul
     }
     settle_free(flow, at)?;
     flow.stance = flow.setting.stance(flow.modes, S::constant(0.0));
-    let largest = multipliers(flow, room, true)?;
+    let largest = multipliers_of_cycle(flow, room)?;
     Ok(Found {
+        settled: true,
+        period: 1,
         symmetric: true,
         marginal: S::constant(1.0 - ON_CIRCLE * S::EPSILON) < largest,
     })
@@ -221,24 +238,10 @@ fn settle_free<S: Float>(flow: &mut Flow<'_, '_, S>, at: (S, S)) -> Result<(), N
     Ok(())
 }
 
-fn save<S: Float>(flow: &Flow<'_, '_, S>, states: &mut [S], index: usize) {
-    let size = 2 * flow.setting.dynamics.modes.len();
-    if let Some(state) = states.get_mut(index * size..(index + 1) * size) {
-        flow.save(state);
-    }
-}
-
-/// Goes once round, from event to event, and notes every segment; how many there are.
-fn recorded<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
-    marks: &mut [Mark<S>; MAX_SEGMENTS],
-    states: &mut [S],
-) -> Result<usize, NoOrbit> {
-    let zero = S::constant(0.0);
-    let cycle = S::pi() + S::pi();
-    // To the first event; from the section itself where there is none.
+/// To the first event of a period; nowhere where there is none.
+fn to_event<S: Float>(flow: &mut Flow<'_, '_, S>, period: u32) -> Result<(), NoOrbit> {
     let section: Stance<S> = flow.stance;
-    let mut left = cycle;
+    let mut left = (S::pi() + S::pi()) * S::constant(f64::from(period));
     loop {
         let end = leap(flow.setting, flow.modes, flow.held, flow.stance, left);
         // A leap that is too long for one ends without an event; where a mode turns faster than r is
@@ -247,70 +250,31 @@ fn recorded<S: Float>(
         flow.stance = end.stance;
         left = left - end.tau;
         if end.event.is_some() {
-            break;
+            return Ok(());
         }
-        if !(zero < left) {
+        if !(S::constant(0.0) < left) {
             flow.stance = section;
-            break;
+            return Ok(());
         }
     }
-    settle_free(flow, flow.stance.t.sin_cos_pi())?;
-    let slack = S::constant(1e-9_f64.max(1024.0 * S::EPSILON));
-    left = cycle;
-    let mut count = 0;
-    while slack < left {
-        let stance = flow.stance;
-        save(flow, states, count);
-        let relative = flow.setting.relative(flow.modes, stance.t.sin_cos_pi());
-        let end = leap(flow.setting, flow.modes, flow.held, stance, left + slack);
-        flow.spend(end.steps)?;
-        let length = if left - slack < end.tau {
-            left
-        } else {
-            end.tau
-        };
-        let mark = marks.get_mut(count).ok_or(NoOrbit::TooManyEvents)?;
-        *mark = Mark {
-            t: stance.t,
-            length,
-            contact: stance.contact,
-            departing: stance.departing,
-            event: end.event,
-            relative,
-        };
-        left = left - length;
-        flow.stance = end.stance;
-        // A segment of no length was an attempt to leave that came to nothing.
-        if zero < length {
-            count += 1;
-        }
-    }
-    Ok(count)
 }
 
-/// Whether half a cycle takes the state to its opposite.
+/// Whether half a period takes the state to its opposite.  After an even number of cycles the load has the same sign
+/// half a period later, so that nothing is opposite.
 fn is_symmetric<S: Float>(
     flow: &mut Flow<'_, '_, S>,
     room: &mut Room<'_, S>,
+    period: u32,
 ) -> Result<bool, NoOrbit> {
+    if period.is_multiple_of(2) {
+        return Ok(false);
+    }
     flow.save(room.other);
-    flow.half(None)?;
+    for _ in 0..period {
+        flow.half(None)?;
+    }
     flow.save(room.state);
     let apart = room.state.iter().zip(room.other.iter());
     let apart = apart.fold(S::constant(0.0), |most, (a, b)| most.max((*a + *b).abs()));
     Ok(apart <= flow.scale() * S::constant(1e-9_f64.max(1024.0 * S::EPSILON)))
-}
-
-/// Where the relative motion leaves its maximum: the start of the segment with the largest z̄.
-fn origin<S: Float>(marks: &[Mark<S>]) -> S {
-    let mut best: Option<&Mark<S>> = None;
-    for mark in marks
-        .iter()
-        .filter(|mark| mark.contact == Contact::Backward)
-    {
-        if best.is_none_or(|best| best.relative < mark.relative) {
-            best = Some(mark);
-        }
-    }
-    best.map_or(S::constant(0.0), |mark| mark.t)
 }

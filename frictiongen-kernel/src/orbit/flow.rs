@@ -26,6 +26,19 @@ impl Pattern {
         }
     }
 
+    /// Half of it, if it has one.
+    pub(super) fn halved(self) -> Option<Self> {
+        let counts = [self.stops, self.reversals, self.slips];
+        counts
+            .iter()
+            .all(|count| count.is_multiple_of(2))
+            .then_some(Self {
+                stops: self.stops / 2,
+                reversals: self.reversals / 2,
+                slips: self.slips / 2,
+            })
+    }
+
     /// Both together.
     pub(super) fn and(self, other: Self) -> Self {
         Self {

@@ -1,5 +1,5 @@
-//! The steady state in any regime: the motion that repeats from cycle to cycle, its stops, and how
-//! deviations from it grow.
+//! The steady state in any regime: the motion that repeats after one cycle of the excitation or after several, its
+//! stops, and how deviations from it grow.
 //!
 //! Some cycles are followed from the start, exactly ([`simulation`](crate::simulation)), until their
 //! pattern of events repeats; then Newton's method on the half-period map times −1, whose fixed point
@@ -12,17 +12,20 @@ mod flow;
 mod gauss;
 mod matrix;
 mod motion;
+mod record;
+mod segments;
 mod solve;
 mod tangent;
 
 pub use motion::OrbitMotion;
-pub use solve::{MAX_CYCLES, MAX_STEPS};
+pub use solve::{MAX_CYCLES, MAX_PERIOD, MAX_STEPS};
 
 use crate::complex::{self, Complex};
 use crate::scalar::Float;
-use crate::simulation::{Contact, Event, Part, Setting};
+use crate::simulation::{Contact, Part, Setting, Stance};
+use segments::Segments;
 
-/// A cycle of more segments than this is not reported.
+/// A cycle of more segments than this is not reported; a period of several cycles may have so many for each.
 pub const MAX_SEGMENTS: usize = 64;
 
 /// How many numbers an orbit of a scene works in: `modes` of which the contact drives `driven`.
@@ -31,21 +34,41 @@ pub const fn numbers(modes: usize, driven: usize) -> usize {
     MAX_SEGMENTS * 2 * modes + 4 * driven * driven + 4 * driven
 }
 
-/// A segment of the cycle.
+/// A segment of the period.
 #[derive(Clone, Copy, Debug)]
 struct Mark<S> {
-    /// The excitation's phase at its start, in half-turns.
+    /// The excitation's phase at its start, in half-turns, within its cycle.
     t: S,
+    /// Which cycle that is, counted from the first mark's.
+    cycle: S,
     /// Its length in τ.
     length: S,
     contact: Contact,
     departing: Option<S>,
-    event: Option<Event>,
+    wedged: bool,
     /// z̄ at its start.
     relative: S,
+    /// So many segments after it are not kept: they are followed anew from this one.
+    more: u32,
 }
 
-/// A steady state: a motion that repeats after one cycle of the excitation.
+impl<S: Float> Mark<S> {
+    fn stance(&self) -> Stance<S> {
+        Stance {
+            t: self.t,
+            contact: self.contact,
+            departing: self.departing,
+            wedged: self.wedged,
+        }
+    }
+}
+
+/// How much longer than a period a segment may seem to be.
+fn slack<S: Float>() -> S {
+    S::constant(1e-9_f64.max(1024.0 * S::EPSILON))
+}
+
+/// A steady state: a motion that repeats after one cycle of the excitation, or after [`Orbit::period`] of them.
 ///
 /// `P` holds parts, `V` numbers ([`numbers`]) and `C` multipliers (two for each mode that the
 /// contact drives): arrays in emitted code, vectors at run time.
@@ -57,10 +80,16 @@ pub struct Orbit<'a, S, P, V, C> {
     multipliers: C,
     marks: [Mark<S>; MAX_SEGMENTS],
     count: usize,
+    /// In cycles of the excitation.
+    period: u32,
+    stops: usize,
+    reversals: usize,
     symmetric: bool,
     marginal: bool,
-    /// The excitation's phase in half-turns where τ = 0: a maximum of z̄, at its end.
+    settled: bool,
+    /// The excitation's phase in half-turns where τ = 0: a maximum of z̄, at its end; and its cycle, as in [`Mark`].
     origin: S,
+    origin_cycle: S,
 }
 
 impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
@@ -74,51 +103,90 @@ where
         self.marks.get(..self.count).unwrap_or_default()
     }
 
-    fn count(&self, event: Event) -> usize {
-        let marks = self.marks().iter();
-        marks.filter(|mark| mark.event == Some(event)).count()
+    /// The segments of the period, one after the other.
+    fn segments(&self) -> Segments<'_, 'a, S, P, V, C> {
+        Segments::from(self, 0)
     }
 
-    /// How often the contact stops in a cycle.
+    /// After how many cycles of the excitation the motion repeats: 1, or up to [`MAX_PERIOD`] for a subharmonic state.
+    #[must_use]
+    pub fn period(&self) -> u32 {
+        self.period
+    }
+
+    /// Whether the motion repeats.  Otherwise this is what it does in its last [`MAX_PERIOD`] cycles, after it has gone
+    /// through [`MAX_CYCLES`] without settling: an amplitude is the largest that was seen in those, a harmonic the mean
+    /// over them.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        self.settled
+    }
+
+    /// How often the contact stops in a period.
     #[must_use]
     pub fn stops(&self) -> usize {
-        self.count(Event::Stop)
+        self.stops
     }
 
-    /// How often the direction of sliding changes in a cycle without a stop.
+    /// How often the direction of sliding changes in a period without a stop.
     #[must_use]
     pub fn reversals(&self) -> usize {
-        self.count(Event::Reversal)
+        self.reversals
     }
 
-    /// The part of the cycle for which the contact sticks.
+    /// The part of the period for which the contact sticks.
     #[must_use]
     pub fn stuck_fraction(&self) -> S {
         let stuck = self.sticking_intervals();
         let sum = stuck.fold(S::constant(0.0), |sum, (_, length)| sum + length);
-        sum * S::inverse_pi() * S::constant(0.5)
+        sum * S::inverse_pi() * S::constant(0.5) / self.cycles()
     }
 
-    /// The intervals for which the contact sticks: start, as τ of the excitation (0 at its maximum,
-    /// below 2π), and length.
+    /// The period, in cycles.
+    fn cycles(&self) -> S {
+        S::constant(f64::from(self.period))
+    }
+
+    /// A phase of the period, in half-turns, between 0 and its end.
+    fn within(&self, t: S) -> S {
+        let whole = self.cycles() * S::constant(2.0);
+        t - (t / whole).floor() * whole
+    }
+
+    /// The excitation's angle at a mark, in half-turns: 0 at the maximum of the excitation next to τ = 0.
+    fn angle(&self, mark: &Mark<S>) -> S {
+        let one = S::constant(1.0);
+        let past = if one < self.origin {
+            one
+        } else {
+            S::constant(0.0)
+        };
+        mark.t + S::constant(2.0) * (mark.cycle - self.origin_cycle - past)
+    }
+
+    /// The intervals for which the contact sticks: start and length.  The start is τ of the excitation, below 2π for each
+    /// cycle of the period; 0 is its maximum, of several the one next to where the contact's motion is counted from.
     pub fn sticking_intervals(&self) -> impl Iterator<Item = (S, S)> + '_ {
-        let marks = self.marks().iter();
-        marks
+        self.segments()
             .filter(|mark| mark.contact == Contact::Stuck)
-            .map(|mark| (mark.t * S::pi(), mark.length))
+            .map(|mark| (self.within(self.angle(&mark)) * S::pi(), mark.length))
     }
 
-    /// Whether every motion repeats with the opposite sign after half a cycle.
+    /// Whether every motion repeats with the opposite sign after half a period.
     #[must_use]
     pub fn is_symmetric(&self) -> bool {
         self.symmetric
     }
 
     /// The Floquet multipliers: by what small deviations of the modes that the contact drives are
-    /// multiplied in a cycle.
+    /// multiplied in a period.  None where nothing repeats.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<S>] {
-        self.multipliers.as_ref()
+        if self.settled {
+            self.multipliers.as_ref()
+        } else {
+            &[]
+        }
     }
 
     fn largest_multiplier(&self) -> S {
@@ -131,7 +199,8 @@ where
     /// Whether no small deviation grows.  A marginal state is stable in this sense.
     #[must_use]
     pub fn is_stable(&self) -> bool {
-        self.largest_multiplier() <= S::constant(1.0 + solve::ON_CIRCLE * S::EPSILON)
+        self.settled
+            && self.largest_multiplier() <= S::constant(1.0 + solve::ON_CIRCLE * S::EPSILON)
     }
 
     /// Whether some deviation stays for good, or dies more slowly than any power: the state is a

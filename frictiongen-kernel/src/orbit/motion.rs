@@ -1,11 +1,11 @@
 //! The steady motion of the contact or of a mass as something to ask.
 
 use super::gauss::{PANEL, SIXTEEN};
+use super::segments::Segments;
 use super::{Mark, Orbit};
 use crate::complex::{self, Complex};
-use crate::pairs::pairs;
 use crate::scalar::Float;
-use crate::simulation::{Contact, Part, Setting, Stance, Sum, rotated};
+use crate::simulation::{Contact, Part, Sum, rotated};
 
 /// The steady motion of the contact or of a mass, in an [`Orbit`].
 #[derive(Debug)]
@@ -55,7 +55,7 @@ where
         (best.value, best.lag.unwrap_or(S::constant(0.0)))
     }
 
-    /// The largest |x̄| of the cycle (P/k₁; for base motion Y).
+    /// The largest |x̄| of the period (P/k₁; for base motion Y).
     pub fn amplitude(&self) -> S {
         self.best().value
     }
@@ -81,14 +81,27 @@ where
     /// Where n or a mode's own vibration within a segment goes beyond some 10⁴ turns, what vibrates so
     /// fast is told by its order of magnitude alone.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
+        self.component(S::constant(f64::from(n)), n == 0, |mark| mark.t)
+    }
+
+    /// The component of order k/[`period`](Orbit::period): X in Re Σ X e^{ikτ_e/period}.  It turns k times in a period of
+    /// the motion; every period-th is a [`harmonic`](Self::harmonic).  τ_e counts from the maximum of the excitation next
+    /// to where τ = 0.
+    pub fn subharmonic(&self, k: u32) -> Complex<S> {
+        let order = S::constant(f64::from(k)) / self.orbit.cycles();
+        self.component(order, k == 0, |mark| self.orbit.angle(mark))
+    }
+
+    /// Of any order; with where in the excitation's half-turns a segment starts.
+    fn component(&self, order: S, mean: bool, starts: impl Fn(&Mark<S>) -> S) -> Complex<S> {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
-        let order = S::constant(f64::from(n));
         let mut total = complex::real(zero);
         self.each(|mark, sum| {
             let turning = (sum.rate + order) * mark.length * S::constant(1.0 / PANEL);
             let most = S::constant(MOST_PANELS);
             let panels = -(-turning.max(S::constant(1.0)).min(most)).floor();
             let width = mark.length / panels;
+            let from = starts(mark);
             let mut start = zero;
             let mut done = zero;
             while done < panels {
@@ -97,7 +110,7 @@ where
                 for (node, weight) in SIXTEEN {
                     for side in [-node, node] {
                         let tau = start + width * half * S::constant(1.0 + side);
-                        let t = (mark.t + tau * S::inverse_pi()) * order;
+                        let t = (from + tau * S::inverse_pi()) * order;
                         let (sine, cosine) = t.sin_cos_pi();
                         let value = sum.local(tau).value * S::constant(weight);
                         panel.re = panel.re + value * cosine;
@@ -109,8 +122,8 @@ where
                 done = done + S::constant(1.0);
             }
         });
-        let factor = if n == 0 { half } else { S::constant(1.0) };
-        complex::scale(total, S::inverse_pi() * factor)
+        let factor = if mean { half } else { S::constant(1.0) };
+        complex::scale(total, S::inverse_pi() * factor / self.orbit.cycles())
     }
 
     fn best(&self) -> Best<S> {
@@ -140,7 +153,7 @@ where
     /// The relative motion is largest where its velocity is zero: at events, and all along a stop.
     fn at_events(&self, best: &mut Best<S>) {
         let zero = S::constant(0.0);
-        for mark in self.orbit.marks() {
+        for mark in self.orbit.segments() {
             best.note(mark.t, mark.relative);
             if mark.contact == Contact::Stuck {
                 let turns = mark.length * S::inverse_pi();
@@ -159,64 +172,43 @@ where
 
     fn asked(&self, tau: S, question: impl Fn(&Sum<'_, S>, S) -> S) -> S {
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
-        let t = self.orbit.origin + tau * S::inverse_pi();
-        // The segment that started last.
+        let orbit = self.orbit;
+        let t = orbit.origin + tau * S::inverse_pi();
+        // The mark that stands last before it.
         let mut found: Option<(usize, S)> = None;
-        for (index, mark) in self.orbit.marks().iter().enumerate() {
-            let since = t - mark.t;
-            let since = since - (since * S::constant(0.5)).floor() * two;
+        for (index, mark) in orbit.marks().iter().enumerate() {
+            let since = orbit.within(t - mark.t - two * (mark.cycle - orbit.origin_cycle));
             if found.is_none_or(|(_, best)| since < best) {
                 found = Some((index, since));
             }
         }
-        let Some((index, since)) = found else {
+        let Some((index, mut since)) = found else {
             return zero;
         };
-        let mut parts = self.orbit.parts.clone();
-        match self.sum(index, parts.as_mut()) {
-            Some((_, sum)) => question(&sum, since * S::pi()),
-            None => zero,
+        let mut segments = Segments::from(orbit, index);
+        while let Some(mark) = segments.next() {
+            let turns = mark.length * S::inverse_pi();
+            if since < turns || !segments.follows() {
+                let sum = self.aimed(segments.parts(), &mark);
+                return question(&sum, since * S::pi());
+            }
+            since = since - turns;
         }
+        zero
     }
 
     fn each(&self, mut question: impl FnMut(&Mark<S>, &Sum<'_, S>)) {
-        let mut parts = self.orbit.parts.clone();
-        for index in 0..self.orbit.count {
-            if let Some((mark, sum)) = self.sum(index, parts.as_mut()) {
-                question(mark, &sum);
-            }
+        let mut segments = self.orbit.segments();
+        while let Some(mark) = segments.next() {
+            let sum = self.aimed(segments.parts(), &mark);
+            question(&mark, &sum);
         }
     }
 
-    /// The motion in one segment.
-    fn sum<'p>(&self, index: usize, parts: &'p mut [Part<S>]) -> Option<(&'o Mark<S>, Sum<'p, S>)> {
-        let setting = &self.orbit.setting;
-        let mark = self.orbit.marks.get(index)?;
-        let size = 2 * setting.dynamics.modes.len();
-        let state = self.orbit.numbers.as_ref();
-        let state = state.get(index * size..(index + 1) * size)?;
-        for (part, state) in parts.iter_mut().zip(pairs(state)) {
-            if let [y, u] = state {
-                (part.y, part.u) = (*y, *u);
-            }
-        }
-        let stance = Stance {
-            t: mark.t,
-            contact: mark.contact,
-            departing: mark.departing,
-            wedged: false,
-        };
-        Some((mark, self.aimed(setting, parts, &stance, mark.length)))
-    }
-
-    fn aimed<'p>(
-        &self,
-        setting: &Setting<'a, S>,
-        parts: &'p mut [Part<S>],
-        stance: &Stance<S>,
-        reach: S,
-    ) -> Sum<'p, S> {
+    /// The motion in one segment, whose parts are in the state at its start.
+    fn aimed<'p>(&self, parts: &'p mut [Part<S>], mark: &Mark<S>) -> Sum<'p, S> {
         let zero = S::constant(0.0);
+        let (setting, stance, reach) = (&self.orbit.setting, &mark.stance(), mark.length);
         let (modes, held) = setting.split(parts);
         let driven = setting.dynamics.in_contact();
         let mut constant = zero;

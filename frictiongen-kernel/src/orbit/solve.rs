@@ -1,4 +1,5 @@
-//! The steady state as a fixed point of the half-period map times −1, or of the period map.
+//! The steady state as a fixed point of the half-period map times −1, or of the period map; the period is one cycle of
+//! the excitation, or several.
 
 use super::closed;
 use super::flow::{Flow, Pattern, unit};
@@ -18,8 +19,16 @@ pub const MAX_STEPS: u32 = 1 << 20;
 /// Nearer to the unit circle than this many roundings, a multiplier counts as on it.
 pub(super) const ON_CIRCLE: f64 = 4096.0;
 const NEWTON_STEPS: u32 = 12;
-/// A motion that repeats after so many cycles at most is told to be subharmonic.
-const MOST_REPEATED: u32 = 16;
+/// So many periods are tried at a time.
+const MOST_TRIED: u32 = 3;
+/// A subharmonic motion repeats after so many cycles at most.
+pub const MAX_PERIOD: u32 = 64;
+/// From so many cycles on is a motion asked whether it repeats after several.
+const FIRST_ASKED: u32 = 16;
+/// It may, if it comes back to within this part of itself,
+const NEARLY_BACK: f64 = 1e-2;
+/// and to within this part of the next best of fewer cycles.
+const NEARER: f64 = 0.1;
 /// For so many cycles at most is a motion followed that should come near to a fixed point.
 const MOST_FOLLOWED: u32 = 64;
 /// By so much at most is a marginal state larger than the motion that tends to it, or than P/k₁: away from
@@ -46,17 +55,58 @@ pub(super) struct Room<'m, S> {
 /// What is found.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
-    /// Whether half a cycle repeats with the opposite sign.
+    /// Whether the motion repeats at all.
+    pub settled: bool,
+    /// In cycles of the excitation.
+    pub period: u32,
+    /// Whether half a period repeats with the opposite sign.
     pub symmetric: bool,
     /// A member of a continuum, or at its end.
     pub marginal: bool,
 }
 
-/// Follows the motion until a steady state is settled.  The flow then stands on it.
+impl Found {
+    /// The last cycles of a motion that does not repeat.
+    pub(super) const NONE: Self = Self {
+        settled: false,
+        period: MAX_PERIOD,
+        symmetric: false,
+        marginal: false,
+    };
+}
+
+/// Where a motion leads to.
+pub(super) enum Settled {
+    Found(Found),
+    /// It has gone through all its cycles, and why none of them repeats.
+    Not(NoOrbit),
+}
+
+/// What takes a state on by half a period, or a whole one.
+#[derive(Clone, Copy, Debug)]
+struct Map {
+    /// In cycles of the excitation.
+    period: u32,
+    /// Half a period, times −1.
+    symmetric: bool,
+}
+
+impl Map {
+    /// How many half cycles it is.
+    fn halves(self) -> u32 {
+        if self.symmetric {
+            self.period
+        } else {
+            2 * self.period
+        }
+    }
+}
+
+/// Follows the motion until a steady state is settled.  The flow then stands on it, or on the motion.
 pub(super) fn settle<S: Float>(
     flow: &mut Flow<'_, '_, S>,
     room: &mut Room<'_, S>,
-) -> Result<Found, NoOrbit> {
+) -> Result<Settled, NoOrbit> {
     let monotone = flow.setting.dynamics.chain.stiction <= S::constant(1.0);
     let mut failure = NoOrbit::Unsettled;
     let (mut cycles, mut wanted) = (0, 2);
@@ -85,7 +135,10 @@ pub(super) fn settle<S: Float>(
             }
             flow.save(room.state);
             let mut candidate = Candidate {
-                symmetric,
+                map: Map {
+                    period: 1,
+                    symmetric,
+                },
                 wanted: if symmetric { last } else { last.and(before) },
                 recent: last.and(before),
                 alike: settled[1],
@@ -96,7 +149,7 @@ pub(super) fn settle<S: Float>(
             let verdict = candidate.try_from(flow, room);
             cycles = candidate.cycles;
             match verdict {
-                Ok(Verdict::Found(found)) => return Ok(found),
+                Ok(Verdict::Found(found)) => return Ok(Settled::Found(found)),
                 Ok(Verdict::Wait) => {
                     flow.restore(room.state, &candidate.here);
                     break;
@@ -106,26 +159,94 @@ pub(super) fn settle<S: Float>(
             }
             flow.restore(room.state, &candidate.here);
         }
+        // With μ = 1 two motions never part: what repeats after several cycles is one of a continuum.
+        if FIRST_ASKED <= cycles && (!monotone || MAX_CYCLES <= cycles * 2) {
+            match several(flow, room, &mut cycles, failure)? {
+                Settled::Found(found) => return Ok(Settled::Found(found)),
+                Settled::Not(error) => failure = error,
+            }
+        }
         wanted = cycles * 2;
     }
-    Err(subharmonic(flow, room)?.unwrap_or(failure))
+    Ok(Settled::Not(failure))
 }
 
-/// Whether the motion repeats after several cycles instead of one.
-fn subharmonic<S: Float>(
+/// The steady state that repeats after several cycles and that the motion is near to; where none is, the flow stands on
+/// the motion.
+fn several<S: Float>(
     flow: &mut Flow<'_, '_, S>,
     room: &mut Room<'_, S>,
-) -> Result<Option<NoOrbit>, NoOrbit> {
-    flow.save(room.other);
-    let same = flow.scale() * S::constant(1e-9_f64.max(1024.0 * S::EPSILON));
-    for cycles in 1..=MOST_REPEATED {
-        flow.half(None)?;
-        flow.half(None)?;
-        if flow.distance(room.other) <= same {
-            return Ok((cycles > 1).then_some(NoOrbit::Subharmonic(cycles)));
+    cycles: &mut u32,
+    mut failure: NoOrbit,
+) -> Result<Settled, NoOrbit> {
+    let mut after = 1;
+    for _ in 0..MOST_TRIED {
+        let most = MAX_PERIOD.min(*cycles);
+        let Some((period, total)) = comes_back(flow, room, cycles, after, most)? else {
+            break;
+        };
+        for symmetric in [true, false] {
+            let Some(wanted) = wanted(total, symmetric, period) else {
+                continue;
+            };
+            flow.save(room.state);
+            let mut candidate = Candidate {
+                map: Map { period, symmetric },
+                wanted,
+                recent: total,
+                alike: 0,
+                monotone: false,
+                cycles: *cycles,
+                here: flow.stance,
+            };
+            let verdict = candidate.try_from(flow, room);
+            *cycles = candidate.cycles;
+            match verdict {
+                Ok(Verdict::Found(found)) => return Ok(Settled::Found(found)),
+                Ok(_) => {}
+                Err(error) => failure = error,
+            }
+            flow.restore(room.state, &candidate.here);
         }
+        after = period;
+    }
+    Ok(Settled::Not(failure))
+}
+
+/// After how many cycles, more than `after` and at most `most`, the motion comes back near to where it is now, nearer
+/// than after fewer; with what happens on the way.
+fn comes_back<S: Float>(
+    flow: &mut Flow<'_, '_, S>,
+    room: &mut Room<'_, S>,
+    cycles: &mut u32,
+    after: u32,
+    most: u32,
+) -> Result<Option<(u32, Pattern)>, NoOrbit> {
+    let mut total = Pattern::default();
+    flow.save(room.state);
+    let mut near = flow.scale() * S::constant(NEARLY_BACK);
+    for period in 1..=most {
+        total = total.and(flow.half(None)?).and(flow.half(None)?);
+        *cycles += 1;
+        let distance = flow.distance(room.state);
+        if period > after && distance <= near {
+            return Ok(Some((period, total)));
+        }
+        near = near.min(distance * S::constant(NEARER));
     }
     Ok(None)
+}
+
+/// The pattern of half a period, or of a whole one.  Half of an even number of cycles later the load has the same sign,
+/// and no motion is opposite.
+fn wanted(total: Pattern, symmetric: bool, period: u32) -> Option<Pattern> {
+    if !symmetric {
+        return Some(total);
+    }
+    if period.is_multiple_of(2) {
+        return None;
+    }
+    total.halved()
 }
 
 /// What a fixed point is good for.
@@ -137,7 +258,7 @@ enum Verdict {
 }
 
 struct Candidate<S> {
-    symmetric: bool,
+    map: Map,
     /// The pattern of the motion so far.
     wanted: Pattern,
     /// Of the last cycle.
@@ -158,12 +279,12 @@ impl<S: Float> Candidate<S> {
         flow: &mut Flow<'_, '_, S>,
         room: &mut Room<'_, S>,
     ) -> Result<Verdict, NoOrbit> {
-        let Some(pattern) = newton(flow, room, self.symmetric)? else {
+        let Some(pattern) = newton(flow, room, self.map)? else {
             return Ok(Verdict::No);
         };
         let scale = flow.scale();
         let far = flow.distance(room.state);
-        let largest = multipliers(flow, room, self.symmetric)?;
+        let largest = multipliers(flow, room, self.map)?;
         let one = S::constant(1.0);
         let margin = S::constant(ON_CIRCLE * S::EPSILON);
         if one + margin < largest {
@@ -177,11 +298,13 @@ impl<S: Float> Candidate<S> {
         let near = far <= scale * S::constant(1e-9_f64.max(1024.0 * S::EPSILON));
         let same = pattern == self.wanted;
         if self.monotone || (same && (near || self.attracts(flow, room, largest)?)) {
-            if self.symmetric && pattern == ONE_REVERSAL {
+            if self.map.symmetric && self.map.period == 1 && pattern == ONE_REVERSAL {
                 closed::set(flow);
             }
             return Ok(Verdict::Found(Found {
-                symmetric: self.symmetric,
+                settled: true,
+                period: self.map.period,
+                symmetric: self.map.symmetric,
                 marginal: false,
             }));
         }
@@ -200,7 +323,7 @@ impl<S: Float> Candidate<S> {
         flow.save(room.other);
         flow.restore(room.state, &self.here);
         let before = flow.energy_between(room.other);
-        let rate = if self.symmetric {
+        let rate = if self.map.symmetric {
             largest * largest
         } else {
             largest
@@ -209,14 +332,17 @@ impl<S: Float> Candidate<S> {
         let mut cycles = 0;
         let mut keeps = true;
         while keeps && cycles < MOST_FOLLOWED && S::constant(0.01) < promised {
-            let (first, second) = (flow.half(None)?, flow.half(None)?);
-            keeps = if self.symmetric {
-                first == self.wanted && second == self.wanted
-            } else {
-                first.and(second) == self.wanted
-            };
+            // A whole period.
+            let maps = if self.map.symmetric { 2 } else { 1 };
+            for _ in 0..maps {
+                let mut pattern = Pattern::default();
+                for _ in 0..self.map.halves() {
+                    pattern = pattern.and(flow.half(None)?);
+                }
+                keeps = keeps && pattern == self.wanted;
+            }
             promised = promised * rate;
-            cycles += 1;
+            cycles += self.map.period;
         }
         self.cycles += cycles;
         self.here = flow.stance;
@@ -244,12 +370,17 @@ impl<S: Float> Candidate<S> {
     ) -> Result<Verdict, NoOrbit> {
         let found = |symmetric| {
             Ok(Verdict::Found(Found {
+                settled: true,
+                period: self.map.period,
                 symmetric,
                 marginal: true,
             }))
         };
         if far <= scale * S::constant(1e-9) {
-            return found(self.symmetric);
+            return found(self.map.symmetric);
+        }
+        if self.map.period != 1 {
+            return Ok(Verdict::No);
         }
         // Of a motion so large that friction is below rounding every one seems steady.
         let own = room.state.iter();
@@ -264,7 +395,7 @@ impl<S: Float> Candidate<S> {
         // Where the contact hardly moves, what it does is rounding's, and the motion is near enough.
         let turns = self.recent.stops + self.recent.reversals;
         let calm = far <= S::constant(1e-6) || (turns <= 2 && CALM <= self.alike);
-        if !self.symmetric || cycles < 64 || !calm {
+        if !self.map.symmetric || cycles < 64 || !calm {
             return Ok(Verdict::Wait);
         }
         super::continuum::member(flow, room, self.monotone)?;
@@ -277,8 +408,9 @@ impl<S: Float> Candidate<S> {
 fn newton<S: Float>(
     flow: &mut Flow<'_, '_, S>,
     room: &mut Room<'_, S>,
-    symmetric: bool,
+    map: Map,
 ) -> Result<Option<Pattern>, NoOrbit> {
+    let symmetric = map.symmetric;
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let size = flow.size();
     let start = flow.stance;
@@ -287,7 +419,7 @@ fn newton<S: Float>(
     for _ in 0..NEWTON_STEPS {
         flow.save(room.other);
         unit(room.matrix, size);
-        let Ok((image, pattern)) = mapped(flow, room.matrix, symmetric) else {
+        let Ok((image, pattern)) = mapped(flow, room.matrix, map) else {
             return Ok(None);
         };
         if (image == Contact::Stuck) != (stance.contact == Contact::Stuck) {
@@ -342,18 +474,23 @@ fn newton<S: Float>(
     Ok(None)
 }
 
-/// The map of half a cycle or a whole one with its deviations; how the contact stands then.
+/// The map with its deviations; how the contact stands then.
 fn mapped<S: Float>(
     flow: &mut Flow<'_, '_, S>,
     columns: &mut [S],
-    symmetric: bool,
+    map: Map,
 ) -> Result<(Contact, Pattern), NoOrbit> {
-    let mut pattern = flow.half(Some(columns))?;
-    if symmetric {
-        return Ok((flow.stance.contact.reversed(), pattern));
+    let mut pattern = Pattern::default();
+    for _ in 0..map.halves() {
+        pattern = pattern.and(flow.half(Some(columns))?);
     }
-    pattern = pattern.and(flow.half(Some(columns))?);
-    Ok((flow.stance.contact, pattern))
+    let contact = flow.stance.contact;
+    let contact = if map.symmetric {
+        contact.reversed()
+    } else {
+        contact
+    };
+    Ok((contact, pattern))
 }
 
 pub(super) fn negate<S: Float>(state: &mut [S], really: bool) {
@@ -366,24 +503,36 @@ pub(super) fn negate<S: Float>(state: &mut [S], really: bool) {
 
 /// The multipliers of the period, for which the flow stands on a fixed point and stays there; the
 /// largest modulus of those of the map.
-pub(super) fn multipliers<S: Float>(
+fn multipliers<S: Float>(
     flow: &mut Flow<'_, '_, S>,
     room: &mut Room<'_, S>,
-    symmetric: bool,
+    map: Map,
 ) -> Result<S, NoOrbit> {
     let size = flow.size();
     let start: Stance<S> = flow.stance;
     flow.save(room.other);
     unit(room.matrix, size);
-    mapped(flow, room.matrix, symmetric)?;
+    mapped(flow, room.matrix, map)?;
     flow.restore(room.other, &start);
     Matrix::new(room.matrix, size).eigenvalues(room.multipliers);
     let mut largest = S::constant(0.0);
     for multiplier in room.multipliers.iter_mut() {
         largest = largest.max(complex::modulus(*multiplier, true));
-        if symmetric {
+        if map.symmetric {
             *multiplier = complex::mul(*multiplier, *multiplier, true);
         }
     }
     Ok(largest)
+}
+
+/// The multipliers of the symmetric state on which the flow stands, one cycle long.
+pub(super) fn multipliers_of_cycle<S: Float>(
+    flow: &mut Flow<'_, '_, S>,
+    room: &mut Room<'_, S>,
+) -> Result<S, NoOrbit> {
+    let map = Map {
+        period: 1,
+        symmetric: true,
+    };
+    multipliers(flow, room, map)
 }

@@ -20,7 +20,7 @@ pub use run::{Moment, Segment, Simulation};
 pub use setting::Setting;
 pub use walk::MAX_STEPS;
 
-pub(crate) use segment::{End, Stance, leap};
+pub(crate) use segment::{End, Stance, leap, span};
 pub(crate) use sum::Sum;
 
 use crate::chain::Chain;

@@ -345,6 +345,21 @@ pub(crate) fn ended<S: Float>(
     end
 }
 
+/// How far it is from a stance to the next event, at most `reach`; 0 where the contact, on the point of leaving, does not.
+pub(crate) fn span<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &mut [Part<S>],
+    held: &mut [Part<S>],
+    stance: Stance<S>,
+    reach: S,
+) -> S {
+    let sought = seek(setting, modes, held, stance, reach);
+    if sought.holds() {
+        return S::constant(0.0);
+    }
+    sought.tau
+}
+
 /// From a stance to the next event, or as far as `reach`.
 pub(crate) fn leap<S: Float>(
     setting: &Setting<'_, S>,

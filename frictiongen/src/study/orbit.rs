@@ -45,7 +45,35 @@ impl<'a, S: Plain> SystemAt<'a, S> {
     /// # Errors
     /// [`NoOrbit`] says why there is none.
     pub fn orbit(&self, beta: S) -> Result<SystemOrbit<'a, S>, NoOrbit> {
-        self.orbit_started(beta, None)
+        self.orbit_started(beta, None, false)
+    }
+
+    /// The same; where the motion from rest does not settle, what it does in its last 64 cycles, with
+    /// [`SystemOrbit::is_settled`] false: an amplitude is the largest that was seen in those.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let system: frictiongen::System = "struct Block {
+    ///     masses: { block: 1 },
+    ///     springs: { base - block: 1 },
+    ///     contact: block - base,
+    ///     excitation: base,
+    ///     stiction: 3,
+    /// }"
+    /// .parse()?;
+    /// let at = system.at(1.0 / 3.0)?;
+    /// assert!(at.orbit(0.01395).is_err());
+    /// let seen = at.orbit_or_last_cycles(0.01395)?;
+    /// assert!(!seen.is_settled() && !seen.is_stable() && seen.multipliers().is_empty());
+    /// assert!(seen.mass("block")?.amplitude() > 1.0);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`NoOrbit`] where nothing bounds the motion, where its way takes too many steps, and for what is no β.
+    pub fn orbit_or_last_cycles(&self, beta: S) -> Result<SystemOrbit<'a, S>, NoOrbit> {
+        self.orbit_started(beta, None, true)
     }
 
     /// The same reached from another state at a maximum of the excitation: x̄ and dx̄/dτ of every
@@ -55,13 +83,14 @@ impl<'a, S: Plain> SystemAt<'a, S> {
     /// [`NoOrbit`], also for a state that is not finite or not one number for each mass.
     pub fn orbit_from(&self, beta: S, state: (&[S], &[S])) -> Result<SystemOrbit<'a, S>, NoOrbit> {
         self.system.check_state(state)?;
-        self.orbit_started(beta, Some(state))
+        self.orbit_started(beta, Some(state), false)
     }
 
     fn orbit_started(
         &self,
         beta: S,
         start: Option<(&[S], &[S])>,
+        last: bool,
     ) -> Result<SystemOrbit<'a, S>, NoOrbit> {
         let system = self.system;
         let dynamics = system.dynamics();
@@ -73,6 +102,7 @@ impl<'a, S: Plain> SystemAt<'a, S> {
             beta,
             self.sliding_limit(),
             start,
+            last,
             system.parts(),
             vec![zero; orbit::numbers(modes, driven)],
             vec![Complex::new(zero, zero); 2 * driven],
@@ -106,25 +136,37 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         self.state.contact()
     }
 
-    /// How often the contact stops in a cycle.
+    /// After how many cycles of the excitation it repeats: 1, or up to 64 for a subharmonic state.
+    #[must_use]
+    pub fn period(&self) -> u32 {
+        self.state.period()
+    }
+
+    /// Whether the motion repeats; otherwise this is what it does in its last 64 cycles.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        self.state.is_settled()
+    }
+
+    /// How often the contact stops in a period.
     #[must_use]
     pub fn stops(&self) -> usize {
         self.state.stops()
     }
 
-    /// How often the direction of sliding changes in a cycle without a stop.
+    /// How often the direction of sliding changes in a period without a stop.
     #[must_use]
     pub fn reversals(&self) -> usize {
         self.state.reversals()
     }
 
-    /// The part of the cycle for which the contact sticks.
+    /// The part of the period for which the contact sticks.
     #[must_use]
     pub fn stuck_fraction(&self) -> S {
         self.state.stuck_fraction()
     }
 
-    /// Whether every motion repeats with the opposite sign after half a cycle.
+    /// Whether every motion repeats with the opposite sign after half a period.
     #[must_use]
     pub fn is_symmetric(&self) -> bool {
         self.state.is_symmetric()
@@ -164,11 +206,21 @@ impl<S: Plain> OrbitAt for SystemAt<'_, S> {
     fn orbit(&self, beta: S) -> Result<SystemOrbit<'_, S>, NoOrbit> {
         SystemAt::orbit(self, beta)
     }
+
+    fn orbit_or_last_cycles(&self, beta: S) -> Result<SystemOrbit<'_, S>, NoOrbit> {
+        SystemAt::orbit_or_last_cycles(self, beta)
+    }
 }
 
 impl<S: Float> SteadyState for SystemOrbit<'_, S> {
     type Scalar = S;
 
+    fn period(&self) -> u32 {
+        Self::period(self)
+    }
+    fn is_settled(&self) -> bool {
+        Self::is_settled(self)
+    }
     fn stops(&self) -> usize {
         Self::stops(self)
     }

@@ -94,7 +94,18 @@ fn room_of_another_size() {
         let parts = vec![Part::empty(); 1];
         let room = vec![0.0; room];
         let multipliers = vec![Complex { re: 0.0, im: 0.0 }; multipliers];
-        Orbit::new(DYNAMICS, 0.3, 0.4, 1.0989, state, parts, room, multipliers).map(|_| ())
+        Orbit::new(
+            DYNAMICS,
+            0.3,
+            0.4,
+            1.0989,
+            state,
+            false,
+            parts,
+            room,
+            multipliers,
+        )
+        .map(|_| ())
     };
     let none = |argument| Err(NoOrbit::OutOfDomain(OutOfDomain { argument }));
     let room = numbers(1, 1);

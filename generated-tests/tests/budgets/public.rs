@@ -136,11 +136,13 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
         &[
             "orbit::Orbit::contact",
             "orbit::Orbit::is_marginal",
+            "orbit::Orbit::is_settled",
             "orbit::Orbit::is_stable",
             "orbit::Orbit::is_symmetric",
             "orbit::Orbit::mass",
             "orbit::Orbit::multipliers",
             "orbit::Orbit::origin",
+            "orbit::Orbit::period",
             "orbit::Orbit::reversals",
             "orbit::Orbit::sticking_intervals",
             "orbit::Orbit::stops",

@@ -79,27 +79,6 @@ refused!(
         contact: block - base, excitation: base, stiction: 3.0,
     }
 );
-refused!(
-    after_two_cycles, NoOrbit::Subharmonic(2), ((0.4076, 0.01787),),
-    struct Block {
-        masses: { block: 1.0 }, springs: { base - block: 1.0 },
-        contact: block - base, excitation: base, stiction: 2.0,
-    }
-);
-refused!(
-    after_three_cycles, NoOrbit::Subharmonic(3), ((0.352, 0.1563),),
-    struct Block {
-        masses: { block: 1.0 }, springs: { base - block: 1.0 },
-        contact: block - wall, excitation: block, stiction: 2.0,
-    }
-);
-refused!(
-    after_five_cycles, NoOrbit::Subharmonic(5), ((0.25, 0.1521),),
-    struct Block {
-        masses: { block: 1.0 }, springs: { base - block: 1.0 },
-        contact: block - wall, excitation: base, damping: modal(0.03443), stiction: 3.0,
-    }
-);
 // So little friction that the free vibration from the start outlives every cycle that is followed.
 refused!(
     unsettled, NoOrbit::Unsettled, ((0.06501, 0.000_001_849), (0.1382, 0.000_005_223)),

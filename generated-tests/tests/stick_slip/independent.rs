@@ -112,12 +112,11 @@ impl Tally {
     }
 }
 
-/// A motion against its reference; `largest` is the largest amplitude of a mass, for the contact's.
+/// A motion against its reference.
 fn compare(
     motion: SystemOrbitMotion<'_, '_>,
     expected: &Value,
     phases: bool,
-    largest: f64,
     tally: &mut Tally,
     what: &str,
 ) {
@@ -141,9 +140,6 @@ fn compare(
     }
     if !phases {
         tally.skip("no phase of a marginal reference");
-    } else if amplitude < 0.01 * largest {
-        // Its equal maxima are told apart by rounding of displacements a hundred times as large.
-        tally.skip("no phase where the contact moves less than 1/100 of the masses");
     } else if expected["phase"].is_null() {
         tally.skip("no phase where two maxima are equal");
     } else {
@@ -155,14 +151,12 @@ fn compare(
 fn all_motions(orbit: &SystemOrbit<'_>, point: &Point, phases: bool, tally: &mut Tally) {
     let (expected, what) = (&point.expected, &point.what);
     let masses = expected["masses"].as_array().expect("masses");
-    let amplitudes = masses.iter().map(|mass| number(&mass["amplitude"]));
-    let largest = amplitudes.fold(0.0, f64::max);
     let contact = &expected["contact"];
-    compare(orbit.contact(), contact, phases, largest, tally, what);
+    compare(orbit.contact(), contact, phases, tally, what);
     assert_eq!(masses.len(), point.system.scene().masses.len(), "{what}");
     for (mass, expected) in masses.iter().enumerate() {
         let motion = orbit.mass_at(mass).expect("a mass");
-        compare(motion, expected, phases, 0.0, tally, what);
+        compare(motion, expected, phases, tally, what);
     }
 }
 
@@ -172,47 +166,53 @@ fn reported(point: &Point) -> bool {
         && count(&point.expected["segments"]) <= 64
 }
 
-/// What repeats after a cycle, value by value.
+/// A steady state, value by value.
+fn all_values(point: &Point, tally: &mut Tally) {
+    let (expected, what) = (&point.expected, &point.what);
+    let orbit = point
+        .orbit()
+        .unwrap_or_else(|error| panic!("{what}: {error}"));
+    let counts = ["period", "stops", "reversals"].map(|name| count(&expected[name]));
+    let found = [orbit.period() as usize, orbit.stops(), orbit.reversals()];
+    assert_eq!(found, counts, "{what}");
+    let symmetric = expected["symmetric"].as_bool().expect("a flag");
+    assert_eq!(orbit.is_symmetric(), symmetric, "{what}");
+    assert!(orbit.is_stable() && !orbit.is_marginal(), "{what}");
+    let stuck = number(&expected["stuck_fraction"]);
+    tally.note("stuck fraction", orbit.stuck_fraction(), stuck, 1.0, what);
+    let moduli = orbit.multipliers().iter().map(|value| value.norm());
+    let largest = moduli.fold(0.0, f64::max);
+    let multiplier = number(&expected["multiplier"]);
+    tally.note("multiplier", largest, multiplier, 1.0, what);
+    if expected["origin"].is_null() {
+        tally.skip("no origin where two maxima are equal");
+    } else {
+        let apart = (orbit.state().origin() - number(&expected["origin"])).rem_euclid(TAU);
+        tally.note("origin", (apart + PI).rem_euclid(TAU) - PI, 0.0, 1.0, what);
+    }
+    all_motions(&orbit, point, true, tally);
+}
+
+fn bars(kind: &str) -> f64 {
+    match kind {
+        "phase" => PHASES,
+        "multiplier" => MULTIPLIERS,
+        _ => TOLERANCE,
+    }
+}
+
+/// What repeats after a cycle.
 #[test]
 fn of_one_cycle() {
     let points = points(reported);
     let mut tally = Tally::default();
     let (mut asymmetric, mut many, mut turning, mut between) = (0, 0, 0, 0);
     for point in &points {
-        let (expected, what) = (&point.expected, &point.what);
-        let orbit = point
-            .orbit()
-            .unwrap_or_else(|error| panic!("{what}: {error}"));
-        let (stops, reversals) = (count(&expected["stops"]), count(&expected["reversals"]));
-        assert_eq!(
-            (orbit.stops(), orbit.reversals()),
-            (stops, reversals),
-            "{what}"
-        );
-        let symmetric = expected["symmetric"].as_bool().expect("a flag");
-        assert_eq!(orbit.is_symmetric(), symmetric, "{what}");
-        assert!(orbit.is_stable() && !orbit.is_marginal(), "{what}");
-        let stuck = number(&expected["stuck_fraction"]);
-        tally.note("stuck fraction", orbit.stuck_fraction(), stuck, 1.0, what);
-        let moduli = orbit.multipliers().iter().map(|value| value.norm());
-        let largest = moduli.fold(0.0, f64::max);
-        tally.note(
-            "multiplier",
-            largest,
-            number(&expected["multiplier"]),
-            1.0,
-            what,
-        );
-        if expected["origin"].is_null() {
-            tally.skip("no origin where two maxima are equal");
-        } else {
-            let apart = (orbit.state().origin() - number(&expected["origin"])).rem_euclid(TAU);
-            tally.note("origin", (apart + PI).rem_euclid(TAU) - PI, 0.0, 1.0, what);
-        }
-        all_motions(&orbit, point, true, &mut tally);
-        asymmetric += usize::from(!symmetric);
-        many += usize::from(stops >= 3);
-        turning += usize::from(reversals >= 6);
+        all_values(point, &mut tally);
+        let expected = &point.expected;
+        asymmetric += usize::from(expected["symmetric"] == false);
+        many += usize::from(count(&expected["stops"]) >= 3);
+        turning += usize::from(count(&expected["reversals"]) >= 6);
         between += usize::from(count(&expected["held_between"]) > 0);
     }
     println!(
@@ -221,11 +221,7 @@ fn of_one_cycle() {
         points.len()
     );
     assert!(points.len() >= 60 && asymmetric >= 20 && many >= 30 && turning >= 3 && between >= 15);
-    tally.end(|kind| match kind {
-        "phase" => PHASES,
-        "multiplier" => MULTIPLIERS,
-        _ => TOLERANCE,
-    });
+    tally.end(bars);
 }
 
 /// z̄ is largest where τ is counted from, whichever of several maxima that is.
@@ -284,29 +280,25 @@ fn the_rule_matters() {
     assert!(other >= 20);
 }
 
-/// The library told of subharmonic motions up to 16 cycles when these were made.
+/// What repeats after several cycles.
 #[test]
 fn of_several_cycles() {
-    let (mut told, mut longer) = (BTreeMap::new(), 0);
+    let mut tally = Tally::default();
+    let (mut told, mut followed) = (BTreeMap::new(), 0);
     for point in points(|point| point.kind() == "steady" && count(&point.expected["period"]) > 1) {
-        let period = count(&point.expected["period"]) as u32;
-        let found = point
-            .orbit()
-            .map(|orbit| (orbit.stops(), orbit.reversals()));
-        if period <= 16 {
-            assert_eq!(found, Err(NoOrbit::Subharmonic(period)), "{}", point.what);
-            *told.entry(period).or_insert(0) += 1;
-        } else {
-            assert!(
-                matches!(found, Err(NoOrbit::Unsettled | NoOrbit::Unstable)),
-                "{}",
-                point.what
-            );
-            longer += 1;
-        }
+        all_values(&point, &mut tally);
+        *told.entry(count(&point.expected["period"])).or_insert(0) += 1;
+        // More segments than there is room for: some are followed anew when they are asked for.
+        followed += usize::from(count(&point.expected["segments"]) > 64);
     }
-    println!("periods and how many: {told:?}; {longer} longer than 16 cycles");
-    assert!(told.len() >= 8 && told.values().sum::<usize>() >= 15);
+    println!("periods and how many: {told:?}; {followed} of more than 64 segments");
+    assert!(told.len() >= 12 && told.values().sum::<usize>() >= 40 && followed >= 10);
+    tally.end(|kind| match kind {
+        // Over so many stops central differences lose more: of 12 cycles of `Point079` they say 0.16104, and the run
+        // from rest decays by 0.16047 in each period.
+        "multiplier" => 1e-3,
+        _ => bars(kind),
+    });
 }
 
 /// A fixed point from which deviations grow is called unstable by whoever starts on it, and where the
@@ -314,14 +306,32 @@ fn of_several_cycles() {
 #[test]
 fn unstable() {
     let points = points(|point| point.kind() == "unstable");
+    let (mut longer, mut bounded) = (0, 0);
     for point in &points {
         let (expected, what) = (&point.expected, &point.what);
         assert!(number(&expected["multiplier"]) > 1.01, "{what}");
-        assert_eq!(
-            point.orbit().map(|orbit| orbit.stops()),
-            Err(NoOrbit::Unstable),
-            "{what}"
-        );
+        let at = point.system.at(point.r).expect("in the domain");
+        match point.orbit() {
+            // The motion that made the reference was asked for 16 cycles only.
+            Ok(orbit) => {
+                assert!(orbit.period() > 16 && orbit.is_stable(), "{what}");
+                assert!(repeats(point, orbit.period()) < 1e-9, "{what}");
+                longer += 1;
+            }
+            Err(error) => {
+                assert_eq!(error, NoOrbit::Unstable, "{what}");
+                let seen = at.orbit_or_last_cycles(point.beta).expect("a motion");
+                assert!(!seen.is_settled() && !seen.is_stable(), "{what}");
+                let largest = largest_seen(point);
+                let amplitude = seen.contact().amplitude();
+                // The largest of other cycles of a motion without a rule.
+                assert!(
+                    (amplitude / largest - 1.0).abs() < 0.25,
+                    "{what}: {amplitude}, {largest}"
+                );
+                bounded += 1;
+            }
+        }
         let state: Vec<f64> = expected["state"]
             .as_array()
             .expect("a state")
@@ -329,7 +339,6 @@ fn unstable() {
             .map(number)
             .collect();
         let (x, v) = state.split_at(state.len() / 2);
-        let at = point.system.at(point.r).expect("in the domain");
         let found = at.orbit_from(point.beta, (x, v)).map(|orbit| orbit.stops());
         assert_eq!(
             found,
@@ -337,8 +346,39 @@ fn unstable() {
             "{what}, from the fixed point"
         );
     }
-    println!("{} unstable fixed points", points.len());
-    assert!(points.len() >= 4);
+    println!(
+        "{} unstable fixed points; from rest {longer} come to repeat after more than 16 cycles, {bounded} do not",
+        points.len()
+    );
+    assert!(points.len() >= 4 && longer >= 1 && bounded >= 3);
+}
+
+/// A run from rest, cycle by cycle: the relative displacement at the end of each, and its largest in the events of each.
+fn cycles(point: &Point, count: usize) -> Vec<(f64, f64)> {
+    let mut run = point.system.simulation(point.r, point.beta).expect("a run");
+    let one = |_| {
+        let (mut left, mut largest) = (TAU, 0.0_f64);
+        while left > 1e-12 {
+            left -= run.advance(left).expect("a reach").length;
+            largest = largest.max(run.relative().0.abs());
+        }
+        (run.relative().0, largest)
+    };
+    (0..count).map(one).collect()
+}
+
+/// By how much a run from rest fails to repeat, after so many cycles that it has settled.
+fn repeats(point: &Point, period: u32) -> f64 {
+    let cycles = cycles(point, 6000);
+    let (early, late) = cycles.split_at(cycles.len() - period as usize);
+    let early = early.iter().rev().zip(late.iter().rev());
+    early.fold(0.0, |most, (a, b)| most.max((a.0 - b.0).abs()))
+}
+
+/// The largest relative displacement of a run from rest, over many cycles.
+fn largest_seen(point: &Point) -> f64 {
+    let cycles = cycles(point, 3000);
+    cycles[2500..].iter().fold(0.0, |most, one| most.max(one.1))
 }
 
 #[test]

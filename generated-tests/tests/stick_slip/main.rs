@@ -11,4 +11,5 @@ mod known;
 mod multipliers;
 mod reference;
 mod runs;
+mod several;
 mod two_stops;

@@ -1,0 +1,230 @@
+//! Writes a steady state down, segment by segment.
+//!
+//! There is room for [`MAX_SEGMENTS`].  A period of more keeps every second one, then every fourth, and so on; the
+//! others are followed anew when they are asked for.
+
+use super::flow::Flow;
+use super::{MAX_SEGMENTS, Mark, slack};
+use crate::errors::NoOrbit;
+use crate::scalar::Float;
+use crate::simulation::{Contact, Event, Stance, leap};
+
+/// What is written down.
+pub(super) struct Record<'s, S> {
+    marks: [Mark<S>; MAX_SEGMENTS],
+    count: usize,
+    /// The states at the starts of the marks.
+    states: &'s mut [S],
+    /// How many numbers a state has.
+    size: usize,
+    /// Every so manieth segment has a mark of its own.
+    stride: u32,
+    segments: usize,
+    stops: usize,
+    reversals: usize,
+    /// The segment written down last.
+    last: Option<Mark<S>>,
+    /// Where the relative motion leaves its maximum: the start of the segment with the largest z̄.
+    top: Option<Mark<S>>,
+}
+
+/// All of it.
+pub(super) struct Recorded<S> {
+    pub marks: [Mark<S>; MAX_SEGMENTS],
+    pub count: usize,
+    pub stops: usize,
+    pub reversals: usize,
+    /// Phase and cycle where τ = 0.
+    pub origin: (S, S),
+}
+
+impl<'s, S: Float> Record<'s, S> {
+    /// Nothing yet; `size` is how many numbers a state has.
+    pub(super) fn new(states: &'s mut [S], size: usize) -> Self {
+        let zero = S::constant(0.0);
+        let none = Mark {
+            t: zero,
+            cycle: zero,
+            length: zero,
+            contact: Contact::Stuck,
+            departing: None,
+            wedged: false,
+            relative: zero,
+            more: 0,
+        };
+        Self {
+            marks: [none; MAX_SEGMENTS],
+            count: 0,
+            states,
+            size,
+            stride: 1,
+            segments: 0,
+            stops: 0,
+            reversals: 0,
+            last: None,
+            top: None,
+        }
+    }
+
+    /// A contact that sticks for the whole cycle.
+    pub(super) fn stuck(&mut self, flow: &Flow<'_, '_, S>) {
+        if let Some(first) = self.marks.first_mut() {
+            first.length = S::pi() + S::pi();
+        }
+        self.save(flow, 0);
+        self.count = 1;
+    }
+
+    /// From event to event, through a period of so many cycles.
+    pub(super) fn follow(
+        &mut self,
+        flow: &mut Flow<'_, '_, S>,
+        period: u32,
+    ) -> Result<(), NoOrbit> {
+        let zero = S::constant(0.0);
+        let mut left = (S::pi() + S::pi()) * S::constant(f64::from(period));
+        let most = MAX_SEGMENTS * period as usize;
+        let mut cycle = zero;
+        while slack::<S>() < left {
+            if self.segments == most {
+                return Err(NoOrbit::TooManyEvents);
+            }
+            let mut mark = self.begin(flow, cycle);
+            let end = leap(
+                flow.setting,
+                flow.modes,
+                flow.held,
+                flow.stance,
+                left + slack(),
+            );
+            flow.spend(end.steps)?;
+            mark.length = within(end.tau, left);
+            left = left - mark.length;
+            // A segment of no length was an attempt to leave that came to nothing.
+            if zero < mark.length {
+                self.note(mark, end.event);
+            }
+            cycle = cycle + passed(&flow.stance, end.tau, &end.stance);
+            flow.stance = end.stance;
+        }
+        Ok(())
+    }
+
+    /// The segment that begins; its state is kept if it is to have a mark.
+    fn begin(&mut self, flow: &Flow<'_, '_, S>, cycle: S) -> Mark<S> {
+        if self.is_due() {
+            if self.count == MAX_SEGMENTS {
+                self.thin();
+            }
+            self.save(flow, self.count);
+        }
+        let stance = &flow.stance;
+        Mark {
+            t: stance.t,
+            cycle,
+            length: S::constant(0.0),
+            contact: stance.contact,
+            departing: stance.departing,
+            wedged: stance.wedged,
+            relative: after(self.last.as_ref(), || {
+                flow.setting.relative(flow.modes, stance.t.sin_cos_pi())
+            }),
+            more: 0,
+        }
+    }
+
+    /// Whether the next segment has a mark of its own.
+    fn is_due(&self) -> bool {
+        let last = self.count.checked_sub(1);
+        let last = last.and_then(|last| self.marks.get(last));
+        last.is_none_or(|last| self.stride <= last.more + 1)
+    }
+
+    fn note(&mut self, mark: Mark<S>, event: Option<Event>) {
+        let due = self.is_due();
+        if due {
+            if let Some(place) = self.marks.get_mut(self.count) {
+                *place = mark;
+            }
+            self.count += 1;
+        } else if let Some(last) = self.marks.get_mut(self.count.wrapping_sub(1)) {
+            last.more += 1;
+        }
+        self.segments += 1;
+        self.last = Some(mark);
+        self.stops += usize::from(event == Some(Event::Stop));
+        self.reversals += usize::from(event == Some(Event::Reversal));
+        let higher = |top: &Mark<S>| top.relative < mark.relative;
+        if mark.contact == Contact::Backward && self.top.as_ref().is_none_or(higher) {
+            self.top = Some(mark);
+        }
+    }
+
+    /// Keeps every second mark.
+    fn thin(&mut self) {
+        let (half, size) = (MAX_SEGMENTS / 2, self.size);
+        for index in 0..half {
+            let pair = (self.marks.get(2 * index), self.marks.get(2 * index + 1));
+            if let (Some(first), Some(second)) = pair {
+                let kept = Mark {
+                    more: first.more + second.more + 1,
+                    ..*first
+                };
+                if let Some(place) = self.marks.get_mut(index) {
+                    *place = kept;
+                }
+            }
+            let (from, to) = (2 * index * size, index * size);
+            if from + size <= self.states.len() {
+                self.states.copy_within(from..from + size, to);
+            }
+        }
+        self.count = half;
+        self.stride += self.stride;
+    }
+
+    fn save(&mut self, flow: &Flow<'_, '_, S>, index: usize) {
+        let size = self.size;
+        if let Some(state) = self.states.get_mut(index * size..(index + 1) * size) {
+            flow.save(state);
+        }
+    }
+
+    pub(super) fn done(mut self) -> Recorded<S> {
+        let zero = S::constant(0.0);
+        if let (Some(first), last) = (self.marks.first_mut(), self.last.as_ref()) {
+            first.relative = after(last, || first.relative);
+        }
+        Recorded {
+            marks: self.marks,
+            count: self.count,
+            stops: self.stops,
+            reversals: self.reversals,
+            origin: self.top.map_or((zero, zero), |top| (top.t, top.cycle)),
+        }
+    }
+}
+
+/// z̄ after a segment: one that sticks leaves it as it was, to the last digit; otherwise as it is found.
+pub(super) fn after<S: Float>(last: Option<&Mark<S>>, found: impl FnOnce() -> S) -> S {
+    match last {
+        Some(last) if last.contact == Contact::Stuck => last.relative,
+        _ => found(),
+    }
+}
+
+/// The length of a segment of which so much is left: where it ends within the slack of that, all of it.
+pub(super) fn within<S: Float>(length: S, left: S) -> S {
+    if left - slack() < length {
+        left
+    } else {
+        length
+    }
+}
+
+/// How many cycles begin between two stances τ apart.
+pub(super) fn passed<S: Float>(from: &Stance<S>, tau: S, to: &Stance<S>) -> S {
+    let half = S::constant(0.5);
+    let turns = (from.t + tau * S::inverse_pi() - to.t) * half;
+    (turns + half).floor()
+}

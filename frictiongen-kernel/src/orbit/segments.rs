@@ -1,0 +1,121 @@
+//! The segments of a steady state, one after the other.
+//!
+//! A period of many segments keeps the state at the start of some of them only; the others are followed anew.
+
+use super::record::{after, passed, within};
+use super::{Mark, Orbit, slack};
+use crate::complex::Complex;
+use crate::pairs::pairs;
+use crate::scalar::Float;
+use crate::simulation::{Part, leap, span};
+
+/// Goes through the segments of a steady state.  The parts hold the state at the start of the segment given last.
+pub(super) struct Segments<'o, 'a, S, P, V, C> {
+    orbit: &'o Orbit<'a, S, P, V, C>,
+    parts: P,
+    /// The segment given last.
+    last: Option<Mark<S>>,
+    /// The mark that is next, and how many segments are to be followed first.
+    next: usize,
+    more: u32,
+}
+
+impl<'o, 'a, S, P, V, C> Segments<'o, 'a, S, P, V, C>
+where
+    S: Float,
+    P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
+    V: AsRef<[S]> + AsMut<[S]>,
+    C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+{
+    /// From a mark on.
+    pub(super) fn from(orbit: &'o Orbit<'a, S, P, V, C>, mark: usize) -> Self {
+        Self {
+            orbit,
+            parts: orbit.parts.clone(),
+            last: None,
+            next: mark,
+            more: 0,
+        }
+    }
+
+    /// The state at the start of the segment given last.
+    pub(super) fn parts(&mut self) -> &mut [Part<S>] {
+        self.parts.as_mut()
+    }
+
+    /// Whether the next segment has to be followed.
+    pub(super) fn follows(&self) -> bool {
+        0 < self.more
+    }
+
+    /// The segment of the next mark.
+    fn kept(&mut self) -> Option<Mark<S>> {
+        let orbit = self.orbit;
+        let mark = *orbit.marks().get(self.next)?;
+        let size = 2 * orbit.setting.dynamics.modes.len();
+        let state = orbit.numbers.as_ref();
+        let state = state.get(self.next * size..(self.next + 1) * size)?;
+        for (part, state) in self.parts.as_mut().iter_mut().zip(pairs(state)) {
+            if let [y, u] = state {
+                (part.y, part.u) = (*y, *u);
+            }
+        }
+        self.next += 1;
+        self.more = mark.more;
+        Some(mark)
+    }
+
+    /// The segment after the last one, followed from there.
+    fn followed(&mut self, last: &Mark<S>) -> Option<Mark<S>> {
+        let zero = S::constant(0.0);
+        let orbit = self.orbit;
+        let setting = &orbit.setting;
+        let end = orbit.marks().first()?.t + S::constant(2.0) * orbit.cycles();
+        let (modes, held) = setting.split(self.parts.as_mut());
+        let mut mark = *last;
+        // Over the last one; then over attempts to leave that come to nothing.
+        loop {
+            let left = (end - mark.t - S::constant(2.0) * mark.cycle) * S::pi();
+            let reach = left + slack();
+            let length = span(setting, modes, held, mark.stance(), reach);
+            if zero < length && !(zero < mark.length) {
+                mark.length = within(length, left);
+                mark.relative = after(Some(last), || setting.relative(modes, mark.t.sin_cos_pi()));
+                break;
+            }
+            if !(zero < left) {
+                return None;
+            }
+            let next = leap(setting, modes, held, mark.stance(), reach);
+            mark = Mark {
+                t: next.stance.t,
+                cycle: mark.cycle + passed(&mark.stance(), next.tau, &next.stance),
+                length: zero,
+                contact: next.stance.contact,
+                departing: next.stance.departing,
+                wedged: next.stance.wedged,
+                ..mark
+            };
+        }
+        self.more -= 1;
+        Some(mark)
+    }
+}
+
+impl<S, P, V, C> Iterator for Segments<'_, '_, S, P, V, C>
+where
+    S: Float,
+    P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
+    V: AsRef<[S]> + AsMut<[S]>,
+    C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+{
+    type Item = Mark<S>;
+
+    fn next(&mut self) -> Option<Mark<S>> {
+        self.last = match self.last {
+            Some(last) if self.follows() => self.followed(&last),
+            _ => self.kept(),
+        };
+        self.last
+    }
+}
