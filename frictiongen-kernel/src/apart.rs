@@ -334,3 +334,6 @@ impl<S: Scalar> Chain<S> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

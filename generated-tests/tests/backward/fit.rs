@@ -127,7 +127,7 @@ pub fn shortest<S: Float>(
         });
         let mut aim: Vec<S> = b.iter().zip(&answers).map(|(b, root)| *b * *root).collect();
         aim.resize(answers.len() + inputs.len(), zero);
-        let (q, r) = orthogonal(columns)?;
+        let [q, r] = orthogonal(columns)?;
         let mut moved = vec![zero; inputs.len()];
         for j in (0..inputs.len()).rev() {
             // What the columns after it leave.
@@ -151,7 +151,7 @@ pub fn shortest<S: Float>(
         column[inputs.len() + i] = S::constant(1.0) / *root;
         column
     });
-    let (q, r) = orthogonal(columns)?;
+    let [q, r] = orthogonal(columns)?;
     let mut z = vec![zero; inputs.len()];
     let mut along = Vec::new();
     for ((b, q), r) in b.iter().zip(&q).zip(&r) {
@@ -171,9 +171,7 @@ fn dot<S: Float>(a: &[S], b: &[S]) -> S {
 
 /// Columns of length 1 at right angles, and what of each goes into every given one: by Gram and Schmidt, one after the
 /// other.
-fn orthogonal<S: Float>(
-    columns: impl Iterator<Item = Vec<S>>,
-) -> Option<(Vec<Vec<S>>, Vec<Vec<S>>)> {
+fn orthogonal<S: Float>(columns: impl Iterator<Item = Vec<S>>) -> Option<[Vec<Vec<S>>; 2]> {
     let (mut all, mut parts): (Vec<Vec<S>>, Vec<Vec<S>>) = (Vec::new(), Vec::new());
     for mut column in columns {
         let mut part = Vec::new();
@@ -196,7 +194,7 @@ fn orthogonal<S: Float>(
         all.push(column);
         parts.push(part);
     }
-    Some((all, parts))
+    Some([all, parts])
 }
 
 /// Two answers that one input moves the same way and that are off by opposite amounts are not explained by it.

@@ -7,6 +7,7 @@ mod fit;
 mod inputs;
 mod instant;
 mod judge;
+mod orbits;
 mod property;
 mod questions;
 mod random;

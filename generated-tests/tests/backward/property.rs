@@ -395,7 +395,7 @@ fn single_precision() {
 }
 
 /// The scenes of SCENES: a number of them, or `from..to`.
-fn asked() -> std::ops::Range<u64> {
+pub fn asked() -> std::ops::Range<u64> {
     let text = std::env::var("SCENES").unwrap_or_else(|_| "10000".to_owned());
     let (from, to) = text.split_once("..").unwrap_or(("0", &text));
     let number = |text: &str| text.parse().expect("SCENES=100 or SCENES=100..200");
