@@ -447,3 +447,26 @@ fn double_double_infinities_end() {
     assert!(!(infinite / Dd::from(3.0)).to_f64().is_finite());
     assert_eq!((Dd::from(3.0) / infinite).to_f64(), 0.0);
 }
+
+/// What is left of an integer by its second part counts.
+#[test]
+fn double_double_rounds_down() {
+    let tiny = 2.0_f64.powi(-60);
+    let points = [
+        (Dd::sum(3.0, 0.0), 3.0),
+        (Dd::sum(3.0, tiny), 3.0),
+        (Dd::sum(3.0, -tiny), 2.0),
+        (Dd::sum(-3.0, -tiny), -4.0),
+        (Dd::sum(-3.0, tiny), -3.0),
+        (Dd::sum(2.75, tiny), 2.0),
+        (Dd::sum(-2.75, -tiny), -3.0),
+        (Dd::sum(0.0, 0.0), 0.0),
+    ];
+    for (value, expected) in points {
+        let found = Float::floor(value);
+        assert_eq!((found.hi, found.lo), (expected, 0.0), "⌊{value:?}⌋");
+    }
+    // Beyond 2⁵³ the second part has a fraction of its own.
+    let found = Float::floor(Dd::sum(2.0_f64.powi(60), -0.5));
+    assert_eq!((found.hi, found.lo), (2.0_f64.powi(60), -1.0));
+}

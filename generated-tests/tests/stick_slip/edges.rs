@@ -260,3 +260,31 @@ fn next_to_a_resonance_without_friction() {
     println!("{compared} motions compared, none skipped");
     assert_eq!(compared, 28);
 }
+
+/// A mode that the contact does not touch goes its own steady way beside stops, slips and a contact that sticks.
+#[test]
+fn a_mode_that_the_contact_does_not_touch() {
+    let pair = system(
+        "struct Pair { masses: { left: 1, right: 1 },
+        springs: { base - left: 1, left - right: 0.7, right - wall: 1 },
+        contact: left - right, excitation: left, damping: modal(0.08) }",
+    );
+    let mut worst: f64 = 0.0;
+    let points = [(0.6, 0.05), (0.6, 0.2), (1.3, 0.15), (0.9, 5.0), (0.7, 0.0)];
+    for (r, beta) in points {
+        let orbit = pair.at(r).expect("in the domain").orbit(beta);
+        let orbit = orbit.expect("a steady state");
+        // The symmetric motion of both, x̄₁ + x̄₂ = cos τ/(1 − r² + 2iζr) of a unit load on one of them.
+        let answer = frictiongen::Complex::new(1.0 - r * r, 0.16 * r).inv();
+        for step in 0..40 {
+            let tau = TAU * f64::from(step) / 40.0;
+            let angle = tau + orbit.state().origin();
+            let both = ["left", "right"].map(|name| orbit.mass(name).expect("a mass"));
+            let sum = both[0].displacement(tau) + both[1].displacement(tau);
+            let expected = answer.re * angle.cos() - answer.im * angle.sin();
+            worst = worst.max((sum - expected).abs());
+        }
+    }
+    println!("{} displacements, {worst:e} off", 40 * points.len());
+    assert!(worst < 1e-13, "{worst:e}");
+}

@@ -115,3 +115,36 @@ fn slope_and_curve_are_derivatives() {
     );
     assert!(compared == 6000 && beside > 100);
 }
+
+/// Beside its resonance the answer to the load grows from 0: its Taylor series at the start is that of its closed form.
+#[test]
+fn the_series_of_what_grows() {
+    let mut random = Lcg(31);
+    let mut compared = 0;
+    for zeta in [0.0, 1e-9, 1e-6] {
+        for apart in [0.0, 1e-9, -1e-6] {
+            let mut part = part(zeta, 1.0 + apart);
+            part.near = true;
+            part.steady = Complex::new(random.signed(), random.signed());
+            part.weight = [random.signed(), random.signed()];
+            let (sine, cosine) = random.signed().sin_cos();
+            let mut terms = [0.0; 12];
+            part.grown_series((sine, cosine), &mut terms);
+            for tau in [0.01, 0.05, 0.2] {
+                let weights = terms.iter().enumerate().rev();
+                let sum = weights.fold(0.0, |sum, (order, term)| {
+                    term + sum * tau / (order as f64 + 1.0)
+                });
+                let [value, slope, ..] = part.grown(tau / core::f64::consts::PI, (sine, cosine));
+                let expected = part.weight[0] * value + part.weight[1] * slope / part.x;
+                // The series ends with τ¹²/12!; the closed form divides by what lies between it and its pole.
+                assert!(
+                    (sum - expected).abs() <= 1e-12 * tau,
+                    "ζ {zeta}, {apart} from the pole, τ {tau}: {sum} for {expected}"
+                );
+                compared += 1;
+            }
+        }
+    }
+    println!("{compared} values compared, none skipped");
+}
