@@ -174,9 +174,13 @@ impl<'s, S: Float> Record<'s, S> {
                     *place = kept;
                 }
             }
+            // Number by number: copying within a slice can panic.
             let (from, to) = (2 * index * size, index * size);
-            if from + size <= self.states.len() {
-                self.states.copy_within(from..from + size, to);
+            for offset in 0..size {
+                let value = self.states.get(from + offset).copied();
+                if let (Some(value), Some(place)) = (value, self.states.get_mut(to + offset)) {
+                    *place = value;
+                }
             }
         }
         self.count = half;
