@@ -17,7 +17,7 @@ pub(super) struct Record<'s, S> {
     states: &'s mut [S],
     /// How many numbers a state has.
     size: usize,
-    /// Every so manieth segment has a mark of its own.
+    /// One segment in so many has a mark of its own.
     stride: u32,
     segments: usize,
     stops: usize,

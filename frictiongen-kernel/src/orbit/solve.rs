@@ -31,6 +31,8 @@ const NEARLY_BACK: f64 = 1e-2;
 const NEARER: f64 = 0.1;
 /// For so many cycles at most is a motion followed that should come near to a fixed point.
 const MOST_FOLLOWED: u32 = 64;
+/// States nearer to each other than this part of themselves are the same.
+const SAME: f64 = 1e-9;
 /// By so much at most is a marginal state larger than the motion that tends to it, or than P/k₁: away from
 /// a resonance both are of the order of the excitation.
 const MOST_GROWN: f64 = 64.0;
@@ -202,7 +204,9 @@ fn several<S: Float>(
             let verdict = candidate.try_from(flow, room);
             *cycles = candidate.cycles;
             match verdict {
-                Ok(Verdict::Found(found)) => return Ok(Settled::Found(found)),
+                Ok(Verdict::Found(found)) if !repeats_sooner(flow, room, period)? => {
+                    return Ok(Settled::Found(found));
+                }
                 Ok(_) => {}
                 Err(error) => failure = error,
             }
@@ -211,6 +215,26 @@ fn several<S: Float>(
         after = period;
     }
     Ok(Settled::Not(failure))
+}
+
+/// Whether the fixed point on which the flow stands, and stays, repeats after fewer cycles: a free vibration that dies
+/// slowly comes back to itself on its way there.
+fn repeats_sooner<S: Float>(
+    flow: &mut Flow<'_, '_, S>,
+    room: &mut Room<'_, S>,
+    period: u32,
+) -> Result<bool, NoOrbit> {
+    let stance = flow.stance;
+    flow.save(room.other);
+    let same = flow.scale() * S::constant(SAME.max(1024.0 * S::EPSILON));
+    let mut sooner = false;
+    for _ in 1..period {
+        flow.half(None)?;
+        flow.half(None)?;
+        sooner = sooner || flow.distance(room.other) <= same;
+    }
+    flow.restore(room.other, &stance);
+    Ok(sooner)
 }
 
 /// After how many cycles, more than `after` and at most `most`, the motion comes back near to where it is now, nearer
@@ -295,7 +319,7 @@ impl<S: Float> Candidate<S> {
             return self.marginal(flow, room, far, scale, self.cycles);
         }
         // With μ = 1 two motions never part, so there is no second steady state to mistake this for.
-        let near = far <= scale * S::constant(1e-9_f64.max(1024.0 * S::EPSILON));
+        let near = far <= scale * S::constant(SAME.max(1024.0 * S::EPSILON));
         let same = pattern == self.wanted;
         if self.monotone || (same && (near || self.attracts(flow, room, largest)?)) {
             if self.map.symmetric && self.map.period == 1 && pattern == ONE_REVERSAL {

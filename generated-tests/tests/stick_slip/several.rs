@@ -197,3 +197,77 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
         components.len()
     );
 }
+
+/// A free vibration that dies slowly brings the motion back to itself after several cycles on its way to a state of
+/// fewer: such states were told with 5, 9, 4, 10, 28 and 5 cycles.
+#[test]
+fn no_longer_than_it_is() {
+    let one = |contact: &str, excitation: &str, stiction: f64| {
+        format!(
+            "struct Block {{ masses: {{ a: 1 }}, springs: {{ base - a: 1 }}, contact: a - {contact},
+             excitation: {excitation}, stiction: {stiction} }}"
+        )
+    };
+    let two = |m: f64, k: f64, excitation: &str, stiction: f64| {
+        format!(
+            "struct Pair {{ masses: {{ a: 1, b: {m} }}, springs: {{ base - a: 1, a - b: {k} }}, contact: b - wall,
+             excitation: {excitation}, stiction: {stiction} }}"
+        )
+    };
+    let points = [
+        (
+            one("base", "a", 1.9914900210889905),
+            0.833277864994414,
+            0.0014959268322095696,
+            1,
+        ),
+        (
+            one("base", "base", 1.2692444224818193),
+            0.8184643171807298,
+            0.0033660244085408127,
+            1,
+        ),
+        (
+            two(
+                0.306962536677969,
+                0.7882244329408343,
+                "base",
+                2.8014785271500657,
+            ),
+            0.3409563634278085,
+            0.1252910943706212,
+            2,
+        ),
+        (
+            two(
+                1.9351980989714754,
+                0.25135574921161846,
+                "a",
+                1.72109970518232,
+            ),
+            1.2566202962426678,
+            0.0022321389570099173,
+            1,
+        ),
+        (
+            one("base", "a", 2.764516441610219),
+            1.0371642706935191,
+            0.001896966486173567,
+            1,
+        ),
+        (
+            one("base", "base", 1.0547827191799066),
+            0.8334604119401045,
+            0.005051144359632517,
+            1,
+        ),
+    ];
+    for (text, r, beta, period) in &points {
+        let system: System = text.parse().expect("a scene");
+        let orbit = system.at(*r).expect("in the domain").orbit(*beta);
+        let orbit = orbit.expect("a steady state");
+        assert_eq!(orbit.period(), *period, "{text}, r = {r}, β = {beta}");
+        assert!(orbit.is_stable(), "{text}");
+    }
+    println!("{} states compared, none skipped", points.len());
+}
