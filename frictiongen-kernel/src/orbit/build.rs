@@ -3,7 +3,7 @@
 use super::flow::Flow;
 use super::record::{Record, Recorded};
 use super::solve::{Found, MAX_STEPS, ON_CIRCLE, Room, Settled, multipliers_of_cycle, settle};
-use super::{MAX_SEGMENTS, Orbit};
+use super::{MAX_SEGMENTS, Mark, Orbit};
 use crate::complex::Complex;
 use crate::errors::NoOrbit;
 use crate::mode::{Kind, Mode};
@@ -89,7 +89,8 @@ where
             other,
             multipliers: multipliers.as_mut(),
         };
-        let mut record = Record::new(states, 2 * dynamics.modes.len());
+        let mut marks = [Mark::empty(); MAX_SEGMENTS];
+        let mut record = Record::new(&mut marks, states, 2 * dynamics.modes.len());
         if let Some((displacements, velocities)) = start {
             setting.check_state((displacements, velocities))?;
             setting.load_state(displacements, velocities, flow.modes);
@@ -119,7 +120,6 @@ where
             Found { symmetric, ..found }
         };
         let Recorded {
-            marks,
             count,
             stops,
             reversals,

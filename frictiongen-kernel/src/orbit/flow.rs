@@ -26,17 +26,17 @@ impl Pattern {
         }
     }
 
-    /// Half of it, if it has one.
-    pub(super) fn halved(self) -> Option<Self> {
-        let counts = [self.stops, self.reversals, self.slips];
-        counts
-            .iter()
-            .all(|count| count.is_multiple_of(2))
-            .then_some(Self {
-                stops: self.stops / 2,
-                reversals: self.reversals / 2,
-                slips: self.slips / 2,
-            })
+    /// One of so many equal parts of it, if there are such.
+    pub(super) fn divided(self, parts: u32) -> Option<Self> {
+        let part = |count: u32| {
+            let part = count.checked_div(parts)?;
+            (part * parts == count).then_some(part)
+        };
+        Some(Self {
+            stops: part(self.stops)?,
+            reversals: part(self.reversals)?,
+            slips: part(self.slips)?,
+        })
     }
 
     /// Both together.

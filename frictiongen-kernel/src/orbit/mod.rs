@@ -53,6 +53,21 @@ struct Mark<S> {
 }
 
 impl<S: Float> Mark<S> {
+    /// What an array of them starts from.
+    fn empty() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            t: zero,
+            cycle: zero,
+            length: zero,
+            contact: Contact::Stuck,
+            departing: None,
+            wedged: false,
+            relative: zero,
+            more: 0,
+        }
+    }
+
     fn stance(&self) -> Stance<S> {
         Stance {
             t: self.t,

@@ -11,7 +11,7 @@ use crate::simulation::{Contact, Event, Stance, leap};
 
 /// What is written down.
 pub(super) struct Record<'s, S> {
-    marks: [Mark<S>; MAX_SEGMENTS],
+    marks: &'s mut [Mark<S>; MAX_SEGMENTS],
     count: usize,
     /// The states at the starts of the marks.
     states: &'s mut [S],
@@ -28,9 +28,8 @@ pub(super) struct Record<'s, S> {
     top: Option<Mark<S>>,
 }
 
-/// All of it.
+/// What is known of all of it.
 pub(super) struct Recorded<S> {
-    pub marks: [Mark<S>; MAX_SEGMENTS],
     pub count: usize,
     pub stops: usize,
     pub reversals: usize,
@@ -40,20 +39,13 @@ pub(super) struct Recorded<S> {
 
 impl<'s, S: Float> Record<'s, S> {
     /// Nothing yet; `size` is how many numbers a state has.
-    pub(super) fn new(states: &'s mut [S], size: usize) -> Self {
-        let zero = S::constant(0.0);
-        let none = Mark {
-            t: zero,
-            cycle: zero,
-            length: zero,
-            contact: Contact::Stuck,
-            departing: None,
-            wedged: false,
-            relative: zero,
-            more: 0,
-        };
+    pub(super) fn new(
+        marks: &'s mut [Mark<S>; MAX_SEGMENTS],
+        states: &'s mut [S],
+        size: usize,
+    ) -> Self {
         Self {
-            marks: [none; MAX_SEGMENTS],
+            marks,
             count: 0,
             states,
             size,
@@ -194,13 +186,12 @@ impl<'s, S: Float> Record<'s, S> {
         }
     }
 
-    pub(super) fn done(mut self) -> Recorded<S> {
+    pub(super) fn done(self) -> Recorded<S> {
         let zero = S::constant(0.0);
         if let (Some(first), last) = (self.marks.first_mut(), self.last.as_ref()) {
             first.relative = after(last, || first.relative);
         }
         Recorded {
-            marks: self.marks,
             count: self.count,
             stops: self.stops,
             reversals: self.reversals,

@@ -9,10 +9,13 @@ use crate::pairs::pairs;
 use crate::scalar::Float;
 use crate::simulation::{Part, leap, span};
 
-/// Goes through the segments of a steady state.  The parts hold the state at the start of the segment given last.
+/// Goes through the segments of a steady state.
 pub(super) struct Segments<'o, 'a, S, P, V, C> {
     orbit: &'o Orbit<'a, S, P, V, C>,
-    parts: P,
+    /// The state at the start of the segment given last, once it has been asked for.
+    parts: Option<P>,
+    /// Whether it is there.
+    placed: bool,
     /// The segment given last.
     last: Option<Mark<S>>,
     /// The mark that is next, and how many segments are to be followed first.
@@ -31,7 +34,8 @@ where
     pub(super) fn from(orbit: &'o Orbit<'a, S, P, V, C>, mark: usize) -> Self {
         Self {
             orbit,
-            parts: orbit.parts.clone(),
+            parts: None,
+            placed: false,
             last: None,
             next: mark,
             more: 0,
@@ -40,7 +44,23 @@ where
 
     /// The state at the start of the segment given last.
     pub(super) fn parts(&mut self) -> &mut [Part<S>] {
-        self.parts.as_mut()
+        let orbit = self.orbit;
+        let parts = self.parts.get_or_insert_with(|| orbit.parts.clone());
+        if !self.placed {
+            self.placed = true;
+            let size = 2 * orbit.setting.dynamics.modes.len();
+            let index = self.next.wrapping_sub(1);
+            let from = index.wrapping_mul(size);
+            let state = orbit.numbers.as_ref();
+            let state = state.get(from..from.wrapping_add(size));
+            let state = pairs(state.unwrap_or_default());
+            for (part, state) in parts.as_mut().iter_mut().zip(state) {
+                if let [y, u] = state {
+                    (part.y, part.u) = (*y, *u);
+                }
+            }
+        }
+        parts.as_mut()
     }
 
     /// Whether the next segment has to be followed.
@@ -50,16 +70,8 @@ where
 
     /// The segment of the next mark.
     fn kept(&mut self) -> Option<Mark<S>> {
-        let orbit = self.orbit;
-        let mark = *orbit.marks().get(self.next)?;
-        let size = 2 * orbit.setting.dynamics.modes.len();
-        let state = orbit.numbers.as_ref();
-        let state = state.get(self.next * size..(self.next + 1) * size)?;
-        for (part, state) in self.parts.as_mut().iter_mut().zip(pairs(state)) {
-            if let [y, u] = state {
-                (part.y, part.u) = (*y, *u);
-            }
-        }
+        let mark = *self.orbit.marks().get(self.next)?;
+        self.placed = false;
         self.next += 1;
         self.more = mark.more;
         Some(mark)
@@ -71,7 +83,7 @@ where
         let orbit = self.orbit;
         let setting = &orbit.setting;
         let end = orbit.marks().first()?.t + S::constant(2.0) * orbit.cycles();
-        let (modes, held) = setting.split(self.parts.as_mut());
+        let (modes, held) = setting.split(self.parts());
         let mut mark = *last;
         // Over the last one; then over attempts to leave that come to nothing.
         loop {

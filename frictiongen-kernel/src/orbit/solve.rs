@@ -201,12 +201,26 @@ fn several<S: Float>(
                 cycles: *cycles,
                 here: flow.stance,
             };
-            let verdict = candidate.try_from(flow, room);
+            let mut verdict = candidate.try_from(flow, room);
+            if matches!(verdict, Ok(Verdict::Found(_)))
+                && let Some(sooner) = repeats_sooner(flow, room, period)?
+            {
+                // The same state as one of fewer cycles.
+                candidate.map.period = sooner;
+                verdict = match candidate
+                    .wanted
+                    .divided(period.checked_div(sooner).unwrap_or(1))
+                {
+                    Some(wanted) => {
+                        candidate.wanted = wanted;
+                        candidate.try_from(flow, room)
+                    }
+                    None => Ok(Verdict::No),
+                };
+            }
             *cycles = candidate.cycles;
             match verdict {
-                Ok(Verdict::Found(found)) if !repeats_sooner(flow, room, period)? => {
-                    return Ok(Settled::Found(found));
-                }
+                Ok(Verdict::Found(found)) => return Ok(Settled::Found(found)),
                 Ok(_) => {}
                 Err(error) => failure = error,
             }
@@ -217,21 +231,23 @@ fn several<S: Float>(
     Ok(Settled::Not(failure))
 }
 
-/// Whether the fixed point on which the flow stands, and stays, repeats after fewer cycles: a free vibration that dies
-/// slowly comes back to itself on its way there.
+/// After how many cycles fewer than `period` the fixed point repeats on which the flow stands, and stays: a free vibration
+/// that dies slowly comes back to itself on its way there.
 fn repeats_sooner<S: Float>(
     flow: &mut Flow<'_, '_, S>,
     room: &mut Room<'_, S>,
     period: u32,
-) -> Result<bool, NoOrbit> {
+) -> Result<Option<u32>, NoOrbit> {
     let stance = flow.stance;
     flow.save(room.other);
     let same = flow.scale() * S::constant(SAME.max(1024.0 * S::EPSILON));
-    let mut sooner = false;
-    for _ in 1..period {
+    let mut sooner = None;
+    for cycles in 1..period {
         flow.half(None)?;
         flow.half(None)?;
-        sooner = sooner || flow.distance(room.other) <= same;
+        if sooner.is_none() && flow.distance(room.other) <= same {
+            sooner = Some(cycles);
+        }
     }
     flow.restore(room.other, &stance);
     Ok(sooner)
@@ -270,7 +286,7 @@ fn wanted(total: Pattern, symmetric: bool, period: u32) -> Option<Pattern> {
     if period.is_multiple_of(2) {
         return None;
     }
-    total.halved()
+    total.divided(2)
 }
 
 /// What a fixed point is good for.
