@@ -326,3 +326,25 @@ impl<S: Float> Chain<S> {
         waves
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::wrap;
+    use core::f64::consts::PI;
+
+    #[test]
+    fn angles_end_within_half_a_turn() {
+        for (angle, expected) in [
+            (0.0, 0.0),
+            (PI, PI),
+            (-PI, PI),
+            (-3.0, -3.0),
+            (4.0, 4.0 - 2.0 * PI),
+            (-4.0, 2.0 * PI - 4.0),
+            (-20.0, 6.0 * PI - 20.0),
+            (20.0, 20.0 - 6.0 * PI),
+        ] {
+            assert!((wrap(angle) - expected).abs() < 1e-14, "{angle}");
+        }
+    }
+}

@@ -470,3 +470,20 @@ fn double_double_rounds_down() {
     let found = Float::floor(Dd::sum(2.0_f64.powi(60), -0.5));
     assert_eq!((found.hi, found.lo), (2.0_f64.powi(60), -1.0));
 }
+
+/// Only the ratio of its arguments counts, however large or small they are.
+#[test]
+fn double_double_angles_of_any_size() {
+    let three = Dd::from(3.0);
+    let expected = three.atan2(Dd::from(4.0));
+    for power in [-900, -500, -340, 340, 500, 900] {
+        let size = 2.0_f64.powi(power);
+        let found = Dd::from(3.0 * size).atan2(Dd::from(4.0 * size));
+        let error = (found - expected).abs().hi;
+        assert!(error < 1e-31, "2^{power}: {error:e}");
+    }
+    // Their hypotenuse overflows.
+    let largest = Dd::from(f64::MAX);
+    let error = (largest.atan2(largest) - Dd::PI * Dd::from(0.25)).abs().hi;
+    assert!(error < 1e-31, "{error:e}");
+}

@@ -11,8 +11,10 @@ fn out_of(argument: &'static str) -> OutOfDomain {
 
 #[test]
 fn ratios_that_are_none() {
+    let mut compared = 0;
     for r in [f64::NAN, -1.0, -0.1, f64::NEG_INFINITY] {
         assert_eq!(SdofWall::at(r).err(), Some(out_of("r")));
+        compared += 1;
     }
     assert!(Single::at(f32::NAN).is_err());
     let system: System = generated_tests::shown::SCENES[0]
@@ -25,7 +27,10 @@ fn ratios_that_are_none() {
         assert_eq!(at.regime(beta), Err(out_of("beta")));
         assert_eq!(at.margin(beta), Err(out_of("beta")));
         assert_eq!(at.motion(beta).err(), Some(NotContinuous::OutOfDomain));
+        compared += 3;
     }
+    println!("{compared} refusals compared, none skipped");
+    assert_eq!(compared, 4 + 3 * 3);
     let error: Error = SdofWall::at(f64::NAN).expect_err("NaN").into();
     assert_eq!(
         error.to_string(),
@@ -59,6 +64,7 @@ fn a_motion_says_which_regime_it_is_instead() {
 
 #[test]
 fn without_friction_there_is_always_a_motion() {
+    let mut compared = 0;
     for r in [0.3, 0.9, 1.7] {
         let motion = SdofWall::at(r)
             .expect("in the domain")
@@ -67,7 +73,10 @@ fn without_friction_there_is_always_a_motion() {
         let linear = (1.0 / (1.0 - r * r)).abs();
         assert!((motion.block().amplitude() / linear - 1.0).abs() < 1e-14);
         assert!((motion.block().harmonic(3).re).abs() < 1e-15);
+        compared += 2;
     }
+    println!("{compared} values compared, none skipped");
+    assert_eq!(compared, 3 * 2);
 }
 
 /// On an undamped resonance: the threshold is π/4·|φᵀp/φᵀw|, and below it nothing bounds the motion.
@@ -78,6 +87,8 @@ fn on_a_resonance() {
     assert_eq!(at.motion(0.5).err(), Some(NotContinuous::Unbounded));
     assert_eq!(at.motion(0.9).err(), Some(NotContinuous::StickSlip));
     // The thesis's three masses: 0.436, 1.765, 0.630.
+    let mut compared = 0;
+    assert_eq!(Thesis::RESONANCES.len(), 3);
     for (r, threshold) in Thesis::RESONANCES
         .into_iter()
         .zip([0.435_863, 1.764_77, 0.629_84])
@@ -97,7 +108,10 @@ fn on_a_resonance() {
                 .any(|exact| (exact - threshold).abs() < 1e-5)
         );
         assert!(at.continuous_limit() <= threshold + 1e-5);
+        compared += 2;
     }
+    println!("{compared} values compared, none skipped");
+    assert_eq!(compared, 3 * 2);
     // A damped one is bounded.
     let at = SdofDamped::at(SdofDamped::RESONANCES[0]).expect("in the domain");
     assert!(at.motion(0.1).expect("continuous").block().amplitude() < 10.0);
@@ -130,11 +144,15 @@ fn the_ends_of_the_range() {
     assert!((near / far - 1.0).abs() < 1e-11);
     let far = Single::at(f32::INFINITY).expect("in the domain");
     assert_eq!((far.continuous_limit(), far.sliding_limit()), (0.0, 0.0));
+    let mut compared = 0;
     for r in [1e-300, 1e-30, 1e30, 1e200] {
         let at = PairWall::at(r).expect("in the domain");
         assert!(
             at.continuous_limit() >= 0.0 && at.sliding_limit() >= 0.0,
             "r = {r}"
         );
+        compared += 2;
     }
+    println!("{compared} limits looked at, none skipped");
+    assert_eq!(compared, 4 * 2);
 }

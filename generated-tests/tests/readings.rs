@@ -25,6 +25,7 @@ where
         .expect("a valid scene")
         .scene;
     let system: System<S> = text.parse().expect("a valid scene");
+    let mut compared = 0;
     for r in RATIOS {
         let r = S::constant(r);
         let interpreted =
@@ -61,6 +62,7 @@ where
                 roundings,
                 &format!("{name} {what} at r = {r:?}"),
             );
+            compared += 2;
         }
         let (exact, run_time) = (at.continuous_limit(), run_time.continuous_limit());
         close(
@@ -70,7 +72,10 @@ where
             roundings,
             &format!("{name} continuous_limit at r = {r:?}"),
         );
+        compared += 1;
     }
+    println!("{name}: {compared} values compared, none skipped");
+    assert_eq!(compared, RATIOS.len() * (2 * 2 + 1));
 }
 
 /// The same for motions and stuck responses.
@@ -202,6 +207,7 @@ fn stuck_responses_agree() {
         let scene = parse_text(text, &Limits::MACRO)
             .expect("a valid scene")
             .scene;
+        let (mut compared, mut tied) = (0, 0);
         for r in RATIOS {
             let interpreted = traces(&scene, 1.0 / r, 0.0).expect("all inputs");
             let at = emitted.at(r).expect("in the domain");
@@ -213,6 +219,7 @@ fn stuck_responses_agree() {
                     // A mass that the contact ties to its support is not computed at all.
                     let Some((_, value)) = found else {
                         assert_eq!(compiled, 0.0);
+                        tied += 1;
                         continue;
                     };
                     // An imaginary zero has no sign of its own.
@@ -222,9 +229,15 @@ fn stuck_responses_agree() {
                         compiled + 0.0,
                         &format!("{name} {wanted} at r = {r}"),
                     );
+                    compared += 1;
                 }
             }
         }
+        println!("{name}: {compared} values compared, {tied} of tied masses found to be 0");
+        assert_eq!(compared + tied, RATIOS.len() * scene.masses.len() * 2);
+        // On the wall one mass is tied, of two that rub on each other none.
+        let masses = usize::from(name != "PairMasses");
+        assert_eq!(tied, RATIOS.len() * masses * 2, "{name}");
     }
     check_all!(stuck: PairMasses, Five, Symmetric);
 }
@@ -234,10 +247,14 @@ fn stuck_responses_agree() {
 fn slices_are_single_points() {
     let (mut continuous, mut sliding) = ([0.0; 7], [0.0; 7]);
     shown::Thesis::limits_into(&RATIOS, &mut continuous, &mut sliding).expect("in the domain");
+    let mut compared = 0;
     for ((r, continuous), sliding) in RATIOS.into_iter().zip(continuous).zip(sliding) {
         let at = shown::Thesis::at(r).expect("in the domain");
         same_bits(continuous, at.continuous_limit(), "a slice");
         same_bits(sliding, at.sliding_limit(), "a slice");
+        compared += 2;
     }
+    println!("{compared} values compared, none skipped");
+    assert_eq!(compared, RATIOS.len() * 2);
     assert!(shown::Thesis::limits_into(&[1.0, f64::NAN], &mut [0.0; 2], &mut [0.0; 2]).is_err());
 }

@@ -62,7 +62,7 @@ where
     for<'a> F::At<'a>: StuckAt<Scalar = F::Scalar>,
     F::Scalar: Float,
 {
-    let mut asked = 0;
+    let (mut asked, mut refused) = (0, 0);
     let one = F::Scalar::constant(1.0);
     let rounding = F::Scalar::constant(F::Scalar::EPSILON);
     for (number, resonance) in system.resonances().iter().copied().enumerate() {
@@ -77,6 +77,7 @@ where
                 asked += 1;
                 if on && invisible.contains(&number) {
                     assert_eq!(answer.err(), Some(StuckResonance), "r = {r:?}");
+                    refused += 1;
                     continue;
                 }
                 let answer = answer.unwrap_or_else(|error| panic!("r = {r:?}: {error}"));
@@ -85,7 +86,8 @@ where
             }
         }
     }
-    println!("{asked} answers asked for, none skipped");
+    println!("{asked} answers asked for, {refused} refused, none skipped");
+    assert_eq!(refused, invisible.len() * system.masses());
     asked
 }
 

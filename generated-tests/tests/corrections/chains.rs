@@ -99,11 +99,15 @@ fn section_6_3_2() {
     let scene = unit(2, Contact::Wall(0));
     let u = |r: f64| scene.at(r).u()[0];
     let exact = [5.0_f64.sqrt() / 4.0, 5.0_f64.sqrt() / 2.0];
+    let mut compared = 0;
     for (r, printed) in exact.into_iter().zip([0.559, 1.123]) {
         close(u(r), 0.0, 1e-13);
         assert!(u(r - 1e-3) * u(r + 1e-3) < 0.0);
         assert!(u(printed).abs() > 1e-4);
+        compared += 3;
     }
+    println!("{compared} values compared, none skipped");
+    assert_eq!(compared, 2 * 3);
     // At 1.123 the response still depends on β, by the square of U.
     let share = |r: f64| {
         let amplitude = |beta| scene.at(r).amplitude_phase(beta).0;

@@ -79,10 +79,14 @@ fn section_6_5_2() {
     assert!(z > 0.5 && slope(crossing) < -0.5, "{z} {}", slope(crossing));
     // Both limits grow as r², and vanish for r → 0.
     let limits = |r: f64| [scene.limit(r), scene.sliding_limit(r)];
+    let mut compared = 0;
     for (low, high) in limits(1e-2).into_iter().zip(limits(1e2)) {
         assert!(low < 1e-3, "{low}");
         assert!(high > 1e3, "{high}");
+        compared += 2;
     }
+    println!("{compared} limits compared, none skipped");
+    assert_eq!(compared, 2 * 2);
     let quotient = scene.sliding_limit(1e3) / scene.sliding_limit(1e2);
     close(quotient, 100.0, 0.1);
     // The same from the force that holds the contact.
@@ -139,12 +143,16 @@ fn section_6_5_3() {
     judged(printed, right, truth, 1e-7);
     close(spread(right), 0.0, 1e-9);
     assert!(spread(printed).abs() > 1e-3, "{}", spread(printed));
+    let mut compared = 0;
     for beta in [0.1, 0.5] {
         close(fundamental(&scene.at(right), beta), 1.0, 1e-9);
         let motion = scene.system();
         let motion = motion.at(right).unwrap().motion(beta).unwrap();
         close(motion.contact().harmonic(1).norm(), 1.0, 1e-12);
+        compared += 2;
     }
+    println!("{compared} fundamentals compared, none skipped");
+    assert_eq!(compared, 2 * 2);
     let numbers = [(printed, 2), (right, 4), (spread(printed), 4)];
     states("section_6_5_3", &numbers);
 }

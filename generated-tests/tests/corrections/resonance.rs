@@ -40,6 +40,7 @@ fn eq_7_58() {
 fn eq_7_62() {
     let zeta: f64 = 0.1;
     let printed = ((zeta * PI).cosh() - 1.0) / (2.0 * zeta * (zeta * PI).sinh());
+    let mut compared = 0;
     for (mu, right) in [(1.0, 0.6720), (2.0, 0.5924)] {
         let scene = unit(1, Contact::Wall(0)).damped(zeta).stiction(mu);
         close(scene.limit(1.0), right, 5e-5);
@@ -49,7 +50,13 @@ fn eq_7_62() {
         let stops = |beta: f64| run_on(&plain, beta, 40).stops > 0;
         assert!(!stops(0.99 * right) && stops(1.01 * right));
         assert!(stops(0.99 * printed));
+        compared += 4;
     }
+    println!(
+        "two limits and whether {} motions stop compared, none skipped",
+        compared - 2
+    );
+    assert_eq!(compared, 2 * (1 + 3));
     states("eq_7_62", &[(printed, 4), (0.6720, 4), (0.5924, 4)]);
 }
 

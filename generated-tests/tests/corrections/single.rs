@@ -82,6 +82,7 @@ fn eq_3_33_and_3_34() {
         v * tau.cos() - sign * beta * (1.0 - (2.0 * tau).cos()) + delta * (2.0 * tau).cos()
     };
     let h = 1e-3;
+    let mut compared = 0;
     for i in 0..200 {
         let tau = 2.0 * PI * (f64::from(i) + 0.5) / 200.0;
         let sign = if tau < PI { -1.0 } else { 1.0 };
@@ -91,6 +92,7 @@ fn eq_3_33_and_3_34() {
         // The second difference is good to h².
         assert!(residual.abs() < 1e-5, "{residual} at {tau}");
         assert!(sign * (after - before) > 0.0, "it stops at {tau}");
+        compared += 2;
     }
     // Continuous where the halves meet, breaking away there, and asymmetric.
     close(x(PI, -1.0), x(PI, 1.0), 1e-15);
@@ -110,7 +112,10 @@ fn eq_3_33_and_3_34() {
         judged(printed * scale, right * scale, limit, 1e-4 * right * scale);
         close(unit(1, WALL).limit(r), right, 1e-13);
         close(unit(1, BASE).limit(r), right * scale, 1e-13);
+        compared += 4;
     }
+    println!("{compared} values compared, none skipped");
+    assert_eq!(compared, 200 * 2 + 3 * 4);
     let numbers = [
         (1.0 / 15.0, 4),
         (1.0 / 3.0, 4),
@@ -162,12 +167,14 @@ fn section_4_4_2() {
     let spread = |r: f64| growth(BASE, r);
     let truth = bisect(|r| spread(r) < 0.0, 1.48, 1.55);
     judged(1.504, 1.506310, truth, 5e-7);
+    let mut compared = 0;
     for beta in [0.1, 0.7, 1.4] {
         let here = fundamental(BASE, truth, beta);
         close(here, fundamental(BASE, truth, 0.0), 1e-9);
         let motion = unit(1, BASE).system();
         let motion = motion.at(truth).unwrap().motion(beta).unwrap();
         close(motion.mass("m1").unwrap().harmonic(1).norm(), here, 1e-9);
+        compared += 2;
     }
     // At the printed ratio they differ.
     assert!(spread(1.504).abs() > 1e-3, "{}", spread(1.504));
@@ -179,7 +186,10 @@ fn section_4_4_2() {
         let share = if r > 1.0 { r * r } else { 1.0 };
         let (u, v) = (u_g(r, 0.0).0, share / (1.0 - r * r));
         close(u, -2.0 / PI * v, 2e-5);
+        compared += 1;
     }
+    println!("{compared} values compared, none skipped");
+    assert_eq!(compared, 3 * 2 + 2);
     let numbers = [(1.504, 3), (truth, 6), (0.604, 3), (0.605258, 6)];
     states("section_4_4_2", &numbers);
 }

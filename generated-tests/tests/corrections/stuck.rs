@@ -97,13 +97,17 @@ fn eq_6_27() {
     let load = (row(1) - gamma_ab * row(0) + gamma_ab).abs();
     let bound = load / (plain.mu * (1.0 + gamma_ab));
     close(bound, scene.sliding_limit(r), 1e-12);
+    let mut compared = 0;
     for (beta, sticks) in [(0.9 * bound, false), (1.1 * bound, true)] {
         let printed_sticks = beta < bound;
         // Static friction gives up to μβ.
         let truth = force.norm() <= plain.mu * beta;
         assert!(truth == sticks && printed_sticks != truth);
         assert_eq!(regime(&scene, r, beta) == Regime::Stuck, truth);
+        compared += 3;
     }
+    println!("{compared} verdicts compared, none skipped");
+    assert_eq!(compared, 2 * 3);
     states("eq_6_27", &[(bound, 4)]);
 }
 
@@ -155,5 +159,10 @@ fn eq_6_32() {
         let limit = plain.stuck().1.norm();
         close(scene.sliding_limit(r), limit, 1e-12 * limit);
     }
+    println!(
+        "{} masses compared, five values each, none skipped",
+        off.len()
+    );
+    assert_eq!(off.len(), 3);
     states("eq_6_32", &[(off[0], 3)]);
 }

@@ -1,6 +1,6 @@
 //! Emitted runs in time and steady states with stops, with any bits for r, β and τ.
 
-use crate::functions::{Asked, question};
+use crate::functions::{Asked, Seen, question};
 use crate::{long, moving, none};
 use frictiongen::kernel::Scalar;
 use fuzzing::{Random, bits};
@@ -12,16 +12,22 @@ macro_rules! scenes {
         })*
 
         /// The scenes' checks.
-        const CHECKS: &[fn(&Asked) -> Result<(), String>] = &[$(|asked| {
+        const CHECKS: &[fn(&Asked, &Seen) -> Result<(), String>] = &[$(|asked, seen| {
             let r = <$scalar as Scalar>::constant(asked.r);
             let Ok(at) = $name::at(r) else {
+                seen.note("no: r refused");
                 return Ok(());
             };
             let beta = asked.beta(at.continuous_limit(), at.sliding_limit());
             if let Ok(mut run) = $name::simulation(r, beta) {
                 moving::run(&mut run, $masses)?;
+                seen.note("runs");
+            } else {
+                seen.note("no run: r or β refused");
             }
-            if let Ok(orbit) = at.orbit(beta) {
+            let orbit = at.orbit(beta);
+            seen.orbit(&orbit);
+            if let Ok(orbit) = orbit {
                 let tau = <$scalar as Scalar>::constant(asked.tau);
                 moving::orbit(&orbit, $masses, tau, asked.order % 12)?;
             }
@@ -67,8 +73,10 @@ fn fuzz(count: u64, seed: u64) {
         );
         (scene, asked)
     };
-    let findings = fuzzing::run(count, next, |(scene, asked)| CHECKS[*scene](asked));
+    let seen = Seen::default();
+    let findings = fuzzing::run(count, next, |(scene, asked)| CHECKS[*scene](asked, &seen));
     none("emitted steady states", &findings);
+    seen.report(findings.count, &[("runs", 3), ("orbits", 3)]);
 }
 
 #[test]

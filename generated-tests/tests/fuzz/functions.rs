@@ -3,11 +3,13 @@
 use crate::{long, none};
 use frictiongen::kernel::Float;
 use frictiongen::{
-    ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, NotContinuous, Of, Regime, Steady,
-    StuckAt,
+    ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, NoOrbit, NotContinuous, Of, Regime,
+    Steady, StuckAt,
 };
 use fuzzing::{Random, bits};
 use generated_tests::scenes::{Visitor, visit};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 
 /// Kinds of damping beside the light and heavy ones of the reference's scenes, on every contact.
 mod beside {
@@ -73,12 +75,45 @@ impl Asked {
     }
 }
 
+/// How often each thing was looked at, or was not and why.
+#[derive(Default)]
+pub struct Seen(RefCell<BTreeMap<&'static str, u64>>);
+
+impl Seen {
+    pub fn note(&self, what: &'static str) {
+        *self.0.borrow_mut().entry(what).or_insert(0) += 1;
+    }
+
+    /// A steady state, or why there is none.
+    pub fn orbit<O>(&self, orbit: &Result<O, NoOrbit>) {
+        self.note(match orbit {
+            Ok(_) => "orbits",
+            Err(NoOrbit::OutOfDomain(_)) => "no orbit: r or β refused",
+            Err(NoOrbit::TooManyEvents) => "no orbit: too many events",
+            Err(NoOrbit::Unbounded) => "no orbit: unbounded",
+            Err(NoOrbit::Undamped(_)) => "no orbit: undamped",
+            Err(NoOrbit::Unstable) => "no orbit: unstable",
+            Err(_) => "no orbit: unsettled",
+        });
+    }
+
+    /// Prints them; of each that is needed there has to be one for so many inputs.
+    pub fn report(&self, count: u64, needed: &[(&str, u64)]) {
+        let seen = self.0.borrow();
+        println!("of {count} inputs: {seen:?}");
+        for (what, often) in needed {
+            let found = seen.get(what).copied().unwrap_or(0);
+            assert!(found * often >= count, "{what}: {found} of {count} inputs");
+        }
+    }
+}
+
 /// A scene whose scalar is no longer known.
 type Scene = (
     &'static str,
     Vec<f64>,
     bool,
-    Box<dyn Fn(&Asked) -> Result<(), String>>,
+    Box<dyn Fn(&Asked, &Seen) -> Result<(), String>>,
 );
 
 struct Scenes(Vec<Scene>);
@@ -91,8 +126,8 @@ impl Visitor for Scenes {
     {
         let resonances = system.resonances().iter().map(|r| r.to_f64()).collect();
         let single = F::Scalar::EPSILON > 1e-10;
-        let check = move |asked: &Asked| {
-            answered(&system, asked).map_err(|problem| format!("{name}: {problem}"))
+        let check = move |asked: &Asked, seen: &Seen| {
+            answered(&system, asked, seen).map_err(|problem| format!("{name}: {problem}"))
         };
         self.0.push((name, resonances, single, Box::new(check)));
     }
@@ -107,7 +142,7 @@ pub fn promise(holds: bool, what: impl FnOnce() -> String) -> Result<(), String>
     if holds { Ok(()) } else { Err(what()) }
 }
 
-pub fn answered<F: FrictionSystem>(system: &F, asked: &Asked) -> Result<(), String>
+pub fn answered<F: FrictionSystem>(system: &F, asked: &Asked, seen: &Seen) -> Result<(), String>
 where
     for<'a> F::At<'a>: MotionAt<Scalar = F::Scalar> + StuckAt<Scalar = F::Scalar>,
 {
@@ -115,7 +150,10 @@ where
     let (zero, r) = (c(0.0), c(asked.r));
     let at = match system.at(r) {
         Ok(at) => at,
-        Err(_) => return promise(!(zero <= r), || "refused a ratio".to_owned()),
+        Err(_) => {
+            seen.note("no: r refused");
+            return promise(!(zero <= r), || "refused a ratio".to_owned());
+        }
     };
     promise(zero <= r, || "took what is no ratio".to_owned())?;
     let (continuous, sliding) = (at.continuous_limit(), at.sliding_limit());
@@ -131,6 +169,7 @@ where
     promise(continuous <= without, || {
         format!("{continuous:?} is above {without:?}")
     })?;
+    seen.note("limits");
     let beta = asked.beta(continuous, sliding);
     let may = zero <= beta && beta.is_finite();
     match (at.regime(beta), at.margin(beta)) {
@@ -154,14 +193,23 @@ where
                     "{regime:?} but {instead:?} at β = {beta:?}, limits {continuous:?} {sliding:?}"
                 )
             })?;
+            seen.note(match instead {
+                None => "motions",
+                Some(NotContinuous::Unbounded) => "no motion: unbounded",
+                Some(NotContinuous::StickSlip) => "no motion: stick-slip",
+                Some(_) => "no motion: stuck",
+            });
         }
-        (Err(_), Err(_)) => promise(!may, || format!("refused β = {beta:?}"))?,
+        (Err(_), Err(_)) => {
+            seen.note("no motion: β refused");
+            promise(!may, || format!("refused β = {beta:?}"))?;
+        }
         _ => return Err(format!("regime and margin disagree on β = {beta:?}")),
     }
     if let Ok(motion) = at.motion(beta) {
         for of in [Of::Contact, Of::Mass(asked.mass % system.masses())] {
             motion
-                .ask(of, |motion| moves(motion, asked))
+                .ask(of, |motion| moves(motion, asked, seen))
                 .ok_or("no such motion")?
                 .map_err(|problem| format!("{of:?} at β = {beta:?}: {problem}"))?;
         }
@@ -171,11 +219,18 @@ where
         promise(is_number(held.re) && is_number(held.im), || {
             format!("stuck {held:?}")
         })?;
+        seen.note("stuck responses");
+    } else {
+        seen.note("no stuck response");
     }
     Ok(())
 }
 
-fn moves<S: Float>(motion: &dyn Steady<Scalar = S>, asked: &Asked) -> Result<(), String> {
+fn moves<S: Float>(
+    motion: &dyn Steady<Scalar = S>,
+    asked: &Asked,
+    seen: &Seen,
+) -> Result<(), String> {
     let zero = S::constant(0.0);
     let (amplitude, estimate) = (motion.amplitude(), motion.amplitude_monoharmonic());
     promise(zero <= amplitude, || format!("amplitude {amplitude:?}"))?;
@@ -194,6 +249,9 @@ fn moves<S: Float>(motion: &dyn Steady<Scalar = S>, asked: &Asked) -> Result<(),
         promise(is_number(x) && is_number(v), || {
             format!("displacement {x:?}, velocity {v:?}")
         })?;
+        seen.note("instants");
+    } else {
+        seen.note("no instant: τ infinite");
     }
     Ok(())
 }
@@ -250,8 +308,11 @@ fn fuzz(count: u64, seed: u64) {
             }
         })
     };
-    let findings = fuzzing::run(count, next, |asked| scenes[asked.scene].3(asked));
+    let seen = Seen::default();
+    let findings = fuzzing::run(count, next, |asked| scenes[asked.scene].3(asked, &seen));
     none("functions", &findings);
+    let needed = ["limits", "motions", "stuck responses", "instants"];
+    seen.report(findings.count, &needed.map(|what| (what, 4)));
 }
 
 #[test]

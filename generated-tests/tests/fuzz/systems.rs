@@ -1,7 +1,7 @@
 //! Run-time systems of random scenes: everything that is asked of emitted ones, runs in time, steady
 //! states with stops, and derivatives.
 
-use crate::functions::{Asked, answered, is_number, promise, question};
+use crate::functions::{Asked, Seen, answered, is_number, promise, question};
 use crate::{long, moving, none, once_in};
 use frictiongen::kernel::Plain;
 use frictiongen::study::Sensitive;
@@ -65,25 +65,28 @@ fn scene(random: &mut Random) -> String {
     )
 }
 
-fn holds<S: Plain>(question: &Question) -> Result<(), String> {
+fn holds<S: Plain>(question: &Question, seen: &Seen) -> Result<(), String> {
     // Not every random scene is sound: two springs may join the same pair.
     let Ok(system) = question.text.parse::<System<S>>() else {
+        seen.note("no: scene refused");
         return Ok(());
     };
+    seen.note("scenes");
     for asked in &question.asked {
-        answered(&system, asked).map_err(|problem| format!("{asked:?}: {problem}"))?;
+        answered(&system, asked, seen).map_err(|problem| format!("{asked:?}: {problem}"))?;
     }
     match question.asked.first() {
         Some(asked) if question.dear => {
-            dear(&system, asked).map_err(|problem| format!("{asked:?}: {problem}"))
+            dear(&system, asked, seen).map_err(|problem| format!("{asked:?}: {problem}"))
         }
         _ => Ok(()),
     }
 }
 
-fn dear<S: Plain>(system: &System<S>, asked: &Asked) -> Result<(), String> {
+fn dear<S: Plain>(system: &System<S>, asked: &Asked, seen: &Seen) -> Result<(), String> {
     let (r, masses) = (S::constant(asked.r), system.masses());
     let Ok(at) = system.at(r) else {
+        seen.note("no run and no orbit: r refused");
         return Ok(());
     };
     let beta = asked.beta(at.continuous_limit(), at.sliding_limit());
@@ -99,8 +102,13 @@ fn dear<S: Plain>(system: &System<S>, asked: &Asked) -> Result<(), String> {
                 "a run of NaN".to_owned()
             })?;
         }
+        seen.note("runs");
+    } else {
+        seen.note("no run: r or β refused");
     }
-    if let Ok(orbit) = at.orbit(beta) {
+    let orbit = at.orbit(beta);
+    seen.orbit(&orbit);
+    if let Ok(orbit) = orbit {
         moving::orbit(
             orbit.state(),
             masses,
@@ -109,9 +117,13 @@ fn dear<S: Plain>(system: &System<S>, asked: &Asked) -> Result<(), String> {
         )?;
     }
     // Derivatives are promised where the functions have them, not on their edges: no panic is.
-    let _ = system.sensitivities(|varied| {
+    let slopes = system.sensitivities(|varied| {
         let at = varied.at(Sensitive::fixed(asked.r.into()))?;
         Ok::<_, frictiongen::OutOfDomain>(at.continuous_limit() + at.sliding_limit())
+    });
+    seen.note(match slopes {
+        Ok(_) => "derivatives",
+        Err(_) => "no derivatives",
     });
     Ok(())
 }
@@ -141,18 +153,22 @@ fn fuzz(count: u64, seed: u64, often: u64) {
             dear: once_in(often, number),
         }
     };
+    let seen = Seen::default();
     let findings = fuzzing::run(count.div_ceil(QUESTIONS as u64), next, |question| {
         if question.single {
-            holds::<f32>(question)
+            holds::<f32>(question, &seen)
         } else {
-            holds::<f64>(question)
+            holds::<f64>(question, &seen)
         }
     });
     let dear = findings.count / often;
     println!(
-        "random systems: {QUESTIONS} questions each, {dear} with steady states and derivatives"
+        "random systems: {QUESTIONS} questions each, {dear} scenes asked for runs, orbits and derivatives"
     );
     none("random systems", &findings);
+    let of_all = ["scenes", "limits", "motions"].map(|what| (what, 2));
+    let of_dear = ["runs", "orbits", "derivatives"].map(|what| (what, 4 * often));
+    seen.report(findings.count, &[of_all, of_dear].concat());
 }
 
 #[test]

@@ -91,8 +91,9 @@ fn verdict(chain: &Chain) -> Verdict {
     Verdict::Continuous
 }
 
-/// β_lim is where the formal motion ceases to be possible, and for the reason given.
-fn check_boundary(mut chain: Chain, text: &str, beyond: Verdict) {
+/// β_lim is where the formal motion ceases to be possible, and for the reason given.  Returns how many
+/// verdicts were compared.
+fn check_boundary(mut chain: Chain, text: &str, beyond: Verdict) -> usize {
     let system: System = text
         .parse()
         .unwrap_or_else(|error| panic!("{error}\n{text}"));
@@ -102,6 +103,7 @@ fn check_boundary(mut chain: Chain, text: &str, beyond: Verdict) {
     // S decides where leaving it out changes the answer.
     let by_search = limit < at.continuous_limit_without_search() * (1.0 - 1e-3);
     assert_eq!(by_search, beyond == Verdict::Turns, "{text}");
+    let mut compared = 0;
     // The closer pair is limited by the grid on which z̄′ is looked at, not by the integration.
     for factor in [0.5, 0.98, 1.0 - 1e-5] {
         chain.beta = factor * limit;
@@ -110,11 +112,14 @@ fn check_boundary(mut chain: Chain, text: &str, beyond: Verdict) {
             Verdict::Continuous,
             "{factor} of {limit}: {text}"
         );
+        compared += 1;
     }
     for factor in [1.0 + 1e-5, 1.02] {
         chain.beta = factor * limit;
         assert_eq!(verdict(&chain), beyond, "{factor} of {limit}: {text}");
+        compared += 1;
     }
+    compared
 }
 
 #[test]
@@ -135,13 +140,14 @@ fn velocity_constraint_is_the_boundary() {
             beta: 0.0,
         }
     };
+    let mut compared = 0;
     for r in [0.35, 0.22] {
-        check_boundary(
+        compared += check_boundary(
             single(0.0, r),
             "struct One { masses: { a: 4 }, springs: { base - a: 9 }, contact: a - wall, excitation: a }",
             Verdict::Turns,
         );
-        check_boundary(
+        compared += check_boundary(
             single(0.02, r),
             "struct One { masses: { a: 4 }, springs: { base - a: 9 }, contact: a - wall, excitation: a,
              damping: modal(0.02) }",
@@ -151,23 +157,28 @@ fn velocity_constraint_is_the_boundary() {
     // The modes together, where the sum of their own maxima is not the maximum of the sum.
     let (mut chain, text) = on_wall(false);
     chain.r = 0.35;
-    check_boundary(chain, text, Verdict::Turns);
+    compared += check_boundary(chain, text, Verdict::Turns);
+    println!("{compared} verdicts compared, none skipped");
+    assert_eq!(compared, (2 * 2 + 1) * (3 + 2));
 }
 
 #[test]
 fn break_away_is_the_boundary() {
     let (chain, text) = on_wall(true);
-    check_boundary(chain, text, Verdict::Holds);
+    let mut compared = check_boundary(chain, text, Verdict::Holds);
     let (chain, text, _) = on_base(false);
-    check_boundary(chain, text, Verdict::Holds);
+    compared += check_boundary(chain, text, Verdict::Holds);
     let (chain, text, _) = on_base(true);
-    check_boundary(chain, text, Verdict::Holds);
+    compared += check_boundary(chain, text, Verdict::Holds);
     let (chain, text) = on_each_other(true);
-    check_boundary(chain, text, Verdict::Holds);
+    compared += check_boundary(chain, text, Verdict::Holds);
+    println!("{compared} verdicts compared, none skipped");
+    assert_eq!(compared, 4 * (3 + 2));
 }
 
 /// Complex amplitudes with the contact held, and the largest holding force, by integration.
-fn check_stuck(chain: &Chain, text: &str, names: &[&str]) {
+/// Returns how many amplitudes were compared.
+fn check_stuck(chain: &Chain, text: &str, names: &[&str]) -> usize {
     let system: System = text
         .parse()
         .unwrap_or_else(|error| panic!("{error}\n{text}"));
@@ -200,6 +211,8 @@ fn check_stuck(chain: &Chain, text: &str, names: &[&str]) {
     }
     let drift = (0..6).fold(0.0, |most: f64, i| most.max((y[i] - before[i]).abs()));
     assert!(drift < 1e-11, "not steady yet: {drift:e}");
+    assert_eq!(names.len(), sums.len());
+    let mut compared = 0;
     for (name, (re, im)) in names.iter().zip(sums) {
         let amplitude = stuck.mass(name).unwrap();
         let error = (amplitude.re - re).hypot(amplitude.im - im);
@@ -207,6 +220,7 @@ fn check_stuck(chain: &Chain, text: &str, names: &[&str]) {
             error < TOLERANCE * 10.0,
             "stuck {name}: {amplitude:?} against {re} + {im}i"
         );
+        compared += 1;
     }
     // The largest of 4000 samples of a sinusoid is short of its amplitude by 3.1e-7 of it at most.
     let error = force / chain.mu / limit - 1.0;
@@ -215,14 +229,17 @@ fn check_stuck(chain: &Chain, text: &str, names: &[&str]) {
         "sliding limit {limit}, force {force}"
     );
     assert!(force > chain.mu * 0.999 * limit && force < chain.mu * 1.001 * limit);
+    compared
 }
 
 #[test]
 fn stuck_response_and_sliding_limit() {
     let (chain, text) = on_wall(true);
-    check_stuck(&chain, text, &["a", "b", "c"]);
+    let mut compared = check_stuck(&chain, text, &["a", "b", "c"]);
     let (chain, text, names) = on_base(true);
-    check_stuck(&chain, text, names);
+    compared += check_stuck(&chain, text, names);
     let (chain, text) = on_each_other(true);
-    check_stuck(&chain, text, &["a", "b"]);
+    compared += check_stuck(&chain, text, &["a", "b"]);
+    println!("{compared} amplitudes and three limits compared, none skipped");
+    assert_eq!(compared, 3 + names.len() + 2);
 }

@@ -39,6 +39,7 @@ fn rounding_at_the_start_is_no_peak() {
     // The same over a sweep, by itself: the constraint falls all the way where modes decay fast.
     let one = "struct One { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - wall,
                excitation: a, damping: modal(0.2) }";
+    let mut compared = 0;
     for text in [pair, one] {
         let system: System = text.parse().unwrap();
         for i in 1..400 {
@@ -53,8 +54,11 @@ fn rounding_at_the_start_is_no_peak() {
                 "r = {r}: {found} against {}: {error:e}\n{text}",
                 limit.beta
             );
+            compared += 1;
         }
     }
+    println!("{compared} limits compared, none skipped");
+    assert_eq!(compared, 2 * 399);
 }
 
 /// Limits, amplitudes and phases; what was compared is counted.  The evaluations that searches may need are a
@@ -68,6 +72,7 @@ fn agreed(findings: &mut Findings, scenes: usize) {
     );
     assert_eq!(findings.scenes, scenes);
     assert_eq!(findings.constraint_counts.len(), scenes);
+    assert!(findings.masses >= scenes);
     assert_eq!(findings.masses, findings.phases);
     assert_eq!(findings.masses, findings.amplitude_counts.len());
     // On an undamped resonance bit for bit: no random r is.

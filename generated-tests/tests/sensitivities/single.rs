@@ -69,10 +69,11 @@ fn modal_quantities(modal: &Modal) -> Vec<(Quantity, Dd)> {
 
 #[test]
 fn modal_data() {
-    let mut outcome = Outcome::default();
+    let (mut outcome, mut left) = (Outcome::default(), 0);
     for (scene, text, ratios) in SCENES {
         let system: System = text.parse().expect("a valid scene");
         let modal = system.modal();
+        left += ratios.len() - 2;
         for r in ratios.iter().take(2) {
             let beta = place(&system, *r);
             let (exact_r, exact_beta) = (Dd::from(*r), Dd::from(beta));
@@ -102,6 +103,8 @@ fn modal_data() {
             }
         }
     }
+    println!("skipped: the third ratio of {left} scenes");
+    assert_eq!(left, 4);
     outcome.report("modal data", (11_702, 0));
 }
 

@@ -22,9 +22,8 @@ fn of_masses_that_hardly_move() {
     for k in 0..1500_u32 {
         let r = 0.3 + 1.7 * f64::from(k) / 1500.0;
         let beta = 0.2 + 0.6 * f64::from(k % 7) / 7.0;
-        let Ok(orbit) = Slow::at(r).expect("in the domain").orbit(beta) else {
-            continue;
-        };
+        let orbit = Slow::at(r).expect("in the domain").orbit(beta);
+        let orbit = orbit.unwrap_or_else(|error| panic!("r = {r}, β = {beta}: {error}"));
         compared += 1;
         // The contact's is read off the events.
         let (mass, contact) = (orbit.mass(1).amplitude(), orbit.contact().amplitude());
@@ -45,5 +44,6 @@ fn of_masses_that_hardly_move() {
             "r = {r}, β = {beta}: {amplitude:e}, of samples {sampled:e}"
         );
     }
-    assert!(compared > 1000, "{compared}");
+    println!("{compared} orbits compared, none skipped");
+    assert_eq!(compared, 1500);
 }

@@ -74,7 +74,12 @@ macro_rules! same {
             let system: System<$scalar> = text.parse().expect("a scene");
             let masses = system.scene().masses.len();
             let (x, v) = ($($state)*);
-            let mut stops = 0;
+            let (mut stops, mut orbits, mut values, mut seen) = (0, 0, 0, 0);
+            let mut without = std::collections::BTreeMap::new();
+            let mut count = |expected: &Result<Vec<u64>, NoOrbit>| match expected {
+                Ok(bits) => (orbits, values) = (orbits + 1, values + bits.len()),
+                Err(error) => *without.entry(error.to_string()).or_insert(0) += 1,
+            };
             for (r, beta) in [$($points)*] {
                 let emitted = $test::$name::at(r).expect("in the domain");
                 let at = system.at(r).expect("in the domain");
@@ -82,21 +87,33 @@ macro_rules! same {
                 let expected = at.orbit(beta).map(|orbit| said(orbit.state(), masses));
                 stops += expected.as_ref().map_or(0, |bits| bits[0]);
                 assert_eq!(found, expected, "r = {r}, β = {beta}");
+                count(&expected);
                 let found = emitted.orbit_from(beta, (&x, &v)).map(|orbit| said(&orbit, masses));
                 let expected = at.orbit_from(beta, (&x, &v));
                 let expected = expected.map(|orbit| said(orbit.state(), masses));
                 assert_eq!(found, expected, "r = {r}, β = {beta} from a state");
+                count(&expected);
                 let mut found = $test::$name::simulation(r, beta).expect("in the domain");
                 let mut expected = system.simulation(r, beta).expect("in the domain");
                 let run: Vec<_> = expected.by_ref().take(100).collect();
                 assert_eq!(segments(&mut found), run, "r = {r}, β = {beta}");
+                seen += run.len();
                 let mass = &system.scene().masses[masses - 1].name;
                 assert_eq!(found.mass(masses - 1), expected.mass(mass).expect("a mass"));
                 let found = $test::$name::simulation_from(r, beta, (&x, &v));
                 let expected = system.simulation_from(r, beta, (&x, &v)).expect("in the domain");
                 let run: Vec<_> = expected.take(100).collect();
                 assert_eq!(segments(&mut found.expect("in the domain")), run);
+                seen += run.len();
             }
+            println!("{values} values of {orbits} orbits and {seen} segments compared, no orbit: {without:?}");
+            let points = [$($points)*].len();
+            assert_eq!(seen, points * 2 * 100);
+            // Only one point is on a resonance that its friction does not bound.
+            let unbounded = if stringify!($test) == "plain" { 2 } else { 0 };
+            assert_eq!(orbits, points * 2 - unbounded);
+            // Seven, six of each motion, and the multipliers.
+            assert!(values > orbits * (7 + 6 * (1 + masses)), "{values}");
             assert!(stops > 0, "no orbit that stops");
             let none: NoOrbit = $test::$name::at(0.5).expect("in the domain").orbit(<$scalar>::NAN).expect_err("none");
             assert!(matches!(none, NoOrbit::OutOfDomain(_)));
@@ -207,6 +224,8 @@ fn by_name() {
             break;
         }
     }
+    println!("{count} segments looked at, none skipped");
+    assert_eq!(count, 1000);
     // After a thousand segments it is where the orbit is.
     let tau = run.phase() - orbit.origin();
     let apart = run.lower().displacement() - orbit.lower().displacement(tau);

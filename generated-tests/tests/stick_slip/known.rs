@@ -25,6 +25,7 @@ fn amplitude(orbit: &SystemOrbit<'_>) -> f64 {
 #[test]
 fn six_reversals_without_a_stop() {
     let wall = block("block", "");
+    let mut compared = 0;
     for (r, beta, largest) in [
         (1.0 / 3.0, 0.01, 0.983_595_621),
         (0.2, 0.005, 0.993_884_883),
@@ -33,7 +34,10 @@ fn six_reversals_without_a_stop() {
         assert_eq!((orbit.stops(), orbit.reversals()), (0, 6), "r = {r}");
         assert!((amplitude(&orbit) - largest).abs() < 1e-9, "r = {r}");
         assert_eq!(orbit.stuck_fraction(), 0.0);
+        compared += 4;
     }
+    println!("{compared} values compared, none skipped");
+    assert_eq!(compared, 2 * 4);
     let orbit = orbit(&wall, 1.0 / 3.0, 0.05);
     assert_eq!((orbit.stops(), orbit.reversals()), (2, 2));
 }
@@ -41,6 +45,7 @@ fn six_reversals_without_a_stop() {
 #[test]
 fn steady_states_that_are_approached_slowly() {
     let wall = block("block", "");
+    let mut compared = 0;
     for (r, beta, half) in [(0.325, 0.1, 0.999_957_840), (0.22, 0.05, 0.999_999_548_70)] {
         let orbit = orbit(&wall, r, beta);
         assert!(orbit.is_symmetric() && orbit.is_stable() && !orbit.is_marginal());
@@ -48,7 +53,10 @@ fn steady_states_that_are_approached_slowly() {
         let largest = multipliers.fold(0.0_f64, |most, value| most.max(value.norm()));
         // Known to as many digits as are printed.
         assert!((largest.sqrt() - half).abs() < 1e-9, "{}", largest.sqrt());
+        compared += 1;
     }
+    println!("{compared} multipliers compared, none skipped");
+    assert_eq!(compared, 2);
 }
 
 /// r = 1/2: a free vibration in step with every second half cycle costs nothing until it makes the
@@ -61,7 +69,7 @@ fn one_of_a_continuum() {
     assert_eq!((orbit.stops(), orbit.reversals()), (0, 2));
     // The motion from rest tends to it, ever more slowly: the stop's share falls as n^(−1/2).
     let mut run = base.simulation(0.5, 0.04).expect("in the domain");
-    let mut apart = [0.0_f64; 2];
+    let (mut apart, mut compared) = ([0.0_f64; 2], 0);
     for (cycles, worst) in [200, 20_000].into_iter().zip(&mut apart) {
         while run.run().cycles() < cycles {
             run.advance(TAU).expect("a reach");
@@ -72,8 +80,11 @@ fn one_of_a_continuum() {
             let tau = run.run().phase() - orbit.state().origin();
             let steady = orbit.mass_at(0).expect("a mass").displacement(tau);
             *worst = worst.max((found - steady).abs());
+            compared += 1;
         }
     }
+    println!("{compared} displacements compared, none skipped");
+    assert_eq!(compared, 2 * 8);
     let [early, late] = apart;
     assert!(early < 0.1 && late < 0.2 * early, "{apart:?}");
 }
@@ -99,40 +110,43 @@ fn the_closed_form_on_either_side() {
         .parse()
         .expect("a scene"),
     ];
-    let mut continuous = 0;
+    let (mut places, mut compared) = (0, 0);
     for (index, system) in scenes.iter().enumerate() {
         for r in [0.31, 0.57, 0.93, 1.4, 2.3] {
             let at = system.at(r).expect("in the domain");
             let what = format!("scene {index}, r = {r}");
             let masses = 0..system.scene().masses.len();
             let beta = at.continuous_limit() * 0.9;
-            if let Ok(motion) = at.motion(beta) {
-                continuous += 1;
-                let orbit = orbit(system, r, beta);
-                assert_eq!((orbit.stops(), orbit.reversals()), (0, 2), "{what}");
-                for mass in masses.clone() {
-                    let found = orbit.mass_at(mass).expect("a mass");
-                    let expected = motion.mass_at(mass).expect("a mass");
-                    let size = expected.amplitude();
-                    assert!((found.amplitude() - size).abs() < 1e-12 * size, "{what}");
-                    assert!((found.phase() - expected.phase()).abs() < 1e-9, "{what}");
-                    for tau in [0.0, 0.7, 2.1, 4.0] {
-                        let apart = found.displacement(tau) - expected.displacement(tau);
-                        assert!(apart.abs() < 1e-11 * size, "{what}: {apart:e}");
-                        let apart = found.velocity(tau) - expected.velocity(tau);
-                        assert!(apart.abs() < 1e-10 * size, "{what}: {apart:e}");
-                    }
-                    for n in [1, 2, 3, 5] {
-                        let apart = (found.harmonic(n) - expected.harmonic(n)).norm();
-                        assert!(apart < 1e-11 * size, "{what}: {apart:e}");
-                    }
+            places += masses.len();
+            let motion = at.motion(beta);
+            let motion = motion.unwrap_or_else(|error| panic!("{what}: {error}"));
+            let sliding = orbit(system, r, beta);
+            assert_eq!((sliding.stops(), sliding.reversals()), (0, 2), "{what}");
+            compared += 2;
+            for mass in masses.clone() {
+                let found = sliding.mass_at(mass).expect("a mass");
+                let expected = motion.mass_at(mass).expect("a mass");
+                let size = expected.amplitude();
+                assert!((found.amplitude() - size).abs() < 1e-12 * size, "{what}");
+                assert!((found.phase() - expected.phase()).abs() < 1e-9, "{what}");
+                for tau in [0.0, 0.7, 2.1, 4.0] {
+                    let apart = found.displacement(tau) - expected.displacement(tau);
+                    assert!(apart.abs() < 1e-11 * size, "{what}: {apart:e}");
+                    let apart = found.velocity(tau) - expected.velocity(tau);
+                    assert!(apart.abs() < 1e-10 * size, "{what}: {apart:e}");
                 }
+                for n in [1, 2, 3, 5] {
+                    let apart = (found.harmonic(n) - expected.harmonic(n)).norm();
+                    assert!(apart < 1e-11 * size, "{what}: {apart:e}");
+                }
+                compared += 2 + 4 * 2 + 4;
             }
             let stuck = at.stuck().expect("a response");
             for beta in [at.sliding_limit(), at.sliding_limit() * 1.5] {
                 let orbit = orbit(system, r, beta);
                 assert_eq!((orbit.stops(), orbit.reversals()), (0, 0), "{what}");
                 assert_eq!(orbit.stuck_fraction(), 1.0, "{what}");
+                compared += 3;
                 for mass in masses.clone() {
                     let expected = stuck.mass_at(mass).expect("a mass");
                     let found = orbit.mass_at(mass).expect("a mass");
@@ -140,17 +154,22 @@ fn the_closed_form_on_either_side() {
                     assert!(apart < 1e-12 * (1.0 + expected.norm()), "{what}: {apart:e}");
                     let apart = found.amplitude() - expected.norm();
                     assert!(apart.abs() < 1e-12 * (1.0 + expected.norm()), "{what}");
+                    compared += 2;
                 }
             }
         }
     }
-    assert!(continuous > 12, "{continuous}");
+    println!("{compared} values compared, none skipped");
+    // Five ratios of scenes of one, one, two and five masses.
+    assert_eq!(places, 5 * 9);
+    assert_eq!(compared, 20 * (2 + 2 * 3) + places * (14 + 2 * 2));
 }
 
 /// Below β*_lim by rounding only, nothing false moves; at β = β*_lim the limit decides.
 #[test]
 fn at_the_sliding_limit() {
     let base = block("base", "");
+    let mut compared = 0;
     for r in [0.1, 0.3, 0.7, 1.3, 2.0] {
         let at = base.at(r).expect("in the domain");
         let orbit = at.orbit(at.sliding_limit()).expect("stuck");
@@ -159,7 +178,10 @@ fn at_the_sliding_limit() {
         let below = at.sliding_limit() * (1.0 - 1e-9);
         let orbit = at.orbit(below).expect("hardly sliding");
         assert!(amplitude(&orbit) < 1e-8, "r = {r}");
+        compared += 3;
     }
+    println!("{compared} values compared, none skipped");
+    assert_eq!(compared, 5 * 3);
 }
 
 /// Between β*_lim and β_n on the resonance: too little friction to bound a sliding motion, but from

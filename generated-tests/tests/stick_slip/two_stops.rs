@@ -11,7 +11,7 @@ fn den_hartog() {
     }"
     .parse()
     .expect("a scene");
-    let mut seen = 0;
+    let (mut seen, mut none, mut other) = (0, 0, 0);
     for i in 1..=50 {
         let r = 0.05 * f64::from(i);
         let at = wall.at(r).expect("in the domain");
@@ -21,11 +21,15 @@ fn den_hartog() {
             let found = TwoStops::new(r, beta);
             let Ok(orbit) = at.orbit(beta) else {
                 assert!(found.is_none(), "{what}: {found:?}");
+                none += 1;
                 continue;
             };
             let two = orbit.stops() == 2 && orbit.reversals() == 0;
             assert_eq!(found.is_some(), two, "{what}");
-            let Some(found) = found else { continue };
+            let Some(found) = found else {
+                other += 1;
+                continue;
+            };
             seen += 1;
             // τ₀ follows from β through a function that may be flat: half the digits at worst.
             let apart = found.amplitude() - orbit.contact().amplitude();
@@ -36,5 +40,11 @@ fn den_hartog() {
             assert!(apart.sin().abs() < 1e-10, "{what}: {apart:e}");
         }
     }
+    println!(
+        "{seen} orbits compared, skipped: {other} of other courses, {none} points without one"
+    );
+    assert_eq!(seen + other + none, 50 * 39);
+    // On the resonance, up to β = π/4.
+    assert_eq!(none, 31);
     assert!(seen > 500, "{seen}");
 }
