@@ -5,3 +5,9 @@ pub mod data;
 pub mod reference;
 pub mod scenes;
 pub mod shown;
+
+/// The larger of two; NaN if either is, so that a NaN does not vanish in a maximum.
+#[must_use]
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}

@@ -121,7 +121,10 @@ fn eq_7_37() {
     // With the first instants after the reversal, where damping puts the largest value.
     let largest = |f: &dyn Fn(f64) -> f64| {
         let instants = (1..4000).map(|i| PI * f64::from(i) / 4000.0);
-        instants.chain([1e-5, 1e-4]).map(f).fold(0.0, f64::max)
+        instants
+            .chain([1e-5, 1e-4])
+            .map(f)
+            .fold(0.0, generated_tests::larger)
     };
     let sum_of_maxima: f64 = (0..3).map(|i| largest(&|tau| mode(i, tau))).sum();
     let of_the_sum = largest(&|tau| (0..3).map(|i| mode(i, tau)).sum());
@@ -160,7 +163,7 @@ fn eq_7_38() {
     let instants = (1..4000).map(|i| PI * f64::from(i) / 4000.0);
     let s = instants
         .map(|tau| constraint(r, 0.001, tau))
-        .fold(0.0, f64::max)
+        .fold(0.0, generated_tests::larger)
         / (r * r);
     let limit = plain.v_contact().norm() / plain.u()[0].hypot(s);
     close(limit, plain.velocity_limit(0.4), 1e-4);
