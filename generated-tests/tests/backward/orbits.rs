@@ -69,8 +69,10 @@ fn answers<S: Plain>(orbit: &SystemOrbit<'_, S>, mass: usize, tau: S) -> Answers
     ]
 }
 
-/// What happens in a period.
-fn pattern<S: Float>(orbit: &SystemOrbit<'_, S>) -> (u32, usize, usize) {
+/// What happens in a period: its cycles, stops and reversals.
+type Pattern = (u32, usize, usize);
+
+fn pattern<S: Float>(orbit: &SystemOrbit<'_, S>) -> Pattern {
     (orbit.period(), orbit.stops(), orbit.reversals())
 }
 
@@ -98,7 +100,7 @@ type Left = &'static str;
 
 /// The exact answers, their changes with each input per relative change, and whether the pattern stays.
 struct Exactly {
-    pattern: (u32, usize, usize),
+    pattern: Pattern,
     answers: Answers<Dd>,
     columns: Vec<Answers<Dd>>,
 }
@@ -109,7 +111,7 @@ fn ask(
     beta: Dd,
     mass: usize,
     tau: Dd,
-) -> Result<(Answers<Dd>, (u32, usize, usize)), Left> {
+) -> Result<(Answers<Dd>, Pattern), Left> {
     let system = System::<Dd>::try_from(scene.clone()).map_err(|_| "a scene that is refused")?;
     let at = system.at(r).map_err(|_| "r out of the domain")?;
     let orbit = at
