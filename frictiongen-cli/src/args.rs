@@ -32,9 +32,9 @@ Regimes:
 
 Answers:
   closed form  exact, of a contact that always or never slides
-  orbit        exact, from event to event: as `orbit` gives it, with its stability; subharmonic if it repeats
-               after several cycles
-  unsettled    the motion does not settle: its last 64 cycles, the amplitude the largest seen in them
+  orbit        exact, from event to event: as `orbit` gives it, with its stability
+  subharmonic  the same, of a stable state that repeats after several cycles
+  last 64 cycles  the motion does not settle: what it did last, the amplitude the largest seen
   otherwise    why there is none, in the words of `orbit`; its cells are empty (JSON: null)
   no cycle     at a frequency ratio of 0 or infinity, between the limits
 

@@ -97,7 +97,7 @@ fn a_curve_in_one_command() {
         answers.iter().zip(regimes).zip(upper).zip(expected)
     {
         if regime == "stick-slip" && !upper.is_empty() {
-            let filled = ["orbit: ", "unsettled: "];
+            let filled = ["orbit: ", "subharmonic", "last 64 cycles"];
             assert!(
                 filled.iter().any(|word| answer.starts_with(word)),
                 "{answer}"
@@ -131,21 +131,14 @@ fn beyond_one_cycle() {
         )
     };
     let points = [
-        (
-            "2",
-            "0.4076",
-            "0.01787",
-            "stable",
-            "2",
-            "orbit: subharmonic",
-        ),
+        ("2", "0.4076", "0.01787", "stable", "2", "subharmonic"),
         (
             "3",
             "0.3333333333333333",
             "0.01395",
             "unsettled",
             "",
-            "unsettled: of 64 cycles",
+            "last 64 cycles",
         ),
     ];
     for (stiction, r, beta, state, period, answer) in points {

@@ -141,9 +141,9 @@ impl Question<'_> {
         match at.orbit_or_last_cycles(point.beta) {
             Ok(orbit) => {
                 point.answer = match (orbit.is_marginal(), orbit.is_stable()) {
-                    _ if !orbit.is_settled() => "unsettled: of 64 cycles",
+                    _ if !orbit.is_settled() => "last 64 cycles",
                     (true, _) => "orbit: marginal",
-                    (false, true) if orbit.period() > 1 => "orbit: subharmonic",
+                    (false, true) if orbit.period() > 1 => "subharmonic",
                     (false, true) => "orbit: stable",
                     (false, false) => "orbit: unstable",
                 };

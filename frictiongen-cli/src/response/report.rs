@@ -113,7 +113,7 @@ impl Report for ResponseReport {
             Column::given(&["beta"], &self.beta),
             Column::words(&["regime"], ["continuous"]),
             Column::computed(&["margin"]),
-            Column::words(&["answer"], ["unsettled: of 64 cycles"]),
+            Column::words(&["answer"], ["orbit: marginal"]),
             Column::words(&["motion"], self.parts()),
             Column::computed(&["amplitude", unit]),
             Column::computed(&["phase", "(rad)"]),
