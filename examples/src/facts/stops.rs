@@ -36,7 +36,9 @@ pub fn count(mu: f64) -> Stops {
             if regime != Some(Regime::StickSlip) || on_limit {
                 continue;
             }
-            let Some(orbit) = orbit(&system, r, beta) else {
+            // The thesis counts stops a cycle: of motions that repeat after one.
+            let orbit = orbit(&system, r, beta).filter(|orbit| orbit.period() == 1);
+            let Some(orbit) = orbit else {
                 found.without += 1;
                 continue;
             };
