@@ -57,8 +57,8 @@ States:
   unbounded  none: on an undamped resonance
   undamped   none: nothing damps a mode that the load drives and the contact does not touch
   unstable   none was found that deviations do not leave
-  unsettled  none: the motion from rest does not come to repeat, after a cycle or after up to 64;
-             what is printed is of its last 64 cycles, the amplitude the largest seen in them
+  unsettled  none: the motion from rest repeats neither after one cycle nor after up to 64; the values
+             are of its last 64 cycles, and the amplitude is the largest in those
   crowded    a cycle has more than 64 segments
 
 Quantities:

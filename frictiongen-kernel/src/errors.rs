@@ -60,8 +60,8 @@ pub enum NoOrbit {
     Undamped(usize),
     /// Every steady state that was found is unstable, and the motion did not come to rest on another.
     Unstable,
-    /// No motion that repeats after a cycle, or after [`MAX_PERIOD`](crate::orbit::MAX_PERIOD) at most, within [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) and
-    /// [`MAX_STEPS`](crate::orbit::MAX_STEPS).
+    /// The motion repeats neither after one cycle nor after up to [`MAX_PERIOD`](crate::orbit::MAX_PERIOD), within
+    /// [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) and [`MAX_STEPS`](crate::orbit::MAX_STEPS).
     Unsettled,
 }
 
@@ -129,7 +129,7 @@ impl fmt::Display for NoOrbit {
             ),
             Self::Unstable => f.write_str("no steady state: the one that was found is unstable, and the motion leaves it"),
             Self::Unsettled => f.write_str(
-                "no steady state: the motion does not come to repeat, neither after a cycle nor after several",
+                "no steady state: the motion repeats neither after one cycle of the excitation nor after up to 64",
             ),
         }
     }

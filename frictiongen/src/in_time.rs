@@ -55,7 +55,7 @@ pub trait OrbitAt: LimitsAt {
     /// [`SteadyState::is_settled`] false.
     ///
     /// # Errors
-    /// [`NoOrbit`] where nothing bounds the motion, where its way takes too many steps, and for what is no β.
+    /// [`NoOrbit`] if the motion is unbounded, if following it takes too many steps, or if β is negative or not finite.
     fn orbit_or_last_cycles(&self, beta: Self::Scalar) -> Result<Self::Orbit<'_>, NoOrbit>;
 }
 

@@ -91,7 +91,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             /// `is_settled()` false: an amplitude is the largest that was seen in those.
             ///
             /// # Errors
-            /// `NoOrbit` where nothing bounds the motion, where its way takes too many steps, and for what is no β.
+            /// `NoOrbit` if the motion is unbounded, if following it takes too many steps, or if β is negative or not finite.
             pub fn orbit_or_last_cycles(&self, beta: #scalar) -> Result<#orbit, NoOrbit> {
                 self.settled(beta, None, true)
             }

@@ -1,8 +1,9 @@
 //! From a scene, r and β to its steady state.
 
 use super::flow::Flow;
+use super::newton::{Map, Room, multipliers, same};
 use super::record::{Record, Recorded};
-use super::solve::{Found, MAX_STEPS, ON_CIRCLE, Room, Settled, multipliers_of_cycle, settle};
+use super::solve::{Found, MAX_STEPS, ON_CIRCLE, Settled, settle};
 use super::{MAX_SEGMENTS, Mark, Orbit};
 use crate::complex::Complex;
 use crate::errors::NoOrbit;
@@ -22,8 +23,8 @@ where
     /// from rest where none is given.  From rest the sliding limit decides: from `sliding` = β*_lim
     /// on the contact is stuck.
     ///
-    /// Where the motion does not settle, its last [`MAX_PERIOD`](super::MAX_PERIOD) cycles are taken for an answer if `last` says so:
-    /// [`Self::is_settled`] tells.
+    /// `last` says what happens where the motion does not settle: with it the answer is the motion's last
+    /// [`MAX_PERIOD`](super::MAX_PERIOD) cycles, and [`Self::is_settled`] is false; without it there is an error.
     ///
     /// # Errors
     /// [`NoOrbit`] says why there is none; `OutOfDomain` also for room of another size.
@@ -220,7 +221,7 @@ fn linear<S: Float>(flow: &mut Flow<'_, '_, S>, room: &mut Room<'_, S>) -> Resul
     }
     settle_free(flow, at)?;
     flow.stance = flow.setting.stance(flow.modes, S::constant(0.0));
-    let largest = multipliers_of_cycle(flow, room)?;
+    let largest = multipliers(flow, room, Map::HALF_CYCLE)?;
     Ok(Found {
         settled: true,
         period: 1,
@@ -276,5 +277,5 @@ fn is_symmetric<S: Float>(
     flow.save(room.state);
     let apart = room.state.iter().zip(room.other.iter());
     let apart = apart.fold(S::constant(0.0), |most, (a, b)| most.max((*a + *b).abs()));
-    Ok(apart <= flow.scale() * S::constant(1e-9_f64.max(1024.0 * S::EPSILON)))
+    Ok(apart <= same(flow.scale()))
 }

@@ -7,7 +7,7 @@
 use super::flow::Flow;
 use super::flow::unit;
 use super::matrix::Matrix;
-use super::solve::Room;
+use super::newton::Room;
 use crate::errors::NoOrbit;
 use crate::pairs::{pairs, pairs_mut};
 use crate::scalar::Float;

@@ -12,6 +12,7 @@ mod flow;
 mod gauss;
 mod matrix;
 mod motion;
+mod newton;
 mod record;
 mod segments;
 mod solve;
@@ -37,15 +38,12 @@ pub const fn numbers(modes: usize, driven: usize) -> usize {
 /// A segment of the period.
 #[derive(Clone, Copy, Debug)]
 struct Mark<S> {
-    /// The excitation's phase at its start, in half-turns, within its cycle.
-    t: S,
+    /// How the contact stands at its start, and the excitation within its cycle.
+    stance: Stance<S>,
     /// Which cycle that is, counted from the first mark's.
     cycle: S,
     /// Its length in τ.
     length: S,
-    contact: Contact,
-    departing: Option<S>,
-    wedged: bool,
     /// z̄ at its start.
     relative: S,
     /// So many segments after it are not kept: they are followed anew from this one.
@@ -57,24 +55,22 @@ impl<S: Float> Mark<S> {
     fn empty() -> Self {
         let zero = S::constant(0.0);
         Self {
-            t: zero,
+            stance: Stance {
+                t: zero,
+                contact: Contact::Stuck,
+                departing: None,
+                wedged: false,
+            },
             cycle: zero,
             length: zero,
-            contact: Contact::Stuck,
-            departing: None,
-            wedged: false,
             relative: zero,
             more: 0,
         }
     }
 
-    fn stance(&self) -> Stance<S> {
-        Stance {
-            t: self.t,
-            contact: self.contact,
-            departing: self.departing,
-            wedged: self.wedged,
-        }
+    /// z̄ at its end, if it sticks: what it was at the start, to the last digit.
+    fn held(&self) -> Option<S> {
+        (self.stance.contact == Contact::Stuck).then_some(self.relative)
     }
 }
 
@@ -176,14 +172,15 @@ where
         } else {
             S::constant(0.0)
         };
-        mark.t + S::constant(2.0) * (mark.cycle - self.origin_cycle - past)
+        mark.stance.t + S::constant(2.0) * (mark.cycle - self.origin_cycle - past)
     }
 
-    /// The intervals for which the contact sticks: start and length.  The start is τ of the excitation, below 2π for each
-    /// cycle of the period; 0 is its maximum, of several the one next to where the contact's motion is counted from.
+    /// The intervals for which the contact sticks: start and length.  The start is τ of the excitation, between 0 and 2π
+    /// times the period.  It is 0 at a maximum of the excitation; of several, at the one next to
+    /// [`origin`](Self::origin).
     pub fn sticking_intervals(&self) -> impl Iterator<Item = (S, S)> + '_ {
         self.segments()
-            .filter(|mark| mark.contact == Contact::Stuck)
+            .filter(|mark| mark.stance.contact == Contact::Stuck)
             .map(|mark| (self.within(self.angle(&mark)) * S::pi(), mark.length))
     }
 

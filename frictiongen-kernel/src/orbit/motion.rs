@@ -81,7 +81,7 @@ where
     /// Where n or a mode's own vibration within a segment goes beyond some 10⁴ turns, what vibrates so
     /// fast is told by its order of magnitude alone.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
-        self.component(S::constant(f64::from(n)), n == 0, |mark| mark.t)
+        self.component(S::constant(f64::from(n)), n == 0, |mark| mark.stance.t)
     }
 
     /// The component of order k/[`period`](Orbit::period): X in Re Σ X e^{ikτ_e/period}.  It turns k times in a period of
@@ -137,7 +137,7 @@ where
         } else {
             self.each(|mark, sum| {
                 sum.peaks(best.value, |tau, value| {
-                    best.note(mark.t + tau * S::inverse_pi(), value);
+                    best.note(mark.stance.t + tau * S::inverse_pi(), value);
                     best.value
                 });
             });
@@ -154,15 +154,15 @@ where
     fn at_events(&self, best: &mut Best<S>) {
         let zero = S::constant(0.0);
         for mark in self.orbit.segments() {
-            best.note(mark.t, mark.relative);
-            if mark.contact == Contact::Stuck {
+            best.note(mark.stance.t, mark.relative);
+            if mark.stance.contact == Contact::Stuck {
                 let turns = mark.length * S::inverse_pi();
-                best.note(mark.t + turns, mark.relative);
+                best.note(mark.stance.t + turns, mark.relative);
                 // The excitation's maximum, or for a negative one its minimum, within the stop.
                 let (one, two) = (S::constant(1.0), S::constant(2.0));
                 let target = if mark.relative < zero { one } else { zero };
                 for target in [target, target + two] {
-                    if mark.t <= target && target <= mark.t + turns {
+                    if mark.stance.t <= target && target <= mark.stance.t + turns {
                         best.note(target, mark.relative);
                     }
                 }
@@ -177,7 +177,7 @@ where
         // The mark that stands last before it.
         let mut found: Option<(usize, S)> = None;
         for (index, mark) in orbit.marks().iter().enumerate() {
-            let since = orbit.within(t - mark.t - two * (mark.cycle - orbit.origin_cycle));
+            let since = orbit.within(t - mark.stance.t - two * (mark.cycle - orbit.origin_cycle));
             if found.is_none_or(|(_, best)| since < best) {
                 found = Some((index, since));
             }
@@ -208,7 +208,7 @@ where
     /// The motion in one segment, whose parts are in the state at its start.
     fn aimed<'p>(&self, parts: &'p mut [Part<S>], mark: &Mark<S>) -> Sum<'p, S> {
         let zero = S::constant(0.0);
-        let (setting, stance, reach) = (&self.orbit.setting, &mark.stance(), mark.length);
+        let (setting, stance, reach) = (&self.orbit.setting, &mark.stance, mark.length);
         let (modes, held) = setting.split(parts);
         let driven = setting.dynamics.in_contact();
         let mut constant = zero;

@@ -17,13 +17,13 @@ pub(super) struct Record<'s, S> {
     states: &'s mut [S],
     /// How many numbers a state has.
     size: usize,
-    /// One segment in so many has a mark of its own.
+    /// One in so many segments has a mark of its own.
     stride: u32,
     segments: usize,
     stops: usize,
     reversals: usize,
-    /// The segment written down last.
-    last: Option<Mark<S>>,
+    /// z̄ at the end of the segment written down last, if that sticks.
+    held: Option<S>,
     /// Where the relative motion leaves its maximum: the start of the segment with the largest z̄.
     top: Option<Mark<S>>,
 }
@@ -53,7 +53,7 @@ impl<'s, S: Float> Record<'s, S> {
             segments: 0,
             stops: 0,
             reversals: 0,
-            last: None,
+            held: None,
             top: None,
         }
     }
@@ -110,17 +110,13 @@ impl<'s, S: Float> Record<'s, S> {
             }
             self.save(flow, self.count);
         }
-        let stance = &flow.stance;
+        let stance = flow.stance;
+        let found = || flow.setting.relative(flow.modes, stance.t.sin_cos_pi());
         Mark {
-            t: stance.t,
+            stance,
             cycle,
             length: S::constant(0.0),
-            contact: stance.contact,
-            departing: stance.departing,
-            wedged: stance.wedged,
-            relative: after(self.last.as_ref(), || {
-                flow.setting.relative(flow.modes, stance.t.sin_cos_pi())
-            }),
+            relative: self.held.unwrap_or_else(found),
             more: 0,
         }
     }
@@ -133,8 +129,7 @@ impl<'s, S: Float> Record<'s, S> {
     }
 
     fn note(&mut self, mark: Mark<S>, event: Option<Event>) {
-        let due = self.is_due();
-        if due {
+        if self.is_due() {
             if let Some(place) = self.marks.get_mut(self.count) {
                 *place = mark;
             }
@@ -143,11 +138,11 @@ impl<'s, S: Float> Record<'s, S> {
             last.more += 1;
         }
         self.segments += 1;
-        self.last = Some(mark);
+        self.held = mark.held();
         self.stops += usize::from(event == Some(Event::Stop));
         self.reversals += usize::from(event == Some(Event::Reversal));
         let higher = |top: &Mark<S>| top.relative < mark.relative;
-        if mark.contact == Contact::Backward && self.top.as_ref().is_none_or(higher) {
+        if mark.stance.contact == Contact::Backward && self.top.as_ref().is_none_or(higher) {
             self.top = Some(mark);
         }
     }
@@ -188,27 +183,21 @@ impl<'s, S: Float> Record<'s, S> {
 
     pub(super) fn done(self) -> Recorded<S> {
         let zero = S::constant(0.0);
-        if let (Some(first), last) = (self.marks.first_mut(), self.last.as_ref()) {
-            first.relative = after(last, || first.relative);
+        if let (Some(first), Some(held)) = (self.marks.first_mut(), self.held) {
+            first.relative = held;
         }
         Recorded {
             count: self.count,
             stops: self.stops,
             reversals: self.reversals,
-            origin: self.top.map_or((zero, zero), |top| (top.t, top.cycle)),
+            origin: self
+                .top
+                .map_or((zero, zero), |top| (top.stance.t, top.cycle)),
         }
     }
 }
 
-/// z̄ after a segment: one that sticks leaves it as it was, to the last digit; otherwise as it is found.
-pub(super) fn after<S: Float>(last: Option<&Mark<S>>, found: impl FnOnce() -> S) -> S {
-    match last {
-        Some(last) if last.contact == Contact::Stuck => last.relative,
-        _ => found(),
-    }
-}
-
-/// The length of a segment of which so much is left: where it ends within the slack of that, all of it.
+/// The length of a segment where so much of the period is left: all of that, if the segment ends within the slack of it.
 pub(super) fn within<S: Float>(length: S, left: S) -> S {
     if left - slack() < length {
         left

@@ -2,7 +2,7 @@
 //!
 //! A period of many segments keeps the state at the start of some of them only; the others are followed anew.
 
-use super::record::{after, passed, within};
+use super::record::{passed, within};
 use super::{Mark, Orbit, slack};
 use crate::complex::Complex;
 use crate::pairs::pairs;
@@ -82,30 +82,28 @@ where
         let zero = S::constant(0.0);
         let orbit = self.orbit;
         let setting = &orbit.setting;
-        let end = orbit.marks().first()?.t + S::constant(2.0) * orbit.cycles();
+        let end = orbit.marks().first()?.stance.t + S::constant(2.0) * orbit.cycles();
         let (modes, held) = setting.split(self.parts());
         let mut mark = *last;
         // Over the last one; then over attempts to leave that come to nothing.
         loop {
-            let left = (end - mark.t - S::constant(2.0) * mark.cycle) * S::pi();
+            let left = (end - mark.stance.t - S::constant(2.0) * mark.cycle) * S::pi();
             let reach = left + slack();
-            let length = span(setting, modes, held, mark.stance(), reach);
+            let length = span(setting, modes, held, mark.stance, reach);
             if zero < length && !(zero < mark.length) {
                 mark.length = within(length, left);
-                mark.relative = after(Some(last), || setting.relative(modes, mark.t.sin_cos_pi()));
+                let found = || setting.relative(modes, mark.stance.t.sin_cos_pi());
+                mark.relative = last.held().unwrap_or_else(found);
                 break;
             }
             if !(zero < left) {
                 return None;
             }
-            let next = leap(setting, modes, held, mark.stance(), reach);
+            let next = leap(setting, modes, held, mark.stance, reach);
             mark = Mark {
-                t: next.stance.t,
-                cycle: mark.cycle + passed(&mark.stance(), next.tau, &next.stance),
+                stance: next.stance,
+                cycle: mark.cycle + passed(&mark.stance, next.tau, &next.stance),
                 length: zero,
-                contact: next.stance.contact,
-                departing: next.stance.departing,
-                wedged: next.stance.wedged,
                 ..mark
             };
         }

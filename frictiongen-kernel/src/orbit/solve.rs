@@ -2,13 +2,11 @@
 //! the excitation, or several.
 
 use super::closed;
-use super::flow::{Flow, Pattern, unit};
-use super::matrix::Matrix;
-use crate::complex::{self, Complex};
+use super::flow::{Flow, Pattern};
+use super::newton::{Map, Room, multipliers, newton, same};
 use crate::errors::NoOrbit;
-use crate::pairs::pairs_mut;
 use crate::scalar::Float;
-use crate::simulation::{Contact, Stance};
+use crate::simulation::Stance;
 
 /// So many cycles are followed at most before the search for a steady state is given up.
 pub const MAX_CYCLES: u32 = 2048;
@@ -18,21 +16,18 @@ pub const MAX_CYCLES: u32 = 2048;
 pub const MAX_STEPS: u32 = 1 << 20;
 /// Nearer to the unit circle than this many roundings, a multiplier counts as on it.
 pub(super) const ON_CIRCLE: f64 = 4096.0;
-const NEWTON_STEPS: u32 = 12;
 /// So many periods are tried at a time.
 const MOST_TRIED: u32 = 3;
 /// A subharmonic motion repeats after so many cycles at most.
 pub const MAX_PERIOD: u32 = 64;
-/// From so many cycles on is a motion asked whether it repeats after several.
+/// After so many cycles a subharmonic state is looked for.
 const FIRST_ASKED: u32 = 16;
-/// It may, if it comes back to within this part of itself,
+/// One of a period is tried if the motion comes back after it to within this share of itself,
 const NEARLY_BACK: f64 = 1e-2;
-/// and to within this part of the next best of fewer cycles.
+/// and to within this share of how near it comes after fewer cycles.
 const NEARER: f64 = 0.1;
 /// For so many cycles at most is a motion followed that should come near to a fixed point.
 const MOST_FOLLOWED: u32 = 64;
-/// States nearer to each other than this part of themselves are the same.
-const SAME: f64 = 1e-9;
 /// By so much at most is a marginal state larger than the motion that tends to it, or than P/k₁: away from
 /// a resonance both are of the order of the excitation.
 const MOST_GROWN: f64 = 64.0;
@@ -45,14 +40,6 @@ const ONE_REVERSAL: Pattern = Pattern {
     reversals: 1,
     slips: 0,
 };
-
-/// Working space: the matrix, two states, and the multipliers.
-pub(super) struct Room<'m, S> {
-    pub matrix: &'m mut [S],
-    pub state: &'m mut [S],
-    pub other: &'m mut [S],
-    pub multipliers: &'m mut [Complex<S>],
-}
 
 /// What is found.
 #[derive(Clone, Copy, Debug)]
@@ -82,26 +69,6 @@ pub(super) enum Settled {
     Found(Found),
     /// It has gone through all its cycles, and why none of them repeats.
     Not(NoOrbit),
-}
-
-/// What takes a state on by half a period, or a whole one.
-#[derive(Clone, Copy, Debug)]
-struct Map {
-    /// In cycles of the excitation.
-    period: u32,
-    /// Half a period, times −1.
-    symmetric: bool,
-}
-
-impl Map {
-    /// How many half cycles it is.
-    fn halves(self) -> u32 {
-        if self.symmetric {
-            self.period
-        } else {
-            2 * self.period
-        }
-    }
 }
 
 /// Follows the motion until a steady state is settled.  The flow then stands on it, or on the motion.
@@ -231,8 +198,8 @@ fn several<S: Float>(
     Ok(Settled::Not(failure))
 }
 
-/// After how many cycles fewer than `period` the fixed point repeats on which the flow stands, and stays: a free vibration
-/// that dies slowly comes back to itself on its way there.
+/// The number of cycles, fewer than `period`, after which the fixed point repeats, if there is one: a free vibration that
+/// dies slowly comes back to itself, and looks like a longer period.  The flow stands on the fixed point, and stays there.
 fn repeats_sooner<S: Float>(
     flow: &mut Flow<'_, '_, S>,
     room: &mut Room<'_, S>,
@@ -240,12 +207,12 @@ fn repeats_sooner<S: Float>(
 ) -> Result<Option<u32>, NoOrbit> {
     let stance = flow.stance;
     flow.save(room.other);
-    let same = flow.scale() * S::constant(SAME.max(1024.0 * S::EPSILON));
+    let limit = same(flow.scale());
     let mut sooner = None;
     for cycles in 1..period {
         flow.half(None)?;
         flow.half(None)?;
-        if sooner.is_none() && flow.distance(room.other) <= same {
+        if sooner.is_none() && flow.distance(room.other) <= limit {
             sooner = Some(cycles);
         }
     }
@@ -335,7 +302,7 @@ impl<S: Float> Candidate<S> {
             return self.marginal(flow, room, far, scale, self.cycles);
         }
         // With μ = 1 two motions never part, so there is no second steady state to mistake this for.
-        let near = far <= scale * S::constant(SAME.max(1024.0 * S::EPSILON));
+        let near = far <= same(scale);
         let same = pattern == self.wanted;
         if self.monotone || (same && (near || self.attracts(flow, room, largest)?)) {
             if self.map.symmetric && self.map.period == 1 && pattern == ONE_REVERSAL {
@@ -441,138 +408,4 @@ impl<S: Float> Candidate<S> {
         super::continuum::member(flow, room, self.monotone)?;
         found(false)
     }
-}
-
-/// Newton's method from where the flow stands; none if it does not converge.  The flow then stands
-/// on the fixed point.
-fn newton<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
-    room: &mut Room<'_, S>,
-    map: Map,
-) -> Result<Option<Pattern>, NoOrbit> {
-    let symmetric = map.symmetric;
-    let (zero, one) = (S::constant(0.0), S::constant(1.0));
-    let size = flow.size();
-    let start = flow.stance;
-    let mut last = S::constant(f64::MAX);
-    let mut stance = start;
-    for _ in 0..NEWTON_STEPS {
-        flow.save(room.other);
-        unit(room.matrix, size);
-        let Ok((image, pattern)) = mapped(flow, room.matrix, map) else {
-            return Ok(None);
-        };
-        if (image == Contact::Stuck) != (stance.contact == Contact::Stuck) {
-            // The section itself has changed hands; the image is as good a start.
-            stance.contact = image;
-            stance.t = start.t;
-            flow.save(room.other);
-            negate(room.other, symmetric);
-            flow.restore(room.other, &stance);
-            continue;
-        }
-        // δ = (1 − A)⁻¹(F(x) − x), in the place of F(x).
-        let scale = flow.scale().max(S::constant(1e-290));
-        let sign = if symmetric { -one } else { one };
-        for (part, state) in flow.modes.iter_mut().zip(pairs_mut(room.other)) {
-            if let [y, u] = state {
-                let difference = [sign * part.y - *y, sign * part.u - *u];
-                (part.y, part.u) = (*y, *u);
-                [*y, *u] = difference;
-            }
-        }
-        if symmetric {
-            for entry in room.matrix.iter_mut() {
-                *entry = -*entry;
-            }
-        }
-        if !Matrix::new(room.matrix, size).solve_shifted(one, room.other) {
-            return Ok(None);
-        }
-        let mut step = zero;
-        for (part, state) in flow.modes.iter_mut().zip(pairs_mut(room.other)) {
-            if let [y, u] = state {
-                step = step.max(y.abs()).max(u.abs());
-                (*y, *u) = (part.y + *y, part.u + *u);
-            }
-        }
-        if !step.is_finite() {
-            return Ok(None);
-        }
-        stance.t = start.t;
-        flow.restore(room.other, &stance);
-        let small = step <= scale * S::constant(1e-11_f64.max(256.0 * S::EPSILON));
-        // Below rounding, or as far down as rounding lets it come.
-        if step <= scale * S::constant(4.0 * S::EPSILON)
-            || (small && last * S::constant(0.25) < step)
-            || step <= scale * S::constant(1e-9) && step <= last * last / scale
-        {
-            return Ok(Some(pattern));
-        }
-        last = step;
-    }
-    Ok(None)
-}
-
-/// The map with its deviations; how the contact stands then.
-fn mapped<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
-    columns: &mut [S],
-    map: Map,
-) -> Result<(Contact, Pattern), NoOrbit> {
-    let mut pattern = Pattern::default();
-    for _ in 0..map.halves() {
-        pattern = pattern.and(flow.half(Some(columns))?);
-    }
-    let contact = flow.stance.contact;
-    let contact = if map.symmetric {
-        contact.reversed()
-    } else {
-        contact
-    };
-    Ok((contact, pattern))
-}
-
-pub(super) fn negate<S: Float>(state: &mut [S], really: bool) {
-    if really {
-        for value in state {
-            *value = -*value;
-        }
-    }
-}
-
-/// The multipliers of the period, for which the flow stands on a fixed point and stays there; the
-/// largest modulus of those of the map.
-fn multipliers<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
-    room: &mut Room<'_, S>,
-    map: Map,
-) -> Result<S, NoOrbit> {
-    let size = flow.size();
-    let start: Stance<S> = flow.stance;
-    flow.save(room.other);
-    unit(room.matrix, size);
-    mapped(flow, room.matrix, map)?;
-    flow.restore(room.other, &start);
-    Matrix::new(room.matrix, size).eigenvalues(room.multipliers);
-    let mut largest = S::constant(0.0);
-    for multiplier in room.multipliers.iter_mut() {
-        largest = largest.max(complex::modulus(*multiplier, true));
-        if map.symmetric {
-            *multiplier = complex::mul(*multiplier, *multiplier, true);
-        }
-    }
-    Ok(largest)
-}
-
-/// The multipliers of the symmetric state on which the flow stands, one cycle long.
-pub(super) fn multipliers_of_cycle<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
-    room: &mut Room<'_, S>,
-) -> Result<S, NoOrbit> {
-    let map = Map {
-        period: 1,
-        symmetric: true,
-    };
-    multipliers(flow, room, map)
 }

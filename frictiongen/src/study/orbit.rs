@@ -71,7 +71,7 @@ impl<'a, S: Plain> SystemAt<'a, S> {
     /// ```
     ///
     /// # Errors
-    /// [`NoOrbit`] where nothing bounds the motion, where its way takes too many steps, and for what is no β.
+    /// [`NoOrbit`] if the motion is unbounded, if following it takes too many steps, or if β is negative or not finite.
     pub fn orbit_or_last_cycles(&self, beta: S) -> Result<SystemOrbit<'a, S>, NoOrbit> {
         self.orbit_started(beta, None, true)
     }
