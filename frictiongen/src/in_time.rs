@@ -51,8 +51,8 @@ pub trait OrbitAt: LimitsAt {
     /// [`NoOrbit`] says why there is none.
     fn orbit(&self, beta: Self::Scalar) -> Result<Self::Orbit<'_>, NoOrbit>;
 
-    /// The same; where the motion from rest does not settle, what it does in its last 64 cycles, with
-    /// [`SteadyState::is_settled`] false.
+    /// The steady state as [`orbit`](Self::orbit) gives it.  Where the motion from rest does not settle, its last 64
+    /// cycles stand in its place, and [`SteadyState::is_settled`] is false.
     ///
     /// # Errors
     /// [`NoOrbit`] if the motion is unbounded, if following it takes too many steps, or if β is negative or not finite.

@@ -87,8 +87,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
                 self.settled(beta, None, false)
             }
 
-            /// The same; where the motion from rest does not settle, what it does in its last 64 cycles, with
-            /// `is_settled()` false: an amplitude is the largest that was seen in those.
+            /// The steady state as `orbit` gives it.  Where the motion from rest does not settle, its last 64 cycles
+            /// stand in its place: `is_settled()` is false, and an amplitude is the largest of those cycles.
             ///
             /// # Errors
             /// `NoOrbit` if the motion is unbounded, if following it takes too many steps, or if β is negative or not finite.
@@ -96,8 +96,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
                 self.settled(beta, None, true)
             }
 
-            /// The same reached from another state at a maximum of the excitation: x̄ and dx̄/dτ of
-            /// every mass.
+            /// The steady state that is reached from another state at a maximum of the excitation: x̄ and dx̄/dτ
+            /// of every mass.
             ///
             /// # Errors
             /// `NoOrbit`, also for a state that is not finite.

@@ -48,8 +48,8 @@ impl<'a, S: Plain> SystemAt<'a, S> {
         self.orbit_started(beta, None, false)
     }
 
-    /// The same; where the motion from rest does not settle, what it does in its last 64 cycles, with
-    /// [`SystemOrbit::is_settled`] false: an amplitude is the largest that was seen in those.
+    /// The steady state as [`orbit`](Self::orbit) gives it.  Where the motion from rest does not settle, its last 64
+    /// cycles stand in its place: [`SystemOrbit::is_settled`] is false, and an amplitude is the largest of those cycles.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -76,7 +76,7 @@ impl<'a, S: Plain> SystemAt<'a, S> {
         self.orbit_started(beta, None, true)
     }
 
-    /// The same reached from another state at a maximum of the excitation: x̄ and dx̄/dτ of every
+    /// The steady state that is reached from another state at a maximum of the excitation: x̄ and dx̄/dτ of every
     /// mass.
     ///
     /// # Errors
