@@ -93,6 +93,12 @@ impl<S: Scalar> Chain<S> {
         scale.unwrap_or(S::constant(1.0)).named("scale", None)
     }
 
+    /// Second pass for one of several modes: its functions times the scale.
+    #[inline]
+    pub fn at_scale(&self, mode: &ModeResponse<S>, scale: S) -> ModeAt<S> {
+        self.scaled(mode, scale, false, 0)
+    }
+
     /// Second pass: a mode's functions times the scale.  With a single mode, which is then the
     /// scale itself, the quotient is a sign.
     #[inline]

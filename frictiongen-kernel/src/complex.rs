@@ -94,13 +94,5 @@ pub fn reciprocal_of_unit<S: Scalar>(a: Complex<S>) -> Complex<S> {
 /// |a| for a of any size.
 #[inline(always)]
 pub fn modulus<S: Scalar>(a: Complex<S>, damped: bool) -> S {
-    if !damped {
-        return a.re.abs();
-    }
-    let re = a.re.abs().named("abs_re", None);
-    let im = a.im.abs().named("abs_im", None);
-    let large = re.max(im).named("larger", None);
-    let divisor = S::select(large.is_zero(), S::constant(1.0), large);
-    let ratio = (re.min(im) / divisor).named("smaller_share", None);
-    large * (S::constant(1.0) + ratio * ratio).sqrt()
+    if damped { a.re.hypot(a.im) } else { a.re.abs() }
 }

@@ -9,6 +9,8 @@ pub mod constraint;
 pub mod dd;
 pub mod decay;
 pub mod dual;
+#[doc(hidden)]
+pub mod emitted;
 pub mod errors;
 mod float;
 pub mod limits;
@@ -21,6 +23,7 @@ pub mod motion;
 pub mod orbit;
 mod pairs;
 pub mod regime;
+pub mod response;
 pub mod scalar;
 pub mod search;
 pub mod simulation;

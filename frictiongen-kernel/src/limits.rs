@@ -20,12 +20,11 @@ impl<S: Scalar> Chain<S> {
     #[inline]
     pub fn break_away(&self, contact: &ContactAt<S>) -> S {
         let mobility = self.stiction * self.mobility * contact.scale;
-        let constraint = if self.damped {
+        if self.damped {
             contact.reversal + mobility
         } else {
             mobility
-        };
-        constraint.named("break_away", None)
+        }
     }
 
     /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²), for `constraint` = r²E times that maximum

@@ -62,3 +62,100 @@ pub trait AddMassToMotion {
     /// Never called.
     fn answer() -> Self::Answer;
 }
+
+/// Methods of an emitted type that cannot be called.  A method of a number asks for the trait of the number: the
+/// compiler then tells what the trait says.  Of the others it tells the trait's name.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! not_provided {
+    ($type:ident: $($method:ident),*) => {
+        $($crate::not_provided!(@ $type $method);)*
+    };
+    (@ $type:ident motion) => {
+        impl $type {
+            #[doc(hidden)]
+            pub fn motion<T: $crate::missing::AddMotionToProvide>(&self, _: T) -> T::Answer {
+                T::answer()
+            }
+        }
+    };
+    (@ $type:ident orbit) => {
+        impl $type {
+            #[doc(hidden)]
+            pub fn orbit<T: $crate::missing::AddOrbitToProvide>(&self, _: T) -> T::Answer {
+                T::answer()
+            }
+
+            #[doc(hidden)]
+            pub fn orbit_or_last_cycles<T: $crate::missing::AddOrbitToProvide>(
+                &self,
+                _: T,
+            ) -> T::Answer {
+                T::answer()
+            }
+
+            #[doc(hidden)]
+            pub fn orbit_from<T: $crate::missing::AddOrbitToProvide, U>(
+                &self,
+                _: T,
+                _: U,
+            ) -> T::Answer {
+                T::answer()
+            }
+        }
+    };
+    (@ $type:ident stuck) => {
+        impl $type {
+            #[doc(hidden)]
+            pub fn stuck<'a>(&'a self) -> <&'a Self as $crate::missing::AddStuckToProvide>::Answer
+            where
+                &'a Self: $crate::missing::AddStuckToProvide,
+            {
+                <&'a Self as $crate::missing::AddStuckToProvide>::answer()
+            }
+        }
+    };
+    (@ $type:ident simulation) => {
+        impl $type {
+            #[doc(hidden)]
+            pub fn simulation<'a, T>(
+                _: T,
+                _: T,
+            ) -> <&'a Self as $crate::missing::AddSimulationToProvide>::Answer
+            where
+                &'a Self: $crate::missing::AddSimulationToProvide,
+            {
+                <&'a Self as $crate::missing::AddSimulationToProvide>::answer()
+            }
+
+            #[doc(hidden)]
+            pub fn simulation_from<'a, T, U>(
+                _: T,
+                _: T,
+                _: U,
+            ) -> <&'a Self as $crate::missing::AddSimulationToProvide>::Answer
+            where
+                &'a Self: $crate::missing::AddSimulationToProvide,
+            {
+                <&'a Self as $crate::missing::AddSimulationToProvide>::answer()
+            }
+        }
+    };
+}
+
+/// Methods of an emitted motion for the masses that its scene leaves out.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! left_out {
+    ($type:ident: $($mass:ident),*) => {
+        impl $type {
+            $(#[doc(hidden)]
+            pub fn $mass<'a>(&'a self) -> <&'a Self as $crate::missing::AddMassToMotion>::Answer
+            where
+                &'a Self: $crate::missing::AddMassToMotion,
+            {
+                <&'a Self as $crate::missing::AddMassToMotion>::answer()
+            })*
+        }
+    };
+}

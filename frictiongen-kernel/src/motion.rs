@@ -40,6 +40,20 @@ pub struct Carrier<S> {
     pub response: Complex<S>,
 }
 
+impl<S: Scalar> Carrier<S> {
+    /// No motion.
+    #[inline]
+    #[must_use]
+    pub fn at_rest() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            cosine: zero,
+            sine: zero,
+            response: complex::real(zero),
+        }
+    }
+}
+
 /// A mode's coefficients in a motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Share<S> {

@@ -49,6 +49,16 @@ pub trait Scalar:
     fn exp_m1(self) -> Self;
     /// The angle of the vector (`x`, `self`), in (−π, π].
     fn atan2(self, x: Self) -> Self;
+    /// √(self² + other²), for numbers whose squares may overflow or vanish.
+    #[inline]
+    #[must_use]
+    fn hypot(self, other: Self) -> Self {
+        let (a, b) = (self.abs(), other.abs());
+        let large = a.max(b);
+        let divisor = Self::select(large.is_zero(), Self::constant(1.0), large);
+        let ratio = a.min(b) / divisor;
+        large * (Self::constant(1.0) + ratio * ratio).sqrt()
+    }
     /// (sin πh, cos πh): the argument `self` = h is reduced exactly, before π comes in.
     fn sin_cos_pi(self) -> (Self, Self);
     /// (sin π(h − d), cos π(h − d)) with h = `self`, where h is reduced before d is subtracted,

@@ -3,6 +3,7 @@
 
 pub mod jacobi;
 pub mod modal;
+pub mod reduced;
 pub mod scene;
 pub mod sensitivity;
 mod special;

@@ -1,11 +1,13 @@
 //! The modal data of a scene: everything that needs linear algebra, done once, in double-double.
 
 use crate::jacobi::{self, Columns, dot};
+use crate::reduced::Reduced;
 use crate::scene::{Contact, Damping, Excitation, Node, Scene};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::chain::Chain;
 use frictiongen_kernel::dd::Dd;
 use frictiongen_kernel::mode::{Kind, Mode};
+use frictiongen_kernel::response::Ends;
 
 /// Below this share of the largest that it could be, a residue is rounding noise: exactly zero.
 pub(crate) const NOISE: f64 = 1e-26;
@@ -40,30 +42,8 @@ pub struct Modal<T = Dd> {
     pub stiction: T,
     /// The contact's two masses (A < B), or its one.
     pub contact: (usize, Option<usize>),
-}
-
-/// The end of a scene's sums that a solver needs in its own scalar.
-#[derive(Clone, Debug)]
-pub struct Reduced<S> {
-    /// The modes that the load or the contact drives, ascending.
-    pub modes: Vec<Mode<S>>,
-    /// Mode shape components of those modes: for each mass, one a mode.
-    pub shapes: Vec<Vec<S>>,
-    /// What the scene says beyond its modes.
-    pub chain: Chain<S>,
-    /// The limits at the ends of the frequency range.
-    pub ends: Ends<S>,
-}
-
-/// The limits at r = 0 and r = ∞ (6.4, 6.28 and the high-frequency limits of section 6 there).
-#[derive(Clone, Copy, Debug)]
-pub struct Ends<S> {
-    /// β*_lim at r = 0; β_lim is 0 there.
-    pub sliding_at_rest: S,
-    /// β_∞, the continuous limit for r → ∞.
-    pub continuous_at_infinity: S,
-    /// β*_∞, the sliding limit for r → ∞.
-    pub sliding_at_infinity: S,
+    /// Whether masses beyond the contact can absorb ([`Scene::has_absorber`]).
+    pub has_absorber: bool,
 }
 
 fn dd(value: f64) -> Dd {
@@ -262,16 +242,17 @@ impl Modal {
             reference,
             stiction: dd(scene.stiction),
             contact: (sides.first().copied().unwrap_or(0), sides.get(1).copied()),
+            has_absorber: scene.has_absorber(),
         }
     }
 }
 
 impl<T: Float> Modal<T> {
-    /// The motion of a mass that a stuck contact ties to a support: 0 on one at rest, 1 on the
-    /// moving base; none for other masses.
+    /// The mass that rubs on a support; none where two masses rub on each other.
     #[must_use]
-    pub fn held(&self, mass: usize) -> Option<f64> {
-        (self.contact == (mass, None)).then_some(if self.on_moving_base { 1.0 } else { 0.0 })
+    pub fn rubbing(&self) -> Option<usize> {
+        let (mass, other) = self.contact;
+        other.is_none().then_some(mass)
     }
 
     /// ω_i, rad/s in the scene's own units.
@@ -304,13 +285,13 @@ impl<T: Float> Modal<T> {
             })
             .collect();
         let masses = self.shapes.first().map_or(0, Vec::len);
+        let component = |mass: usize, i: usize| {
+            let shape = self.shapes.get(i);
+            to(shape.map_or(zero, |shape| pick(shape, mass)))
+        };
         let shapes = (0..masses)
-            .map(|mass| {
-                driven
-                    .iter()
-                    .map(|&i| to(self.shapes.get(i).map_or(zero, |shape| pick(shape, mass))))
-                    .collect()
-            })
+            .flat_map(|mass| driven.iter().map(move |&i| (mass, i)))
+            .map(|(mass, i)| component(mass, i))
             .collect();
         let chain = Chain {
             damped: self.is_damped(),
@@ -328,6 +309,10 @@ impl<T: Float> Modal<T> {
                 continuous_at_infinity: to(ends.continuous_at_infinity),
                 sliding_at_infinity: to(ends.sliding_at_infinity),
             },
+            rubbing: self.rubbing(),
+            absorbs: self.has_absorber && !self.is_damped(),
+            unbounded: self.unbounded(false).into_iter().map(&to).collect(),
+            invisible: self.unbounded(true).into_iter().map(&to).collect(),
         }
     }
 

@@ -74,6 +74,7 @@ impl Modal {
             reference: Dual::fixed(self.reference),
             stiction: Dual::fixed(self.stiction),
             contact: self.contact,
+            has_absorber: self.has_absorber,
         }
     }
 

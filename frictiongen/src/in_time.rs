@@ -1,9 +1,10 @@
 //! Steady states and runs in time, of emitted solvers and of the run-time `System` alike.
 
 use crate::{Complex, FrictionSystem, LimitsAt, NoOrbit, Of, OutOfDomain};
-use core::ops::DerefMut;
+use core::ops::{Deref, DerefMut};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::orbit::OrbitMotion;
+use frictiongen_kernel::orbit::{Orbit, OrbitMotion, ProvidesOrbit};
+use frictiongen_kernel::response::At;
 use frictiongen_kernel::simulation::{Contact, Moment, Part, Segment, Simulation};
 
 /// A scene at one frequency ratio that also gives steady states in any regime.
@@ -88,6 +89,130 @@ pub trait SteadyState {
         of: Of,
         question: impl FnOnce(&dyn Periodic<Scalar = Self::Scalar>) -> T,
     ) -> Option<T>;
+}
+
+/// The queries of the kernel's steady state.  [`SteadyState`] is for whatever derefs to it, and the kernel's type could
+/// come to do so itself: hence a trait of its own.
+#[doc(hidden)]
+pub trait Kept {
+    type Scalar: Float;
+
+    fn period(&self) -> u32;
+    fn is_settled(&self) -> bool;
+    fn stops(&self) -> usize;
+    fn reversals(&self) -> usize;
+    fn stuck_fraction(&self) -> Self::Scalar;
+    fn is_symmetric(&self) -> bool;
+    fn is_stable(&self) -> bool;
+    fn is_marginal(&self) -> bool;
+    fn multipliers(&self) -> &[Complex<Self::Scalar>];
+    fn ask<T>(
+        &self,
+        of: Of,
+        question: impl FnOnce(&dyn Periodic<Scalar = Self::Scalar>) -> T,
+    ) -> Option<T>;
+}
+
+impl<S, P, V, C> Kept for Orbit<'_, S, P, V, C>
+where
+    S: Float,
+    P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
+    V: AsRef<[S]> + AsMut<[S]>,
+    C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+{
+    type Scalar = S;
+
+    fn period(&self) -> u32 {
+        Orbit::period(self)
+    }
+    fn is_settled(&self) -> bool {
+        Orbit::is_settled(self)
+    }
+    fn stops(&self) -> usize {
+        Orbit::stops(self)
+    }
+    fn reversals(&self) -> usize {
+        Orbit::reversals(self)
+    }
+    fn stuck_fraction(&self) -> S {
+        Orbit::stuck_fraction(self)
+    }
+    fn is_symmetric(&self) -> bool {
+        Orbit::is_symmetric(self)
+    }
+    fn is_stable(&self) -> bool {
+        Orbit::is_stable(self)
+    }
+    fn is_marginal(&self) -> bool {
+        Orbit::is_marginal(self)
+    }
+    fn multipliers(&self) -> &[Complex<S>] {
+        Orbit::multipliers(self)
+    }
+    fn ask<T>(&self, of: Of, question: impl FnOnce(&dyn Periodic<Scalar = S>) -> T) -> Option<T> {
+        let motion = match of {
+            Of::Contact => self.contact(),
+            Of::Mass(index) => self.mass_at(index)?,
+        };
+        Some(question(&motion))
+    }
+}
+
+/// Emitted steady states and those of a `System` hold the kernel's.
+impl<O: Deref<Target: Kept>> SteadyState for O {
+    type Scalar = <O::Target as Kept>::Scalar;
+
+    fn period(&self) -> u32 {
+        Kept::period(&**self)
+    }
+    fn is_settled(&self) -> bool {
+        Kept::is_settled(&**self)
+    }
+    fn stops(&self) -> usize {
+        Kept::stops(&**self)
+    }
+    fn reversals(&self) -> usize {
+        Kept::reversals(&**self)
+    }
+    fn stuck_fraction(&self) -> Self::Scalar {
+        Kept::stuck_fraction(&**self)
+    }
+    fn is_symmetric(&self) -> bool {
+        Kept::is_symmetric(&**self)
+    }
+    fn is_stable(&self) -> bool {
+        Kept::is_stable(&**self)
+    }
+    fn is_marginal(&self) -> bool {
+        Kept::is_marginal(&**self)
+    }
+    fn multipliers(&self) -> &[Complex<Self::Scalar>] {
+        Kept::multipliers(&**self)
+    }
+    fn ask<T>(
+        &self,
+        of: Of,
+        question: impl FnOnce(&dyn Periodic<Scalar = Self::Scalar>) -> T,
+    ) -> Option<T> {
+        Kept::ask(&**self, of, question)
+    }
+}
+
+impl<T: ProvidesOrbit, A: Deref<Target = At<T>>> OrbitAt for A
+where
+    T::Orbit: SteadyState<Scalar = T::Scalar>,
+{
+    type Orbit<'o>
+        = T::Orbit
+    where
+        Self: 'o;
+
+    fn orbit(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
+        At::orbit(self, beta)
+    }
+    fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
+        At::orbit_or_last_cycles(self, beta)
+    }
 }
 
 /// The motion of the contact or of a mass in a steady state.

@@ -2,9 +2,11 @@
 //! is written once.
 
 use crate::{Complex, NotContinuous, OutOfDomain, Regime, StuckResonance};
+use core::ops::Deref;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::decay::Decay;
 use frictiongen_kernel::regime::Limits;
+use frictiongen_kernel::response::{At, Continuous, ProvidesMotion, ProvidesStuck, Scene, Stuck};
 use frictiongen_kernel::steady::{Largest, Motion};
 use frictiongen_kernel::wave::Wave;
 
@@ -54,6 +56,34 @@ pub trait FrictionSystem {
     fn at(&self, r: Self::Scalar) -> Result<Self::At<'_>, OutOfDomain>;
 }
 
+/// [`FrictionSystem`] of an emitted scene: the names of its masses are all that the kernel does not know.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! emitted_system {
+    ($name:ident, $at:ident, $scalar:ty, [$($mass:literal),*]) => {
+        impl $crate::FrictionSystem for $name {
+            type Scalar = $scalar;
+            type At<'a> = $at;
+
+            fn resonances(&self) -> &[$scalar] {
+                &Self::RESONANCES
+            }
+            fn masses(&self) -> ::core::primitive::usize {
+                Self::RESONANCES.len()
+            }
+            fn mass_name(
+                &self,
+                index: ::core::primitive::usize,
+            ) -> ::core::option::Option<&::core::primitive::str> {
+                [$($mass),*].get(index).copied()
+            }
+            fn at(&self, r: $scalar) -> ::core::result::Result<$at, $crate::OutOfDomain> {
+                Self::at(r)
+            }
+        }
+    };
+}
+
 /// The boundaries of the regimes at one frequency ratio.
 pub trait LimitsAt {
     /// The scene's scalar.
@@ -86,6 +116,33 @@ pub trait LimitsAt {
     fn margin(&self, beta: Self::Scalar) -> Result<Self::Scalar, OutOfDomain>;
 }
 
+/// Emitted scenes at one frequency ratio and those of a `System` hold the kernel's.
+impl<T: Scene, A: Deref<Target = At<T>>> LimitsAt for A {
+    type Scalar = T::Scalar;
+
+    fn continuous_limit(&self) -> T::Scalar {
+        At::continuous_limit(self)
+    }
+    fn continuous_limit_without_search(&self) -> T::Scalar {
+        At::continuous_limit_without_search(self)
+    }
+    fn continuous_limit_per_mode(&self) -> T::Scalar {
+        At::continuous_limit_per_mode(self)
+    }
+    fn sliding_limit(&self) -> T::Scalar {
+        At::sliding_limit(self)
+    }
+    fn limits(&self) -> Limits<T::Scalar> {
+        At::limits(self)
+    }
+    fn regime(&self, beta: T::Scalar) -> Result<Regime, OutOfDomain> {
+        At::regime(self, beta)
+    }
+    fn margin(&self, beta: T::Scalar) -> Result<T::Scalar, OutOfDomain> {
+        At::margin(self, beta)
+    }
+}
+
 /// A scene at one frequency ratio that also gives motions.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no motion",
@@ -102,6 +159,17 @@ pub trait MotionAt: LimitsAt {
     fn motion(&self, beta: Self::Scalar) -> Result<Self::Motion, NotContinuous>;
 }
 
+impl<T: ProvidesMotion, A: Deref<Target = At<T>>> MotionAt for A
+where
+    T::Motion: ContinuousMotion<Scalar = T::Scalar>,
+{
+    type Motion = T::Motion;
+
+    fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous> {
+        At::motion(self, beta)
+    }
+}
+
 /// A scene at one frequency ratio that also gives the response while the contact is stuck.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no response of a stuck contact",
@@ -114,6 +182,15 @@ pub trait StuckAt: LimitsAt {
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
     fn stuck_mass(&self, index: usize) -> Result<Option<Complex<Self::Scalar>>, StuckResonance>;
+}
+
+impl<T: ProvidesStuck, A: Deref<Target = At<T>>> StuckAt for A
+where
+    T::Stuck: Deref<Target = Stuck<T>>,
+{
+    fn stuck_mass(&self, index: usize) -> Result<Option<Complex<T::Scalar>>, StuckResonance> {
+        Ok(At::stuck(self)?.mass_at(index))
+    }
 }
 
 /// Which motion is meant.
@@ -138,6 +215,23 @@ pub trait ContinuousMotion {
         of: Of,
         question: impl FnOnce(&dyn Steady<Scalar = Self::Scalar>) -> T,
     ) -> Option<T>;
+}
+
+/// Emitted motions and those of a `System` hold the kernel's.
+impl<T: Scene, M: Deref<Target = Continuous<T>>> ContinuousMotion for M {
+    type Scalar = T::Scalar;
+
+    fn ask<A>(
+        &self,
+        of: Of,
+        question: impl FnOnce(&dyn Steady<Scalar = T::Scalar>) -> A,
+    ) -> Option<A> {
+        let motion = match of {
+            Of::Contact => self.contact(),
+            Of::Mass(index) => self.mass_at(index)?,
+        };
+        Some(question(&motion))
+    }
 }
 
 /// The steady motion of the contact or of a mass.

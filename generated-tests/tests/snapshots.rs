@@ -9,8 +9,9 @@ fn emitted_source() {
     for (name, text) in SCENES {
         let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
         let source = pretty(&description).expect("emitted Rust");
+        // As files of Rust: a review page shows them as such.
         insta::with_settings!({ description => *text, omit_expression => true }, {
-            insta::assert_snapshot!(*name, source);
+            insta::assert_binary_snapshot!(&format!("{name}.rs"), source.into_bytes());
         });
     }
 }

@@ -81,7 +81,7 @@ impl Steady {
                 reversals: orbit.reversals(),
             }),
             stuck_fraction: orbit.stuck_fraction(),
-            sticking: orbit.state().sticking_intervals().collect(),
+            sticking: orbit.sticking_intervals().collect(),
             multipliers: orbit.multipliers().to_vec(),
             movements: contact
                 .chain(masses)

@@ -1,6 +1,6 @@
 //! The type itself and everything that does not depend on the frequency.
 
-use super::{Emission, Part, derives, rounded};
+use super::{Emission, Part, limits, rounded};
 use frictiongen_kernel::mode::{Kind, Mode};
 use frictiongen_model::scene::Scene;
 use proc_macro2::{Literal, TokenStream};
@@ -18,21 +18,32 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     } = emission;
     let attributes = &description.attributes;
     let visibility = &description.visibility;
-    let derives = derives();
     let header = format!(
         " Emitted by frictiongen {} from scene {:016x}.",
         env!("CARGO_PKG_VERSION"),
         fingerprint(scene)
     );
+    let at_about =
+        format!(" [`{name}`] at one frequency ratio: limits, regime, and the way to motions.");
+    let at = &emission.at;
+    let slices = limits::slices(emission);
     let types = code! {
         #(#attributes)*
         #[doc = ""]
         #[doc = #header]
-        #derives
         #[::core::prelude::v1::derive(
-            ::core::cmp::Eq, ::core::cmp::PartialEq, ::core::default::Default, ::core::hash::Hash
+            ::core::clone::Clone,
+            ::core::marker::Copy,
+            ::core::fmt::Debug,
+            ::core::cmp::Eq,
+            ::core::cmp::PartialEq,
+            ::core::default::Default,
+            ::core::hash::Hash
         )]
         #visibility struct #name;
+        #[doc = #at_about]
+        #[allow(non_camel_case_types)]
+        #visibility struct #at(#facade::kernel::response::At<#name>);
     };
 
     let masses = Literal::usize_unsuffixed(scene.masses.len());
@@ -43,7 +54,13 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         .shapes
         .iter()
         .map(|shape| emission.list(shape.iter().map(|value| round(*value))));
-    let reference = emission.literal(round(modal.reference));
+    let reference = round(modal.reference);
+    let frequency_ratio = if reference == 1.0 {
+        code!(omega)
+    } else {
+        let reference = emission.literal(reference);
+        code!(omega / #reference)
+    };
     let mode_count = Literal::usize_unsuffixed(emission.modes());
     let modes = emission
         .reduced
@@ -52,11 +69,14 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         .map(|mode| mode_constant(emission, mode));
     let chain = chain(emission);
     let ends = emission.reduced.ends;
+    let rubbing = rubbing(emission.reduced.rubbing);
+    let absorbs = emission.reduced.absorbs;
+    let unbounded = emission.list(emission.reduced.unbounded.iter().copied());
+    let invisible = emission.list(emission.reduced.invisible.iter().copied());
     let sliding_at_rest = emission.literal(ends.sliding_at_rest);
     let continuous_at_infinity = emission.literal(ends.continuous_at_infinity);
     let sliding_at_infinity = emission.literal(ends.sliding_at_infinity);
     let names = scene.masses.iter().map(|mass| mass.name.as_str());
-    let at = &emission.at;
     let items = code! {
         impl #name {
             /// ω_i, the natural frequencies, rad/s in the units given, ascending.
@@ -70,18 +90,25 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             /// The modes that the load or the contact drives.
             const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
             const CHAIN: Chain<#scalar> = #chain;
-            /// β*_lim for r = 0, where β_lim is 0.
-            const SLIDING_AT_REST: #scalar = #sliding_at_rest;
-            /// β_∞ (6.28).
-            const CONTINUOUS_AT_INFINITY: #scalar = #continuous_at_infinity;
-            /// β*_∞.
-            const SLIDING_AT_INFINITY: #scalar = #sliding_at_infinity;
+            const NUMBERS: Numbers<'static, #scalar> = Numbers {
+                modes: &Self::MODES,
+                chain: Self::CHAIN,
+                ends: Ends {
+                    sliding_at_rest: #sliding_at_rest,
+                    continuous_at_infinity: #continuous_at_infinity,
+                    sliding_at_infinity: #sliding_at_infinity,
+                },
+                rubbing: #rubbing,
+                absorbs: #absorbs,
+                unbounded: &#unbounded,
+                invisible: &#invisible,
+            };
 
             /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
             #[inline]
             #[must_use]
             pub const fn frequency_ratio(omega: #scalar) -> #scalar {
-                omega / #reference
+                #frequency_ratio
             }
 
             /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
@@ -91,28 +118,33 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             pub const fn friction_ratio(friction: #scalar, load: #scalar) -> #scalar {
                 friction / load
             }
-        }
 
-        impl #facade::FrictionSystem for #name {
-            type Scalar = #scalar;
-            type At<'a> = #at;
+            /// The scene at the frequency ratio r = ω√(m₁/k₁).
+            ///
+            /// # Errors
+            /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+            #[inline]
+            pub fn at(r: #scalar) -> Result<#at, OutOfDomain> {
+                At::new(Self, r).map(From::from)
+            }
 
-            fn resonances(&self) -> &[#scalar] {
-                &Self::RESONANCES
-            }
-            fn masses(&self) -> ::core::primitive::usize {
-                #masses
-            }
-            fn mass_name(&self, index: ::core::primitive::usize) -> Option<&::core::primitive::str> {
-                const NAMES: [&::core::primitive::str; #masses] = [#(#names),*];
-                NAMES.get(index).copied()
-            }
-            fn at(&self, r: #scalar) -> Result<#at, OutOfDomain> {
-                Self::at(r)
-            }
-        }
+            #slices
+                }
+
+        #facade::emitted_system!(#name, #at, #scalar, [#(#names),*]);
     };
     Part { types, items }
+}
+
+/// The mass that rubs on a support, as a constant.
+pub(super) fn rubbing(mass: Option<usize>) -> TokenStream {
+    match mass {
+        None => code!(None),
+        Some(mass) => {
+            let mass = Literal::usize_unsuffixed(mass);
+            code!(Some(#mass))
+        }
+    }
 }
 
 /// A mode as a constant.

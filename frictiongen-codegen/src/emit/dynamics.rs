@@ -1,6 +1,6 @@
 //! What the motion in time rests on, as constants: every mode, and the chain with its contact held.
 
-use super::constants::{kind, mode_constant};
+use super::constants::{kind, mode_constant, rubbing};
 use super::{Emission, rounded};
 use frictiongen_kernel::simulation::HeldMode;
 use frictiongen_model::transient::Transient;
@@ -32,6 +32,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Constants {
     let shares = shares.map(|pair| emission.list(pair.iter().copied()));
     let shapes = emission.list(transient.shapes.iter().copied());
     let weights = emission.list(transient.weights.iter().copied());
+    let rubbing = rubbing(transient.rubbing);
     let items = code! {
         impl #name {
             /// The motion in time: all modes, those that the contact drives first, and the modes of
@@ -43,6 +44,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Constants {
                 shares: &[#(#shares),*],
                 shapes: &#shapes,
                 weights: &#weights,
+                rubbing: #rubbing,
             };
         }
     };

@@ -1,7 +1,8 @@
 //! The frequency stage: a scene at one r.
 
 use super::trace::{Tracer, contact_outputs, mode_outputs};
-use super::{Emission, Part, derives, field};
+use super::{Emission, field, local};
+use crate::graph::count::Count;
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::chain::ContactAt;
@@ -9,68 +10,28 @@ use frictiongen_kernel::complex::Complex;
 use frictiongen_kernel::mode::{Kind, Mode, ModeResponse};
 use proc_macro2::{Literal, TokenStream};
 
-pub(super) fn emit(emission: &Emission<'_>) -> Part {
-    let Emission {
-        description,
-        scalar,
-        name,
-        at,
-        ..
-    } = emission;
-    let visibility = &description.visibility;
-    let derives = derives();
+/// The frequency stage, as a method of the kernel's `Scene`.
+pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
+    let scalar = &emission.scalar;
     let modes = Literal::usize_unsuffixed(emission.modes());
-    let facade = emission.facade;
-    let about =
-        format!(" [`{name}`] at one frequency ratio: what both limits and every motion share.");
-    let types = code! {
-        #[doc = #about]
-        #derives
-        #[allow(non_camel_case_types)]
-        #visibility struct #at {
-            r: ::core::primitive::#scalar,
-            inverse_r: ::core::primitive::#scalar,
-            contact: #facade::kernel::chain::ContactAt<::core::primitive::#scalar>,
-            modes: [#facade::kernel::chain::ModeAt<::core::primitive::#scalar>; #modes],
-        }
-    };
     let uniform = uniform_kind(&emission.reduced.modes);
     let (body, operations) = match uniform {
         Some(kind) if emission.in_passes() => passes(emission, kind),
+        _ if emission.modes() == 1 => single(emission),
         _ => straight(emission),
     };
-    let (low, high) = match emission.precision {
-        frictiongen_model::scene::Precision::F64 => range::<f64>(emission),
-        frictiongen_model::scene::Precision::F32 => range::<f32>(emission),
-    };
-    let (low, high) = (emission.literal(low), emission.literal(high));
     let operations = format!(" Operations: {operations}.");
-    let items = code! {
-        impl #name {
-            /// The scene at the frequency ratio r = ω√(m₁/k₁): the response and damping functions
-            /// V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each times r²E with
-            /// the scale E that keeps them finite on a resonance.
-            ///
-            #[doc = #operations]
-            ///
-            /// # Errors
-            /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-            #[inline]
-            pub fn at(r: #scalar) -> Result<#at, OutOfDomain> {
-                let r = regime::check_ratio(r, "r")?;
-                let inverse_r = Scalar::min(Scalar::max(1.0 / r, #low), #high);
-                #body
-                Ok(#at { r, inverse_r, contact, modes })
-            }
+    code! {
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        #[doc = #operations]
+        #[inline]
+        fn frequency_stage(&self, inverse_r: #scalar) -> (ContactAt<#scalar>, [ModeAt<#scalar>; #modes]) {
+            #body
+            (contact, modes)
         }
-    };
-    Part { types, items }
-}
-
-fn range<S: frictiongen_kernel::Float>(emission: &Emission<'_>) -> (f64, f64) {
-    let resonances = emission.reduced.modes.iter().map(|mode| mode.resonance);
-    let (low, high) = frictiongen_kernel::regime::inverse_ratio_range(resonances.map(S::constant));
-    (low.to_f64(), high.to_f64())
+    }
 }
 
 fn uniform_kind(modes: &[Mode<f64>]) -> Option<Kind> {
@@ -78,34 +39,136 @@ fn uniform_kind(modes: &[Mode<f64>]) -> Option<Kind> {
     modes.iter().all(|mode| mode.kind == kind).then_some(kind)
 }
 
-fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
-    let graph = Graph::new(emission.modes());
+/// Names of the code around the formulas.
+const TAKEN: [&str; 3] = ["inverse_r", "contact", "modes"];
+
+/// One mode, which is its own scale.
+fn single(emission: &Emission<'_>) -> (TokenStream, String) {
+    let graph = Graph::new(1);
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
     let (contact, at) = tracer.frequency(graph.input("inverse_r"));
     let mut outputs = contact_outputs(&contact);
     for at in &at {
         outputs.extend(mode_outputs(at));
     }
-    let (printed, count) = tracer.print(
-        &outputs,
-        emission.precision,
-        &["r", "inverse_r", "contact", "modes"],
-    );
-    let (contact, modes) = structures(&printed.outputs);
+    let (printed, count) = tracer.print(&outputs, emission.precision, &TAKEN);
+    let (contact, modes) = printed.outputs.split_at(printed.outputs.len().min(8));
+    let contact = contact_structure(contact);
+    let mode = mode_structure(modes);
     let statements = printed.statements;
     let body = code! {
         #statements
         let contact = #contact;
-        let modes = [#(#modes),*];
+        let modes = [#mode];
     };
     (body, count.to_string())
 }
 
-/// Contact and modes from their outputs, in the order of the tracing.
-fn structures(outputs: &[TokenStream]) -> (TokenStream, Vec<TokenStream>) {
-    let (contact, modes) = outputs.split_at(outputs.len().min(8));
-    let contact = contact_structure(contact);
-    (contact, modes.chunks(5).map(mode_structure).collect())
+/// A block for each mode, then the sums.
+fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
+    let mut count = Count::default();
+    let mut body = TokenStream::new();
+    let names = super::motion::mode_names(emission);
+    for (index, name) in names.iter().enumerate() {
+        let (block, operations) = mode_block(emission, index);
+        count = count.and(&operations);
+        body.extend(code!(let #name = #block;));
+    }
+    let graph = Graph::new(emission.modes());
+    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+    let chain = &tracer.reduced.chain;
+    // E, of the modes that the contact drives.
+    let responses: Vec<_> = (1..=names.len())
+        .map(|mode| tracer.response(&format!("mode_{mode}")))
+        .collect();
+    let constants = &tracer.reduced.modes;
+    let in_contact = constants.iter().zip(&responses);
+    let sizes = in_contact.filter(|(mode, _)| mode.in_contact);
+    let scale = sizes.map(|(_, response)| response.size).reduce(Scalar::min);
+    let scale = scale.unwrap_or(Expr::constant(1.0));
+    let (printed, operations) = tracer.print(&[scale.operand()], emission.precision, &TAKEN);
+    count = count.and(&operations);
+    let scale = printed.outputs;
+    body.extend(code! {
+        let scale = #(#scale)*;
+        let modes = [#(#names),*].map(|mode| Self::CHAIN.at_scale(&mode, scale));
+    });
+    let scaled = chain.scaled(&tracer.response("mode"), graph.input("scale"), false, 0);
+    let outputs = mode_outputs(&scaled);
+    let operations = Count::of(&graph, &outputs).times(names.len());
+    count = count.and(&operations);
+    let at_names: Vec<_> = (1..=names.len())
+        .map(|mode| local(&format!("at_{mode}")))
+        .collect();
+    let mut sum = ContactAt::zero(graph.input("scale"));
+    for (index, (mode, response)) in constants.iter().zip(&responses).enumerate() {
+        let at = tracer.mode_at(&format!("at_{}", index + 1));
+        sum = chain.joined_by(&sum, mode, response, &at, false);
+    }
+    let contact = chain.completed(&sum, graph.input("inverse_r"));
+    let outputs = contact_outputs(&contact);
+    let (printed, operations) = tracer.print(
+        &outputs,
+        emission.precision,
+        &["scale", "inverse_r", "contact", "modes"],
+    );
+    count = count.and(&operations);
+    let statements = printed.statements;
+    let contact = contact_structure(&printed.outputs);
+    body.extend(code! {
+        let [#(#at_names),*] = &modes;
+        #statements
+        let contact = #contact;
+    });
+    (body, count.to_string())
+}
+
+/// The functions of one mode, free of their pole.
+fn mode_block(emission: &Emission<'_>, index: usize) -> (TokenStream, Count) {
+    let graph = Graph::new(1);
+    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+    let Some(mode) = tracer.reduced.modes.get(index) else {
+        return (TokenStream::new(), Count::default());
+    };
+    let response = mode.response(graph.input("inverse_r"), 0);
+    let outputs = response_outputs(&response);
+    let (printed, count) = tracer.print(&outputs, emission.precision, &["inverse_r"]);
+    let statements = &printed.statements;
+    let structure = response_structure(&printed.outputs);
+    (code!({ #statements #structure }), count)
+}
+
+/// The outputs of a mode's functions, in the order in which they are emitted.
+fn response_outputs(response: &ModeResponse<Expr<'_>>) -> Vec<Operand> {
+    let ModeResponse {
+        x,
+        denominator,
+        size,
+        u,
+        g,
+        reversal,
+    } = *response;
+    [x, denominator.re, denominator.im, size, u, g, reversal]
+        .map(Expr::operand)
+        .to_vec()
+}
+
+fn response_structure(outputs: &[TokenStream]) -> TokenStream {
+    let [x, re, im, size, u, g, reversal] = outputs else {
+        return TokenStream::new();
+    };
+    let (x, size, u) = (field("x", x), field("size", size), field("u", u));
+    let (g, reversal) = (field("g", g), field("reversal", reversal));
+    code! {
+        ModeResponse {
+            #x,
+            denominator: Complex { re: #re, im: #im },
+            #size,
+            #u,
+            #g,
+            #reversal,
+        }
+    }
 }
 
 fn contact_structure(outputs: &[TokenStream]) -> TokenStream {
@@ -147,21 +210,11 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
     let symbolic = symbolic_mode(&graph, kind);
 
     let first = symbolic.response(graph.input("inverse_r"), 0);
-    let ModeResponse {
-        x,
-        denominator,
-        size,
-        u,
-        g,
-        reversal,
-    } = first;
-    let outputs = [x, denominator.re, denominator.im, size, u, g, reversal].map(Expr::operand);
+    let outputs = response_outputs(&first);
     let taken = ["r", "inverse_r", "scale", "mode", "response", "responses"];
     let (first, first_count) = tracer.print(&outputs, *precision, &taken);
     let statements = &first.statements;
-    let [x, re, im, size, u, g, reversal] = first.outputs.as_slice() else {
-        return (TokenStream::new(), String::new());
-    };
+    let response = response_structure(&first.outputs);
     let every_mode = emission.reduced.modes.iter().all(|mode| mode.in_contact);
     let smallest = code!(scale = Scalar::min(scale, response.size););
     let smallest = if every_mode {
@@ -174,19 +227,12 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
         let mut scale = ::core::#scalar::INFINITY;
         for (mode, response) in IntoIterator::into_iter(&Self::MODES).zip(&mut responses) {
             #statements
-            *response = ModeResponse {
-                x: #x,
-                denominator: Complex { re: #re, im: #im },
-                size: #size,
-                u: #u,
-                g: #g,
-                reversal: #reversal,
-            };
+            *response = #response;
             #smallest
         }
     };
 
-    let response = symbolic_response(&graph, damped);
+    let response = tracer.response("response");
     let at = chain.scaled(&response, graph.input("sum.scale"), false, 0);
     let sum = symbolic_sum(&graph, damped);
     let joined = chain.joined_by(&sum, &symbolic, &response, &at, false);
@@ -274,25 +320,6 @@ fn symbolic_mode(graph: &Graph, kind: Kind) -> Mode<Expr<'_>> {
         residue: of("residue"),
         mobility: of("mobility"),
         static_residue: of("static_residue"),
-    }
-}
-
-fn symbolic_response(graph: &Graph, damped: bool) -> ModeResponse<Expr<'_>> {
-    let of = |field: &str| graph.input(format!("response.{field}"));
-    let if_damped = |field: &str| {
-        if damped {
-            of(field)
-        } else {
-            Expr::constant(0.0)
-        }
-    };
-    ModeResponse {
-        x: of("x"),
-        denominator: Complex::new(of("denominator.re"), if_damped("denominator.im")),
-        size: of("size"),
-        u: of("u"),
-        g: if_damped("g"),
-        reversal: if_damped("reversal"),
     }
 }
 

@@ -8,90 +8,34 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
         name,
         at,
         motion,
-        scalar,
         facade,
         ..
     } = emission;
-    let missing = code!(#facade::kernel::missing);
-    let mut of_at = TokenStream::new();
-    if wanted.motion.is_none() {
-        of_at.extend(asked(&code!(motion), &code!(#missing::AddMotionToProvide)));
-    }
-    if !wanted.orbit {
-        let short = code!(#missing::AddOrbitToProvide);
-        of_at.extend(asked(&code!(orbit), &short));
-        of_at.extend(code! {
-            #[doc(hidden)]
-            pub fn orbit_from<T: #short, U>(&self, _: T, _: U) -> T::Answer {
-                T::answer()
-            }
-        });
-    }
-    if !wanted.stuck {
-        of_at.extend(unasked(&code!(stuck), &code!(#missing::AddStuckToProvide)));
-    }
     let mut items = TokenStream::new();
+    let of_at = [
+        (wanted.motion.is_some(), code!(motion)),
+        (wanted.stuck, code!(stuck)),
+        (wanted.orbit, code!(orbit)),
+    ];
+    let of_at = of_at.into_iter().filter(|(provided, _)| !provided);
+    let of_at: Vec<TokenStream> = of_at.map(|(_, method)| method).collect();
     if !of_at.is_empty() {
-        items.extend(code!(impl #at { #of_at }));
+        items.extend(code!(#facade::kernel::not_provided!(#at: #(#of_at),*);));
     }
     if !wanted.simulation {
-        let short = code!(#missing::AddSimulationToProvide);
-        items.extend(code! {
-            impl #name {
-                #[doc(hidden)]
-                pub fn simulation<'a>(_: #scalar, _: #scalar) -> <&'a Self as #short>::Answer
-                where
-                    &'a Self: #short,
-                {
-                    <&'a Self as #short>::answer()
-                }
-                #[doc(hidden)]
-                pub fn simulation_from<'a, T>(
-                    _: #scalar,
-                    _: #scalar,
-                    _: T,
-                ) -> <&'a Self as #short>::Answer
-                where
-                    &'a Self: #short,
-                {
-                    <&'a Self as #short>::answer()
-                }
-            }
-        });
+        items.extend(code!(#facade::kernel::not_provided!(#name: simulation);));
     }
     if let Some(masses) = &wanted.motion {
-        let names = emission.description.mass_names.iter();
         let left_out = |name: &&Ident| masses.iter().all(|(_, mass)| mass != name);
-        let methods: TokenStream = names
+        let names: Vec<&Ident> = emission
+            .description
+            .mass_names
+            .iter()
             .filter(left_out)
-            .map(|name| unasked(&code!(#name), &code!(#missing::AddMassToMotion)))
             .collect();
-        if !methods.is_empty() {
-            items.extend(code!(impl #motion { #methods }));
+        if !names.is_empty() {
+            items.extend(code!(#facade::kernel::left_out!(#motion: #(#names),*);));
         }
     }
     items
-}
-
-/// A method of a number: the compiler tells what is missing when it sees the number.
-fn asked(method: &TokenStream, short: &TokenStream) -> TokenStream {
-    code! {
-        #[doc(hidden)]
-        pub fn #method<T: #short>(&self, _: T) -> T::Answer {
-            T::answer()
-        }
-    }
-}
-
-/// A method of nothing: the name of the trait is what the compiler tells.
-fn unasked(method: &TokenStream, short: &TokenStream) -> TokenStream {
-    code! {
-        #[doc(hidden)]
-        pub fn #method<'a>(&'a self) -> <&'a Self as #short>::Answer
-        where
-            &'a Self: #short,
-        {
-            <&'a Self as #short>::answer()
-        }
-    }
 }

@@ -8,6 +8,7 @@ mod missing;
 mod motion;
 mod names;
 mod orbit;
+mod scene;
 mod shield;
 mod simulation;
 mod stuck;
@@ -15,7 +16,8 @@ mod trace;
 
 use crate::Description;
 use crate::graph::print::scalar;
-use frictiongen_model::modal::{Modal, Reduced};
+use frictiongen_model::modal::Modal;
+use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::{Precision, Provide, Scene};
 use names::{IMPORTED, field, local, names};
 use proc_macro2::{Ident, TokenStream};
@@ -28,9 +30,9 @@ pub use trace::traces;
 /// grow with the modes.
 pub const PASSES_FROM: usize = 17;
 
-/// From this many modes on a mass's sums over modes are calls of the kernel instead of straight
-/// lines: there is one such sum for each mass.
-const SUMS_FROM: usize = 5;
+/// From this many modes on the sums over modes in a motion are calls of the kernel instead of straight lines, of
+/// which each mass has its own.
+const SUMS_FROM: usize = 3;
 
 /// Everything that the emitted items have in common.
 struct Emission<'a> {
@@ -102,6 +104,11 @@ impl Emission<'_> {
 
     fn damped(&self) -> bool {
         self.reduced.chain.damped
+    }
+
+    /// Whether the motion of this mass is the contact's: it rubs on a support at rest.
+    fn moves_as_contact(&self, mass: usize) -> bool {
+        self.reduced.chain.on_moving_base.is_none() && self.reduced.rubbing == Some(mass)
     }
 
     fn literal(&self, value: f64) -> TokenStream {
@@ -220,7 +227,6 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
         wanted.simulation,
         wanted.orbit,
     ];
-    let in_time = wanted.simulation || wanted.orbit;
     let (types, mut items) = parts(&emission);
     let own = emission.names();
     let clashes = own
@@ -242,36 +248,12 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
         }
     }
     let facade = emission.facade;
-    let scalar = &emission.scalar;
-    let in_time = in_time.then(|| {
-        code! {
-            use #facade::NoOrbit;
-            use #facade::kernel::orbit::{Orbit, OrbitMotion};
-            use #facade::kernel::simulation::{
-                Dynamics, HeldMode, Moment, Part, Segment, Simulation,
-            };
-        }
-    });
     let shield = shield::emit(&items);
     let block = code! {
-            use #facade::kernel::chain::{Chain, ContactAt, ModeAt};
-            use #facade::kernel::decay::{Damped, Decay, Undamped};
-            use #facade::kernel::mode::{Kind, Mode, ModeResponse};
-            use #facade::kernel::motion::{Carrier, Friction, Share};
-            use #facade::kernel::regime::Limits;
-            use #facade::kernel::search::Effort;
-            use #facade::kernel::steady::{self, Motion};
-            use #facade::kernel::wave::Wave;
-            use #facade::kernel::{Complex, Scalar, regime};
-            use #facade::{NotContinuous, OutOfDomain, Regime, StuckResonance};
-            #in_time
-            use ::core::iter::{IntoIterator, Iterator};
-            use ::core::option::Option::{self, None, Some};
-            use ::core::result::Result::{self, Err, Ok};
+            use #facade::kernel::emitted::*;
             // Local variables may have the names of the user's constants: these come first.
             use #facade::kernel::locals::*;
             #shield
-            use ::core::primitive::#scalar;
             #items
     };
     let block = if clashes {
@@ -300,19 +282,16 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
 /// Everything that is emitted, types and what stays hidden.
 fn parts(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     let wanted = emission.wanted();
-    let constants = constants::emit(emission);
-    let frequency = frequency::emit(emission);
-    let limits = limits::emit(emission);
+    let Part {
+        mut types,
+        mut items,
+    } = constants::emit(emission);
     let motion = wanted
         .motion
         .as_deref()
         .map(|masses| motion::emit(emission, masses));
     let stuck = wanted.stuck.then(|| stuck::emit(emission));
-    let mut types = constants.types;
-    types.extend(frequency.types);
-    let mut items = constants.items;
-    items.extend(frequency.items);
-    items.extend(limits);
+    items.extend(scene::emit(emission, &wanted));
     items.extend(missing::emit(emission, &wanted));
     let in_time = wanted.simulation || wanted.orbit;
     let dynamics = in_time.then(|| dynamics::emit(emission));
@@ -335,20 +314,4 @@ fn parts(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
 struct Part {
     types: TokenStream,
     items: TokenStream,
-}
-
-/// The derives of emitted types, by paths that hold without a prelude.
-fn derives() -> TokenStream {
-    code! {
-        #[::core::prelude::v1::derive(
-            ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug
-        )]
-    }
-}
-
-/// The derives of types that are too large to be copied unasked.
-fn not_copied() -> TokenStream {
-    code! {
-        #[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug)]
-    }
 }

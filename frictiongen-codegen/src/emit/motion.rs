@@ -1,13 +1,14 @@
 //! The continuous motion: of the contact, and of the masses that the scene asks for.
 
 use super::trace::Tracer;
-use super::{Emission, Part, derives, field, local, rounded};
+use super::{Emission, Part, field, local};
 use crate::graph::{Expr, Graph};
 use frictiongen_kernel::motion::{Carrier, Share};
 use proc_macro2::{Ident, Literal, TokenStream};
 
+/// Names of the code around the formulas.
 const TAKEN: [&str; 8] = [
-    "r",
+    "at",
     "inverse_r",
     "contact",
     "modes",
@@ -17,395 +18,245 @@ const TAKEN: [&str; 8] = [
     "waves",
 ];
 
+/// The type of the motion, with a method for each mass.
 pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part {
     let Emission {
         description,
-        scalar,
         name,
-        at,
         motion,
         facade,
-        decay,
         ..
     } = emission;
     let visibility = &description.visibility;
-    let derives = derives();
     let about = format!(
         " The exact continuous motion of [`{name}`] at one frequency and one friction ratio."
     );
     let types = code! {
         #[doc = #about]
-        #derives
         #[allow(non_camel_case_types)]
-        #visibility struct #motion {
-            at: #at,
-            friction: #facade::kernel::motion::Friction<::core::primitive::#scalar>,
-        }
+        #visibility struct #motion(#facade::kernel::response::Continuous<#name>);
     };
-    let (friction, operations) = friction(emission);
-    let operations = format!(" Operations: {operations}, after both limits.");
-    let contact = of_contact(emission);
-    let asked = masses.iter().map(|(index, name)| {
-        let index = Literal::usize_unsuffixed(*index);
-        code!(#facade::Of::Mass(#index) => Some(question(&self.#name())))
-    });
-    let methods = masses
-        .iter()
-        .map(|(index, name)| of_mass(emission, *index, name));
-    let unbounded = emission.list(
-        emission
-            .modal
-            .unbounded(false)
-            .into_iter()
-            .map(|r| rounded(r, emission.precision)),
-    );
-    let items = code! {
-        impl #at {
-            /// The exact continuous motion at the friction ratio β = F/P: amplitude and phase of
-            /// the contact (5.35, 5.38, 7.20, 7.21) on the way.
-            ///
-            #[doc = #operations]
-            ///
-            /// # Errors
-            /// `NotContinuous` says which regime it is instead, or that an undamped resonance is
-            /// unbounded at this β, or that β is out of the domain.
-            pub fn motion(&self, beta: #scalar) -> Result<#motion, NotContinuous> {
-                let Self { r, inverse_r, contact, modes } = *self;
-                let mut waves = #name::MODES.map(|mode| Wave::<#scalar, #decay>::idle(&mode));
-                let beta = #name::CHAIN.admitted(
-                    r,
-                    beta,
-                    self.sliding_limit(),
-                    #name::CONTINUOUS_AT_INFINITY,
-                    &#unbounded,
-                    &contact,
-                    &#name::MODES,
-                    &modes,
-                    &mut waves,
-                )?;
-                #friction
-                Ok(#motion { at: *self, friction })
+    let methods = masses.iter().map(|(mass, method)| {
+        let about = format!(" The motion of mass `{method}` (5.50 and its exact form, 7.29).");
+        let rests = emission.moves_as_contact(*mass);
+        let motion = if rests {
+            code!(self.contact())
+        } else {
+            let mass = Literal::usize_unsuffixed(*mass);
+            code!(self.mass(#mass))
+        };
+        let why = rests.then(|| {
+            code! {
+                ///
+                /// It rubs on a support at rest: its motion is the contact's.
+            }
+        });
+        code! {
+            #[doc = #about]
+            #why
+            #[must_use]
+            pub fn #method(&self) -> MotionOf<#name> {
+                #motion
             }
         }
+    });
+    let items = code! {
+        impl ProvidesMotion for #name {
+            type Motion = #motion;
+        }
+
+        #facade::kernel::wraps!(#motion, Continuous of #name, Copy);
 
         impl #motion {
-            #contact
             #(#methods)*
-        }
-
-        impl #facade::MotionAt for #at {
-            type Motion = #motion;
-
-            fn motion(&self, beta: #scalar) -> Result<#motion, NotContinuous> {
-                Self::motion(self, beta)
-            }
-        }
-
-        impl #facade::ContinuousMotion for #motion {
-            type Scalar = #scalar;
-
-            fn ask<T>(
-                &self,
-                of: #facade::Of,
-                question: impl ::core::ops::FnOnce(&dyn #facade::Steady<Scalar = #scalar>) -> T,
-            ) -> Option<T> {
-                match of {
-                    #facade::Of::Contact => Some(question(&self.contact())),
-                    #(#asked,)*
-                    #[allow(unreachable_patterns)]
-                    _ => None,
-                }
-            }
         }
     };
     Part { types, items }
 }
 
-/// The friction stage: amplitude and phase of the contact.
-fn friction(emission: &Emission<'_>) -> (TokenStream, String) {
+/// The motions of a scene of few modes in straight lines, as methods of the kernel's `Scene`.
+pub(super) fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream {
+    let scalar = &emission.scalar;
+    let contact = of_contact(emission);
+    let modes = mode_names(emission);
+    let masses: Vec<TokenStream> = masses
+        .iter()
+        .filter(|(mass, _)| !emission.moves_as_contact(*mass))
+        .map(|(mass, _)| of_mass(emission, *mass))
+        .collect();
+    let masses = (!masses.is_empty()).then(|| {
+        code! {
+            #[allow(unused_variables)]
+            fn mass_motion(
+                at: &At<Self>,
+                friction: &Friction<#scalar>,
+                mass: usize,
+            ) -> Option<MotionOf<Self>> {
+                let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+                let [#(#modes),*] = at.modes();
+                let (carrier, waves) = match mass {
+                    #(#masses)*
+                    _ => return None,
+                };
+                Some(Motion::of_mass(*friction, carrier, waves))
+            }
+        }
+    });
+    code! {
+        #[allow(unused_variables)]
+        fn contact_motion(at: &At<Self>, friction: &Friction<#scalar>) -> MotionOf<Self> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [#(#modes),*] = at.modes();
+            #contact
+            Motion::of_contact(*friction, carrier, waves)
+        }
+
+        #masses
+    }
+}
+
+/// `mode_1`, `mode_2`, …
+pub(super) fn mode_names(emission: &Emission<'_>) -> Vec<Ident> {
+    let modes = 1..=emission.modes();
+    modes.map(|mode| local(&format!("mode_{mode}"))).collect()
+}
+
+/// The coefficients that all modes share, and each mode's.
+struct Coefficients<'g> {
+    carrier: Carrier<Expr<'g>>,
+    /// None for a mode that the contact does not drive.
+    shares: Vec<Option<Share<Expr<'g>>>>,
+}
+
+fn of_contact(emission: &Emission<'_>) -> TokenStream {
     let graph = Graph::new(emission.modes());
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
     let contact = tracer.contact("contact");
-    let stage =
-        tracer
-            .reduced
-            .chain
-            .friction(&contact, graph.input("inverse_r"), graph.input("beta"));
-    let outputs = [stage.root, stage.amplitude, stage.phase, stage.unscale].map(Expr::operand);
-    let (printed, count) = tracer.print(&outputs, emission.precision, &TAKEN);
-    let statements = printed.statements;
-    let [root, amplitude, phase, unscale] = printed.outputs.as_slice() else {
-        return (TokenStream::new(), String::new());
+    let friction = tracer.friction();
+    let chain = &tracer.reduced.chain;
+    let modes = tracer.reduced.modes.iter().zip(tracer.modes_at());
+    let inverse_r = graph.input("inverse_r");
+    let coefficients = Coefficients {
+        carrier: chain.contact_carrier(&contact, &friction),
+        shares: modes
+            .enumerate()
+            .map(|(index, (mode, at))| {
+                let residue = mode.mobility;
+                mode.in_contact
+                    .then(|| chain.share(&at, residue, &contact, &friction, inverse_r, index))
+            })
+            .collect(),
     };
-    let (root, amplitude) = (field("root", root), field("amplitude", amplitude));
-    let (phase, unscale) = (field("phase", phase), field("unscale", unscale));
-    let statements = code! {
-        let friction = {
+    let Lines {
+        statements,
+        carrier,
+        waves,
+    } = lines(
+        emission,
+        &tracer,
+        &coefficients,
+        &code!(steady::motion_wave),
+    );
+    code! {
+        #statements
+        let carrier = #carrier;
+        let waves = #waves;
+    }
+}
+
+fn of_mass(emission: &Emission<'_>, mass: usize) -> TokenStream {
+    let graph = Graph::new(emission.modes());
+    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+    let contact = tracer.contact("contact");
+    let (friction, inverse_r) = (tracer.friction(), graph.input("inverse_r"));
+    let (chain, at) = (&tracer.reduced.chain, tracer.modes_at());
+    let (shape, modes) = (tracer.reduced.shape(mass), &tracer.reduced.modes);
+    let parts = modes.iter().zip(&at).zip(shape).enumerate();
+    let coefficients = Coefficients {
+        carrier: chain.carrier(shape, modes, &at, &contact, &friction, inverse_r),
+        shares: parts
+            .map(|(index, ((mode, at), component))| {
+                let residue = *component * mode.contact;
+                mode.in_contact.then(|| {
+                    chain.mass_share(mode, at, residue, &contact, &friction, inverse_r, index)
+                })
+            })
+            .collect(),
+    };
+    let Lines {
+        statements,
+        carrier,
+        waves,
+    } = lines(emission, &tracer, &coefficients, &code!(steady::mass_wave));
+    let mass = Literal::usize_unsuffixed(mass);
+    code! {
+        #mass => {
             #statements
-            Friction { beta, #root, #amplitude, #phase, #unscale }
-        };
-    };
-    (statements, count.to_string())
-}
-
-/// What a motion's function begins with, and its modes by name.
-fn opening(emission: &Emission<'_>, used: &[usize]) -> TokenStream {
-    let at = &emission.at;
-    let names = (0..emission.modes()).map(|index| {
-        if used.contains(&index) {
-            let name = local(&format!("mode_{}", index + 1));
-            code!(#name)
-        } else {
-            code!(_)
+            (#carrier, #waves)
         }
-    });
-    let modes = if emission.in_sums() {
-        code!(modes)
-    } else {
-        code!(modes: [#(#names),*])
-    };
-    code! {
-        let Self { at: #at { inverse_r, contact, #modes, .. }, friction } = *self;
     }
 }
 
-/// Values of a carrier.
-const CARRIER: usize = 4;
-/// Values of a mode's share.
-const SHARE: usize = 4;
+/// A motion's coefficients as statements and expressions.
+struct Lines {
+    statements: TokenStream,
+    carrier: TokenStream,
+    waves: TokenStream,
+}
 
-fn waves(
+fn lines<'g>(
     emission: &Emission<'_>,
+    tracer: &Tracer<'g>,
+    coefficients: &Coefficients<'g>,
     wave: &TokenStream,
-    used: &[usize],
-    shares: &[TokenStream],
-) -> TokenStream {
-    let Emission { name, scalar, .. } = emission;
-    let waves = used.iter().zip(shares.chunks(SHARE)).map(|(index, share)| {
-        let mode = local(&format!("mode_{}", index + 1));
-        let decay = if emission.damped() {
-            let index = Literal::usize_unsuffixed(*index);
-            code!(<Damped<#scalar> as Decay<#scalar>>::of(&#name::MODES[#index]))
-        } else {
-            code!(Undamped)
-        };
-        let [rise, fall, swing, gain] = share else {
-            return TokenStream::new();
-        };
-        code!(#wave(#mode.x, #decay, Share { rise: #rise, fall: #fall, swing: #swing, gain: #gain }))
-    });
-    code!([#(#waves),*])
-}
-
-fn carrier_structure(outputs: &[TokenStream]) -> TokenStream {
-    let [cosine, sine, re, im] = outputs else {
-        return TokenStream::new();
-    };
-    code! {
-        Carrier {
-            cosine: #cosine,
-            sine: #sine,
-            response: Complex { re: #re, im: #im },
-        }
-    }
-}
-
-fn carrier_outputs<'g>(carrier: &Carrier<Expr<'g>>) -> [Expr<'g>; CARRIER] {
+) -> Lines {
     let Carrier {
         cosine,
         sine,
         response,
-    } = *carrier;
-    [cosine, sine, response.re, response.im]
-}
-
-fn share_outputs<'g>(share: &Share<Expr<'g>>) -> [Expr<'g>; SHARE] {
-    [share.rise, share.fall, share.swing, share.gain]
-}
-
-fn returned(emission: &Emission<'_>, waves: usize) -> TokenStream {
-    let Emission { scalar, decay, .. } = emission;
-    let waves = Literal::usize_unsuffixed(waves);
-    code!(Motion<#scalar, #decay, [Wave<#scalar, #decay>; #waves]>)
-}
-
-fn of_contact(emission: &Emission<'_>) -> TokenStream {
-    let Emission { decay, name, .. } = emission;
-    let used: Vec<usize> = driven(emission, |mode| mode.in_contact);
-    let opening = opening(emission, &used);
-    let returned = returned(
-        emission,
-        if emission.in_sums() {
-            emission.modes()
-        } else {
-            used.len()
-        },
-    );
-    let graph = Graph::new(emission.modes());
-    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
-    let contact = tracer.contact("contact");
-    let carrier = tracer
-        .reduced
-        .chain
-        .contact_carrier(&contact, &tracer.friction());
-    let mut outputs = carrier_outputs(&carrier).to_vec();
-    if !emission.in_sums() {
-        let at = tracer.modes_at();
-        for (index, (mode, at)) in tracer.reduced.modes.iter().zip(&at).enumerate() {
-            if mode.in_contact {
-                let share =
-                    tracer.share(index, mode.mobility, at, &contact, graph.input("inverse_r"));
-                outputs.extend(share_outputs(&share));
-            }
-        }
+    } = coefficients.carrier;
+    let mut outputs = vec![cosine, sine, response.re, response.im];
+    for share in coefficients.shares.iter().flatten() {
+        outputs.extend([share.rise, share.fall, share.swing, share.gain]);
     }
     let outputs: Vec<_> = outputs.into_iter().map(Expr::operand).collect();
-    let (printed, count) = tracer.print(&outputs, emission.precision, &TAKEN);
-    let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(CARRIER));
-    let carrier = carrier_structure(carrier);
-    let statements = printed.statements;
-    let waves = if emission.in_sums() {
-        code! {
-            #name::CHAIN.contact_waves::<#decay, _>(
-                &#name::MODES, &modes, &contact, &friction, inverse_r,
-            )
+    let (printed, _) = tracer.print(&outputs, emission.precision, &TAKEN);
+    let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(4));
+    let carrier = match carrier {
+        [cosine, sine, re, im] => {
+            code!(Carrier { cosine: #cosine, sine: #sine, response: Complex { re: #re, im: #im } })
         }
-    } else {
-        waves(emission, &code!(steady::motion_wave), &used, shares)
+        _ => TokenStream::new(),
     };
-    let operations = format!(" Operations: {count}.");
-    code! {
-        /// The relative motion in the contact: x̄ of the mass, of the mass from the base, or of the
-        /// later mass from the earlier.
-        ///
-        #[doc = #operations]
-        #[must_use]
-        pub fn contact(&self) -> #returned {
-            #opening
-            #statements
-            let carrier = #carrier;
-            let waves = #waves;
-            Motion::of_contact(friction, carrier, waves)
-        }
+    let mut shares = shares.chunks(4);
+    let waves = coefficients
+        .shares
+        .iter()
+        .enumerate()
+        .map(|(index, share)| {
+            let mode = local(&format!("mode_{}", index + 1));
+            let decay = decay(emission, index);
+            match share.and_then(|_| shares.next()) {
+                Some([rise, fall, swing, gain]) => {
+                    let (rise, fall) = (field("rise", rise), field("fall", fall));
+                    let (swing, gain) = (field("swing", swing), field("gain", gain));
+                    code!(#wave(#mode.x, #decay, Share { #rise, #fall, #swing, #gain }))
+                }
+                _ => code!(Wave::rest(#mode.x, #decay)),
+            }
+        });
+    Lines {
+        statements: printed.statements,
+        carrier,
+        waves: code!([#(#waves),*]),
     }
 }
 
-fn driven(
-    emission: &Emission<'_>,
-    wanted: impl Fn(&frictiongen_kernel::mode::Mode<f64>) -> bool,
-) -> Vec<usize> {
-    let modes = emission.reduced.modes.iter().enumerate();
-    modes
-        .filter(|(_, mode)| wanted(mode))
-        .map(|(index, _)| index)
-        .collect()
-}
-
-fn of_mass(emission: &Emission<'_>, mass: usize, method: &Ident) -> TokenStream {
-    let Emission {
-        scalar,
-        decay,
-        name,
-        modal,
-        reduced,
-        ..
-    } = emission;
-    let about = format!(" The motion of mass `{method}` (5.50 and its exact form, 7.29).");
-    if reduced.chain.on_moving_base.is_none() && modal.contact == (mass, None) {
-        let in_contact = driven(emission, |mode| mode.in_contact).len();
-        let returned = returned(
-            emission,
-            if emission.in_sums() {
-                emission.modes()
-            } else {
-                in_contact
-            },
-        );
-        return code! {
-            #[doc = #about]
-            ///
-            /// It rubs on a support at rest: its motion is the contact's.
-            #[inline]
-            #[must_use]
-            pub fn #method(&self) -> #returned {
-                self.contact()
-            }
-        };
+/// How a mode decays.
+fn decay(emission: &Emission<'_>, mode: usize) -> TokenStream {
+    if !emission.damped() {
+        return code!(Undamped);
     }
-    let shape: Vec<f64> = reduced.shapes.get(mass).cloned().unwrap_or_default();
-    if emission.in_sums() {
-        let modes = Literal::usize_unsuffixed(emission.modes());
-        let returned = returned(emission, emission.modes());
-        let opening = opening(emission, &[]);
-        let shape = emission.list(shape);
-        return code! {
-            #[doc = #about]
-            #[must_use]
-            pub fn #method(&self) -> #returned {
-                const SHAPE: [#scalar; #modes] = #shape;
-                #opening
-                let carrier = #name::CHAIN.carrier(&SHAPE, &#name::MODES, &modes, &contact, &friction, inverse_r);
-                let waves = #name::CHAIN.mass_waves::<#decay, _>(
-                    &#name::MODES, &SHAPE, &modes, &contact, &friction, inverse_r,
-                );
-                Motion::of_mass(friction, carrier, waves)
-            }
-        };
-    }
-    let moves = |index: usize| shape.get(index).is_some_and(|component| *component != 0.0);
-    let rubbed: Vec<usize> = driven(emission, |mode| mode.in_contact)
-        .into_iter()
-        .filter(|index| moves(*index))
-        .collect();
-    let graph = Graph::new(emission.modes());
-    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
-    let chain = &tracer.reduced.chain;
-    let contact = tracer.contact("contact");
-    let inverse_r = graph.input("inverse_r");
-    let at = tracer.modes_at();
-    let components = tracer.reduced.shapes.get(mass).cloned().unwrap_or_default();
-    let carrier = chain.carrier(
-        &components,
-        &tracer.reduced.modes,
-        &at,
-        &contact,
-        &tracer.friction(),
-        inverse_r,
-    );
-    let mut outputs = carrier_outputs(&carrier).to_vec();
-    for index in &rubbed {
-        if let (Some(component), Some(mode), Some(at)) = (
-            components.get(*index),
-            tracer.reduced.modes.get(*index),
-            at.get(*index),
-        ) {
-            let residue = *component * mode.contact;
-            let share = tracer.mass_share(*index, mode, residue, at, &contact, inverse_r);
-            outputs.extend(share_outputs(&share));
-        }
-    }
-    let outputs: Vec<_> = outputs.into_iter().map(Expr::operand).collect();
-    let (printed, count) = tracer.print(&outputs, emission.precision, &TAKEN);
-    let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(CARRIER));
-    let carrier = carrier_structure(carrier);
-    let statements = printed.statements;
-    let waves = waves(emission, &code!(steady::mass_wave), &rubbed, shares);
-    let all: Vec<usize> = (0..emission.modes()).collect();
-    let opening = opening(emission, &all);
-    let returned = returned(emission, rubbed.len());
-    let operations = format!(" Operations: {count}.");
-    code! {
-        #[doc = #about]
-        ///
-        #[doc = #operations]
-        #[must_use]
-        #[allow(unused_variables)]
-        pub fn #method(&self) -> #returned {
-            #opening
-            #statements
-            let carrier = #carrier;
-            let waves = #waves;
-            Motion::of_mass(friction, carrier, waves)
-        }
-    }
+    let (scalar, mode) = (&emission.scalar, Literal::usize_unsuffixed(mode));
+    code!(<Damped<#scalar> as Decay<#scalar>>::of(&Self::MODES[#mode]))
 }

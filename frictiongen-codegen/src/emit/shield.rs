@@ -41,8 +41,10 @@ fn collect(tokens: TokenStream, names: &mut BTreeSet<String>) {
         let before = index.checked_sub(1);
         match token {
             // What stands in an attribute binds nothing.
+            // Nor what is given to a macro.
             TokenTree::Group(group)
-                if !(group.delimiter() == Delimiter::Bracket && sign(before, '#')) =>
+                if !(sign(before, '!')
+                    || group.delimiter() == Delimiter::Bracket && sign(before, '#')) =>
             {
                 collect(group.stream(), names);
             }

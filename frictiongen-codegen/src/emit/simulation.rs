@@ -1,7 +1,7 @@
 //! The exact motion in time.
 
 use super::dynamics::{Constants, count};
-use super::{Emission, Part, not_copied};
+use super::{Emission, Part};
 use proc_macro2::TokenStream;
 
 pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
@@ -15,27 +15,17 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         ..
     } = emission;
     let visibility = &description.visibility;
-    let derives = not_copied();
     let parts = count(constants.parts);
     let masses = count(scene.masses.len());
     let about = format!(
         " The exact motion of [`{name}`] in time, from event to event; `next` gives its segments."
     );
-    let kernel = code!(#facade::kernel::simulation);
-    let run = code! {
-        #kernel::Simulation<
-            'static,
-            ::core::primitive::#scalar,
-            [#kernel::Part<::core::primitive::#scalar>; #parts],
-        >
-    };
     let types = code! {
         #[doc = #about]
-        #derives
         #[allow(non_camel_case_types)]
-        #visibility struct #simulation {
-            run: #run,
-        }
+            #visibility struct #simulation(
+                #facade::kernel::simulation::FixedSimulation<::core::primitive::#scalar, #parts>
+            );
     };
     let methods = description
         .mass_names
@@ -48,7 +38,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
                 #[doc = #about]
                 #[must_use]
                 pub fn #method(&self) -> Moment<#scalar> {
-                    self.run.mass(#index)
+                    self.mass(#index)
                 }
             }
         });
@@ -60,8 +50,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             /// # Errors
             /// `OutOfDomain` unless r is positive and finite, and β finite and not negative.
             pub fn simulation(r: #scalar, beta: #scalar) -> Result<#simulation, OutOfDomain> {
-                let run = Simulation::new(Self::DYNAMICS, r, beta, None, [Part::empty(); #parts])?;
-                Ok(#simulation { run })
+                let parts = [Part::empty(); #parts];
+                Simulation::new(Self::DYNAMICS, r, beta, None, parts).map(From::from)
             }
 
             /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
@@ -73,16 +63,13 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
                 beta: #scalar,
                 state: (&[#scalar; #masses], &[#scalar; #masses]),
             ) -> Result<#simulation, OutOfDomain> {
-                let run = Simulation::new(
-                    Self::DYNAMICS,
-                    r,
-                    beta,
-                    Some((state.0, state.1)),
-                    [Part::empty(); #parts],
-                )?;
-                Ok(#simulation { run })
+                let parts = [Part::empty(); #parts];
+                let start = Some((&state.0[..], &state.1[..]));
+                Simulation::new(Self::DYNAMICS, r, beta, start, parts).map(From::from)
             }
         }
+
+        #facade::kernel::wraps!(#simulation, FixedSimulation of #scalar, #parts);
 
         impl #simulation {
             #methods
@@ -96,26 +83,18 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
         }
 
-        impl ::core::ops::Deref for #simulation {
-            type Target = Simulation<'static, #scalar, [Part<#scalar>; #parts]>;
-
-            fn deref(&self) -> &Self::Target {
-                &self.run
-            }
-        }
-
         impl ::core::ops::DerefMut for #simulation {
             fn deref_mut(&mut self) -> &mut Self::Target {
-                &mut self.run
+                &mut self.0
             }
         }
 
         impl<'a> IntoIterator for &'a mut #simulation {
             type Item = Segment<#scalar>;
-            type IntoIter = &'a mut Simulation<'static, #scalar, [Part<#scalar>; #parts]>;
+            type IntoIter = &'a mut FixedSimulation<#scalar, #parts>;
 
             fn into_iter(self) -> Self::IntoIter {
-                &mut self.run
+                &mut self.0
             }
         }
     };

@@ -6,9 +6,10 @@ use crate::graph::print::{Printed, print};
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt};
 use frictiongen_kernel::complex::Complex;
-use frictiongen_kernel::mode::{Mode, ModeResponse};
-use frictiongen_kernel::motion::{Friction, Share};
-use frictiongen_model::modal::{Modal, Reduced};
+use frictiongen_kernel::mode::ModeResponse;
+use frictiongen_kernel::motion::Friction;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::{Precision, Scene};
 
 /// A recorded function under construction.
@@ -70,6 +71,19 @@ impl<'g> Tracer<'g> {
         }
     }
 
+    /// A mode's functions, free of their pole.
+    pub fn response(&self, name: &str) -> ModeResponse<Expr<'g>> {
+        let of = |field: &str| self.graph.input(format!("{name}.{field}"));
+        ModeResponse {
+            x: of("x"),
+            denominator: self.complex(&format!("{name}.denominator")),
+            size: of("size"),
+            u: of("u"),
+            g: self.if_damped(format!("{name}.g")),
+            reversal: self.if_damped(format!("{name}.reversal")),
+        }
+    }
+
     pub fn modes_at(&self) -> Vec<ModeAt<Expr<'g>>> {
         (1..=self.count())
             .map(|mode| self.mode_at(&format!("mode_{mode}")))
@@ -95,33 +109,6 @@ impl<'g> Tracer<'g> {
         let mut at = vec![ModeAt::zero(); modes.len()];
         let contact = chain.contact(modes, &responses, scale, inverse_r, &mut at);
         (contact, at)
-    }
-
-    pub fn share(
-        &self,
-        index: usize,
-        residue: Expr<'g>,
-        at: &ModeAt<Expr<'g>>,
-        contact: &ContactAt<Expr<'g>>,
-        inverse_r: Expr<'g>,
-    ) -> Share<Expr<'g>> {
-        self.reduced
-            .chain
-            .share(at, residue, contact, &self.friction(), inverse_r, index)
-    }
-
-    pub fn mass_share(
-        &self,
-        index: usize,
-        mode: &Mode<Expr<'g>>,
-        residue: Expr<'g>,
-        at: &ModeAt<Expr<'g>>,
-        contact: &ContactAt<Expr<'g>>,
-        inverse_r: Expr<'g>,
-    ) -> Share<Expr<'g>> {
-        let friction = self.friction();
-        let chain = &self.reduced.chain;
-        chain.mass_share(mode, at, residue, contact, &friction, inverse_r, index)
     }
 
     /// Prints `outputs` for a function body in which `taken` are in use.
@@ -183,7 +170,8 @@ pub fn traces<S: frictiongen_kernel::Float>(
     ]
     .map(|(name, value)| (name.to_owned(), value.operand()))
     .to_vec();
-    for (index, (shape, mass)) in tracer.reduced.shapes.iter().zip(&scene.masses).enumerate() {
+    for (index, mass) in scene.masses.iter().enumerate() {
+        let shape = tracer.reduced.shape(index);
         let carrier = chain.carrier(
             shape,
             &tracer.reduced.modes,
@@ -195,7 +183,7 @@ pub fn traces<S: frictiongen_kernel::Float>(
         for (field, value) in [("cosine", carrier.cosine), ("sine", carrier.sine)] {
             named.push((format!("{}.{field}", mass.name), value.operand()));
         }
-        if modal.held(index).is_some() {
+        if tracer.reduced.rubbing == Some(index) {
             continue;
         }
         let stuck = chain.stuck(shape, &tracer.reduced.modes, &at, &contact, inverse);

@@ -75,6 +75,7 @@ fn kind(node: &Node) -> Option<&'static str> {
         | Node::IsZero(_)
         | Node::Select(..) => "compare",
         Node::Binary(Binary::Atan2, ..) => "atan2",
+        Node::Binary(Binary::Hypot, ..) => "hypot",
         Node::SinCosPi(_) | Node::SinCosPiMinus(..) => "sin_cos_pi",
     })
 }

@@ -236,6 +236,9 @@ impl<'g> Scalar for Expr<'g> {
     fn atan2(self, x: Self) -> Self {
         self.binary(Binary::Atan2, x, Scalar::atan2)
     }
+    fn hypot(self, other: Self) -> Self {
+        self.binary(Binary::Hypot, other, Scalar::hypot)
+    }
     fn sin_cos_pi(self) -> (Self, Self) {
         match self {
             Self::Number(value) => {

@@ -70,6 +70,7 @@ fn evaluate<S: Float>(
                 Binary::Min => a.min(b),
                 Binary::Copysign => a.copysign(b),
                 Binary::Atan2 => a.atan2(b),
+                Binary::Hypot => a.hypot(b),
             })
         }
         Node::SinCosPi(a) => {

@@ -58,6 +58,7 @@ pub enum Binary {
     Min,
     Copysign,
     Atan2,
+    Hypot,
 }
 
 /// A recorded operation.

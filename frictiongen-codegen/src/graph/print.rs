@@ -290,11 +290,12 @@ impl Printer {
                 let (a, b) = (self.within(a, Binds::Product), self.within(b, Binds::Unary));
                 product(code!(#a / #b))
             }
-            Binary::Max | Binary::Min | Binary::Copysign | Binary::Atan2 => {
+            Binary::Max | Binary::Min | Binary::Copysign | Binary::Atan2 | Binary::Hypot => {
                 let function = match op {
                     Binary::Max => code!(max),
                     Binary::Min => code!(min),
                     Binary::Copysign => code!(copysign),
+                    Binary::Hypot => code!(hypot),
                     _ => code!(atan2),
                 };
                 let (a, b) = (self.text(a).tokens, self.text(b).tokens);

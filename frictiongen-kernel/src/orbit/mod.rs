@@ -13,12 +13,14 @@ mod gauss;
 mod matrix;
 mod motion;
 mod newton;
+mod provides;
 mod record;
 mod segments;
 mod solve;
 mod tangent;
 
 pub use motion::OrbitMotion;
+pub use provides::{ProvidesOrbit, Start};
 pub use solve::{MAX_CYCLES, MAX_PERIOD, MAX_STEPS};
 
 use crate::complex::{self, Complex};
@@ -102,6 +104,19 @@ pub struct Orbit<'a, S, P, V, C> {
     origin: S,
     origin_cycle: S,
 }
+
+/// A steady state in arrays: of an emitted solver.
+pub type FixedOrbit<S, const PARTS: usize, const NUMBERS: usize, const MULTIPLIERS: usize> =
+    Orbit<'static, S, [Part<S>; PARTS], [S; NUMBERS], [Complex<S>; MULTIPLIERS]>;
+
+/// The steady motion of the contact or of a mass in a [`FixedOrbit`].
+pub type FixedOrbitMotion<
+    'o,
+    S,
+    const PARTS: usize,
+    const NUMBERS: usize,
+    const MULTIPLIERS: usize,
+> = OrbitMotion<'o, 'static, S, [Part<S>; PARTS], [S; NUMBERS], [Complex<S>; MULTIPLIERS]>;
 
 impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
 where
@@ -241,6 +256,17 @@ where
 
     /// The motion of a mass, by its place in the description; rest if there is no such mass.
     pub fn mass(&self, index: usize) -> OrbitMotion<'_, 'a, S, P, V, C> {
-        OrbitMotion::of_mass(self, self.setting.dynamics.shape(index))
+        let dynamics = &self.setting.dynamics;
+        if dynamics.moves_as_contact(index) {
+            self.contact()
+        } else {
+            OrbitMotion::of_mass(self, dynamics.shape(index))
+        }
+    }
+
+    /// The same; none if there is no such mass.
+    pub fn mass_at(&self, index: usize) -> Option<OrbitMotion<'_, 'a, S, P, V, C>> {
+        let known = !self.setting.dynamics.shape(index).is_empty();
+        known.then(|| self.mass(index))
     }
 }

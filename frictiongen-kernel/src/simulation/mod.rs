@@ -17,6 +17,9 @@ mod walk;
 
 pub use part::Part;
 pub use run::{Moment, Segment, Simulation};
+
+/// A run in arrays: of an emitted solver.
+pub type FixedSimulation<S, const PARTS: usize> = Simulation<'static, S, [Part<S>; PARTS]>;
 pub use setting::Setting;
 pub use walk::MAX_STEPS;
 
@@ -61,6 +64,8 @@ pub struct Dynamics<'a, S> {
     pub shapes: &'a [S],
     /// φᵀΓ, mode after mode.
     pub weights: &'a [S],
+    /// The mass that rubs on a support; none where two masses rub on each other.
+    pub rubbing: Option<usize>,
 }
 
 impl<'a, S: Float> Dynamics<'a, S> {
@@ -80,6 +85,11 @@ impl<'a, S: Float> Dynamics<'a, S> {
         let modes = self.modes.len();
         let mut shapes = self.shapes.chunks_exact(modes.max(1));
         shapes.nth(mass).unwrap_or_default()
+    }
+
+    /// Whether the motion of this mass is the contact's: it rubs on a support at rest.
+    pub(crate) fn moves_as_contact(&self, mass: usize) -> bool {
+        self.chain.on_moving_base.is_none() && self.rubbing == Some(mass)
     }
 
     /// The held modes, each with the shares of all modes that the contact drives.

@@ -33,6 +33,8 @@ pub struct Transient<S> {
     pub shares: Vec<[S; 2]>,
     /// What the scene says beyond its modes.
     pub chain: Chain<S>,
+    /// The mass that rubs on a support; none where two masses rub on each other.
+    pub rubbing: Option<usize>,
 }
 
 /// A mode in double-double.
@@ -83,6 +85,7 @@ impl<S: Scalar> Transient<S> {
             held,
             shares,
             chain,
+            rubbing: modal.rubbing(),
         }
     }
 
@@ -96,6 +99,7 @@ impl<S: Scalar> Transient<S> {
             shares: &self.shares,
             shapes: &self.shapes,
             weights: &self.weights,
+            rubbing: self.rubbing,
         }
     }
 }

@@ -6,11 +6,11 @@ use super::large;
 use crate::OutOfDomain;
 use crate::system::FrictionSystem;
 use frictiongen_codegen::{Diagnostics, Limits, parse_text};
-use frictiongen_kernel::chain::{Chain, ModeAt};
+use frictiongen_kernel::Float;
 use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::mode::ModeResponse;
-use frictiongen_kernel::{Float, regime};
-use frictiongen_model::modal::{Modal, Reduced};
+use frictiongen_kernel::response::At;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::transient::Transient;
 use frictiongen_model::validate::validate;
@@ -42,8 +42,6 @@ pub struct System<S = f64> {
     pub(super) reduced: Reduced<S>,
     resonances: Vec<S>,
     reference: S,
-    pub(super) unbounded: Vec<S>,
-    pub(super) invisible: Vec<S>,
     transient: OnceLock<Transient<S>>,
 }
 
@@ -103,8 +101,6 @@ impl<S: Float> System<S> {
             reduced: data.reduced(&to),
             resonances: all(data.resonances.clone()),
             reference: to(data.reference),
-            unbounded: all(data.unbounded(false)),
-            invisible: all(data.unbounded(true)),
             transient: OnceLock::new(),
         }
     }
@@ -171,21 +167,7 @@ impl<S: Float> System<S> {
     /// # Errors
     /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
     pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
-        let r = regime::check_ratio(r, "r")?;
-        let Reduced { modes, chain, .. } = &self.reduced;
-        let (low, high) = regime::inverse_ratio_range(modes.iter().map(|mode| mode.resonance));
-        let inverse_r = (S::constant(1.0) / r).max(low).min(high);
-        let mut responses = vec![ModeResponse::zero(); modes.len()];
-        let scale = Chain::responses(modes, inverse_r, &mut responses);
-        let mut modes_at = vec![ModeAt::zero(); modes.len()];
-        let contact = chain.contact(modes, &responses, scale, inverse_r, &mut modes_at);
-        Ok(SystemAt {
-            system: self,
-            r,
-            inverse_r,
-            contact,
-            modes: modes_at,
-        })
+        At::new(self, r).map(SystemAt::from)
     }
 
     /// β_n,i: the friction ratio below which the i-th undamped resonance is unbounded (6.2, 6.26);

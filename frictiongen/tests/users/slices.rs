@@ -75,6 +75,7 @@ const DYNAMICS: Dynamics<'static, f64> = Dynamics {
     shares: &[],
     shapes: &[1.0],
     weights: &[1.0],
+    rubbing: None,
 };
 
 #[test]

@@ -127,7 +127,7 @@ pub fn answers<S: Float>(
     place: &Place<S>,
     questions: &[Watched<S>],
 ) -> Vec<Complex<S>> {
-    let mut motions: Vec<(Of, DataMotion<S>)> = Vec::new();
+    let mut motions: Vec<(Of, DataMotion<'_, S>)> = Vec::new();
     questions
         .iter()
         .map(|question| {
@@ -147,7 +147,7 @@ pub fn answers<S: Float>(
 }
 
 /// The motion of the contact or of a mass.
-pub fn motion<S: Float>(at: &DataAt<'_, S>, of: Of, beta: S) -> DataMotion<S> {
+pub fn motion<'a, S: Float>(at: &DataAt<'a, S>, of: Of, beta: S) -> DataMotion<'a, S> {
     match of {
         Of::Contact => at.contact(beta),
         Of::Mass(mass) => at.mass(mass, beta),
@@ -164,7 +164,7 @@ fn at_rest<S: Float>(at: &DataAt<'_, S>, question: &Watched<S>) -> Complex<S> {
         (Asked::ContinuousLimit, Some(tau)) => real(at.continuous_limit_at(tau)),
         (Asked::PerMode, _) => real(at.continuous_limit_per_mode()),
         (Asked::SlidingLimit, _) => real(at.sliding_limit()),
-        (Asked::Stuck(mass), _) => at.stuck(mass),
+        (Asked::Stuck(mass), _) => at.stuck_amplitude(mass),
         _ => real(at.continuous_limit_without_search()),
     }
 }
@@ -173,7 +173,7 @@ fn moving<S: Float>(
     at: &DataAt<'_, S>,
     place: &Place<S>,
     question: &Watched<S>,
-    motion: &DataMotion<S>,
+    motion: &DataMotion<'_, S>,
 ) -> Complex<S> {
     let zero = S::constant(0.0);
     let told = question.lag.unwrap_or(zero);

@@ -115,7 +115,7 @@ fn ask<S: Float>(system: &System<S>, name: &str, place: &Place<f64>, asked: Aske
 fn told(judge: &Judge<'_>, case: &Case, got: Dd) -> Answer {
     let real = |value: Dd| Complex::new(value, Dd::from(0.0));
     let instant = match case.asked {
-        Asked::ContinuousLimit => first(&judge.at().constraint_peak()),
+        Asked::ContinuousLimit => first(&judge.at().velocity_constraint()),
         _ => None,
     };
     let own = match case.asked {

@@ -34,7 +34,6 @@ pub struct Moving {
 fn data<S: Float>(modal: &Modal<S>) -> Data<S> {
     Data {
         reduced: modal.reduced(|value| value),
-        contact: modal.contact,
     }
 }
 

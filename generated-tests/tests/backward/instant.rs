@@ -42,19 +42,19 @@ fn secant(of: impl Fn(Dd) -> Dd, from: Dd, first: f64, last: f64) -> Option<Dd> 
 }
 
 /// The instant next to `tau` at which a mass stands still.
-pub fn stationary(motion: &DataMotion<Dd>, tau: Dd, epsilon: f64) -> Option<Dd> {
+pub fn stationary(motion: &DataMotion<'_, Dd>, tau: Dd, epsilon: f64) -> Option<Dd> {
     zero(|tau| motion.velocity(tau), tau, epsilon)
 }
 
 /// x̄″, by a difference: the digits of [`Dd`] are enough.
-pub fn acceleration(motion: &DataMotion<Dd>, tau: Dd, epsilon: f64) -> Dd {
+pub fn acceleration(motion: &DataMotion<'_, Dd>, tau: Dd, epsilon: f64) -> Dd {
     let step = Dd::from(1e-3 * epsilon);
     (motion.velocity(tau + step) - motion.velocity(tau - step)) / (step + step)
 }
 
 /// Where the exact motion is at its largest: next to where it was found to be, which need not be a
 /// stationary point.
-pub fn largest(motion: &DataMotion<Dd>, found: Option<Dd>, epsilon: f64) -> Dd {
+pub fn largest(motion: &DataMotion<'_, Dd>, found: Option<Dd>, epsilon: f64) -> Dd {
     let Some(found) = found else {
         let places = motion.peak().places;
         let mut places = places.iter().flatten();
@@ -72,7 +72,7 @@ pub fn largest(motion: &DataMotion<Dd>, found: Option<Dd>, epsilon: f64) -> Dd {
 }
 
 /// Where a mass is at its largest, next to where it was with other inputs.
-pub fn followed(motion: &DataMotion<Dd>, tau: Dd, epsilon: f64) -> Dd {
+pub fn followed(motion: &DataMotion<'_, Dd>, tau: Dd, epsilon: f64) -> Dd {
     let exact = stationary(motion, tau, epsilon);
     higher(|tau| motion.displacement(tau).abs(), exact, tau)
 }

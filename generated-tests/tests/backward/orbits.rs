@@ -65,7 +65,7 @@ fn answers<S: Plain>(orbit: &SystemOrbit<'_, S>, mass: usize, tau: S) -> Answers
         (first.re, largest),
         (first.im, largest),
         (third.re, largest),
-        (orbit.state().origin(), one),
+        (orbit.origin(), one),
     ]
 }
 

@@ -159,7 +159,7 @@ pub fn told<'e, S: Float>(
     if fastest * S::EPSILON > SLOW {
         tally.skip("angles below the rounding of r");
     } else {
-        let found = rounded_data(system).at(place.r).constraint_peak();
+        let found = rounded_data(system).at(place.r).velocity_constraint();
         if questions.is_reached() {
             questions.limits(&at, first(&found), number.is_multiple_of(PER_MODE));
         }
@@ -210,7 +210,6 @@ fn rounded_data<S: Float>(system: &System<S>) -> Data<S> {
     let rounded = |value: Dd| S::constant(value.hi) + S::constant(value.lo);
     Data {
         reduced: system.modal().reduced(rounded),
-        contact: system.modal().contact,
     }
 }
 

@@ -108,7 +108,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         let without = at.continuous_limit_without_search();
         self.plain(Asked::WithoutSearch, real(without), None, zero);
         let found = if self.searched {
-            first(&self.judge.at().constraint_peak())
+            first(&self.judge.at().velocity_constraint())
         } else {
             found.map(self.exact)
         };
@@ -139,13 +139,13 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
     /// The stuck response of masses; whether there is one.
     pub fn stuck(&mut self, at: &SystemAt<'_, S>, asked: &[usize], masses: usize) -> bool {
         let Ok(stuck) = at.stuck() else { return false };
-        let every = (0..masses).map(|mass| modulus(self.judge.at().stuck(mass)));
+        let every = (0..masses).map(|mass| modulus(self.judge.at().stuck_amplitude(mass)));
         let largest = every.fold(Dd::from(0.0), Dd::max);
         for &mass in asked {
             let Some(got) = stuck.mass_at(mass) else {
                 continue;
             };
-            let own = modulus(self.judge.at().stuck(mass));
+            let own = modulus(self.judge.at().stuck_amplitude(mass));
             if own.to_f64() <= UNREACHED * largest.to_f64() {
                 // What is left of terms that cancel altogether.
                 let got = Complex::new((self.exact)(got.re), (self.exact)(got.im));
@@ -245,7 +245,12 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         }
     }
 
-    fn mass(&mut self, of_mass: &frictiongen::study::SystemSteady<S>, place: &MassPlace, tau: S) {
+    fn mass(
+        &mut self,
+        of_mass: &frictiongen::study::SystemSteady<'_, S>,
+        place: &MassPlace<'_>,
+        tau: S,
+    ) {
         let MassPlace {
             mass,
             exact,
@@ -344,9 +349,9 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
     }
 }
 
-struct MassPlace {
+struct MassPlace<'d> {
     mass: usize,
-    exact: DataMotion<Dd>,
+    exact: DataMotion<'d, Dd>,
     widest: Dd,
 }
 
@@ -364,7 +369,7 @@ fn faint(judge: &Judge<'_>, masses: usize) -> Dd {
 }
 
 /// About the largest velocity.
-fn speed(motion: &DataMotion<Dd>) -> Dd {
+fn speed(motion: &DataMotion<'_, Dd>) -> Dd {
     let speeds = SAMPLES.map(|t| motion.velocity(Dd::PI * Dd::from(t)).abs());
     speeds.into_iter().fold(Dd::from(0.0), Dd::max)
 }

@@ -46,7 +46,6 @@ pub fn answer<S: Float>(data: &Data<S>, r: S, beta: S, asked: Asked) -> S {
 pub fn data<T: Float, S: Float>(modal: &Modal<T>, to: impl Fn(T) -> S) -> Data<S> {
     Data {
         reduced: modal.reduced(to),
-        contact: modal.contact,
     }
 }
 

@@ -109,12 +109,7 @@ fn dear<S: Plain>(system: &System<S>, asked: &Asked, seen: &Seen) -> Result<(), 
     let orbit = at.orbit(beta);
     seen.orbit(&orbit);
     if let Ok(orbit) = orbit {
-        moving::orbit(
-            orbit.state(),
-            masses,
-            S::constant(asked.tau),
-            asked.order % 12,
-        )?;
+        moving::orbit(&orbit, masses, S::constant(asked.tau), asked.order % 12)?;
     }
     // Derivatives are promised where the functions have them, not on their edges: no panic is.
     let slopes = system.sensitivities(|varied| {

@@ -36,7 +36,7 @@ pub fn compare(random: &mut Lcg, findings: &mut Findings, least: usize, most: us
     let share = 0.02 + 0.96 * random.unit();
     findings.scenes += 1;
     let at = system.at(r).unwrap();
-    let (found, evaluations) = at.continuous_limit_counted();
+    let (found, evaluations) = (at.continuous_limit(), at.velocity_constraint().evaluations);
     findings
         .constraint_counts
         .push((evaluations, format!("r = {r:?}\n    {text}")));

@@ -75,7 +75,11 @@ pub fn of_data<S: Float>(data: &Data<S>, r: S, beta: S) -> Answers<S> {
     steady(&mut all, "contact", &contact);
     for mass in 0..data.reduced.shapes.len() {
         steady(&mut all, &format!("mass {mass}"), &at.mass(mass, beta));
-        complex(&mut all, format!("mass {mass} stuck"), at.stuck(mass));
+        complex(
+            &mut all,
+            format!("mass {mass} stuck"),
+            at.stuck_amplitude(mass),
+        );
     }
     all
 }

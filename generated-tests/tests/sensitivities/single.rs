@@ -46,7 +46,6 @@ fn moved(modal: &Modal, quantity: Quantity, by: Dd) -> Modal {
 fn data(modal: &Modal) -> Data<Dd> {
     Data {
         reduced: modal.reduced(|value| value),
-        contact: modal.contact,
     }
 }
 

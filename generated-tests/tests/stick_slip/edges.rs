@@ -140,13 +140,9 @@ fn of_equal_maxima_the_positive_lag() {
     let orbit = |beta: f64| at.orbit(beta).expect("a steady state");
     // The stop at the largest z̄: its start, and by how much its middle is past π.
     let stop = |orbit: &SystemOrbit<'_>| {
-        let positive = |start: f64| {
-            orbit
-                .contact()
-                .displacement(start + 1e-3 - orbit.state().origin())
-                > 0.0
-        };
-        let mut intervals = orbit.state().sticking_intervals();
+        let positive =
+            |start: f64| orbit.contact().displacement(start + 1e-3 - orbit.origin()) > 0.0;
+        let mut intervals = orbit.sticking_intervals();
         let (start, length) = intervals
             .find(|(start, _)| positive(*start))
             .expect("a stop");
@@ -278,7 +274,7 @@ fn a_mode_that_the_contact_does_not_touch() {
         let answer = frictiongen::Complex::new(1.0 - r * r, 0.16 * r).inv();
         for step in 0..40 {
             let tau = TAU * f64::from(step) / 40.0;
-            let angle = tau + orbit.state().origin();
+            let angle = tau + orbit.origin();
             let both = ["left", "right"].map(|name| orbit.mass(name).expect("a mass"));
             let sum = both[0].displacement(tau) + both[1].displacement(tau);
             let expected = answer.re * angle.cos() - answer.im * angle.sin();

@@ -84,13 +84,13 @@ macro_rules! same {
                 let emitted = $test::$name::at(r).expect("in the domain");
                 let at = system.at(r).expect("in the domain");
                 let found = emitted.orbit(beta).map(|orbit| said(&orbit, masses));
-                let expected = at.orbit(beta).map(|orbit| said(orbit.state(), masses));
+                let expected = at.orbit(beta).map(|orbit| said(&orbit, masses));
                 stops += expected.as_ref().map_or(0, |bits| bits[0]);
                 assert_eq!(found, expected, "r = {r}, β = {beta}");
                 count(&expected);
                 let found = emitted.orbit_from(beta, (&x, &v)).map(|orbit| said(&orbit, masses));
                 let expected = at.orbit_from(beta, (&x, &v));
-                let expected = expected.map(|orbit| said(orbit.state(), masses));
+                let expected = expected.map(|orbit| said(&orbit, masses));
                 assert_eq!(found, expected, "r = {r}, β = {beta} from a state");
                 count(&expected);
                 let mut found = $test::$name::simulation(r, beta).expect("in the domain");

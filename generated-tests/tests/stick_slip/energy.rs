@@ -15,7 +15,7 @@ const GAUSS: [(f64, f64); 4] = [
 
 /// x̄ and x̄′ of every mass at a maximum of the excitation.
 pub fn section(system: &System, orbit: &SystemOrbit<'_>) -> (Vec<f64>, Vec<f64>) {
-    let tau = -orbit.state().origin();
+    let tau = -orbit.origin();
     let masses = 0..system.scene().masses.len();
     masses
         .map(|mass| {
@@ -69,7 +69,7 @@ fn balance(system: &System, r: f64, beta: f64) -> (f64, f64) {
             for (node, weight) in GAUSS {
                 for side in [-node, node] {
                     let tau = at + width * (panel as f64 + (1.0 + side) * 0.5);
-                    let tau = tau - orbit.state().origin();
+                    let tau = tau - orbit.origin();
                     let velocities: Vec<f64> = (0..x.len())
                         .map(|mass| orbit.mass_at(mass).expect("a mass").velocity(tau))
                         .collect();

@@ -21,7 +21,6 @@ fn run(text: &str, r: f64, beta: f64, per_cycle: u64) {
         .orbit(beta)
         .expect("steady");
     let mut phases: Vec<f64> = orbit
-        .state()
         .sticking_intervals()
         .flat_map(|(start, length)| [start, start + length])
         .collect();

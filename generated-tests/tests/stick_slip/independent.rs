@@ -187,7 +187,7 @@ fn all_values(point: &Point, tally: &mut Tally) {
     if expected["origin"].is_null() {
         tally.skip("no origin where two maxima are equal");
     } else {
-        let apart = (orbit.state().origin() - number(&expected["origin"])).rem_euclid(TAU);
+        let apart = (orbit.origin() - number(&expected["origin"])).rem_euclid(TAU);
         tally.note("origin", (apart + PI).rem_euclid(TAU) - PI, 0.0, 1.0, what);
     }
     all_motions(&orbit, point, true, tally);

@@ -106,7 +106,7 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
         on(&mut run, TAU);
     }
     // The run stands at a maximum of the excitation, in some cycle of the period.
-    let origin = orbit.state().origin();
+    let origin = orbit.origin();
     let apart = |cycle: u32, x: f64| {
         (orbit
             .contact()
@@ -175,7 +175,7 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
         strongest > 1e-4,
         "the motion repeats after one cycle: {strongest:e}"
     );
-    let intervals: Vec<(f64, f64)> = orbit.state().sticking_intervals().collect();
+    let intervals: Vec<(f64, f64)> = orbit.sticking_intervals().collect();
     assert!(
         intervals
             .iter()

@@ -1,0 +1,123 @@
+//! The scene as the kernel's response knows it: constants and specialised formulas.
+
+use super::{Emission, Wanted, frequency, limits, motion, stuck};
+use proc_macro2::{Literal, TokenStream};
+
+pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
+    let Emission {
+        name,
+        at,
+        scalar,
+        decay,
+        facade,
+        ..
+    } = emission;
+    let modes = Literal::usize_unsuffixed(emission.modes());
+    let (low, high) = match emission.precision {
+        frictiongen_model::scene::Precision::F64 => range::<f64>(emission),
+        frictiongen_model::scene::Precision::F32 => range::<f32>(emission),
+    };
+    let (low, high) = (emission.literal(low), emission.literal(high));
+    let frequency = frequency::emit(emission);
+    let formulas = limits::formulas(emission);
+    let in_lines = !emission.in_sums();
+    let motions = match &wanted.motion {
+        Some(masses) if in_lines => motion::in_lines(emission, masses),
+        _ => TokenStream::new(),
+    };
+    let stuck = if wanted.stuck && in_lines {
+        stuck::in_lines(emission)
+    } else {
+        TokenStream::new()
+    };
+    let shapes = shapes(emission, wanted);
+    code! {
+        #facade::kernel::wraps!(#at, At of #name, Copy);
+
+        impl Scene for #name {
+            type Scalar = #scalar;
+            type Decay = #decay;
+            type Modes = [ModeAt<#scalar>; #modes];
+            type Waves = [Wave<#scalar, #decay>; #modes];
+
+            #[inline]
+            fn numbers(&self) -> Numbers<'static, #scalar> {
+                Self::NUMBERS
+            }
+
+            #shapes
+
+            #[inline]
+            fn inverse_ratio_range(&self) -> (#scalar, #scalar) {
+                (#low, #high)
+            }
+
+            #[inline]
+            fn idle(&self) -> Self::Waves {
+                Self::MODES.map(|mode| Wave::idle(&mode))
+            }
+
+            #frequency
+            #formulas
+            #motions
+            #stuck
+        }
+    }
+}
+
+/// The shapes of the masses of which something is asked.
+fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
+    let scalar = &emission.scalar;
+    let moving: Vec<usize> = wanted
+        .motion
+        .iter()
+        .flatten()
+        .map(|(mass, _)| *mass)
+        .collect();
+    let masses = 0..emission.scene.masses.len();
+    let asked = masses
+        .clone()
+        .filter(|mass| wanted.stuck || moving.contains(mass));
+    let shapes = asked.map(|mass| {
+        let shape = emission.list(emission.reduced.shape(mass).iter().copied());
+        let mass = Literal::usize_unsuffixed(mass);
+        code!(#mass => Some(&#shape),)
+    });
+    let shapes: TokenStream = shapes.collect();
+    let mass = if shapes.is_empty() {
+        code!(_)
+    } else {
+        code!(mass)
+    };
+    let body = if shapes.is_empty() {
+        code!(None)
+    } else {
+        code!(match mass { #shapes _ => None })
+    };
+    // Where `stuck` has shapes of masses whose motion is not provided.
+    let partly = wanted.stuck && wanted.motion.is_some() && moving.len() < masses.len();
+    let moves = partly.then(|| {
+        let moving = moving.into_iter().map(Literal::usize_unsuffixed);
+        code! {
+            #[inline]
+            fn moves(&self, mass: usize) -> bool {
+                match mass { #(#moving)|* => true, _ => false }
+            }
+        }
+    });
+    code! {
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, #mass: usize) -> Option<&[#scalar]> {
+            #body
+        }
+
+        #moves
+    }
+}
+
+fn range<S: frictiongen_kernel::Float>(emission: &Emission<'_>) -> (f64, f64) {
+    let resonances = emission.reduced.modes.iter().map(|mode| mode.resonance);
+    let (low, high) = frictiongen_kernel::regime::inverse_ratio_range(resonances.map(S::constant));
+    (low.to_f64(), high.to_f64())
+}

@@ -1,0 +1,387 @@
+//! A scene at one frequency ratio: limits, regime, and the way to motions.
+
+use super::continuous::{Continuous, MotionOf, ProvidesMotion};
+use super::scene::Scene;
+use super::stuck::{ProvidesStuck, Stuck};
+use crate::chain::ContactAt;
+use crate::complex::{self, Complex};
+use crate::errors::{NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance};
+use crate::motion::Friction;
+use crate::orbit::ProvidesOrbit;
+use crate::regime::{self, Limits};
+use crate::scalar::Scalar;
+use crate::search::{Effort, Peak};
+use crate::steady::Motion;
+
+/// A scene at one frequency ratio: what both limits and every motion share.
+#[derive(Clone, Debug)]
+pub struct At<T: Scene> {
+    scene: T,
+    r: T::Scalar,
+    inverse_r: T::Scalar,
+    contact: ContactAt<T::Scalar>,
+    modes: T::Modes,
+}
+
+impl<T: Scene + Copy> Copy for At<T> where T::Modes: Copy {}
+
+impl<T: Scene> At<T> {
+    /// The scene at the frequency ratio r = ω√(m₁/k₁).
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    #[inline]
+    pub fn new(scene: T, r: T::Scalar) -> Result<Self, OutOfDomain> {
+        let r = regime::check_ratio(r, "r")?;
+        let (low, high) = scene.inverse_ratio_range();
+        let inverse_r = Scalar::min(Scalar::max(T::Scalar::constant(1.0) / r, low), high);
+        let (contact, modes) = scene.frequency_stage(inverse_r);
+        Ok(Self {
+            scene,
+            r,
+            inverse_r,
+            contact,
+            modes,
+        })
+    }
+
+    /// Both limits over a slice of frequency ratios, into slices of the same length.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first NaN or negative
+    /// r; what came before it is filled in.
+    pub fn limits_into(
+        scene: T,
+        rs: &[T::Scalar],
+        continuous: &mut [T::Scalar],
+        sliding: &mut [T::Scalar],
+    ) -> Result<(), OutOfDomain> {
+        for (room, argument) in [(continuous.len(), "continuous"), (sliding.len(), "sliding")] {
+            if room != rs.len() {
+                return Err(OutOfDomain { argument });
+            }
+        }
+        for ((r, continuous), sliding) in rs.iter().zip(continuous).zip(sliding) {
+            let limits = Self::new(scene.clone(), *r)?.limits();
+            (*continuous, *sliding) = (limits.continuous, limits.sliding);
+        }
+        Ok(())
+    }
+
+    /// The scene.
+    #[inline]
+    #[must_use]
+    pub fn scene(&self) -> &T {
+        &self.scene
+    }
+
+    /// r.
+    #[inline]
+    #[must_use]
+    pub fn frequency_ratio(&self) -> T::Scalar {
+        self.r
+    }
+
+    /// 1/r as the formulas take it, within what a scalar can square.
+    #[inline]
+    #[must_use]
+    pub fn inverse_ratio(&self) -> T::Scalar {
+        self.inverse_r
+    }
+
+    /// V, U, G, H and H_c of the contact, each times r²E.
+    #[inline]
+    #[must_use]
+    pub fn contact_sums(&self) -> &ContactAt<T::Scalar> {
+        &self.contact
+    }
+
+    /// The functions of the modes that load or contact drive.
+    #[inline]
+    #[must_use]
+    pub fn modes(&self) -> &T::Modes {
+        &self.modes
+    }
+
+    /// The search for r²E·max(S, H_c + μm*/r²), the velocity constraint (5.54, 7.36).
+    #[must_use]
+    pub fn velocity_constraint(&self) -> Peak<T::Scalar> {
+        let numbers = self.scene.numbers();
+        let mut waves = self.scene.idle();
+        numbers.chain.velocity_constraint(
+            &self.contact,
+            numbers.modes,
+            self.modes.as_ref(),
+            waves.as_mut(),
+        )
+    }
+
+    #[inline]
+    fn limited(&self, constraint: T::Scalar) -> T::Scalar {
+        let limit = self.scene.continuous_limit(&self.contact, constraint);
+        let at_infinity = self.scene.numbers().ends.continuous_at_infinity;
+        regime::with_ends(self.r, limit, T::Scalar::constant(0.0), at_infinity)
+    }
+
+    /// β_lim, exact: the boundary of continuous motion (5.65, 5.80, 5.96, 7.49), with S from a guaranteed search
+    /// over the half period.  Without damping the search is needed only where some R < 1/2.
+    ///
+    /// The search takes at most [`MAX_EVALUATIONS`](crate::search::MAX_EVALUATIONS) evaluations of a sum over the
+    /// modes; [`limits_searched`](Self::limits_searched) says how many, and whether it came to its end.
+    #[must_use]
+    pub fn continuous_limit(&self) -> T::Scalar {
+        self.limited(self.velocity_constraint().value)
+    }
+
+    /// Both limits, by one search: what is asked of them needs no other.
+    #[must_use]
+    pub fn limits(&self) -> Limits<T::Scalar> {
+        self.limits_searched().0
+    }
+
+    /// Both limits, and what the search took.
+    #[must_use]
+    pub fn limits_searched(&self) -> (Limits<T::Scalar>, Effort) {
+        let peak = self.velocity_constraint();
+        let limits = Limits {
+            continuous: self.limited(peak.value),
+            sliding: self.sliding_limit(),
+        };
+        (limits, peak.effort())
+    }
+
+    /// β_lim with S replaced by its limit for τ → 0 (5.64): an upper bound, exact wherever the start of the half
+    /// period decides.
+    #[inline]
+    #[must_use]
+    pub fn continuous_limit_without_search(&self) -> T::Scalar {
+        self.limited(self.scene.break_away(&self.contact))
+    }
+
+    /// β_lim with S as the sum of each mode's own maximum, as the thesis prints it (5.55, 7.37): a lower bound on
+    /// β_lim.  A search for each mode.
+    #[must_use]
+    pub fn continuous_limit_per_mode(&self) -> T::Scalar {
+        let numbers = self.scene.numbers();
+        self.limited(numbers.chain.constraint_per_mode::<T::Decay>(
+            &self.contact,
+            numbers.modes,
+            self.modes.as_ref(),
+        ))
+    }
+
+    /// β*_lim = |V|/(μ|H|), from which on the contact never slides (6.11, 6.27, 6.33).
+    #[inline]
+    #[must_use]
+    pub fn sliding_limit(&self) -> T::Scalar {
+        let numbers = self.scene.numbers();
+        let limit = match self.absorbed_force() {
+            Some(force) => force.abs() / numbers.chain.stiction,
+            None => self.scene.sliding_limit(&self.contact),
+        };
+        let ends = numbers.ends;
+        regime::with_ends(
+            self.r,
+            limit,
+            ends.sliding_at_rest,
+            ends.sliding_at_infinity,
+        )
+    }
+
+    /// The force that holds a stuck contact, where masses beyond it absorb.
+    #[inline]
+    fn absorbed_force(&self) -> Option<T::Scalar> {
+        let numbers = self.scene.numbers();
+        if !numbers.absorbs {
+            return None;
+        }
+        numbers
+            .chain
+            .absorbed_force(&self.contact, numbers.modes, self.modes.as_ref())
+    }
+
+    /// The regime at the friction ratio β = F/P.  It searches for β_lim: for many β at one r, ask
+    /// [`limits`](Self::limits) once.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β.
+    pub fn regime(&self, beta: T::Scalar) -> Result<Regime, OutOfDomain> {
+        let beta = regime::check_beta(beta)?;
+        let (continuous, sliding) = (self.continuous_limit(), self.sliding_limit());
+        Ok(regime::regime(beta, continuous, sliding))
+    }
+
+    /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime.  It searches as [`regime`](Self::regime) does.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β.
+    pub fn margin(&self, beta: T::Scalar) -> Result<T::Scalar, OutOfDomain> {
+        let beta = regime::check_beta(beta)?;
+        let (continuous, sliding) = (self.continuous_limit(), self.sliding_limit());
+        Ok(regime::margin(beta, continuous, sliding))
+    }
+
+    /// The exact continuous motion at the friction ratio β = F/P, of a scene that provides `motion`.  One or two
+    /// searches decide whether β is below β_lim.
+    ///
+    /// # Errors
+    /// [`NotContinuous`] says which regime it is instead, or that an undamped resonance is unbounded at this β, or
+    /// that β is out of the domain.
+    pub fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous>
+    where
+        T: ProvidesMotion,
+    {
+        let numbers = self.scene.numbers();
+        let mut waves = self.scene.idle();
+        let beta = numbers.chain.admitted(
+            self.r,
+            beta,
+            self.sliding_limit(),
+            numbers.ends.continuous_at_infinity,
+            numbers.unbounded,
+            &self.contact,
+            numbers.modes,
+            self.modes.as_ref(),
+            waves.as_mut(),
+        )?;
+        Ok(self.clone().closed_form(beta).into())
+    }
+
+    /// The closed form of the continuous motion at any β, 0 ≤ β < |V|/|U|: it is the motion only where
+    /// [`motion`](Self::motion) gives it.
+    #[inline]
+    #[must_use]
+    pub fn closed_form(self, beta: T::Scalar) -> Continuous<T> {
+        let chain = self.scene.numbers().chain;
+        let friction = chain.friction(&self.contact, self.inverse_r, beta);
+        Continuous::new(self, friction)
+    }
+
+    /// The response while the contact is stuck, β ≥ β*_lim, of a scene that provides `stuck`.
+    ///
+    /// # Errors
+    /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
+    pub fn stuck(&self) -> Result<T::Stuck, StuckResonance>
+    where
+        T: ProvidesStuck,
+    {
+        let numbers = self.scene.numbers();
+        numbers
+            .chain
+            .stuck_admitted(self.r, &self.contact, numbers.invisible)?;
+        Ok(self.clone().held().into())
+    }
+
+    /// The response with the contact stuck, without a look at resonances: there it is infinite.
+    #[inline]
+    #[must_use]
+    pub fn held(self) -> Stuck<T> {
+        Stuck::new(self)
+    }
+
+    /// The steady state at β = F/P that is reached from rest, in any regime, of a scene that provides `orbit`.
+    ///
+    /// # Errors
+    /// [`NoOrbit`] says why there is none.
+    #[inline]
+    pub fn orbit(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit>
+    where
+        T: ProvidesOrbit,
+    {
+        T::settled(self, beta, None, false)
+    }
+
+    /// The steady state as [`orbit`](Self::orbit) gives it.  Where the motion from rest does not settle, its last 64
+    /// cycles stand in its place: `is_settled()` is false, and an amplitude is the largest of those cycles.
+    ///
+    /// # Errors
+    /// [`NoOrbit`] if the motion is unbounded, if following it takes too many steps, or if β is negative or not
+    /// finite.
+    #[inline]
+    pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit>
+    where
+        T: ProvidesOrbit,
+    {
+        T::settled(self, beta, None, true)
+    }
+
+    /// The steady state that is reached from another state at a maximum of the excitation: x̄ and dx̄/dτ of every
+    /// mass.
+    ///
+    /// # Errors
+    /// [`NoOrbit`], also for a state that is not finite or not one number for each mass.
+    #[inline]
+    pub fn orbit_from(
+        &self,
+        beta: T::Scalar,
+        state: (&T::State, &T::State),
+    ) -> Result<T::Orbit, NoOrbit>
+    where
+        T: ProvidesOrbit,
+    {
+        T::settled(
+            self,
+            beta,
+            Some((state.0.as_ref(), state.1.as_ref())),
+            false,
+        )
+    }
+
+    #[inline]
+    pub(super) fn contact_motion(&self, friction: &Friction<T::Scalar>) -> MotionOf<T> {
+        let numbers = self.scene.numbers();
+        let mut waves = self.scene.idle();
+        let chain = numbers.chain;
+        let modes = numbers.modes.iter().zip(self.modes.as_ref());
+        for (wave, (mode, at)) in waves.as_mut().iter_mut().zip(modes) {
+            *wave = chain.contact_wave(mode, at, &self.contact, friction, self.inverse_r);
+        }
+        let carrier = chain.contact_carrier(&self.contact, friction);
+        Motion::of_contact(*friction, carrier, waves)
+    }
+
+    #[inline]
+    pub(super) fn mass_motion(
+        &self,
+        friction: &Friction<T::Scalar>,
+        mass: usize,
+    ) -> Option<MotionOf<T>> {
+        let numbers = self.scene.numbers();
+        let (shape, chain) = (self.scene.shape(mass)?, numbers.chain);
+        let (contact, modes) = (&self.contact, self.modes.as_ref());
+        let carrier = chain.carrier(
+            shape,
+            numbers.modes,
+            modes,
+            contact,
+            friction,
+            self.inverse_r,
+        );
+        let mut waves = self.scene.idle();
+        let modes = numbers.modes.iter().zip(modes).zip(shape);
+        for (wave, ((mode, at), component)) in waves.as_mut().iter_mut().zip(modes) {
+            *wave = chain.mass_wave(mode, *component, at, contact, friction, self.inverse_r);
+        }
+        Some(Motion::of_mass(*friction, carrier, waves))
+    }
+
+    #[inline]
+    pub(super) fn stuck_mass(&self, mass: usize) -> Option<Complex<T::Scalar>> {
+        let numbers = self.scene.numbers();
+        let (shape, chain) = (self.scene.shape(mass)?, numbers.chain);
+        let (contact, modes) = (&self.contact, self.modes.as_ref());
+        Some(chain.stuck(shape, numbers.modes, modes, contact, self.inverse_r))
+    }
+
+    /// The amplitude of a mass while the contact is stuck, from the holding force where masses beyond it absorb.
+    #[inline]
+    pub(super) fn absorbed_mass(&self, mass: usize) -> Option<Complex<T::Scalar>> {
+        let force = self.absorbed_force()?;
+        let numbers = self.scene.numbers();
+        let (shape, chain) = (self.scene.shape(mass)?, numbers.chain);
+        let (contact, modes) = (&self.contact, self.modes.as_ref());
+        let amplitude =
+            chain.stuck_under(force, shape, numbers.modes, modes, contact, self.inverse_r);
+        Some(complex::real(amplitude))
+    }
+}

@@ -1,0 +1,100 @@
+//! What a scene has to say for its steady response.
+
+use super::at::At;
+use super::continuous::MotionOf;
+use super::numbers::Numbers;
+use crate::chain::{ContactAt, ModeAt};
+use crate::complex::Complex;
+use crate::decay::Decay;
+use crate::motion::Friction;
+use crate::regime;
+use crate::scalar::Float;
+use crate::wave::Wave;
+
+/// A scene: its numbers, and the formulas that may be specialised for it.
+///
+/// The formulas that have a body here are those of every chain.  A generator writes its own where constants leave
+/// less to do; the bits are the same.
+pub trait Scene: Clone {
+    /// `f64`, `f32`, or a wider scalar.
+    type Scalar: Float;
+    /// How modes decay: a scene without damping carries no exponentials.
+    type Decay: Decay<Self::Scalar>;
+    /// A place for each mode's functions at one frequency.
+    type Modes: AsRef<[ModeAt<Self::Scalar>]> + Clone + core::fmt::Debug;
+    /// A place for each mode's part in a motion.
+    type Waves: AsRef<[Wave<Self::Scalar, Self::Decay>]>
+        + AsMut<[Wave<Self::Scalar, Self::Decay>]>
+        + Clone;
+
+    /// Its numbers.
+    fn numbers(&self) -> Numbers<'_, Self::Scalar>;
+
+    /// The components of a mass in the modes' shapes; none if there is no such mass, or nothing is asked of it.
+    fn shape(&self, mass: usize) -> Option<&[Self::Scalar]>;
+
+    /// Whether the motion of a mass is provided, if it has a shape.
+    #[inline]
+    fn moves(&self, mass: usize) -> bool {
+        let _ = mass;
+        true
+    }
+
+    /// The smallest and the largest 1/r at which the formulas are evaluated.
+    #[inline]
+    fn inverse_ratio_range(&self) -> (Self::Scalar, Self::Scalar) {
+        let modes = self.numbers().modes.iter();
+        regime::inverse_ratio_range(modes.map(|mode| mode.resonance))
+    }
+
+    /// The sums over all modes at 1/r, and each mode's functions.
+    fn frequency_stage(&self, inverse_r: Self::Scalar) -> (ContactAt<Self::Scalar>, Self::Modes);
+
+    /// A wave at rest for each mode: working space of the searches.
+    fn idle(&self) -> Self::Waves;
+
+    /// What the contact force needs for break-away at the reversal, times r²E: μm* + H_c r² (5.63, 7.47).
+    #[inline]
+    fn break_away(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
+        self.numbers().chain.break_away(contact)
+    }
+
+    /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²), for `constraint` = r²E times that maximum (5.65, 5.80, 5.96,
+    /// 7.49).
+    #[inline]
+    fn continuous_limit(
+        &self,
+        contact: &ContactAt<Self::Scalar>,
+        constraint: Self::Scalar,
+    ) -> Self::Scalar {
+        self.numbers().chain.continuous_limit(contact, constraint)
+    }
+
+    /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+    #[inline]
+    fn sliding_limit(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
+        self.numbers().chain.sliding_limit(contact)
+    }
+
+    /// The relative motion in the contact.
+    #[inline]
+    fn contact_motion(at: &At<Self>, friction: &Friction<Self::Scalar>) -> MotionOf<Self> {
+        at.contact_motion(friction)
+    }
+
+    /// The motion of a mass that does not move as the contact does; none if there is no such mass.
+    #[inline]
+    fn mass_motion(
+        at: &At<Self>,
+        friction: &Friction<Self::Scalar>,
+        mass: usize,
+    ) -> Option<MotionOf<Self>> {
+        at.mass_motion(friction, mass)
+    }
+
+    /// x̄* = V_k − H_kV/H of a mass that the stuck contact does not tie (6.11, 6.27, 6.33).
+    #[inline]
+    fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<Self::Scalar>> {
+        at.stuck_mass(mass)
+    }
+}

@@ -1,0 +1,512 @@
+/// A spring graph with a wall spring, a second base spring and Rayleigh damping.
+///
+/// Emitted by frictiongen 0.1.0 from scene 940c42c5168d6887.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct Braced;
+/// [`Braced`] at one frequency ratio: limits, regime, and the way to motions.
+#[allow(non_camel_case_types)]
+pub struct BracedAt(::frictiongen::kernel::response::At<Braced>);
+/// The exact continuous motion of [`Braced`] at one frequency and one friction ratio.
+#[allow(non_camel_case_types)]
+pub struct BracedMotion(::frictiongen::kernel::response::Continuous<Braced>);
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    use ::frictiongen::kernel::locals::*;
+    impl Braced {
+        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        pub const NATURAL_FREQUENCIES: [f64; 2] = [
+            1.0284002101783678,
+            1.4722068494967306,
+        ];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f64; 2] = [1.0284002101783678, 1.4722068494967306];
+        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
+        /// that is not negligible is positive.
+        pub const MODE_SHAPES: [[f64; 2]; 2] = [
+            [0.613271751551687, 1.2488972723454137],
+            [0.7898719888366252, -0.9696677797721163],
+        ];
+        /// The modes that the load or the contact drives.
+        const MODES: [Mode<f64>; 2] = [
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.0284002101783678,
+                zeta: 0.08921292842710984,
+                q: 0.9960125769293575,
+                q_defect: 0.0039874230706424575,
+                load: 0.9254960696380404,
+                contact: 1.2488972723454137,
+                residue: 1.15584951693735,
+                mobility: 1.5597443968718145,
+                static_residue: 1.0928913342651618,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.4722068494967306,
+                zeta: 0.12639419910221375,
+                q: 0.9919800937686754,
+                q_defect: 0.008019906231324644,
+                load: 0.5474550438935962,
+                contact: -0.9696677797721163,
+                residue: -0.5308495169373498,
+                mobility: 0.9402556031281853,
+                static_residue: -0.24492536196720122,
+            },
+        ];
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            mobility: 2.5,
+            stiction: 1.0,
+        };
+        const NUMBERS: Numbers<'static, f64> = Numbers {
+            modes: &Self::MODES,
+            chain: Self::CHAIN,
+            ends: Ends {
+                sliding_at_rest: 0.4442857142857143,
+                continuous_at_infinity: 0.13425731803657878,
+                sliding_at_infinity: 0.25,
+            },
+            rubbing: Some(1),
+            absorbs: false,
+            unbounded: &[],
+            invisible: &[],
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
+        /// base motion of amplitude Y the load is P = k₁Y.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+        /// The scene at the frequency ratio r = ω√(m₁/k₁).
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn at(r: f64) -> Result<BracedAt, OutOfDomain> {
+            At::new(Self, r).map(From::from)
+        }
+        /// Both limits over a slice of frequency ratios, into slices of the same length.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        pub fn limits_into(
+            rs: &[f64],
+            continuous: &mut [f64],
+            sliding: &mut [f64],
+        ) -> Result<(), OutOfDomain> {
+            At::limits_into(Self, rs, continuous, sliding)
+        }
+    }
+    ::frictiongen::emitted_system!(Braced, BracedAt, f64, ["left", "right"]);
+    ::frictiongen::kernel::wraps!(BracedAt, At of Braced, Copy);
+    impl Scene for Braced {
+        type Scalar = f64;
+        type Decay = Damped<f64>;
+        type Modes = [ModeAt<f64>; 2];
+        type Waves = [Wave<f64, Damped<f64>>; 2];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f64> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f64]> {
+            match mass {
+                0 => Some(&[0.613271751551687, 0.7898719888366252]),
+                1 => Some(&[1.2488972723454137, -0.9696677797721163]),
+                _ => None,
+            }
+        }
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f64, f64) {
+            (3.8725919148493183e-121, 2.5822498780869086e120)
+        }
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// Operations: 166: 102 ×, 29 +, 16 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
+            let mode_1 = {
+                let frequency = 1.0284002101783678 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.1784258568542197 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let half_period_decay = 0.2802706805518403 * frequency;
+                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
+                let kept_half = 1.0 + negative_lost_half;
+                let lost_share = -(negative_lost_half * (1.0 + kept_half));
+                let kept_share = kept_half * kept_half;
+                let half_turns = 0.9960125769293575 * frequency;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 0.0019937115353212288,
+                );
+                let one_and_kept = 1.0 + kept_share;
+                let nearness_re = one_and_kept * cosine;
+                let nearness_im = lost_share * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.0 * kept_share * (sine / 0.9960125769293575)
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let g = (Scalar::scaled_sinh_defect(half_period_decay)
+                    + 2.0 * kept_share * half_period_decay
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight;
+                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                    * pole_weight + 0.08921292842710984 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g,
+                    reversal,
+                }
+            };
+            let mode_2 = {
+                let frequency = 1.4722068494967306 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.2527883982044275 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let half_period_decay = 0.3970790873558803 * frequency;
+                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
+                let kept_half = 1.0 + negative_lost_half;
+                let lost_share = -(negative_lost_half * (1.0 + kept_half));
+                let kept_share = kept_half * kept_half;
+                let half_turns = 0.9919800937686754 * frequency;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 0.004009953115662322,
+                );
+                let one_and_kept = 1.0 + kept_share;
+                let nearness_re = one_and_kept * cosine;
+                let nearness_im = lost_share * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.0 * kept_share * (sine / 0.9919800937686754)
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let g = (Scalar::scaled_sinh_defect(half_period_decay)
+                    + 2.0 * kept_share * half_period_decay
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight;
+                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                    * pole_weight + 0.12639419910221375 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g,
+                    reversal,
+                }
+            };
+            let scale = Scalar::min(mode_1.size, mode_2.size);
+            let modes = [mode_1, mode_2].map(|mode| Self::CHAIN.at_scale(&mode, scale));
+            let [at_1, at_2] = &modes;
+            let v_re = at_1.response.re * 1.15584951693735
+                + at_2.response.re * -0.5308495169373498;
+            let v_im = at_1.response.im * 1.15584951693735
+                + at_2.response.im * -0.5308495169373498;
+            let h_re = at_1.response.re * 1.5597443968718145
+                + at_2.response.re * 0.9402556031281853;
+            let h_im = at_1.response.im * 1.5597443968718145
+                + at_2.response.im * 0.9402556031281853;
+            let u = 1.5597443968718145 * at_1.u + 0.9402556031281853 * at_2.u;
+            let g = 1.5597443968718145 * (at_1.g / (at_1.x * at_1.x))
+                + 0.9402556031281853 * (at_2.g / (at_2.x * at_2.x));
+            let reversal = 1.5597443968718145 * (mode_1.reversal * (scale / mode_1.size))
+                + 0.9402556031281853 * (mode_2.reversal * (scale / mode_2.size));
+            let contact = ContactAt {
+                scale,
+                v: Complex { re: v_re, im: v_im },
+                u,
+                g,
+                reversal,
+                h: Complex { re: h_re, im: h_im },
+            };
+            (contact, modes)
+        }
+        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
+            contact.reversal + 2.5 * contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
+        /// maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
+            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 3: 2 hypot, 1 ÷.
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
+            let receptance = Scalar::hypot(contact.h.re, contact.h.im);
+            excitation / receptance
+        }
+        #[allow(unused_variables)]
+        fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [mode_1, mode_2] = at.modes();
+            let friction_weight = friction.beta * friction.unscale;
+            let mode_1_friction_force = friction_weight * 1.5597443968718145;
+            let mode_1_fall = mode_1_friction_force * (mode_1.g / (mode_1.x * mode_1.x));
+            let mode_1_rise = mode_1_friction_force * contact.scale;
+            let mode_1_swing = mode_1_friction_force * mode_1.u;
+            let mode_2_friction_force = friction_weight * 0.9402556031281853;
+            let mode_2_fall = mode_2_friction_force * (mode_2.g / (mode_2.x * mode_2.x));
+            let mode_2_rise = mode_2_friction_force * contact.scale;
+            let mode_2_swing = mode_2_friction_force * mode_2.u;
+            let carrier = Carrier {
+                cosine: friction.amplitude,
+                sine: 0.0,
+                response: Complex {
+                    re: contact.v.re * friction.unscale,
+                    im: contact.v.im * friction.unscale,
+                },
+            };
+            let waves = [
+                steady::motion_wave(
+                    mode_1.x,
+                    <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
+                    Share {
+                        rise: mode_1_rise,
+                        fall: mode_1_fall,
+                        swing: mode_1_swing,
+                        gain: 1.5597443968718145 * inverse_r * inverse_r,
+                    },
+                ),
+                steady::motion_wave(
+                    mode_2.x,
+                    <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
+                    Share {
+                        rise: mode_2_rise,
+                        fall: mode_2_fall,
+                        swing: mode_2_swing,
+                        gain: 0.9402556031281853 * inverse_r * inverse_r,
+                    },
+                ),
+            ];
+            Motion::of_contact(*friction, carrier, waves)
+        }
+        #[allow(unused_variables)]
+        fn mass_motion(
+            at: &At<Self>,
+            friction: &Friction<f64>,
+            mass: usize,
+        ) -> Option<MotionOf<Self>> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [mode_1, mode_2] = at.modes();
+            let (carrier, waves) = match mass {
+                0 => {
+                    let product = mode_2.response.re * -0.5308495169373498;
+                    let product_2 = mode_2.response.im * -0.5308495169373498;
+                    let velocity_share = 0.9402556031281853 * mode_2.u;
+                    let choice = if mode_1.x < 0.5 { contact.u } else { velocity_share };
+                    let product_3 = mode_1.response.re * 1.15584951693735;
+                    let product_4 = mode_1.response.im * 1.15584951693735;
+                    let velocity_share_2 = 1.5597443968718145 * mode_1.u;
+                    let choice_2 = if mode_2.x < 0.5 {
+                        contact.u
+                    } else {
+                        velocity_share_2
+                    };
+                    let mode_1_driven_re = mode_1.response.re * 0.5675805956811232;
+                    let mode_1_driven_im = mode_1.response.im * 0.5675805956811232;
+                    let mode_1_offset = if mode_1.x < 0.5 { 0.0 } else { mode_1.g };
+                    let mode_1_lag = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+                    let mode_1_rubbed_back = -(0.7659134177193961 * mode_1_lag);
+                    let ratio = mode_1_offset / (mode_1.x * mode_1.x);
+                    let mode_2_driven_re = mode_2.response.re * 0.4324194043188768;
+                    let mode_2_driven_im = mode_2.response.im * 0.4324194043188768;
+                    let mode_2_offset = if mode_2.x < 0.5 { 0.0 } else { mode_2.g };
+                    let mode_2_lag = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+                    let mode_2_rubbed_back = -(-0.7659134177193963 * mode_2_lag);
+                    let ratio_2 = mode_2_offset / (mode_2.x * mode_2.x);
+                    let response_re = mode_1_driven_re + mode_2_driven_re;
+                    let response_im = mode_1_driven_im + mode_2_driven_im;
+                    let mismatch_re = mode_1_driven_re * choice
+                        + product * mode_1_rubbed_back
+                        + (mode_2_driven_re * choice_2 + product_3 * mode_2_rubbed_back);
+                    let mismatch_im = mode_1_driven_im * choice
+                        + product_2 * mode_1_rubbed_back
+                        + (mode_2_driven_im * choice_2 + product_4 * mode_2_rubbed_back);
+                    let product_5 = contact.v.re * 16777216.0;
+                    let product_6 = contact.v.im * 16777216.0;
+                    let inverse_size = 1.0
+                        / (Scalar::abs(product_5) + Scalar::abs(product_6));
+                    let unit_re = product_5 * inverse_size;
+                    let unit_im = product_6 * inverse_size;
+                    let inverse_modulus = inverse_size
+                        / (unit_re * unit_re + unit_im * unit_im);
+                    let inverse_re = unit_re * inverse_modulus;
+                    let inverse_im = -(unit_im * inverse_modulus);
+                    let product_7 = friction.root * 16777216.0;
+                    let friction_weight = friction.beta * friction.unscale;
+                    let product_8 = friction.beta * 16777216.0;
+                    let v_size = Scalar::abs(contact.v.re) + Scalar::abs(contact.v.im);
+                    let turning_re = if Scalar::abs(product_3) + Scalar::abs(product_4)
+                        < v_size
+                    {
+                        product_3
+                    } else {
+                        contact.v.re
+                    };
+                    let turning_im = if Scalar::abs(product_3) + Scalar::abs(product_4)
+                        < v_size
+                    {
+                        product_4
+                    } else {
+                        contact.v.im
+                    };
+                    let turning_re_2 = if Scalar::abs(product) + Scalar::abs(product_2)
+                        < v_size
+                    {
+                        product
+                    } else {
+                        contact.v.re
+                    };
+                    let turning_im_2 = if Scalar::abs(product) + Scalar::abs(product_2)
+                        < v_size
+                    {
+                        product_2
+                    } else {
+                        contact.v.im
+                    };
+                    let in_phase_share = product_7 * inverse_size;
+                    let mode_1_friction_force = friction_weight * 0.7659134177193961;
+                    let mode_1_fall = mode_1_friction_force * ratio;
+                    let mode_1_rise = mode_1_friction_force * contact.scale;
+                    let mode_1_swing = mode_1_friction_force * mode_1_lag;
+                    let mode_2_friction_force = friction_weight * -0.7659134177193963;
+                    let mode_2_fall = mode_2_friction_force * ratio_2;
+                    let mode_2_rise = mode_2_friction_force * contact.scale;
+                    let mode_2_swing = mode_2_friction_force * mode_2_lag;
+                    (
+                        Carrier {
+                            cosine: (product_7
+                                * (response_re * inverse_re - response_im * inverse_im)
+                                + product_8
+                                    * (mismatch_re * inverse_im + mismatch_im * inverse_re))
+                                * friction.unscale
+                                + (-(0.7659134177193961 * ratio)
+                                    - -0.7659134177193963 * ratio_2) * friction_weight,
+                            sine: (product_8
+                                * (mismatch_re * inverse_re - mismatch_im * inverse_im)
+                                - in_phase_share
+                                    * (mode_1_driven_im
+                                        * (turning_re_2 * 16777216.0 * inverse_modulus)
+                                        - mode_1_driven_re
+                                            * (turning_im_2 * 16777216.0 * inverse_modulus)
+                                        + (mode_2_driven_im
+                                            * (turning_re * 16777216.0 * inverse_modulus)
+                                            - mode_2_driven_re
+                                                * (turning_im * 16777216.0 * inverse_modulus))))
+                                * friction.unscale,
+                            response: Complex {
+                                re: response_re * friction.unscale,
+                                im: response_im * friction.unscale,
+                            },
+                        },
+                        [
+                            steady::mass_wave(
+                                mode_1.x,
+                                <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
+                                Share {
+                                    rise: mode_1_rise,
+                                    fall: mode_1_fall,
+                                    swing: mode_1_swing,
+                                    gain: 0.7659134177193961 * inverse_r * inverse_r,
+                                },
+                            ),
+                            steady::mass_wave(
+                                mode_2.x,
+                                <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
+                                Share {
+                                    rise: mode_2_rise,
+                                    fall: mode_2_fall,
+                                    swing: mode_2_swing,
+                                    gain: -0.7659134177193963 * inverse_r * inverse_r,
+                                },
+                            ),
+                        ],
+                    )
+                }
+                _ => return None,
+            };
+            Some(Motion::of_mass(*friction, carrier, waves))
+        }
+    }
+    ::frictiongen::kernel::not_provided!(BracedAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(Braced : simulation);
+    impl ProvidesMotion for Braced {
+        type Motion = BracedMotion;
+    }
+    ::frictiongen::kernel::wraps!(BracedMotion, Continuous of Braced, Copy);
+    impl BracedMotion {
+        /// The motion of mass `left` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn left(&self) -> MotionOf<Braced> {
+            self.mass(0)
+        }
+        /// The motion of mass `right` (5.50 and its exact form, 7.29).
+        ///
+        /// It rubs on a support at rest: its motion is the contact's.
+        #[must_use]
+        pub fn right(&self) -> MotionOf<Braced> {
+            self.contact()
+        }
+    }
+};

@@ -1,0 +1,385 @@
+/// The motion of one of three masses.
+///
+/// Emitted by frictiongen 0.1.0 from scene 9146bbbba7576cea.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct OneMotion;
+/// [`OneMotion`] at one frequency ratio: limits, regime, and the way to motions.
+#[allow(non_camel_case_types)]
+pub struct OneMotionAt(::frictiongen::kernel::response::At<OneMotion>);
+/// The exact continuous motion of [`OneMotion`] at one frequency and one friction ratio.
+#[allow(non_camel_case_types)]
+pub struct OneMotionMotion(::frictiongen::kernel::response::Continuous<OneMotion>);
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    use ::frictiongen::kernel::locals::*;
+    impl OneMotion {
+        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        pub const NATURAL_FREQUENCIES: [f64; 3] = [
+            0.3181512781636106,
+            1.1955281061051313,
+            1.7211477143385112,
+        ];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f64; 3] = [
+            0.3181512781636106,
+            1.1955281061051313,
+            1.7211477143385112,
+        ];
+        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
+        /// that is not negligible is positive.
+        pub const MODE_SHAPES: [[f64; 3]; 3] = [
+            [0.18192304909860774, 0.590694937028388, 0.6199803993960765],
+            [0.9784361822489328, -0.0716397579987311, -0.21513493245568865],
+            [0.09780920955001465, -0.3820304129816263, 0.9989558017116655],
+        ];
+        /// The modes that the load or the contact drives.
+        const MODES: [Mode<f64>; 3] = [
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 0.3181512781636106,
+                zeta: 0.01,
+                q: 0.9999499987499375,
+                q_defect: 5.000125006250391e-5,
+                load: 0.18192304909860774,
+                contact: 0.590694937028388,
+                residue: 0.10746102403131443,
+                mobility: 0.3489205086309713,
+                static_residue: 1.0616555393793272,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.1955281061051313,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.9784361822489328,
+                contact: -0.0716397579987311,
+                residue: -0.0700949313135159,
+                mobility: 0.005132254926116756,
+                static_residue: -0.049041871312543166,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.7211477143385112,
+                zeta: 0.03,
+                q: 0.9995498987044119,
+                q_defect: 0.000450101295588145,
+                load: 0.09780920955001465,
+                contact: -0.3820304129816263,
+                residue: -0.037366092717798526,
+                mobility: 0.14594723644291194,
+                static_residue: -0.012613668066784031,
+            },
+        ];
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            mobility: 0.5,
+            stiction: 1.5,
+        };
+        const NUMBERS: Numbers<'static, f64> = Numbers {
+            modes: &Self::MODES,
+            chain: Self::CHAIN,
+            ends: Ends {
+                sliding_at_rest: 0.1904761904761905,
+                continuous_at_infinity: 0.0,
+                sliding_at_infinity: 0.0,
+            },
+            rubbing: Some(1),
+            absorbs: false,
+            unbounded: &[],
+            invisible: &[],
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
+        /// base motion of amplitude Y the load is P = k₁Y.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+        /// The scene at the frequency ratio r = ω√(m₁/k₁).
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn at(r: f64) -> Result<OneMotionAt, OutOfDomain> {
+            At::new(Self, r).map(From::from)
+        }
+        /// Both limits over a slice of frequency ratios, into slices of the same length.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        pub fn limits_into(
+            rs: &[f64],
+            continuous: &mut [f64],
+            sliding: &mut [f64],
+        ) -> Result<(), OutOfDomain> {
+            At::limits_into(Self, rs, continuous, sliding)
+        }
+    }
+    ::frictiongen::emitted_system!(OneMotion, OneMotionAt, f64, ["m1", "m2", "m3"]);
+    ::frictiongen::kernel::wraps!(OneMotionAt, At of OneMotion, Copy);
+    impl Scene for OneMotion {
+        type Scalar = f64;
+        type Decay = Damped<f64>;
+        type Modes = [ModeAt<f64>; 3];
+        type Waves = [Wave<f64, Damped<f64>>; 3];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f64> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f64]> {
+            match mass {
+                2 => {
+                    Some(&[0.6199803993960765, -0.21513493245568865, 0.9989558017116655])
+                }
+                _ => None,
+            }
+        }
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f64, f64) {
+            (3.8725919148493183e-121, 2.5822498780869086e120)
+        }
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// Operations: 253: 153 ×, 47 +, 24 ÷, 15 sign, 3 exp_m1, 3 one_minus_sinc_pi, 3 scaled_sinh_defect, 3 sin_cos_pi, 2 compare.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 3]) {
+            let mode_1 = {
+                let frequency = 0.3181512781636106 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.02 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let half_period_decay = 0.031415926535897934 * frequency;
+                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
+                let kept_half = 1.0 + negative_lost_half;
+                let lost_share = -(negative_lost_half * (1.0 + kept_half));
+                let kept_share = kept_half * kept_half;
+                let half_turns = 0.9999499987499375 * frequency;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 2.5000625031251956e-5,
+                );
+                let one_and_kept = 1.0 + kept_share;
+                let nearness_re = one_and_kept * cosine;
+                let nearness_im = lost_share * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.0 * kept_share * (sine / 0.9999499987499375)
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let g = (Scalar::scaled_sinh_defect(half_period_decay)
+                    + 2.0 * kept_share * half_period_decay
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight;
+                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                    * pole_weight + 0.01 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g,
+                    reversal,
+                }
+            };
+            let mode_2 = {
+                let frequency = 1.1955281061051313 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.04 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let half_period_decay = 0.06283185307179587 * frequency;
+                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
+                let kept_half = 1.0 + negative_lost_half;
+                let lost_share = -(negative_lost_half * (1.0 + kept_half));
+                let kept_share = kept_half * kept_half;
+                let half_turns = 0.999799979995999 * frequency;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 0.00010001000200050015,
+                );
+                let one_and_kept = 1.0 + kept_share;
+                let nearness_re = one_and_kept * cosine;
+                let nearness_im = lost_share * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.0 * kept_share * (sine / 0.999799979995999)
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let g = (Scalar::scaled_sinh_defect(half_period_decay)
+                    + 2.0 * kept_share * half_period_decay
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight;
+                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                    * pole_weight + 0.02 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g,
+                    reversal,
+                }
+            };
+            let mode_3 = {
+                let frequency = 1.7211477143385112 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.06 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let half_period_decay = 0.09424777960769379 * frequency;
+                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
+                let kept_half = 1.0 + negative_lost_half;
+                let lost_share = -(negative_lost_half * (1.0 + kept_half));
+                let kept_share = kept_half * kept_half;
+                let half_turns = 0.9995498987044119 * frequency;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 0.0002250506477940725,
+                );
+                let one_and_kept = 1.0 + kept_share;
+                let nearness_re = one_and_kept * cosine;
+                let nearness_im = lost_share * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.0 * kept_share * (sine / 0.9995498987044119)
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let g = (Scalar::scaled_sinh_defect(half_period_decay)
+                    + 2.0 * kept_share * half_period_decay
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight;
+                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                    * pole_weight + 0.03 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g,
+                    reversal,
+                }
+            };
+            let scale = Scalar::min(Scalar::min(mode_1.size, mode_2.size), mode_3.size);
+            let modes = [mode_1, mode_2, mode_3]
+                .map(|mode| Self::CHAIN.at_scale(&mode, scale));
+            let [at_1, at_2, at_3] = &modes;
+            let v_re = at_1.response.re * 0.10746102403131443
+                + at_2.response.re * -0.0700949313135159
+                + at_3.response.re * -0.037366092717798526;
+            let v_im = at_1.response.im * 0.10746102403131443
+                + at_2.response.im * -0.0700949313135159
+                + at_3.response.im * -0.037366092717798526;
+            let h_re = at_1.response.re * 0.3489205086309713
+                + at_2.response.re * 0.005132254926116756
+                + at_3.response.re * 0.14594723644291194;
+            let h_im = at_1.response.im * 0.3489205086309713
+                + at_2.response.im * 0.005132254926116756
+                + at_3.response.im * 0.14594723644291194;
+            let u = 0.3489205086309713 * at_1.u + 0.005132254926116756 * at_2.u
+                + 0.14594723644291194 * at_3.u;
+            let g = 0.3489205086309713 * (at_1.g / (at_1.x * at_1.x))
+                + 0.005132254926116756 * (at_2.g / (at_2.x * at_2.x))
+                + 0.14594723644291194 * (at_3.g / (at_3.x * at_3.x));
+            let reversal = 0.3489205086309713 * (mode_1.reversal * (scale / mode_1.size))
+                + 0.005132254926116756 * (mode_2.reversal * (scale / mode_2.size))
+                + 0.14594723644291194 * (mode_3.reversal * (scale / mode_3.size));
+            let contact = ContactAt {
+                scale,
+                v: Complex { re: v_re, im: v_im },
+                u,
+                g,
+                reversal,
+                h: Complex { re: h_re, im: h_im },
+            };
+            (contact, modes)
+        }
+        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
+            contact.reversal + 0.75 * contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
+        /// maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
+            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 4: 2 hypot, 1 ×, 1 ÷.
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
+            let receptance = Scalar::hypot(contact.h.re, contact.h.im);
+            excitation / (1.5 * receptance)
+        }
+    }
+    ::frictiongen::kernel::not_provided!(OneMotionAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(OneMotion : simulation);
+    ::frictiongen::kernel::left_out!(OneMotionMotion : m1, m2);
+    impl ProvidesMotion for OneMotion {
+        type Motion = OneMotionMotion;
+    }
+    ::frictiongen::kernel::wraps!(OneMotionMotion, Continuous of OneMotion, Copy);
+    impl OneMotionMotion {
+        /// The motion of mass `m3` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn m3(&self) -> MotionOf<OneMotion> {
+            self.mass(2)
+        }
+    }
+};

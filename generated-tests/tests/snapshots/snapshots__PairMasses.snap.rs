@@ -1,0 +1,504 @@
+/// Two masses, rubbing on each other, with static friction above kinetic.
+///
+/// Emitted by frictiongen 0.1.0 from scene 6373491ffc7a3bdb.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct PairMasses;
+/// [`PairMasses`] at one frequency ratio: limits, regime, and the way to motions.
+#[allow(non_camel_case_types)]
+pub struct PairMassesAt(::frictiongen::kernel::response::At<PairMasses>);
+/// The exact continuous motion of [`PairMasses`] at one frequency and one friction ratio.
+#[allow(non_camel_case_types)]
+pub struct PairMassesMotion(::frictiongen::kernel::response::Continuous<PairMasses>);
+/// The response of [`PairMasses`] at one frequency ratio while its contact is stuck.
+#[allow(non_camel_case_types)]
+pub struct PairMassesStuck(::frictiongen::kernel::response::Stuck<PairMasses>);
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    use ::frictiongen::kernel::locals::*;
+    impl PairMasses {
+        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        pub const NATURAL_FREQUENCIES: [f64; 2] = [
+            0.7071067811865476,
+            1.4142135623730951,
+        ];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f64; 2] = [0.7071067811865476, 1.4142135623730951];
+        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
+        /// that is not negligible is positive.
+        pub const MODE_SHAPES: [[f64; 2]; 2] = [
+            [0.5773502691896257, 1.1547005383792515],
+            [0.816496580927726, -0.816496580927726],
+        ];
+        /// The modes that the load or the contact drives.
+        const MODES: [Mode<f64>; 2] = [
+            Mode {
+                kind: Kind::Undamped,
+                in_contact: true,
+                resonance: 0.7071067811865476,
+                zeta: 0.0,
+                q: 1.0,
+                q_defect: 0.0,
+                load: 0.5773502691896257,
+                contact: 0.5773502691896257,
+                residue: 0.3333333333333333,
+                mobility: 0.3333333333333333,
+                static_residue: 0.6666666666666666,
+            },
+            Mode {
+                kind: Kind::Undamped,
+                in_contact: true,
+                resonance: 1.4142135623730951,
+                zeta: 0.0,
+                q: 1.0,
+                q_defect: 0.0,
+                load: 0.816496580927726,
+                contact: -1.632993161855452,
+                residue: -1.3333333333333333,
+                mobility: 2.6666666666666665,
+                static_residue: -0.6666666666666666,
+            },
+        ];
+        const CHAIN: Chain<f64> = Chain {
+            damped: false,
+            on_moving_base: None,
+            mobility: 3.0,
+            stiction: 1.2,
+        };
+        const NUMBERS: Numbers<'static, f64> = Numbers {
+            modes: &Self::MODES,
+            chain: Self::CHAIN,
+            ends: Ends {
+                sliding_at_rest: 0.0,
+                continuous_at_infinity: 0.16862996429274377,
+                sliding_at_infinity: 0.2777777777777778,
+            },
+            rubbing: None,
+            absorbs: false,
+            unbounded: &[0.7071067811865476, 1.4142135623730951],
+            invisible: &[],
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
+        /// base motion of amplitude Y the load is P = k₁Y.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+        /// The scene at the frequency ratio r = ω√(m₁/k₁).
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn at(r: f64) -> Result<PairMassesAt, OutOfDomain> {
+            At::new(Self, r).map(From::from)
+        }
+        /// Both limits over a slice of frequency ratios, into slices of the same length.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        pub fn limits_into(
+            rs: &[f64],
+            continuous: &mut [f64],
+            sliding: &mut [f64],
+        ) -> Result<(), OutOfDomain> {
+            At::limits_into(Self, rs, continuous, sliding)
+        }
+    }
+    ::frictiongen::emitted_system!(PairMasses, PairMassesAt, f64, ["inner", "outer"]);
+    ::frictiongen::kernel::wraps!(PairMassesAt, At of PairMasses, Copy);
+    impl Scene for PairMasses {
+        type Scalar = f64;
+        type Decay = Undamped;
+        type Modes = [ModeAt<f64>; 2];
+        type Waves = [Wave<f64, Undamped>; 2];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f64> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f64]> {
+            match mass {
+                0 => Some(&[0.5773502691896257, 0.816496580927726]),
+                1 => Some(&[1.1547005383792515, -0.816496580927726]),
+                _ => None,
+            }
+        }
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f64, f64) {
+            (3.8725919148493183e-121, 2.5822498780869086e120)
+        }
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// Operations: 43: 17 ×, 9 compare, 7 +, 4 sign, 4 ÷, 2 sin_cos_pi.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
+            let mode_1 = {
+                let frequency = 0.7071067811865476 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
+                let detuning = if plain_detuning == 0.0 {
+                    8.673617379884035e-19
+                } else {
+                    plain_detuning
+                };
+                let cosine = if plain_cosine == 0.0 {
+                    -6.812243160173109e-19
+                } else {
+                    plain_cosine
+                };
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let mode_2 = {
+                let frequency = 1.4142135623730951 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
+                let detuning = if plain_detuning == 0.0 {
+                    8.673617379884035e-19
+                } else {
+                    plain_detuning
+                };
+                let cosine = if plain_cosine == 0.0 {
+                    -6.812243160173109e-19
+                } else {
+                    plain_cosine
+                };
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let scale = Scalar::min(mode_1.size, mode_2.size);
+            let modes = [mode_1, mode_2].map(|mode| Self::CHAIN.at_scale(&mode, scale));
+            let [at_1, at_2] = &modes;
+            let product = at_1.response.re * 0.3333333333333333;
+            let v_re = product + at_2.response.re * -1.3333333333333333;
+            let h_re = product + at_2.response.re * 2.6666666666666665;
+            let u = 0.3333333333333333 * at_1.u + 2.6666666666666665 * at_2.u;
+            let contact = ContactAt {
+                scale,
+                v: Complex { re: v_re, im: 0.0 },
+                u,
+                g: 0.0,
+                reversal: 0.0,
+                h: Complex { re: h_re, im: 0.0 },
+            };
+            (contact, modes)
+        }
+        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
+            3.5999999999999996 * contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
+        /// maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            let excitation = Scalar::abs(contact.v.re);
+            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 4: 2 sign, 1 ×, 1 ÷.
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            let excitation = Scalar::abs(contact.v.re);
+            let receptance = Scalar::abs(contact.h.re);
+            excitation / (1.2 * receptance)
+        }
+        #[allow(unused_variables)]
+        fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [mode_1, mode_2] = at.modes();
+            let friction_weight = friction.beta * friction.unscale;
+            let mode_1_friction_force = friction_weight * 0.3333333333333333;
+            let mode_1_rise = mode_1_friction_force * contact.scale;
+            let mode_1_swing = mode_1_friction_force * mode_1.u;
+            let mode_2_friction_force = friction_weight * 2.6666666666666665;
+            let mode_2_rise = mode_2_friction_force * contact.scale;
+            let mode_2_swing = mode_2_friction_force * mode_2.u;
+            let carrier = Carrier {
+                cosine: friction.amplitude,
+                sine: 0.0,
+                response: Complex {
+                    re: contact.v.re * friction.unscale,
+                    im: 0.0,
+                },
+            };
+            let waves = [
+                steady::motion_wave(
+                    mode_1.x,
+                    Undamped,
+                    Share {
+                        rise: mode_1_rise,
+                        fall: 0.0,
+                        swing: mode_1_swing,
+                        gain: 0.3333333333333333 * inverse_r * inverse_r,
+                    },
+                ),
+                steady::motion_wave(
+                    mode_2.x,
+                    Undamped,
+                    Share {
+                        rise: mode_2_rise,
+                        fall: 0.0,
+                        swing: mode_2_swing,
+                        gain: 2.6666666666666665 * inverse_r * inverse_r,
+                    },
+                ),
+            ];
+            Motion::of_contact(*friction, carrier, waves)
+        }
+        #[allow(unused_variables)]
+        fn mass_motion(
+            at: &At<Self>,
+            friction: &Friction<f64>,
+            mass: usize,
+        ) -> Option<MotionOf<Self>> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [mode_1, mode_2] = at.modes();
+            let (carrier, waves) = match mass {
+                0 => {
+                    let velocity_share = 2.6666666666666665 * mode_2.u;
+                    let mode_1_driven_re = mode_1.response.re * 0.3333333333333333;
+                    let velocity_share_2 = 0.3333333333333333 * mode_1.u;
+                    let mode_1_lag = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+                    let mode_1_rubbed_back = -(0.3333333333333333 * mode_1_lag);
+                    let mode_2_driven_re = mode_2.response.re * 0.6666666666666666;
+                    let mode_2_lag = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+                    let mode_2_rubbed_back = -(-1.3333333333333333 * mode_2_lag);
+                    let response_re = mode_1_driven_re + mode_2_driven_re;
+                    let mismatch_re = mode_1_driven_re
+                        * (if mode_1.x < 0.5 { contact.u } else { velocity_share })
+                        + mode_2.response.re * -1.3333333333333333 * mode_1_rubbed_back
+                        + (mode_2_driven_re
+                            * (if mode_2.x < 0.5 { contact.u } else { velocity_share_2 })
+                            + mode_1_driven_re * mode_2_rubbed_back);
+                    let ratio = 1.0 / contact.v.re;
+                    let friction_weight = friction.beta * friction.unscale;
+                    let mode_1_friction_force = friction_weight * 0.3333333333333333;
+                    let mode_1_rise = mode_1_friction_force * contact.scale;
+                    let mode_1_swing = mode_1_friction_force * mode_1_lag;
+                    let mode_2_friction_force = friction_weight * -1.3333333333333333;
+                    let mode_2_rise = mode_2_friction_force * contact.scale;
+                    let mode_2_swing = mode_2_friction_force * mode_2_lag;
+                    (
+                        Carrier {
+                            cosine: friction.root * (response_re * ratio)
+                                * friction.unscale,
+                            sine: friction.beta * (mismatch_re * ratio)
+                                * friction.unscale,
+                            response: Complex {
+                                re: response_re * friction.unscale,
+                                im: 0.0,
+                            },
+                        },
+                        [
+                            steady::mass_wave(
+                                mode_1.x,
+                                Undamped,
+                                Share {
+                                    rise: mode_1_rise,
+                                    fall: 0.0,
+                                    swing: mode_1_swing,
+                                    gain: 0.3333333333333333 * inverse_r * inverse_r,
+                                },
+                            ),
+                            steady::mass_wave(
+                                mode_2.x,
+                                Undamped,
+                                Share {
+                                    rise: mode_2_rise,
+                                    fall: 0.0,
+                                    swing: mode_2_swing,
+                                    gain: -1.3333333333333333 * inverse_r * inverse_r,
+                                },
+                            ),
+                        ],
+                    )
+                }
+                1 => {
+                    let velocity_share = 2.6666666666666665 * mode_2.u;
+                    let velocity_share_2 = 0.3333333333333333 * mode_1.u;
+                    let mode_1_driven_re = mode_1.response.re * 0.6666666666666666;
+                    let mode_1_lag = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+                    let mode_1_rubbed_back = -(0.6666666666666666 * mode_1_lag);
+                    let mode_2_driven_re = mode_2.response.re * -0.6666666666666666;
+                    let mode_2_lag = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+                    let mode_2_rubbed_back = -(1.3333333333333333 * mode_2_lag);
+                    let response_re = mode_1_driven_re + mode_2_driven_re;
+                    let mismatch_re = mode_1_driven_re
+                        * (if mode_1.x < 0.5 { contact.u } else { velocity_share })
+                        + mode_2.response.re * -1.3333333333333333 * mode_1_rubbed_back
+                        + (mode_2_driven_re
+                            * (if mode_2.x < 0.5 { contact.u } else { velocity_share_2 })
+                            + mode_1.response.re * 0.3333333333333333
+                                * mode_2_rubbed_back);
+                    let ratio = 1.0 / contact.v.re;
+                    let friction_weight = friction.beta * friction.unscale;
+                    let mode_1_friction_force = friction_weight * 0.6666666666666666;
+                    let mode_1_rise = mode_1_friction_force * contact.scale;
+                    let mode_1_swing = mode_1_friction_force * mode_1_lag;
+                    let mode_2_friction_force = friction_weight * 1.3333333333333333;
+                    let mode_2_rise = mode_2_friction_force * contact.scale;
+                    let mode_2_swing = mode_2_friction_force * mode_2_lag;
+                    (
+                        Carrier {
+                            cosine: friction.root * (response_re * ratio)
+                                * friction.unscale,
+                            sine: friction.beta * (mismatch_re * ratio)
+                                * friction.unscale,
+                            response: Complex {
+                                re: response_re * friction.unscale,
+                                im: 0.0,
+                            },
+                        },
+                        [
+                            steady::mass_wave(
+                                mode_1.x,
+                                Undamped,
+                                Share {
+                                    rise: mode_1_rise,
+                                    fall: 0.0,
+                                    swing: mode_1_swing,
+                                    gain: 0.6666666666666666 * inverse_r * inverse_r,
+                                },
+                            ),
+                            steady::mass_wave(
+                                mode_2.x,
+                                Undamped,
+                                Share {
+                                    rise: mode_2_rise,
+                                    fall: 0.0,
+                                    swing: mode_2_swing,
+                                    gain: 1.3333333333333333 * inverse_r * inverse_r,
+                                },
+                            ),
+                        ],
+                    )
+                }
+                _ => return None,
+            };
+            Some(Motion::of_mass(*friction, carrier, waves))
+        }
+        #[allow(unused_variables)]
+        fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f64>> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [mode_1, mode_2] = at.modes();
+            Some(
+                match mass {
+                    0 => {
+                        let product = mode_1.response.re * 0.3333333333333333;
+                        let held_re = product * (mode_2.response.re * 2.6666666666666665)
+                            + mode_1.response.re * -0.3333333333333333
+                                * (mode_2.response.re * -1.3333333333333333)
+                            + (mode_2.response.re * 0.6666666666666666 * product
+                                + mode_2.response.re * 1.3333333333333333 * product);
+                        let unscale = inverse_r * inverse_r / contact.scale;
+                        Complex {
+                            re: held_re * (1.0 / contact.h.re) * unscale,
+                            im: 0.0,
+                        }
+                    }
+                    1 => {
+                        let product = mode_2.response.re * -1.3333333333333333;
+                        let product_2 = mode_1.response.re * 0.3333333333333333;
+                        let held_re = mode_1.response.re * 0.6666666666666666
+                            * (mode_2.response.re * 2.6666666666666665)
+                            + mode_1.response.re * -0.6666666666666666 * product
+                            + (mode_2.response.re * -0.6666666666666666 * product_2
+                                + product * product_2);
+                        let unscale = inverse_r * inverse_r / contact.scale;
+                        Complex {
+                            re: held_re * (1.0 / contact.h.re) * unscale,
+                            im: 0.0,
+                        }
+                    }
+                    _ => return None,
+                },
+            )
+        }
+    }
+    ::frictiongen::kernel::not_provided!(PairMassesAt : orbit);
+    ::frictiongen::kernel::not_provided!(PairMasses : simulation);
+    impl ProvidesMotion for PairMasses {
+        type Motion = PairMassesMotion;
+    }
+    ::frictiongen::kernel::wraps!(PairMassesMotion, Continuous of PairMasses, Copy);
+    impl PairMassesMotion {
+        /// The motion of mass `inner` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn inner(&self) -> MotionOf<PairMasses> {
+            self.mass(0)
+        }
+        /// The motion of mass `outer` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn outer(&self) -> MotionOf<PairMasses> {
+            self.mass(1)
+        }
+    }
+    impl ProvidesStuck for PairMasses {
+        type Stuck = PairMassesStuck;
+    }
+    ::frictiongen::kernel::wraps!(PairMassesStuck, Stuck of PairMasses, Copy);
+    impl PairMassesStuck {
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `inner` (6.11, 6.27, 6.33).
+        #[must_use]
+        pub fn inner(&self) -> Complex<f64> {
+            self.mass(0)
+        }
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `outer` (6.11, 6.27, 6.33).
+        #[must_use]
+        pub fn outer(&self) -> Complex<f64> {
+            self.mass(1)
+        }
+    }
+};

@@ -1,0 +1,392 @@
+/// Two masses, the contact on a wall.
+///
+/// Emitted by frictiongen 0.1.0 from scene 849ab92d3d755eea.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct PairWall;
+/// [`PairWall`] at one frequency ratio: limits, regime, and the way to motions.
+#[allow(non_camel_case_types)]
+pub struct PairWallAt(::frictiongen::kernel::response::At<PairWall>);
+/// The exact continuous motion of [`PairWall`] at one frequency and one friction ratio.
+#[allow(non_camel_case_types)]
+pub struct PairWallMotion(::frictiongen::kernel::response::Continuous<PairWall>);
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    use ::frictiongen::kernel::locals::*;
+    impl PairWall {
+        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        pub const NATURAL_FREQUENCIES: [f64; 2] = [
+            0.6180339887498949,
+            1.618033988749895,
+        ];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f64; 2] = [0.6180339887498949, 1.618033988749895];
+        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
+        /// that is not negligible is positive.
+        pub const MODE_SHAPES: [[f64; 2]; 2] = [
+            [0.5257311121191336, 0.8506508083520399],
+            [0.8506508083520399, -0.5257311121191336],
+        ];
+        /// The modes that the load or the contact drives.
+        const MODES: [Mode<f64>; 2] = [
+            Mode {
+                kind: Kind::Undamped,
+                in_contact: true,
+                resonance: 0.6180339887498949,
+                zeta: 0.0,
+                q: 1.0,
+                q_defect: 0.0,
+                load: 0.5257311121191336,
+                contact: 0.8506508083520399,
+                residue: 0.4472135954999579,
+                mobility: 0.7236067977499789,
+                static_residue: 1.1708203932499368,
+            },
+            Mode {
+                kind: Kind::Undamped,
+                in_contact: true,
+                resonance: 1.618033988749895,
+                zeta: 0.0,
+                q: 1.0,
+                q_defect: 0.0,
+                load: 0.8506508083520399,
+                contact: -0.5257311121191336,
+                residue: -0.4472135954999579,
+                mobility: 0.276393202250021,
+                static_residue: -0.17082039324993692,
+            },
+        ];
+        const CHAIN: Chain<f64> = Chain {
+            damped: false,
+            on_moving_base: None,
+            mobility: 1.0,
+            stiction: 1.0,
+        };
+        const NUMBERS: Numbers<'static, f64> = Numbers {
+            modes: &Self::MODES,
+            chain: Self::CHAIN,
+            ends: Ends {
+                sliding_at_rest: 0.5,
+                continuous_at_infinity: 0.0,
+                sliding_at_infinity: 0.0,
+            },
+            rubbing: Some(1),
+            absorbs: false,
+            unbounded: &[0.6180339887498949, 1.618033988749895],
+            invisible: &[],
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
+        /// base motion of amplitude Y the load is P = k₁Y.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+        /// The scene at the frequency ratio r = ω√(m₁/k₁).
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn at(r: f64) -> Result<PairWallAt, OutOfDomain> {
+            At::new(Self, r).map(From::from)
+        }
+        /// Both limits over a slice of frequency ratios, into slices of the same length.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        pub fn limits_into(
+            rs: &[f64],
+            continuous: &mut [f64],
+            sliding: &mut [f64],
+        ) -> Result<(), OutOfDomain> {
+            At::limits_into(Self, rs, continuous, sliding)
+        }
+    }
+    ::frictiongen::emitted_system!(PairWall, PairWallAt, f64, ["lower", "upper"]);
+    ::frictiongen::kernel::wraps!(PairWallAt, At of PairWall, Copy);
+    impl Scene for PairWall {
+        type Scalar = f64;
+        type Decay = Undamped;
+        type Modes = [ModeAt<f64>; 2];
+        type Waves = [Wave<f64, Undamped>; 2];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f64> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f64]> {
+            match mass {
+                0 => Some(&[0.5257311121191336, 0.8506508083520399]),
+                1 => Some(&[0.8506508083520399, -0.5257311121191336]),
+                _ => None,
+            }
+        }
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f64, f64) {
+            (3.8725919148493183e-121, 2.5822498780869086e120)
+        }
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// Operations: 44: 18 ×, 9 compare, 7 +, 4 sign, 4 ÷, 2 sin_cos_pi.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
+            let mode_1 = {
+                let frequency = 0.6180339887498949 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
+                let detuning = if plain_detuning == 0.0 {
+                    8.673617379884035e-19
+                } else {
+                    plain_detuning
+                };
+                let cosine = if plain_cosine == 0.0 {
+                    -6.812243160173109e-19
+                } else {
+                    plain_cosine
+                };
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let mode_2 = {
+                let frequency = 1.618033988749895 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
+                let detuning = if plain_detuning == 0.0 {
+                    8.673617379884035e-19
+                } else {
+                    plain_detuning
+                };
+                let cosine = if plain_cosine == 0.0 {
+                    -6.812243160173109e-19
+                } else {
+                    plain_cosine
+                };
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let scale = Scalar::min(mode_1.size, mode_2.size);
+            let modes = [mode_1, mode_2].map(|mode| Self::CHAIN.at_scale(&mode, scale));
+            let [at_1, at_2] = &modes;
+            let v_re = at_1.response.re * 0.4472135954999579
+                + at_2.response.re * -0.4472135954999579;
+            let h_re = at_1.response.re * 0.7236067977499789
+                + at_2.response.re * 0.276393202250021;
+            let u = 0.7236067977499789 * at_1.u + 0.276393202250021 * at_2.u;
+            let contact = ContactAt {
+                scale,
+                v: Complex { re: v_re, im: 0.0 },
+                u,
+                g: 0.0,
+                reversal: 0.0,
+                h: Complex { re: h_re, im: 0.0 },
+            };
+            (contact, modes)
+        }
+        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
+            contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
+        /// maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            let excitation = Scalar::abs(contact.v.re);
+            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 3: 2 sign, 1 ÷.
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            let excitation = Scalar::abs(contact.v.re);
+            let receptance = Scalar::abs(contact.h.re);
+            excitation / receptance
+        }
+        #[allow(unused_variables)]
+        fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [mode_1, mode_2] = at.modes();
+            let friction_weight = friction.beta * friction.unscale;
+            let mode_1_friction_force = friction_weight * 0.7236067977499789;
+            let mode_1_rise = mode_1_friction_force * contact.scale;
+            let mode_1_swing = mode_1_friction_force * mode_1.u;
+            let mode_2_friction_force = friction_weight * 0.276393202250021;
+            let mode_2_rise = mode_2_friction_force * contact.scale;
+            let mode_2_swing = mode_2_friction_force * mode_2.u;
+            let carrier = Carrier {
+                cosine: friction.amplitude,
+                sine: 0.0,
+                response: Complex {
+                    re: contact.v.re * friction.unscale,
+                    im: 0.0,
+                },
+            };
+            let waves = [
+                steady::motion_wave(
+                    mode_1.x,
+                    Undamped,
+                    Share {
+                        rise: mode_1_rise,
+                        fall: 0.0,
+                        swing: mode_1_swing,
+                        gain: 0.7236067977499789 * inverse_r * inverse_r,
+                    },
+                ),
+                steady::motion_wave(
+                    mode_2.x,
+                    Undamped,
+                    Share {
+                        rise: mode_2_rise,
+                        fall: 0.0,
+                        swing: mode_2_swing,
+                        gain: 0.276393202250021 * inverse_r * inverse_r,
+                    },
+                ),
+            ];
+            Motion::of_contact(*friction, carrier, waves)
+        }
+        #[allow(unused_variables)]
+        fn mass_motion(
+            at: &At<Self>,
+            friction: &Friction<f64>,
+            mass: usize,
+        ) -> Option<MotionOf<Self>> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [mode_1, mode_2] = at.modes();
+            let (carrier, waves) = match mass {
+                0 => {
+                    let velocity_share = 0.276393202250021 * mode_2.u;
+                    let velocity_share_2 = 0.7236067977499789 * mode_1.u;
+                    let mode_1_driven_re = mode_1.response.re * 0.276393202250021;
+                    let mode_1_lag = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+                    let mode_1_rubbed_back = -(0.44721359549995787 * mode_1_lag);
+                    let mode_2_driven_re = mode_2.response.re * 0.7236067977499788;
+                    let mode_2_lag = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+                    let mode_2_rubbed_back = -(-0.44721359549995787 * mode_2_lag);
+                    let response_re = mode_1_driven_re + mode_2_driven_re;
+                    let mismatch_re = mode_1_driven_re
+                        * (if mode_1.x < 0.5 { contact.u } else { velocity_share })
+                        + mode_2.response.re * -0.4472135954999579 * mode_1_rubbed_back
+                        + (mode_2_driven_re
+                            * (if mode_2.x < 0.5 { contact.u } else { velocity_share_2 })
+                            + mode_1.response.re * 0.4472135954999579
+                                * mode_2_rubbed_back);
+                    let ratio = 1.0 / contact.v.re;
+                    let friction_weight = friction.beta * friction.unscale;
+                    let mode_1_friction_force = friction_weight * 0.44721359549995787;
+                    let mode_1_rise = mode_1_friction_force * contact.scale;
+                    let mode_1_swing = mode_1_friction_force * mode_1_lag;
+                    let mode_2_friction_force = friction_weight * -0.44721359549995787;
+                    let mode_2_rise = mode_2_friction_force * contact.scale;
+                    let mode_2_swing = mode_2_friction_force * mode_2_lag;
+                    (
+                        Carrier {
+                            cosine: friction.root * (response_re * ratio)
+                                * friction.unscale,
+                            sine: friction.beta * (mismatch_re * ratio)
+                                * friction.unscale,
+                            response: Complex {
+                                re: response_re * friction.unscale,
+                                im: 0.0,
+                            },
+                        },
+                        [
+                            steady::mass_wave(
+                                mode_1.x,
+                                Undamped,
+                                Share {
+                                    rise: mode_1_rise,
+                                    fall: 0.0,
+                                    swing: mode_1_swing,
+                                    gain: 0.44721359549995787 * inverse_r * inverse_r,
+                                },
+                            ),
+                            steady::mass_wave(
+                                mode_2.x,
+                                Undamped,
+                                Share {
+                                    rise: mode_2_rise,
+                                    fall: 0.0,
+                                    swing: mode_2_swing,
+                                    gain: -0.44721359549995787 * inverse_r * inverse_r,
+                                },
+                            ),
+                        ],
+                    )
+                }
+                _ => return None,
+            };
+            Some(Motion::of_mass(*friction, carrier, waves))
+        }
+    }
+    ::frictiongen::kernel::not_provided!(PairWallAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(PairWall : simulation);
+    impl ProvidesMotion for PairWall {
+        type Motion = PairWallMotion;
+    }
+    ::frictiongen::kernel::wraps!(PairWallMotion, Continuous of PairWall, Copy);
+    impl PairWallMotion {
+        /// The motion of mass `lower` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn lower(&self) -> MotionOf<PairWall> {
+            self.mass(0)
+        }
+        /// The motion of mass `upper` (5.50 and its exact form, 7.29).
+        ///
+        /// It rubs on a support at rest: its motion is the contact's.
+        #[must_use]
+        pub fn upper(&self) -> MotionOf<PairWall> {
+            self.contact()
+        }
+    }
+};

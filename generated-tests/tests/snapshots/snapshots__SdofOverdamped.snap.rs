@@ -1,0 +1,274 @@
+/// One mass, over-critically damped: no oscillation is left.
+///
+/// Emitted by frictiongen 0.1.0 from scene 98d65aa65f99f9c9.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct SdofOverdamped;
+/// [`SdofOverdamped`] at one frequency ratio: limits, regime, and the way to motions.
+#[allow(non_camel_case_types)]
+pub struct SdofOverdampedAt(::frictiongen::kernel::response::At<SdofOverdamped>);
+/// The exact continuous motion of [`SdofOverdamped`] at one frequency and one friction ratio.
+#[allow(non_camel_case_types)]
+pub struct SdofOverdampedMotion(
+    ::frictiongen::kernel::response::Continuous<SdofOverdamped>,
+);
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    use ::frictiongen::kernel::locals::*;
+    impl SdofOverdamped {
+        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        pub const NATURAL_FREQUENCIES: [f64; 1] = [1.0];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f64; 1] = [1.0];
+        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
+        /// that is not negligible is positive.
+        pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
+        /// The modes that the load or the contact drives.
+        const MODES: [Mode<f64>; 1] = [
+            Mode {
+                kind: Kind::Over,
+                in_contact: true,
+                resonance: 1.0,
+                zeta: 1.5,
+                q: 1.118033988749895,
+                q_defect: 1.0623058987490537,
+                load: 1.0,
+                contact: 1.0,
+                residue: 1.0,
+                mobility: 1.0,
+                static_residue: 1.0,
+            },
+        ];
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            mobility: 1.0,
+            stiction: 1.0,
+        };
+        const NUMBERS: Numbers<'static, f64> = Numbers {
+            modes: &Self::MODES,
+            chain: Self::CHAIN,
+            ends: Ends {
+                sliding_at_rest: 1.0,
+                continuous_at_infinity: 0.5370292721463151,
+                sliding_at_infinity: 1.0,
+            },
+            rubbing: Some(0),
+            absorbs: false,
+            unbounded: &[],
+            invisible: &[],
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
+        /// base motion of amplitude Y the load is P = k₁Y.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+        /// The scene at the frequency ratio r = ω√(m₁/k₁).
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn at(r: f64) -> Result<SdofOverdampedAt, OutOfDomain> {
+            At::new(Self, r).map(From::from)
+        }
+        /// Both limits over a slice of frequency ratios, into slices of the same length.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        pub fn limits_into(
+            rs: &[f64],
+            continuous: &mut [f64],
+            sliding: &mut [f64],
+        ) -> Result<(), OutOfDomain> {
+            At::limits_into(Self, rs, continuous, sliding)
+        }
+    }
+    ::frictiongen::emitted_system!(SdofOverdamped, SdofOverdampedAt, f64, ["block"]);
+    ::frictiongen::kernel::wraps!(SdofOverdampedAt, At of SdofOverdamped, Copy);
+    impl Scene for SdofOverdamped {
+        type Scalar = f64;
+        type Decay = Damped<f64>;
+        type Modes = [ModeAt<f64>; 1];
+        type Waves = [Wave<f64, Damped<f64>>; 1];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f64> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f64]> {
+            match mass {
+                0 => Some(&[1.0]),
+                _ => None,
+            }
+        }
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f64, f64) {
+            (3.8725919148493183e-121, 2.5822498780869086e120)
+        }
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// Operations: 62: 27 ×, 10 +, 10 sign, 7 ÷, 4 exp_m1, 2 exp, 2 scaled_sinh_defect.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
+            let detuning = (inverse_r - 1.0) * (inverse_r + 1.0);
+            let loss = 3.0 * inverse_r;
+            let size = Scalar::abs(detuning) + loss;
+            let fast_decay = 8.224796345905053 * inverse_r;
+            let slow_decay = 1.1999816148643265 * inverse_r;
+            let slow_exponent = -slow_decay;
+            let spread = 7.024814731040727 * inverse_r;
+            let slow_kept_share = Scalar::exp(slow_exponent);
+            let pole_weight = size
+                / ((1.0 + slow_kept_share) * (1.0 + Scalar::exp(-fast_decay)));
+            let swing = -Scalar::exp_m1(-spread) * slow_kept_share / 1.118033988749895
+                * pole_weight;
+            let negative_lost_share = Scalar::exp_m1(-(fast_decay * 0.5));
+            let u = swing / inverse_r;
+            let g = (negative_lost_share * negative_lost_share
+                * -Scalar::exp_m1(slow_exponent)
+                + 2.0 * (1.0 + negative_lost_share)
+                    * Scalar::scaled_sinh_defect(slow_decay * 0.5)
+                - slow_kept_share
+                    * Scalar::scaled_sinh_defect(3.5124073655203634 * inverse_r)
+                    / 2.9270509831248424) * pole_weight;
+            let reversal = -Scalar::exp_m1(-(9.42477796076938 * inverse_r)) * pole_weight
+                + 1.5 * swing;
+            let inverse_size = 1.0 / size;
+            let unit_re = detuning * inverse_size;
+            let unit_im = loss * inverse_size;
+            let inverse_modulus = 1.0 / (unit_re * unit_re + unit_im * unit_im);
+            let response_re = unit_re * inverse_modulus;
+            let response_im = -(unit_im * inverse_modulus);
+            let g_2 = g / (inverse_r * inverse_r);
+            let contact = ContactAt {
+                scale: size,
+                v: Complex {
+                    re: response_re,
+                    im: response_im,
+                },
+                u,
+                g: g_2,
+                reversal,
+                h: Complex {
+                    re: response_re,
+                    im: response_im,
+                },
+            };
+            let modes = [
+                ModeAt {
+                    x: inverse_r,
+                    response: Complex {
+                        re: response_re,
+                        im: response_im,
+                    },
+                    u,
+                    g,
+                },
+            ];
+            (contact, modes)
+        }
+        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
+            contact.reversal + contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
+        /// maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
+            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 3: 2 hypot, 1 ÷.
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
+            let receptance = Scalar::hypot(contact.h.re, contact.h.im);
+            excitation / receptance
+        }
+        #[allow(unused_variables)]
+        fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [mode_1] = at.modes();
+            let friction_weight = friction.beta * friction.unscale;
+            let fall = friction_weight * (mode_1.g / (mode_1.x * mode_1.x));
+            let rise = friction_weight * contact.scale;
+            let swing = friction_weight * mode_1.u;
+            let carrier = Carrier {
+                cosine: friction.amplitude,
+                sine: 0.0,
+                response: Complex {
+                    re: contact.v.re * friction.unscale,
+                    im: contact.v.im * friction.unscale,
+                },
+            };
+            let waves = [
+                steady::motion_wave(
+                    mode_1.x,
+                    <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
+                    Share {
+                        rise,
+                        fall,
+                        swing,
+                        gain: inverse_r * inverse_r,
+                    },
+                ),
+            ];
+            Motion::of_contact(*friction, carrier, waves)
+        }
+    }
+    ::frictiongen::kernel::not_provided!(SdofOverdampedAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(SdofOverdamped : simulation);
+    impl ProvidesMotion for SdofOverdamped {
+        type Motion = SdofOverdampedMotion;
+    }
+    ::frictiongen::kernel::wraps!(
+        SdofOverdampedMotion, Continuous of SdofOverdamped, Copy
+    );
+    impl SdofOverdampedMotion {
+        /// The motion of mass `block` (5.50 and its exact form, 7.29).
+        ///
+        /// It rubs on a support at rest: its motion is the contact's.
+        #[must_use]
+        pub fn block(&self) -> MotionOf<SdofOverdamped> {
+            self.contact()
+        }
+    }
+};

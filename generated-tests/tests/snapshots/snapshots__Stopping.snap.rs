@@ -1,0 +1,467 @@
+/// The motion in time and the steady state in any regime.
+///
+/// Emitted by frictiongen 0.1.0 from scene 27219d70b100dc24.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct Stopping;
+/// [`Stopping`] at one frequency ratio: limits, regime, and the way to motions.
+#[allow(non_camel_case_types)]
+pub struct StoppingAt(::frictiongen::kernel::response::At<Stopping>);
+/// The exact motion of [`Stopping`] in time, from event to event; `next` gives its segments.
+#[allow(non_camel_case_types)]
+pub struct StoppingSimulation(
+    ::frictiongen::kernel::simulation::FixedSimulation<::core::primitive::f64, 3>,
+);
+/// The steady state of [`Stopping`] at one frequency and one friction ratio, in any regime.
+#[allow(non_camel_case_types)]
+pub struct StoppingOrbit(
+    ::frictiongen::kernel::orbit::FixedOrbit<::core::primitive::f64, 3, 280, 4>,
+);
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    use ::frictiongen::kernel::locals::*;
+    #[allow(dead_code)]
+    fn parts() {}
+    impl Stopping {
+        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        pub const NATURAL_FREQUENCIES: [f64; 2] = [
+            0.6490960526996967,
+            1.7032018484583367,
+        ];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f64; 2] = [0.6490960526996967, 1.7032018484583367];
+        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
+        /// that is not negligible is positive.
+        pub const MODE_SHAPES: [[f64; 2]; 2] = [
+            [0.5683291693328758, 0.8673087078783189],
+            [0.8228012854179333, -0.5990715452678017],
+        ];
+        /// The modes that the load or the contact drives.
+        const MODES: [Mode<f64>; 2] = [
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 0.6490960526996967,
+                zeta: 0.01,
+                q: 0.9999499987499375,
+                q_defect: 5.000125006250391e-5,
+                load: 0.5683291693328758,
+                contact: 0.8673087078783189,
+                residue: 0.4929168375036549,
+                mobility: 0.7522243947615592,
+                static_residue: 1.1699187927890582,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.7032018484583367,
+                zeta: 0.012,
+                q: 0.9999279974078134,
+                q_defect: 7.20025921866408e-5,
+                load: 0.8228012854179333,
+                contact: -0.5990715452678017,
+                residue: -0.4929168375036549,
+                mobility: 0.3588867163495518,
+                static_residue: -0.16991879278905825,
+            },
+        ];
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            mobility: 1.1111111111111112,
+            stiction: 1.2,
+        };
+        const NUMBERS: Numbers<'static, f64> = Numbers {
+            modes: &Self::MODES,
+            chain: Self::CHAIN,
+            ends: Ends {
+                sliding_at_rest: 0.43650793650793657,
+                continuous_at_infinity: 0.0,
+                sliding_at_infinity: 0.0,
+            },
+            rubbing: Some(1),
+            absorbs: false,
+            unbounded: &[],
+            invisible: &[],
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
+        /// base motion of amplitude Y the load is P = k₁Y.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+        /// The scene at the frequency ratio r = ω√(m₁/k₁).
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn at(r: f64) -> Result<StoppingAt, OutOfDomain> {
+            At::new(Self, r).map(From::from)
+        }
+        /// Both limits over a slice of frequency ratios, into slices of the same length.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        pub fn limits_into(
+            rs: &[f64],
+            continuous: &mut [f64],
+            sliding: &mut [f64],
+        ) -> Result<(), OutOfDomain> {
+            At::limits_into(Self, rs, continuous, sliding)
+        }
+    }
+    ::frictiongen::emitted_system!(Stopping, StoppingAt, f64, ["lower", "upper"]);
+    ::frictiongen::kernel::wraps!(StoppingAt, At of Stopping, Copy);
+    impl Scene for Stopping {
+        type Scalar = f64;
+        type Decay = Damped<f64>;
+        type Modes = [ModeAt<f64>; 2];
+        type Waves = [Wave<f64, Damped<f64>>; 2];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f64> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, _: usize) -> Option<&[f64]> {
+            None
+        }
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f64, f64) {
+            (3.8725919148493183e-121, 2.5822498780869086e120)
+        }
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// Operations: 166: 102 ×, 29 +, 16 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
+            let mode_1 = {
+                let frequency = 0.6490960526996967 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.02 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let half_period_decay = 0.031415926535897934 * frequency;
+                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
+                let kept_half = 1.0 + negative_lost_half;
+                let lost_share = -(negative_lost_half * (1.0 + kept_half));
+                let kept_share = kept_half * kept_half;
+                let half_turns = 0.9999499987499375 * frequency;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 2.5000625031251956e-5,
+                );
+                let one_and_kept = 1.0 + kept_share;
+                let nearness_re = one_and_kept * cosine;
+                let nearness_im = lost_share * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.0 * kept_share * (sine / 0.9999499987499375)
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let g = (Scalar::scaled_sinh_defect(half_period_decay)
+                    + 2.0 * kept_share * half_period_decay
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight;
+                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                    * pole_weight + 0.01 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g,
+                    reversal,
+                }
+            };
+            let mode_2 = {
+                let frequency = 1.7032018484583367 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.024 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let half_period_decay = 0.03769911184307752 * frequency;
+                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
+                let kept_half = 1.0 + negative_lost_half;
+                let lost_share = -(negative_lost_half * (1.0 + kept_half));
+                let kept_share = kept_half * kept_half;
+                let half_turns = 0.9999279974078134 * frequency;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 3.60012960933204e-5,
+                );
+                let one_and_kept = 1.0 + kept_share;
+                let nearness_re = one_and_kept * cosine;
+                let nearness_im = lost_share * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.0 * kept_share * (sine / 0.9999279974078134)
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let g = (Scalar::scaled_sinh_defect(half_period_decay)
+                    + 2.0 * kept_share * half_period_decay
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight;
+                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                    * pole_weight + 0.012 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g,
+                    reversal,
+                }
+            };
+            let scale = Scalar::min(mode_1.size, mode_2.size);
+            let modes = [mode_1, mode_2].map(|mode| Self::CHAIN.at_scale(&mode, scale));
+            let [at_1, at_2] = &modes;
+            let v_re = at_1.response.re * 0.4929168375036549
+                + at_2.response.re * -0.4929168375036549;
+            let v_im = at_1.response.im * 0.4929168375036549
+                + at_2.response.im * -0.4929168375036549;
+            let h_re = at_1.response.re * 0.7522243947615592
+                + at_2.response.re * 0.3588867163495518;
+            let h_im = at_1.response.im * 0.7522243947615592
+                + at_2.response.im * 0.3588867163495518;
+            let u = 0.7522243947615592 * at_1.u + 0.3588867163495518 * at_2.u;
+            let g = 0.7522243947615592 * (at_1.g / (at_1.x * at_1.x))
+                + 0.3588867163495518 * (at_2.g / (at_2.x * at_2.x));
+            let reversal = 0.7522243947615592 * (mode_1.reversal * (scale / mode_1.size))
+                + 0.3588867163495518 * (mode_2.reversal * (scale / mode_2.size));
+            let contact = ContactAt {
+                scale,
+                v: Complex { re: v_re, im: v_im },
+                u,
+                g,
+                reversal,
+                h: Complex { re: h_re, im: h_im },
+            };
+            (contact, modes)
+        }
+        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
+            contact.reversal + 1.3333333333333333 * contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
+        /// maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
+            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 4: 2 hypot, 1 ×, 1 ÷.
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
+            let receptance = Scalar::hypot(contact.h.re, contact.h.im);
+            excitation / (1.2 * receptance)
+        }
+    }
+    ::frictiongen::kernel::not_provided!(StoppingAt : motion, stuck);
+    impl Stopping {
+        /// The motion in time: all modes, those that the contact drives first, and the modes of
+        /// the chain with its contact held.
+        const DYNAMICS: Dynamics<'static, f64> = Dynamics {
+            chain: Stopping::CHAIN,
+            modes: &[
+                Mode {
+                    kind: Kind::Light,
+                    in_contact: true,
+                    resonance: 0.6490960526996967,
+                    zeta: 0.01,
+                    q: 0.9999499987499375,
+                    q_defect: 5.000125006250391e-5,
+                    load: 0.5683291693328758,
+                    contact: 0.8673087078783189,
+                    residue: 0.4929168375036549,
+                    mobility: 0.7522243947615592,
+                    static_residue: 1.1699187927890582,
+                },
+                Mode {
+                    kind: Kind::Light,
+                    in_contact: true,
+                    resonance: 1.7032018484583367,
+                    zeta: 0.012,
+                    q: 0.9999279974078134,
+                    q_defect: 7.20025921866408e-5,
+                    load: 0.8228012854179333,
+                    contact: -0.5990715452678017,
+                    residue: -0.4929168375036549,
+                    mobility: 0.3588867163495518,
+                    static_residue: -0.16991879278905825,
+                },
+            ],
+            held: &[
+                HeldMode {
+                    kind: Kind::Light,
+                    frequency: 1.449137674618944,
+                    zeta: 0.010995103927964253,
+                    q: 0.9999395520178274,
+                    force: 1.337251750218044,
+                    inverse: [
+                        0.015221582697280134,
+                        0.46646859015104253,
+                        -0.025479323952963484,
+                    ],
+                },
+            ],
+            shares: &[
+                [-0.6907246979374844, 0.011264683757455306],
+                [-1.0, 0.016308500030608204],
+            ],
+            shapes: &[
+                0.5683291693328758,
+                0.8228012854179333,
+                0.8673087078783189,
+                -0.5990715452678017,
+            ],
+            weights: &[
+                0.5683291693328758,
+                0.7805778370904871,
+                0.8228012854179333,
+                -0.5391643907410216,
+            ],
+            rubbing: Some(1),
+        };
+    }
+    impl Stopping {
+        /// The exact motion in time from rest, the excitation at its maximum.
+        ///
+        /// # Errors
+        /// `OutOfDomain` unless r is positive and finite, and β finite and not negative.
+        pub fn simulation(r: f64, beta: f64) -> Result<StoppingSimulation, OutOfDomain> {
+            let parts = [Part::empty(); 3];
+            Simulation::new(Self::DYNAMICS, r, beta, None, parts).map(From::from)
+        }
+        /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+        ///
+        /// # Errors
+        /// `OutOfDomain` also for a state that is not finite.
+        pub fn simulation_from(
+            r: f64,
+            beta: f64,
+            state: (&[f64; 2], &[f64; 2]),
+        ) -> Result<StoppingSimulation, OutOfDomain> {
+            let parts = [Part::empty(); 3];
+            let start = Some((&state.0[..], &state.1[..]));
+            Simulation::new(Self::DYNAMICS, r, beta, start, parts).map(From::from)
+        }
+    }
+    ::frictiongen::kernel::wraps!(StoppingSimulation, FixedSimulation of f64, 3);
+    impl StoppingSimulation {
+        /// Displacement and velocity of mass `lower` now.
+        #[must_use]
+        pub fn lower(&self) -> Moment<f64> {
+            self.mass(0)
+        }
+        /// Displacement and velocity of mass `upper` now.
+        #[must_use]
+        pub fn upper(&self) -> Moment<f64> {
+            self.mass(1)
+        }
+    }
+    impl ::frictiongen::Simulates for Stopping {
+        type Run<'a> = StoppingSimulation;
+        fn simulation(
+            &self,
+            r: f64,
+            beta: f64,
+        ) -> Result<StoppingSimulation, OutOfDomain> {
+            Self::simulation(r, beta)
+        }
+    }
+    impl ::core::ops::DerefMut for StoppingSimulation {
+        fn deref_mut(&mut self) -> &mut Self::Target {
+            &mut self.0
+        }
+    }
+    impl<'a> IntoIterator for &'a mut StoppingSimulation {
+        type Item = Segment<f64>;
+        type IntoIter = &'a mut FixedSimulation<f64, 3>;
+        fn into_iter(self) -> Self::IntoIter {
+            &mut self.0
+        }
+    }
+    impl ProvidesOrbit for Stopping {
+        type Orbit = StoppingOrbit;
+        type State = [f64; 2];
+        #[inline]
+        fn settled(
+            at: &At<Self>,
+            beta: f64,
+            start: Option<Start<'_, f64>>,
+            last: bool,
+        ) -> Result<StoppingOrbit, NoOrbit> {
+            Orbit::new(
+                    Self::DYNAMICS,
+                    at.frequency_ratio(),
+                    beta,
+                    at.sliding_limit(),
+                    start,
+                    last,
+                    [Part::empty(); 3],
+                    [0.0; 280],
+                    [Complex { re: 0.0, im: 0.0 }; 4],
+                )
+                .map(From::from)
+        }
+    }
+    ::frictiongen::kernel::wraps!(StoppingOrbit, FixedOrbit of f64, 3, 280, 4);
+    impl StoppingOrbit {
+        /// The motion of mass `lower`.
+        #[must_use]
+        pub fn lower(&self) -> FixedOrbitMotion<'_, f64, 3, 280, 4> {
+            self.mass(0)
+        }
+        /// The motion of mass `upper`.
+        #[must_use]
+        pub fn upper(&self) -> FixedOrbitMotion<'_, f64, 3, 280, 4> {
+            self.mass(1)
+        }
+    }
+};

@@ -1,0 +1,878 @@
+/// Seventeen masses: passes over the modes instead of straight lines.
+///
+/// Emitted by frictiongen 0.1.0 from scene c0a274c56a3baf99.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct Tall;
+/// [`Tall`] at one frequency ratio: limits, regime, and the way to motions.
+#[allow(non_camel_case_types)]
+pub struct TallAt(::frictiongen::kernel::response::At<Tall>);
+/// The exact continuous motion of [`Tall`] at one frequency and one friction ratio.
+#[allow(non_camel_case_types)]
+pub struct TallMotion(::frictiongen::kernel::response::Continuous<Tall>);
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    use ::frictiongen::kernel::locals::*;
+    impl Tall {
+        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        pub const NATURAL_FREQUENCIES: [f64; 17] = [
+            0.08972966070102985,
+            0.268466531635311,
+            0.4450418679126288,
+            0.6180339887498949,
+            0.7860500633078472,
+            0.9477373249459974,
+            1.101793962904205,
+            1.246979603717467,
+            1.3821252979737293,
+            1.506142932007222,
+            1.618033988749895,
+            1.7168975872037322,
+            1.8019377358048383,
+            1.8724697412794744,
+            1.9279257213917065,
+            1.9678591771972593,
+            1.9919485879904781,
+        ];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f64; 17] = [
+            0.08972966070102985,
+            0.268466531635311,
+            0.4450418679126288,
+            0.6180339887498949,
+            0.7860500633078472,
+            0.9477373249459974,
+            1.101793962904205,
+            1.246979603717467,
+            1.3821252979737293,
+            1.506142932007222,
+            1.618033988749895,
+            1.7168975872037322,
+            1.8019377358048383,
+            1.8724697412794744,
+            1.9279257213917065,
+            1.9678591771972593,
+            1.9919485879904781,
+        ];
+        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
+        /// that is not negligible is positive.
+        pub const MODE_SHAPES: [[f64; 17]; 17] = [
+            [
+                0.03030361732426425,
+                0.06036324774007196,
+                0.0899368687780915,
+                0.11878637103073232,
+                0.14667947526908878,
+                0.1733916026187133,
+                0.19870768273666328,
+                0.222423885431443,
+                0.2443492617838555,
+                0.2643072815554236,
+                0.2821372545060723,
+                0.2976956241774572,
+                0.31085712372515767,
+                0.3215157844936519,
+                0.32958578921362314,
+                0.33500216295215196,
+                0.33772129625267205,
+            ],
+            [
+                0.0899368687780915,
+                0.1733916026187133,
+                0.2443492617838555,
+                0.2976956241774572,
+                0.32958578921362314,
+                0.33772129625267205,
+                0.3215157844936519,
+                0.2821372545060723,
+                0.222423885431443,
+                0.14667947526908878,
+                0.06036324774007196,
+                -0.03030361732426425,
+                -0.11878637103073232,
+                -0.19870768273666328,
+                -0.2643072815554236,
+                -0.31085712372515767,
+                -0.33500216295215196,
+            ],
+            [
+                0.14667947526908878,
+                0.2643072815554236,
+                0.32958578921362314,
+                0.32958578921362314,
+                0.2643072815554236,
+                0.14667947526908878,
+                0.0,
+                -0.14667947526908878,
+                -0.2643072815554236,
+                -0.32958578921362314,
+                -0.32958578921362314,
+                -0.2643072815554236,
+                -0.14667947526908878,
+                0.0,
+                0.14667947526908878,
+                0.2643072815554236,
+                0.32958578921362314,
+            ],
+            [
+                0.19870768273666328,
+                0.3215157844936519,
+                0.3215157844936519,
+                0.19870768273666328,
+                0.0,
+                -0.19870768273666328,
+                -0.3215157844936519,
+                -0.3215157844936519,
+                -0.19870768273666328,
+                0.0,
+                0.19870768273666328,
+                0.3215157844936519,
+                0.3215157844936519,
+                0.19870768273666328,
+                0.0,
+                -0.19870768273666328,
+                -0.3215157844936519,
+            ],
+            [
+                0.2443492617838555,
+                0.33772129625267205,
+                0.222423885431443,
+                -0.03030361732426425,
+                -0.2643072815554236,
+                -0.33500216295215196,
+                -0.19870768273666328,
+                0.06036324774007196,
+                0.2821372545060723,
+                0.32958578921362314,
+                0.1733916026187133,
+                -0.0899368687780915,
+                -0.2976956241774572,
+                -0.3215157844936519,
+                -0.14667947526908878,
+                0.11878637103073232,
+                0.31085712372515767,
+            ],
+            [
+                0.2821372545060723,
+                0.31085712372515767,
+                0.06036324774007196,
+                -0.2443492617838555,
+                -0.32958578921362314,
+                -0.11878637103073232,
+                0.19870768273666328,
+                0.33772129625267205,
+                0.1733916026187133,
+                -0.14667947526908878,
+                -0.33500216295215196,
+                -0.222423885431443,
+                0.0899368687780915,
+                0.3215157844936519,
+                0.2643072815554236,
+                -0.03030361732426425,
+                -0.2976956241774572,
+            ],
+            [
+                0.31085712372515767,
+                0.2443492617838555,
+                -0.11878637103073232,
+                -0.33772129625267205,
+                -0.14667947526908878,
+                0.222423885431443,
+                0.3215157844936519,
+                0.03030361732426425,
+                -0.2976956241774572,
+                -0.2643072815554236,
+                0.0899368687780915,
+                0.33500216295215196,
+                0.1733916026187133,
+                -0.19870768273666328,
+                -0.32958578921362314,
+                -0.06036324774007196,
+                0.2821372545060723,
+            ],
+            [
+                0.32958578921362314,
+                0.14667947526908878,
+                -0.2643072815554236,
+                -0.2643072815554236,
+                0.14667947526908878,
+                0.32958578921362314,
+                0.0,
+                -0.32958578921362314,
+                -0.14667947526908878,
+                0.2643072815554236,
+                0.2643072815554236,
+                -0.14667947526908878,
+                -0.32958578921362314,
+                0.0,
+                0.32958578921362314,
+                0.14667947526908878,
+                -0.2643072815554236,
+            ],
+            [
+                0.33772129625267205,
+                0.03030361732426425,
+                -0.33500216295215196,
+                -0.06036324774007196,
+                0.32958578921362314,
+                0.0899368687780915,
+                -0.3215157844936519,
+                -0.11878637103073232,
+                0.31085712372515767,
+                0.14667947526908878,
+                -0.2976956241774572,
+                -0.1733916026187133,
+                0.2821372545060723,
+                0.19870768273666328,
+                -0.2643072815554236,
+                -0.222423885431443,
+                0.2443492617838555,
+            ],
+            [
+                0.33500216295215196,
+                -0.0899368687780915,
+                -0.31085712372515767,
+                0.1733916026187133,
+                0.2643072815554236,
+                -0.2443492617838555,
+                -0.19870768273666328,
+                0.2976956241774572,
+                0.11878637103073232,
+                -0.32958578921362314,
+                -0.03030361732426425,
+                0.33772129625267205,
+                -0.06036324774007196,
+                -0.3215157844936519,
+                0.14667947526908878,
+                0.2821372545060723,
+                -0.222423885431443,
+            ],
+            [
+                0.3215157844936519,
+                -0.19870768273666328,
+                -0.19870768273666328,
+                0.3215157844936519,
+                0.0,
+                -0.3215157844936519,
+                0.19870768273666328,
+                0.19870768273666328,
+                -0.3215157844936519,
+                0.0,
+                0.3215157844936519,
+                -0.19870768273666328,
+                -0.19870768273666328,
+                0.3215157844936519,
+                0.0,
+                -0.3215157844936519,
+                0.19870768273666328,
+            ],
+            [
+                0.2976956241774572,
+                -0.2821372545060723,
+                -0.03030361732426425,
+                0.31085712372515767,
+                -0.2643072815554236,
+                -0.06036324774007196,
+                0.3215157844936519,
+                -0.2443492617838555,
+                -0.0899368687780915,
+                0.32958578921362314,
+                -0.222423885431443,
+                -0.11878637103073232,
+                0.33500216295215196,
+                -0.19870768273666328,
+                -0.14667947526908878,
+                0.33772129625267205,
+                -0.1733916026187133,
+            ],
+            [
+                0.2643072815554236,
+                -0.32958578921362314,
+                0.14667947526908878,
+                0.14667947526908878,
+                -0.32958578921362314,
+                0.2643072815554236,
+                0.0,
+                -0.2643072815554236,
+                0.32958578921362314,
+                -0.14667947526908878,
+                -0.14667947526908878,
+                0.32958578921362314,
+                -0.2643072815554236,
+                0.0,
+                0.2643072815554236,
+                -0.32958578921362314,
+                0.14667947526908878,
+            ],
+            [
+                0.222423885431443,
+                -0.33500216295215196,
+                0.2821372545060723,
+                -0.0899368687780915,
+                -0.14667947526908878,
+                0.31085712372515767,
+                -0.3215157844936519,
+                0.1733916026187133,
+                0.06036324774007196,
+                -0.2643072815554236,
+                0.33772129625267205,
+                -0.2443492617838555,
+                0.03030361732426425,
+                0.19870768273666328,
+                -0.32958578921362314,
+                0.2976956241774572,
+                -0.11878637103073232,
+            ],
+            [
+                0.1733916026187133,
+                -0.2976956241774572,
+                0.33772129625267205,
+                -0.2821372545060723,
+                0.14667947526908878,
+                0.03030361732426425,
+                -0.19870768273666328,
+                0.31085712372515767,
+                -0.33500216295215196,
+                0.2643072815554236,
+                -0.11878637103073232,
+                -0.06036324774007196,
+                0.222423885431443,
+                -0.3215157844936519,
+                0.32958578921362314,
+                -0.2443492617838555,
+                0.0899368687780915,
+            ],
+            [
+                0.11878637103073232,
+                -0.222423885431443,
+                0.2976956241774572,
+                -0.33500216295215196,
+                0.32958578921362314,
+                -0.2821372545060723,
+                0.19870768273666328,
+                -0.0899368687780915,
+                -0.03030361732426425,
+                0.14667947526908878,
+                -0.2443492617838555,
+                0.31085712372515767,
+                -0.33772129625267205,
+                0.3215157844936519,
+                -0.2643072815554236,
+                0.1733916026187133,
+                -0.06036324774007196,
+            ],
+            [
+                0.06036324774007196,
+                -0.11878637103073232,
+                0.1733916026187133,
+                -0.222423885431443,
+                0.2643072815554236,
+                -0.2976956241774572,
+                0.3215157844936519,
+                -0.33500216295215196,
+                0.33772129625267205,
+                -0.32958578921362314,
+                0.31085712372515767,
+                -0.2821372545060723,
+                0.2443492617838555,
+                -0.19870768273666328,
+                0.14667947526908878,
+                -0.0899368687780915,
+                0.03030361732426425,
+            ],
+        ];
+        /// The modes that the load or the contact drives.
+        const MODES: [Mode<f64>; 17] = [
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 0.08972966070102985,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.03030361732426425,
+                contact: 0.06036324774007196,
+                residue: 0.0018292247599648993,
+                mobility: 0.0036437216777293023,
+                static_residue: 0.22719303866223473,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 0.268466531635311,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.0899368687780915,
+                contact: 0.1733916026187133,
+                residue: 0.015594297811942206,
+                mobility: 0.03006464785868579,
+                static_residue: 0.21636425799963271,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 0.4450418679126288,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.14667947526908878,
+                contact: 0.2643072815554236,
+                residue: 0.03876845336834884,
+                mobility: 0.06985833908321797,
+                static_residue: 0.19573871643791838,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 0.6180339887498949,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.19870768273666328,
+                contact: 0.3215157844936519,
+                residue: 0.06388765649999399,
+                mobility: 0.10337239967856843,
+                static_residue: 0.1672600561785624,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 0.7860500633078472,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.2443492617838555,
+                contact: 0.33772129625267205,
+                residue: 0.08252194942802718,
+                mobility: 0.11405567394258509,
+                static_residue: 0.13355774100704082,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 0.9477373249459974,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.2821372545060723,
+                contact: 0.31085712372515767,
+                residue: 0.08770437543147042,
+                mobility: 0.09663215137067799,
+                static_residue: 0.09764393892858751,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.101793962904205,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.31085712372515767,
+                contact: 0.2443492617838555,
+                residue: 0.07595770870249491,
+                mobility: 0.05970656173431514,
+                static_residue: 0.06257070938977043,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.246979603717467,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.32958578921362314,
+                contact: 0.14667947526908878,
+                residue: 0.04834347061800274,
+                mobility: 0.021514868465215227,
+                static_residue: 0.031089885714869123,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.3821252979737293,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.33772129625267205,
+                contact: 0.03030361732426425,
+                residue: 0.01023417692389545,
+                mobility: 0.0009183092229354483,
+                static_residue: 0.005357449526045189,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.506142932007222,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.33500216295215196,
+                contact: -0.0899368687780915,
+                residue: -0.03012904556980452,
+                mobility: 0.008088640365607651,
+                static_residue: -0.013281679561780814,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.618033988749895,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.3215157844936519,
+                contact: -0.19870768273666328,
+                residue: -0.06388765649999399,
+                mobility: 0.039484743178574436,
+                static_residue: -0.02440291332141956,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.7168975872037322,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.2976956241774572,
+                contact: -0.2821372545060723,
+                residue: -0.0839910260838993,
+                mobility: 0.0796014303802242,
+                static_residue: -0.028493388937034278,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.8019377358048383,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.2643072815554236,
+                contact: -0.32958578921362314,
+                residue: -0.08711192398635158,
+                mobility: 0.10862679245156681,
+                static_residue: -0.026828602152787512,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.8724697412794744,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.222423885431443,
+                contact: -0.33500216295215196,
+                residue: -0.07451248271175505,
+                mobility: 0.11222644918262019,
+                static_residue: -0.02125198092511808,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.9279257213917065,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.1733916026187133,
+                contact: -0.2976956241774572,
+                residue: -0.051617921368707485,
+                mobility: 0.08862268465440586,
+                static_residue: -0.01388736712747049,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.9678591771972593,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.11878637103073232,
+                contact: -0.222423885431443,
+                residue: -0.026420926180956487,
+                mobility: 0.049472384810419684,
+                static_residue: -0.006822758587192199,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.9919485879904781,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.06036324774007196,
+                contact: -0.11878637103073232,
+                residue: -0.0071703311426722025,
+                mobility: 0.014110201942650804,
+                static_residue: -0.0018071032318584057,
+            },
+        ];
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            mobility: 1.0,
+            stiction: 1.0,
+        };
+        const NUMBERS: Numbers<'static, f64> = Numbers {
+            modes: &Self::MODES,
+            chain: Self::CHAIN,
+            ends: Ends {
+                sliding_at_rest: 0.5,
+                continuous_at_infinity: 0.0,
+                sliding_at_infinity: 0.0,
+            },
+            rubbing: Some(1),
+            absorbs: false,
+            unbounded: &[],
+            invisible: &[],
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
+        /// base motion of amplitude Y the load is P = k₁Y.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+        /// The scene at the frequency ratio r = ω√(m₁/k₁).
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn at(r: f64) -> Result<TallAt, OutOfDomain> {
+            At::new(Self, r).map(From::from)
+        }
+        /// Both limits over a slice of frequency ratios, into slices of the same length.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        pub fn limits_into(
+            rs: &[f64],
+            continuous: &mut [f64],
+            sliding: &mut [f64],
+        ) -> Result<(), OutOfDomain> {
+            At::limits_into(Self, rs, continuous, sliding)
+        }
+    }
+    ::frictiongen::emitted_system!(
+        Tall, TallAt, f64, ["m1", "m2", "m3", "m4", "m5", "m6", "m7", "m8", "m9", "m10",
+        "m11", "m12", "m13", "m14", "m15", "m16", "m17"]
+    );
+    ::frictiongen::kernel::wraps!(TallAt, At of Tall, Copy);
+    impl Scene for Tall {
+        type Scalar = f64;
+        type Decay = Damped<f64>;
+        type Modes = [ModeAt<f64>; 17];
+        type Waves = [Wave<f64, Damped<f64>>; 17];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f64> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f64]> {
+            match mass {
+                2 => {
+                    Some(
+                        &[
+                            0.0899368687780915,
+                            0.2443492617838555,
+                            0.32958578921362314,
+                            0.3215157844936519,
+                            0.222423885431443,
+                            0.06036324774007196,
+                            -0.11878637103073232,
+                            -0.2643072815554236,
+                            -0.33500216295215196,
+                            -0.31085712372515767,
+                            -0.19870768273666328,
+                            -0.03030361732426425,
+                            0.14667947526908878,
+                            0.2821372545060723,
+                            0.33772129625267205,
+                            0.2976956241774572,
+                            0.1733916026187133,
+                        ],
+                    )
+                }
+                _ => None,
+            }
+        }
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f64, f64) {
+            (3.8725919148493183e-121, 2.5822498780869086e120)
+        }
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// Operations: 1513: 918 ×, 306 +, 136 ÷, 85 sign, 17 exp_m1, 17 one_minus_sinc_pi, 17 scaled_sinh_defect, 17 sin_cos_pi.
+        #[inline]
+        fn frequency_stage(
+            &self,
+            inverse_r: f64,
+        ) -> (ContactAt<f64>, [ModeAt<f64>; 17]) {
+            let mut responses = [ModeResponse::<f64>::zero(); 17];
+            let mut scale = ::core::f64::INFINITY;
+            for (mode, response) in IntoIterator::into_iter(&Self::MODES)
+                .zip(&mut responses)
+            {
+                let frequency = mode.resonance * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 2.0 * mode.zeta * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let half_period_decay = 3.141592653589793 * mode.zeta * frequency;
+                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
+                let kept_half = 1.0 + negative_lost_half;
+                let lost_share = -(negative_lost_half * (1.0 + kept_half));
+                let kept_share = kept_half * kept_half;
+                let half_turns = mode.q * frequency;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * (mode.q_defect * 0.5),
+                );
+                let one_and_kept = 1.0 + kept_share;
+                let nearness_re = one_and_kept * cosine;
+                let nearness_im = lost_share * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.0 * kept_share * (sine / mode.q)
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let g = (Scalar::scaled_sinh_defect(half_period_decay)
+                    + 2.0 * kept_share * half_period_decay
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight;
+                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                    * pole_weight + mode.zeta * swing;
+                *response = ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g,
+                    reversal,
+                };
+                scale = Scalar::min(scale, response.size);
+            }
+            let mut sum = ContactAt::<f64>::zero(scale);
+            let mut modes = [ModeAt::<f64>::zero(); 17];
+            for ((mode, response), at) in IntoIterator::into_iter(&Self::MODES)
+                .zip(&responses)
+                .zip(&mut modes)
+            {
+                let inverse_size = 1.0 / response.size;
+                let unit_re = response.denominator.re * inverse_size;
+                let unit_im = response.denominator.im * inverse_size;
+                let inverse_modulus = 1.0 / (unit_re * unit_re + unit_im * unit_im);
+                let share = sum.scale * inverse_size;
+                let response_re = unit_re * inverse_modulus * share;
+                let response_im = -(unit_im * inverse_modulus) * share;
+                let u_scaled = response.u * share;
+                let g_scaled = response.g * share;
+                *at = ModeAt {
+                    x: response.x,
+                    response: Complex {
+                        re: response_re,
+                        im: response_im,
+                    },
+                    u: u_scaled,
+                    g: g_scaled,
+                };
+                sum.v.re = sum.v.re + response_re * mode.residue;
+                sum.u = sum.u + mode.mobility * u_scaled;
+                sum.h.re = sum.h.re + response_re * mode.mobility;
+                sum.v.im = sum.v.im + response_im * mode.residue;
+                sum.h.im = sum.h.im + response_im * mode.mobility;
+                sum.g = sum.g + mode.mobility * (g_scaled / (response.x * response.x));
+                sum.reversal = sum.reversal
+                    + mode.mobility * (response.reversal * (sum.scale / response.size));
+            }
+            let contact = ContactAt {
+                scale: sum.scale,
+                v: Complex {
+                    re: sum.v.re,
+                    im: sum.v.im,
+                },
+                u: sum.u,
+                g: sum.g,
+                reversal: sum.reversal,
+                h: Complex {
+                    re: sum.h.re,
+                    im: sum.h.im,
+                },
+            };
+            (contact, modes)
+        }
+        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
+            contact.reversal + contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
+        /// maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
+            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 3: 2 hypot, 1 ÷.
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
+            let receptance = Scalar::hypot(contact.h.re, contact.h.im);
+            excitation / receptance
+        }
+    }
+    ::frictiongen::kernel::not_provided!(TallAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(Tall : simulation);
+    ::frictiongen::kernel::left_out!(
+        TallMotion : m1, m2, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16,
+        m17
+    );
+    impl ProvidesMotion for Tall {
+        type Motion = TallMotion;
+    }
+    ::frictiongen::kernel::wraps!(TallMotion, Continuous of Tall, Copy);
+    impl TallMotion {
+        /// The motion of mass `m3` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn m3(&self) -> MotionOf<Tall> {
+            self.mass(2)
+        }
+    }
+};

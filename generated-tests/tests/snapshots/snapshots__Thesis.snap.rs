@@ -1,0 +1,334 @@
+/// The thesis's three masses (figure 6.1).
+///
+/// Emitted by frictiongen 0.1.0 from scene 88abb9d9db2471d6.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct Thesis;
+/// [`Thesis`] at one frequency ratio: limits, regime, and the way to motions.
+#[allow(non_camel_case_types)]
+pub struct ThesisAt(::frictiongen::kernel::response::At<Thesis>);
+/// The exact continuous motion of [`Thesis`] at one frequency and one friction ratio.
+#[allow(non_camel_case_types)]
+pub struct ThesisMotion(::frictiongen::kernel::response::Continuous<Thesis>);
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    use ::frictiongen::kernel::locals::*;
+    impl Thesis {
+        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        pub const NATURAL_FREQUENCIES: [f64; 3] = [
+            0.4450418679126288,
+            1.246979603717467,
+            1.8019377358048383,
+        ];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f64; 3] = [
+            0.4450418679126288,
+            1.246979603717467,
+            1.8019377358048383,
+        ];
+        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
+        /// that is not negligible is positive.
+        pub const MODE_SHAPES: [[f64; 3]; 3] = [
+            [0.32798527760568175, 0.5910090485061035, 0.7369762290995783],
+            [0.7369762290995783, 0.32798527760568175, -0.5910090485061035],
+            [0.5910090485061035, -0.7369762290995783, 0.32798527760568175],
+        ];
+        /// The modes that the load or the contact drives.
+        const MODES: [Mode<f64>; 3] = [
+            Mode {
+                kind: Kind::Undamped,
+                in_contact: true,
+                resonance: 0.4450418679126288,
+                zeta: 0.0,
+                q: 1.0,
+                q_defect: 0.0,
+                load: 0.32798527760568175,
+                contact: 0.5910090485061035,
+                residue: 0.19384226684174422,
+                mobility: 0.34929169541608984,
+                static_residue: 0.9786935821895919,
+            },
+            Mode {
+                kind: Kind::Undamped,
+                in_contact: true,
+                resonance: 1.246979603717467,
+                zeta: 0.0,
+                q: 1.0,
+                q_defect: 0.0,
+                load: 0.7369762290995783,
+                contact: 0.32798527760568175,
+                residue: 0.2417173530900137,
+                mobility: 0.10757434232607613,
+                static_residue: 0.15544942857434563,
+            },
+            Mode {
+                kind: Kind::Undamped,
+                in_contact: true,
+                resonance: 1.8019377358048383,
+                zeta: 0.0,
+                q: 1.0,
+                q_defect: 0.0,
+                load: 0.5910090485061035,
+                contact: -0.7369762290995783,
+                residue: -0.4355596199317579,
+                mobility: 0.5431339622578341,
+                static_residue: -0.13414301076393756,
+            },
+        ];
+        const CHAIN: Chain<f64> = Chain {
+            damped: false,
+            on_moving_base: None,
+            mobility: 1.0,
+            stiction: 1.0,
+        };
+        const NUMBERS: Numbers<'static, f64> = Numbers {
+            modes: &Self::MODES,
+            chain: Self::CHAIN,
+            ends: Ends {
+                sliding_at_rest: 0.5,
+                continuous_at_infinity: 0.0,
+                sliding_at_infinity: 0.0,
+            },
+            rubbing: Some(1),
+            absorbs: true,
+            unbounded: &[0.4450418679126288, 1.246979603717467, 1.8019377358048383],
+            invisible: &[],
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
+        /// base motion of amplitude Y the load is P = k₁Y.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+        /// The scene at the frequency ratio r = ω√(m₁/k₁).
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn at(r: f64) -> Result<ThesisAt, OutOfDomain> {
+            At::new(Self, r).map(From::from)
+        }
+        /// Both limits over a slice of frequency ratios, into slices of the same length.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        pub fn limits_into(
+            rs: &[f64],
+            continuous: &mut [f64],
+            sliding: &mut [f64],
+        ) -> Result<(), OutOfDomain> {
+            At::limits_into(Self, rs, continuous, sliding)
+        }
+    }
+    ::frictiongen::emitted_system!(Thesis, ThesisAt, f64, ["first", "second", "third"]);
+    ::frictiongen::kernel::wraps!(ThesisAt, At of Thesis, Copy);
+    impl Scene for Thesis {
+        type Scalar = f64;
+        type Decay = Undamped;
+        type Modes = [ModeAt<f64>; 3];
+        type Waves = [Wave<f64, Undamped>; 3];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f64> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f64]> {
+            match mass {
+                0 => Some(&[0.32798527760568175, 0.7369762290995783, 0.5910090485061035]),
+                1 => {
+                    Some(&[0.5910090485061035, 0.32798527760568175, -0.7369762290995783])
+                }
+                2 => {
+                    Some(&[0.7369762290995783, -0.5910090485061035, 0.32798527760568175])
+                }
+                _ => None,
+            }
+        }
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f64, f64) {
+            (3.8725919148493183e-121, 2.5822498780869086e120)
+        }
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// Operations: 68: 27 ×, 14 compare, 12 +, 6 sign, 6 ÷, 3 sin_cos_pi.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 3]) {
+            let mode_1 = {
+                let frequency = 0.4450418679126288 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
+                let detuning = if plain_detuning == 0.0 {
+                    8.673617379884035e-19
+                } else {
+                    plain_detuning
+                };
+                let cosine = if plain_cosine == 0.0 {
+                    -6.812243160173109e-19
+                } else {
+                    plain_cosine
+                };
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let mode_2 = {
+                let frequency = 1.246979603717467 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
+                let detuning = if plain_detuning == 0.0 {
+                    8.673617379884035e-19
+                } else {
+                    plain_detuning
+                };
+                let cosine = if plain_cosine == 0.0 {
+                    -6.812243160173109e-19
+                } else {
+                    plain_cosine
+                };
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let mode_3 = {
+                let frequency = 1.8019377358048383 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
+                let detuning = if plain_detuning == 0.0 {
+                    8.673617379884035e-19
+                } else {
+                    plain_detuning
+                };
+                let cosine = if plain_cosine == 0.0 {
+                    -6.812243160173109e-19
+                } else {
+                    plain_cosine
+                };
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let scale = Scalar::min(Scalar::min(mode_1.size, mode_2.size), mode_3.size);
+            let modes = [mode_1, mode_2, mode_3]
+                .map(|mode| Self::CHAIN.at_scale(&mode, scale));
+            let [at_1, at_2, at_3] = &modes;
+            let v_re = at_1.response.re * 0.19384226684174422
+                + at_2.response.re * 0.2417173530900137
+                + at_3.response.re * -0.4355596199317579;
+            let h_re = at_1.response.re * 0.34929169541608984
+                + at_2.response.re * 0.10757434232607613
+                + at_3.response.re * 0.5431339622578341;
+            let u = 0.34929169541608984 * at_1.u + 0.10757434232607613 * at_2.u
+                + 0.5431339622578341 * at_3.u;
+            let contact = ContactAt {
+                scale,
+                v: Complex { re: v_re, im: 0.0 },
+                u,
+                g: 0.0,
+                reversal: 0.0,
+                h: Complex { re: h_re, im: 0.0 },
+            };
+            (contact, modes)
+        }
+        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
+            contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
+        /// maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            let excitation = Scalar::abs(contact.v.re);
+            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 3: 2 sign, 1 ÷.
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            let excitation = Scalar::abs(contact.v.re);
+            let receptance = Scalar::abs(contact.h.re);
+            excitation / receptance
+        }
+    }
+    ::frictiongen::kernel::not_provided!(ThesisAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(Thesis : simulation);
+    impl ProvidesMotion for Thesis {
+        type Motion = ThesisMotion;
+    }
+    ::frictiongen::kernel::wraps!(ThesisMotion, Continuous of Thesis, Copy);
+    impl ThesisMotion {
+        /// The motion of mass `first` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn first(&self) -> MotionOf<Thesis> {
+            self.mass(0)
+        }
+        /// The motion of mass `second` (5.50 and its exact form, 7.29).
+        ///
+        /// It rubs on a support at rest: its motion is the contact's.
+        #[must_use]
+        pub fn second(&self) -> MotionOf<Thesis> {
+            self.contact()
+        }
+        /// The motion of mass `third` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn third(&self) -> MotionOf<Thesis> {
+            self.mass(2)
+        }
+    }
+};
