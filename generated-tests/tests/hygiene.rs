@@ -436,7 +436,7 @@ fn documentation_and_lint_levels_are_carried_through() {
         head.starts_with("/// Two storeys.\n#[allow(dead_code)]\n"),
         "{head}"
     );
-    for name in ["Frame;", "FrameAt {", "FrameMotion {"] {
+    for name in ["Frame;", "FrameAt(", "FrameMotion("] {
         assert!(
             source.contains(&format!("\npub(super) struct {name}")),
             "{name}"

@@ -4,12 +4,13 @@ use frictiongen_codegen::{Limits, parse_text, pretty};
 use snapshots::{Mount, transmissibility};
 use std::fmt::Write;
 
-/// The code that the macro emits.
+/// The code that the macro emits, as a file of Rust that a review page highlights.
 #[test]
 fn emitted() {
     let text = include_str!("../scenes/mount.friction");
     let description = parse_text(text, &Limits::MACRO).expect("the scene is sound");
-    insta::assert_snapshot!(pretty(&description).expect("Rust"));
+    let source = pretty(&description).expect("Rust");
+    insta::assert_binary_snapshot!("emitted.rs", source.into_bytes());
 }
 
 /// The answers that matter, to nine digits: one point in each regime, and both sides of the first resonance.

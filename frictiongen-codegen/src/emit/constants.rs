@@ -42,7 +42,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         )]
         #visibility struct #name;
         #[doc = #at_about]
-        #[allow(non_camel_case_types)]
+        #[allow(deprecated, non_camel_case_types)]
         #visibility struct #at(#facade::kernel::response::At<#name>);
     };
 

@@ -33,7 +33,7 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     );
     let types = code! {
         #[doc = #about]
-        #[allow(non_camel_case_types)]
+        #[allow(deprecated, non_camel_case_types)]
         #visibility struct #motion(#facade::kernel::response::Continuous<#name>);
     };
     let methods = masses.iter().map(|(mass, method)| {

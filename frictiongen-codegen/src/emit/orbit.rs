@@ -26,7 +26,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let sizes = code!(#parts, #room, #multipliers);
     let types = code! {
         #[doc = #about]
-        #[allow(non_camel_case_types)]
+        #[allow(deprecated, non_camel_case_types)]
         #visibility struct #orbit(
             #facade::kernel::orbit::FixedOrbit<::core::primitive::#scalar, #sizes>
         );

@@ -22,7 +22,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     );
     let types = code! {
         #[doc = #about]
-        #[allow(non_camel_case_types)]
+        #[allow(deprecated, non_camel_case_types)]
             #visibility struct #simulation(
                 #facade::kernel::simulation::FixedSimulation<::core::primitive::#scalar, #parts>
             );

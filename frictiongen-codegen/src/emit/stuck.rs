@@ -21,7 +21,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         format!(" The response of [`{name}`] at one frequency ratio while its contact is stuck.");
     let types = code! {
         #[doc = #about]
-        #[allow(non_camel_case_types)]
+        #[allow(deprecated, non_camel_case_types)]
         #visibility struct #stuck(#facade::kernel::response::Stuck<#name>);
     };
     let methods = description.mass_names.iter().enumerate();

@@ -132,7 +132,7 @@ cases! {
     three ComplexReciprocal "complex reciprocal" [""] in LARGE_COMPLEX; ["complex::reciprocal"];
     three ReciprocalOfUnit "complex reciprocal_of_unit" [""] in UNIT_COMPLEX;
         ["complex::reciprocal_of_unit"];
-    three Modulus "complex modulus" [""] in LARGE_COMPLEX; ["complex::modulus"];
+    three Modulus "complex modulus" [""] in LARGE_COMPLEX; ["complex::modulus", "scalar::Scalar::hypot"];
     three UndampedComplex "complex, undamped" ["mul", "reciprocal", "modulus", "Im"] in COMPLEX; [];
     three Constraints "acceleration at a reversal" ["start_constraint", "break_away"] in POSITIVE;
         ["limits::Chain::start_constraint", "limits::Chain::break_away"];

@@ -73,7 +73,7 @@ pub fn of_data<S: Float>(data: &Data<S>, r: S, beta: S) -> Answers<S> {
     ];
     let contact: DataMotion<S> = at.contact(beta);
     steady(&mut all, "contact", &contact);
-    for mass in 0..data.reduced.shapes.len() {
+    for mass in 0..data.reduced.shapes.len() / data.reduced.modes.len() {
         steady(&mut all, &format!("mass {mass}"), &at.mass(mass, beta));
         complex(
             &mut all,

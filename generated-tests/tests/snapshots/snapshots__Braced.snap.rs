@@ -12,10 +12,10 @@
 )]
 pub struct Braced;
 /// [`Braced`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct BracedAt(::frictiongen::kernel::response::At<Braced>);
 /// The exact continuous motion of [`Braced`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct BracedMotion(::frictiongen::kernel::response::Continuous<Braced>);
 #[automatically_derived]
 #[allow(

@@ -12,13 +12,13 @@
 )]
 pub struct Five;
 /// [`Five`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct FiveAt(::frictiongen::kernel::response::At<Five>);
 /// The exact continuous motion of [`Five`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct FiveMotion(::frictiongen::kernel::response::Continuous<Five>);
 /// The response of [`Five`] at one frequency ratio while its contact is stuck.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct FiveStuck(::frictiongen::kernel::response::Stuck<Five>);
 #[automatically_derived]
 #[allow(

@@ -12,7 +12,7 @@
 )]
 pub struct LimitsOnly;
 /// [`LimitsOnly`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct LimitsOnlyAt(::frictiongen::kernel::response::At<LimitsOnly>);
 #[automatically_derived]
 #[allow(

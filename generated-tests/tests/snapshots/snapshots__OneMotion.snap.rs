@@ -12,10 +12,10 @@
 )]
 pub struct OneMotion;
 /// [`OneMotion`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct OneMotionAt(::frictiongen::kernel::response::At<OneMotion>);
 /// The exact continuous motion of [`OneMotion`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct OneMotionMotion(::frictiongen::kernel::response::Continuous<OneMotion>);
 #[automatically_derived]
 #[allow(

@@ -12,10 +12,10 @@
 )]
 pub struct PairBase;
 /// [`PairBase`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct PairBaseAt(::frictiongen::kernel::response::At<PairBase>);
 /// The exact continuous motion of [`PairBase`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct PairBaseMotion(::frictiongen::kernel::response::Continuous<PairBase>);
 #[automatically_derived]
 #[allow(

@@ -12,13 +12,13 @@
 )]
 pub struct PairMasses;
 /// [`PairMasses`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct PairMassesAt(::frictiongen::kernel::response::At<PairMasses>);
 /// The exact continuous motion of [`PairMasses`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct PairMassesMotion(::frictiongen::kernel::response::Continuous<PairMasses>);
 /// The response of [`PairMasses`] at one frequency ratio while its contact is stuck.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct PairMassesStuck(::frictiongen::kernel::response::Stuck<PairMasses>);
 #[automatically_derived]
 #[allow(

@@ -12,10 +12,10 @@
 )]
 pub struct PairWall;
 /// [`PairWall`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct PairWallAt(::frictiongen::kernel::response::At<PairWall>);
 /// The exact continuous motion of [`PairWall`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct PairWallMotion(::frictiongen::kernel::response::Continuous<PairWall>);
 #[automatically_derived]
 #[allow(

@@ -12,10 +12,10 @@
 )]
 pub struct SdofBase;
 /// [`SdofBase`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SdofBaseAt(::frictiongen::kernel::response::At<SdofBase>);
 /// The exact continuous motion of [`SdofBase`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SdofBaseMotion(::frictiongen::kernel::response::Continuous<SdofBase>);
 #[automatically_derived]
 #[allow(

@@ -12,10 +12,10 @@
 )]
 pub struct SdofDamped;
 /// [`SdofDamped`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SdofDampedAt(::frictiongen::kernel::response::At<SdofDamped>);
 /// The exact continuous motion of [`SdofDamped`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SdofDampedMotion(::frictiongen::kernel::response::Continuous<SdofDamped>);
 #[automatically_derived]
 #[allow(

@@ -12,10 +12,10 @@
 )]
 pub struct SdofOverdamped;
 /// [`SdofOverdamped`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SdofOverdampedAt(::frictiongen::kernel::response::At<SdofOverdamped>);
 /// The exact continuous motion of [`SdofOverdamped`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SdofOverdampedMotion(
     ::frictiongen::kernel::response::Continuous<SdofOverdamped>,
 );

@@ -12,10 +12,10 @@
 )]
 pub struct SdofWall;
 /// [`SdofWall`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SdofWallAt(::frictiongen::kernel::response::At<SdofWall>);
 /// The exact continuous motion of [`SdofWall`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SdofWallMotion(::frictiongen::kernel::response::Continuous<SdofWall>);
 #[automatically_derived]
 #[allow(

@@ -12,10 +12,10 @@
 )]
 pub struct Single;
 /// [`Single`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SingleAt(::frictiongen::kernel::response::At<Single>);
 /// The exact continuous motion of [`Single`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SingleMotion(::frictiongen::kernel::response::Continuous<Single>);
 #[automatically_derived]
 #[allow(

@@ -12,15 +12,15 @@
 )]
 pub struct Stopping;
 /// [`Stopping`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct StoppingAt(::frictiongen::kernel::response::At<Stopping>);
 /// The exact motion of [`Stopping`] in time, from event to event; `next` gives its segments.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct StoppingSimulation(
     ::frictiongen::kernel::simulation::FixedSimulation<::core::primitive::f64, 3>,
 );
 /// The steady state of [`Stopping`] at one frequency and one friction ratio, in any regime.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct StoppingOrbit(
     ::frictiongen::kernel::orbit::FixedOrbit<::core::primitive::f64, 3, 280, 4>,
 );
@@ -39,8 +39,6 @@ pub struct StoppingOrbit(
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::frictiongen::kernel::locals::*;
-    #[allow(dead_code)]
-    fn parts() {}
     impl Stopping {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [

@@ -13,13 +13,13 @@
 )]
 pub struct Symmetric;
 /// [`Symmetric`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SymmetricAt(::frictiongen::kernel::response::At<Symmetric>);
 /// The exact continuous motion of [`Symmetric`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SymmetricMotion(::frictiongen::kernel::response::Continuous<Symmetric>);
 /// The response of [`Symmetric`] at one frequency ratio while its contact is stuck.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct SymmetricStuck(::frictiongen::kernel::response::Stuck<Symmetric>);
 #[automatically_derived]
 #[allow(

@@ -12,10 +12,10 @@
 )]
 pub struct Tall;
 /// [`Tall`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct TallAt(::frictiongen::kernel::response::At<Tall>);
 /// The exact continuous motion of [`Tall`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct TallMotion(::frictiongen::kernel::response::Continuous<Tall>);
 #[automatically_derived]
 #[allow(

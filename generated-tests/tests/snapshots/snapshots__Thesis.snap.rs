@@ -12,10 +12,10 @@
 )]
 pub struct Thesis;
 /// [`Thesis`] at one frequency ratio: limits, regime, and the way to motions.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct ThesisAt(::frictiongen::kernel::response::At<Thesis>);
 /// The exact continuous motion of [`Thesis`] at one frequency and one friction ratio.
-#[allow(non_camel_case_types)]
+#[allow(deprecated, non_camel_case_types)]
 pub struct ThesisMotion(::frictiongen::kernel::response::Continuous<Thesis>);
 #[automatically_derived]
 #[allow(

@@ -224,3 +224,38 @@ fn where_there_is_none() {
     .expect("a scene");
     assert_eq!(error(&pair, 0.6, 0.1), NoOrbit::Undamped(0));
 }
+
+/// Two oscillators that are alike rub on each other: their difference is one oscillator under twice the friction.  The
+/// two modes are equal, and turned so that the contact drives one of them alone.
+#[test]
+fn equal_modes_are_turned() {
+    let alike: System = "struct Alike {
+        masses: { a: 1, b: 1 },
+        springs: { base - a: 1, base - b: 1 },
+        contact: a - b,
+        excitation: a,
+        damping: modal(0.05),
+    }"
+    .parse()
+    .expect("a scene");
+    let single = block("block", "damping: modal(0.05)");
+    let (mut compared, mut stops, mut worst) = (0, 0, 0.0_f64);
+    for r in [0.3, 0.55, 0.8, 1.1, 1.7] {
+        for beta in [0.05, 0.2, 0.35, 0.45] {
+            let (both, one) = (orbit(&alike, r, beta), orbit(&single, r, 2.0 * beta));
+            assert_eq!(
+                (both.stops(), both.reversals()),
+                (one.stops(), one.reversals()),
+                "r = {r}, β = {beta}"
+            );
+            stops += both.stops();
+            let apart = both.contact().amplitude() - amplitude(&one);
+            worst = worst.max(apart.abs());
+            worst = worst.max((both.stuck_fraction() - one.stuck_fraction()).abs());
+            compared += 2;
+        }
+    }
+    println!("{compared} values compared, worst {worst:.1e}, {stops} stops");
+    assert!(worst < 1e-12 && stops > 10);
+    assert_eq!(compared, 5 * 4 * 2);
+}

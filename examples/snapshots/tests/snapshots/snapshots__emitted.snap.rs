@@ -1,0 +1,610 @@
+/// A machine on a mount whose damper rubs on the frame.
+///
+/// Emitted by frictiongen 0.1.0 from scene 405b5e1bd797e81d.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct Mount;
+/// [`Mount`] at one frequency ratio: limits, regime, and the way to motions.
+#[allow(deprecated, non_camel_case_types)]
+pub struct MountAt(::frictiongen::kernel::response::At<Mount>);
+/// The exact continuous motion of [`Mount`] at one frequency and one friction ratio.
+#[allow(deprecated, non_camel_case_types)]
+pub struct MountMotion(::frictiongen::kernel::response::Continuous<Mount>);
+/// The steady state of [`Mount`] at one frequency and one friction ratio, in any regime.
+#[allow(deprecated, non_camel_case_types)]
+pub struct MountOrbit(
+    ::frictiongen::kernel::orbit::FixedOrbit<::core::primitive::f64, 3, 280, 4>,
+);
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    use ::frictiongen::kernel::locals::*;
+    impl Mount {
+        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        pub const NATURAL_FREQUENCIES: [f64; 2] = [44.43313233000368, 79.25084700711017];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f64; 2] = [0.6283793835980964, 1.120776226670104];
+        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
+        /// that is not negligible is positive.
+        pub const MODE_SHAPES: [[f64; 2]; 2] = [
+            [0.3426795800926145, 1.6805434410452347],
+            [0.9394523433296388, -0.6130038684705358],
+        ];
+        /// The modes that the load or the contact drives.
+        const MODES: [Mode<f64>; 2] = [
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 0.6283793835980964,
+                zeta: 0.01,
+                q: 0.9999499987499375,
+                q_defect: 5.000125006250391e-5,
+                load: 0.3426795800926145,
+                contact: 1.33786386095262,
+                residue: 0.45845862609232785,
+                mobility: 1.7898797104430517,
+                static_residue: 1.1610643562596341,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.120776226670104,
+                zeta: 0.02,
+                q: 0.999799979995999,
+                q_defect: 0.0002000200040010003,
+                load: 0.9394523433296388,
+                contact: -1.5524562118001746,
+                residue: -1.4584586260923278,
+                mobility: 2.4101202895569482,
+                static_residue: -1.1610643562596341,
+            },
+        ];
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            mobility: 4.2,
+            stiction: 1.15,
+        };
+        const NUMBERS: Numbers<'static, f64> = Numbers {
+            modes: &Self::MODES,
+            chain: Self::CHAIN,
+            ends: Ends {
+                sliding_at_rest: 0.0,
+                continuous_at_infinity: 0.12230290454700268,
+                sliding_at_infinity: 0.2070393374741201,
+            },
+            rubbing: None,
+            absorbs: false,
+            unbounded: &[],
+            invisible: &[],
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega / 70.71067811865476
+        }
+        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
+        /// base motion of amplitude Y the load is P = k₁Y.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+        /// The scene at the frequency ratio r = ω√(m₁/k₁).
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn at(r: f64) -> Result<MountAt, OutOfDomain> {
+            At::new(Self, r).map(From::from)
+        }
+        /// Both limits over a slice of frequency ratios, into slices of the same length.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        pub fn limits_into(
+            rs: &[f64],
+            continuous: &mut [f64],
+            sliding: &mut [f64],
+        ) -> Result<(), OutOfDomain> {
+            At::limits_into(Self, rs, continuous, sliding)
+        }
+    }
+    ::frictiongen::emitted_system!(Mount, MountAt, f64, ["frame", "machine"]);
+    ::frictiongen::kernel::wraps!(MountAt, At of Mount, Copy);
+    impl Scene for Mount {
+        type Scalar = f64;
+        type Decay = Damped<f64>;
+        type Modes = [ModeAt<f64>; 2];
+        type Waves = [Wave<f64, Damped<f64>>; 2];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f64> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f64]> {
+            match mass {
+                1 => Some(&[1.6805434410452347, -0.6130038684705358]),
+                _ => None,
+            }
+        }
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f64, f64) {
+            (3.8725919148493183e-121, 2.5822498780869086e120)
+        }
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// Operations: 166: 102 ×, 29 +, 16 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
+            let mode_1 = {
+                let frequency = 0.6283793835980964 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.02 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let half_period_decay = 0.031415926535897934 * frequency;
+                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
+                let kept_half = 1.0 + negative_lost_half;
+                let lost_share = -(negative_lost_half * (1.0 + kept_half));
+                let kept_share = kept_half * kept_half;
+                let half_turns = 0.9999499987499375 * frequency;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 2.5000625031251956e-5,
+                );
+                let one_and_kept = 1.0 + kept_share;
+                let nearness_re = one_and_kept * cosine;
+                let nearness_im = lost_share * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.0 * kept_share * (sine / 0.9999499987499375)
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let g = (Scalar::scaled_sinh_defect(half_period_decay)
+                    + 2.0 * kept_share * half_period_decay
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight;
+                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                    * pole_weight + 0.01 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g,
+                    reversal,
+                }
+            };
+            let mode_2 = {
+                let frequency = 1.120776226670104 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.04 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let half_period_decay = 0.06283185307179587 * frequency;
+                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
+                let kept_half = 1.0 + negative_lost_half;
+                let lost_share = -(negative_lost_half * (1.0 + kept_half));
+                let kept_share = kept_half * kept_half;
+                let half_turns = 0.999799979995999 * frequency;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 0.00010001000200050015,
+                );
+                let one_and_kept = 1.0 + kept_share;
+                let nearness_re = one_and_kept * cosine;
+                let nearness_im = lost_share * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.0 * kept_share * (sine / 0.999799979995999)
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let g = (Scalar::scaled_sinh_defect(half_period_decay)
+                    + 2.0 * kept_share * half_period_decay
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight;
+                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                    * pole_weight + 0.02 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g,
+                    reversal,
+                }
+            };
+            let scale = Scalar::min(mode_1.size, mode_2.size);
+            let modes = [mode_1, mode_2].map(|mode| Self::CHAIN.at_scale(&mode, scale));
+            let [at_1, at_2] = &modes;
+            let v_re = at_1.response.re * 0.45845862609232785
+                + at_2.response.re * -1.4584586260923278;
+            let v_im = at_1.response.im * 0.45845862609232785
+                + at_2.response.im * -1.4584586260923278;
+            let h_re = at_1.response.re * 1.7898797104430517
+                + at_2.response.re * 2.4101202895569482;
+            let h_im = at_1.response.im * 1.7898797104430517
+                + at_2.response.im * 2.4101202895569482;
+            let u = 1.7898797104430517 * at_1.u + 2.4101202895569482 * at_2.u;
+            let g = 1.7898797104430517 * (at_1.g / (at_1.x * at_1.x))
+                + 2.4101202895569482 * (at_2.g / (at_2.x * at_2.x));
+            let reversal = 1.7898797104430517 * (mode_1.reversal * (scale / mode_1.size))
+                + 2.4101202895569482 * (mode_2.reversal * (scale / mode_2.size));
+            let contact = ContactAt {
+                scale,
+                v: Complex { re: v_re, im: v_im },
+                u,
+                g,
+                reversal,
+                h: Complex { re: h_re, im: h_im },
+            };
+            (contact, modes)
+        }
+        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
+            contact.reversal + 4.83 * contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
+        /// maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
+            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 4: 2 hypot, 1 ×, 1 ÷.
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
+            let receptance = Scalar::hypot(contact.h.re, contact.h.im);
+            excitation / (1.15 * receptance)
+        }
+        #[allow(unused_variables)]
+        fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [mode_1, mode_2] = at.modes();
+            let friction_weight = friction.beta * friction.unscale;
+            let mode_1_friction_force = friction_weight * 1.7898797104430517;
+            let mode_1_fall = mode_1_friction_force * (mode_1.g / (mode_1.x * mode_1.x));
+            let mode_1_rise = mode_1_friction_force * contact.scale;
+            let mode_1_swing = mode_1_friction_force * mode_1.u;
+            let mode_2_friction_force = friction_weight * 2.4101202895569482;
+            let mode_2_fall = mode_2_friction_force * (mode_2.g / (mode_2.x * mode_2.x));
+            let mode_2_rise = mode_2_friction_force * contact.scale;
+            let mode_2_swing = mode_2_friction_force * mode_2.u;
+            let carrier = Carrier {
+                cosine: friction.amplitude,
+                sine: 0.0,
+                response: Complex {
+                    re: contact.v.re * friction.unscale,
+                    im: contact.v.im * friction.unscale,
+                },
+            };
+            let waves = [
+                steady::motion_wave(
+                    mode_1.x,
+                    <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
+                    Share {
+                        rise: mode_1_rise,
+                        fall: mode_1_fall,
+                        swing: mode_1_swing,
+                        gain: 1.7898797104430517 * inverse_r * inverse_r,
+                    },
+                ),
+                steady::motion_wave(
+                    mode_2.x,
+                    <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
+                    Share {
+                        rise: mode_2_rise,
+                        fall: mode_2_fall,
+                        swing: mode_2_swing,
+                        gain: 2.4101202895569482 * inverse_r * inverse_r,
+                    },
+                ),
+            ];
+            Motion::of_contact(*friction, carrier, waves)
+        }
+        #[allow(unused_variables)]
+        fn mass_motion(
+            at: &At<Self>,
+            friction: &Friction<f64>,
+            mass: usize,
+        ) -> Option<MotionOf<Self>> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [mode_1, mode_2] = at.modes();
+            let (carrier, waves) = match mass {
+                1 => {
+                    let product = mode_2.response.re * -1.4584586260923278;
+                    let product_2 = mode_2.response.im * -1.4584586260923278;
+                    let velocity_share = 2.4101202895569482 * mode_2.u;
+                    let choice = if mode_1.x < 0.5 { contact.u } else { velocity_share };
+                    let product_3 = mode_1.response.re * 0.45845862609232785;
+                    let product_4 = mode_1.response.im * 0.45845862609232785;
+                    let velocity_share_2 = 1.7898797104430517 * mode_1.u;
+                    let choice_2 = if mode_2.x < 0.5 {
+                        contact.u
+                    } else {
+                        velocity_share_2
+                    };
+                    let mode_1_driven_re = mode_1.response.re * 0.5758879207047785;
+                    let mode_1_driven_im = mode_1.response.im * 0.5758879207047785;
+                    let mode_1_offset = if mode_1.x < 0.5 { 0.0 } else { mode_1.g };
+                    let mode_1_lag = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+                    let mode_1_rubbed_back = -(2.2483383365353795 * mode_1_lag);
+                    let ratio = mode_1_offset / (mode_1.x * mode_1.x);
+                    let mode_2_driven_re = mode_2.response.re * -0.5758879207047786;
+                    let mode_2_driven_im = mode_2.response.im * -0.5758879207047786;
+                    let mode_2_offset = if mode_2.x < 0.5 { 0.0 } else { mode_2.g };
+                    let mode_2_lag = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+                    let mode_2_rubbed_back = -(0.9516616634646204 * mode_2_lag);
+                    let ratio_2 = mode_2_offset / (mode_2.x * mode_2.x);
+                    let response_re = mode_1_driven_re + mode_2_driven_re;
+                    let response_im = mode_1_driven_im + mode_2_driven_im;
+                    let mismatch_re = mode_1_driven_re * choice
+                        + product * mode_1_rubbed_back
+                        + (mode_2_driven_re * choice_2 + product_3 * mode_2_rubbed_back);
+                    let mismatch_im = mode_1_driven_im * choice
+                        + product_2 * mode_1_rubbed_back
+                        + (mode_2_driven_im * choice_2 + product_4 * mode_2_rubbed_back);
+                    let product_5 = contact.v.re * 16777216.0;
+                    let product_6 = contact.v.im * 16777216.0;
+                    let inverse_size = 1.0
+                        / (Scalar::abs(product_5) + Scalar::abs(product_6));
+                    let unit_re = product_5 * inverse_size;
+                    let unit_im = product_6 * inverse_size;
+                    let inverse_modulus = inverse_size
+                        / (unit_re * unit_re + unit_im * unit_im);
+                    let inverse_re = unit_re * inverse_modulus;
+                    let inverse_im = -(unit_im * inverse_modulus);
+                    let product_7 = friction.root * 16777216.0;
+                    let friction_weight = friction.beta * friction.unscale;
+                    let product_8 = friction.beta * 16777216.0;
+                    let v_size = Scalar::abs(contact.v.re) + Scalar::abs(contact.v.im);
+                    let turning_re = if Scalar::abs(product_3) + Scalar::abs(product_4)
+                        < v_size
+                    {
+                        product_3
+                    } else {
+                        contact.v.re
+                    };
+                    let turning_im = if Scalar::abs(product_3) + Scalar::abs(product_4)
+                        < v_size
+                    {
+                        product_4
+                    } else {
+                        contact.v.im
+                    };
+                    let turning_re_2 = if Scalar::abs(product) + Scalar::abs(product_2)
+                        < v_size
+                    {
+                        product
+                    } else {
+                        contact.v.re
+                    };
+                    let turning_im_2 = if Scalar::abs(product) + Scalar::abs(product_2)
+                        < v_size
+                    {
+                        product_2
+                    } else {
+                        contact.v.im
+                    };
+                    let in_phase_share = product_7 * inverse_size;
+                    let mode_1_friction_force = friction_weight * 2.2483383365353795;
+                    let mode_1_fall = mode_1_friction_force * ratio;
+                    let mode_1_rise = mode_1_friction_force * contact.scale;
+                    let mode_1_swing = mode_1_friction_force * mode_1_lag;
+                    let mode_2_friction_force = friction_weight * 0.9516616634646204;
+                    let mode_2_fall = mode_2_friction_force * ratio_2;
+                    let mode_2_rise = mode_2_friction_force * contact.scale;
+                    let mode_2_swing = mode_2_friction_force * mode_2_lag;
+                    (
+                        Carrier {
+                            cosine: (product_7
+                                * (response_re * inverse_re - response_im * inverse_im)
+                                + product_8
+                                    * (mismatch_re * inverse_im + mismatch_im * inverse_re))
+                                * friction.unscale
+                                + (-(2.2483383365353795 * ratio)
+                                    - 0.9516616634646204 * ratio_2) * friction_weight,
+                            sine: (product_8
+                                * (mismatch_re * inverse_re - mismatch_im * inverse_im)
+                                - in_phase_share
+                                    * (mode_1_driven_im
+                                        * (turning_re_2 * 16777216.0 * inverse_modulus)
+                                        - mode_1_driven_re
+                                            * (turning_im_2 * 16777216.0 * inverse_modulus)
+                                        + (mode_2_driven_im
+                                            * (turning_re * 16777216.0 * inverse_modulus)
+                                            - mode_2_driven_re
+                                                * (turning_im * 16777216.0 * inverse_modulus))))
+                                * friction.unscale,
+                            response: Complex {
+                                re: response_re * friction.unscale,
+                                im: response_im * friction.unscale,
+                            },
+                        },
+                        [
+                            steady::mass_wave(
+                                mode_1.x,
+                                <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
+                                Share {
+                                    rise: mode_1_rise,
+                                    fall: mode_1_fall,
+                                    swing: mode_1_swing,
+                                    gain: 2.2483383365353795 * inverse_r * inverse_r,
+                                },
+                            ),
+                            steady::mass_wave(
+                                mode_2.x,
+                                <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
+                                Share {
+                                    rise: mode_2_rise,
+                                    fall: mode_2_fall,
+                                    swing: mode_2_swing,
+                                    gain: 0.9516616634646204 * inverse_r * inverse_r,
+                                },
+                            ),
+                        ],
+                    )
+                }
+                _ => return None,
+            };
+            Some(Motion::of_mass(*friction, carrier, waves))
+        }
+    }
+    ::frictiongen::kernel::not_provided!(MountAt : stuck);
+    ::frictiongen::kernel::not_provided!(Mount : simulation);
+    ::frictiongen::kernel::left_out!(MountMotion : frame);
+    impl Mount {
+        /// The motion in time: all modes, those that the contact drives first, and the modes of
+        /// the chain with its contact held.
+        const DYNAMICS: Dynamics<'static, f64> = Dynamics {
+            chain: Mount::CHAIN,
+            modes: &[
+                Mode {
+                    kind: Kind::Light,
+                    in_contact: true,
+                    resonance: 0.6283793835980964,
+                    zeta: 0.01,
+                    q: 0.9999499987499375,
+                    q_defect: 5.000125006250391e-5,
+                    load: 0.3426795800926145,
+                    contact: 1.33786386095262,
+                    residue: 0.45845862609232785,
+                    mobility: 1.7898797104430517,
+                    static_residue: 1.1610643562596341,
+                },
+                Mode {
+                    kind: Kind::Light,
+                    in_contact: true,
+                    resonance: 1.120776226670104,
+                    zeta: 0.02,
+                    q: 0.999799979995999,
+                    q_defect: 0.0002000200040010003,
+                    load: 0.9394523433296388,
+                    contact: -1.5524562118001746,
+                    residue: -1.4584586260923278,
+                    mobility: 2.4101202895569482,
+                    static_residue: -1.1610643562596341,
+                },
+            ],
+            held: &[
+                HeldMode {
+                    kind: Kind::Light,
+                    frequency: 0.8728715609439696,
+                    zeta: 0.015074980551220883,
+                    q: 0.99988636602435,
+                    force: 0.27464447784205487,
+                    inverse: [
+                        0.04287888540748418,
+                        0.6540151732676781,
+                        -0.06259741744191138,
+                    ],
+                },
+            ],
+            shares: &[
+                [-1.0, 0.03272999580865182],
+                [-0.8617723648393789, 0.02820580588920484],
+            ],
+            shapes: &[
+                0.3426795800926145,
+                0.9394523433296388,
+                1.6805434410452347,
+                -0.6130038684705358,
+            ],
+            weights: &[
+                0.3426795800926145,
+                0.5251698253266358,
+                0.9394523433296388,
+                -0.1915637088970424,
+            ],
+            rubbing: None,
+        };
+    }
+    impl ProvidesMotion for Mount {
+        type Motion = MountMotion;
+    }
+    ::frictiongen::kernel::wraps!(MountMotion, Continuous of Mount, Copy);
+    impl MountMotion {
+        /// The motion of mass `machine` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn machine(&self) -> MotionOf<Mount> {
+            self.mass(1)
+        }
+    }
+    impl ProvidesOrbit for Mount {
+        type Orbit = MountOrbit;
+        type State = [f64; 2];
+        #[inline]
+        fn settled(
+            at: &At<Self>,
+            beta: f64,
+            start: Option<Start<'_, f64>>,
+            last: bool,
+        ) -> Result<MountOrbit, NoOrbit> {
+            Orbit::new(
+                    Self::DYNAMICS,
+                    at.frequency_ratio(),
+                    beta,
+                    at.sliding_limit(),
+                    start,
+                    last,
+                    [Part::empty(); 3],
+                    [0.0; 280],
+                    [Complex { re: 0.0, im: 0.0 }; 4],
+                )
+                .map(From::from)
+        }
+    }
+    ::frictiongen::kernel::wraps!(MountOrbit, FixedOrbit of f64, 3, 280, 4);
+    impl MountOrbit {
+        /// The motion of mass `frame`.
+        #[must_use]
+        pub fn frame(&self) -> FixedOrbitMotion<'_, f64, 3, 280, 4> {
+            self.mass(0)
+        }
+        /// The motion of mass `machine`.
+        #[must_use]
+        pub fn machine(&self) -> FixedOrbitMotion<'_, f64, 3, 280, 4> {
+            self.mass(1)
+        }
+    }
+};
