@@ -8,7 +8,7 @@
 )]
 
 use frictiongen_codegen::{Limits, emit, parse_text};
-use frictiongen_kernel::locals::NAMES;
+use frictiongen_kernel::emitted::locals::NAMES;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use syn::visit::Visit;

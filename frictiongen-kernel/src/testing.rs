@@ -3,11 +3,11 @@
 //!
 //! A wave is made of p, whose derivatives obey p⁽ⁿ⁺²⁾ = −2ζx p⁽ⁿ⁺¹⁾ − x² p⁽ⁿ⁾, and of sinusoids.
 
-use crate::decay::Damped;
-use crate::mode::Kind;
-use crate::motion::Share;
-use crate::steady::motion_wave;
-use crate::wave::{Sum, Wave};
+use crate::modal_sum::wave::{Sum, Wave};
+use crate::oscillator::decay::Damped;
+use crate::oscillator::mode::Kind;
+use crate::response::coefficients::Share;
+use crate::response::motion::motion_wave;
 use core::f64::consts::PI;
 
 pub type TestWave = Wave<f64, Damped<f64>>;
@@ -104,7 +104,7 @@ fn swaying(x: f64, zeta: f64) -> (f64, f64) {
 
 /// A wave's derivative of this order at τ.
 pub fn derivative(wave: &TestWave, tau: f64, order: usize) -> f64 {
-    use crate::decay::Decay;
+    use crate::oscillator::decay::Decay;
     let (x, zeta) = (wave.x, wave.decay.zeta());
     let p = free(x, zeta, tau, order + 1);
     let (c, s) = turning(tau, order);

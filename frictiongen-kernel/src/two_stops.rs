@@ -6,8 +6,8 @@
 //! (cos φ, sin φ) = ∓(E, −D)/√(D² + E²) and 2β = ±[D² + E² + E(1 + cos(τ₀/r))]/√(D² + E²):
 //! β as a function of the sliding time τ₀, to be inverted.
 
-use crate::decay::{Decay, Instant, Undamped};
-use crate::scalar::{Float, Plain};
+use crate::number::scalar::{Float, Plain};
+use crate::oscillator::decay::{Decay, Instant, Undamped};
 
 /// The finest division of the half period in the search for τ₀.
 const MOST_SAMPLES: u32 = 4096;

@@ -2,11 +2,11 @@
 //! is admitted where sweeps are slow.
 
 use frictiongen_kernel::Float;
-use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt};
-use frictiongen_kernel::decay::Damped;
-use frictiongen_kernel::mode::{Kind, Mode, ModeResponse};
-use frictiongen_kernel::search::{MAX_EVALUATIONS, Peak};
-use frictiongen_kernel::wave::Wave;
+use frictiongen_kernel::contact::sums::{Chain, ContactAt, ModeAt};
+use frictiongen_kernel::modal_sum::search::{MAX_EVALUATIONS, Peak};
+use frictiongen_kernel::modal_sum::wave::Wave;
+use frictiongen_kernel::oscillator::decay::Damped;
+use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 struct Lcg(u64);

@@ -1,10 +1,10 @@
 //! Of several equal maxima of a motion the one of the smallest |lag| gives the phase, then the positive one.
 
 use frictiongen_kernel::Complex;
-use frictiongen_kernel::decay::Undamped;
-use frictiongen_kernel::motion::{Carrier, Friction};
-use frictiongen_kernel::steady::Motion;
-use frictiongen_kernel::wave::Wave;
+use frictiongen_kernel::modal_sum::wave::Wave;
+use frictiongen_kernel::oscillator::decay::Undamped;
+use frictiongen_kernel::response::coefficients::{Carrier, Friction};
+use frictiongen_kernel::response::motion::Motion;
 use std::f64::consts::PI;
 
 /// cosine·(cos τ − b cos kτ) + sine·(sin τ + b sin kτ), k odd, as a mass's motion behind a contact of this lag.

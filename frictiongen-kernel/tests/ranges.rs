@@ -1,9 +1,9 @@
 //! Where a mode is exactly on its resonance, and the range of 1/r in which a chain is evaluated.
 
 use frictiongen_kernel::Float;
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::mode::{Kind, Mode};
-use frictiongen_kernel::regime::inverse_ratio_range;
+use frictiongen_kernel::contact::regime::inverse_ratio_range;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 
 fn undamped<S: Float>(resonance: S) -> Mode<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));

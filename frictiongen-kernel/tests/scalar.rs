@@ -4,9 +4,9 @@
 //! 1400 bits: arguments and results are sums of two `f64`, so a result has about 32 digits.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::special::{exp_m1_minus, versine_pi};
-use frictiongen_kernel::trig::{double, single};
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::special::{exp_m1_minus, versine_pi};
+use frictiongen_kernel::number::trig::{double, single};
 use frictiongen_kernel::{Float, Scalar};
 
 const TABLE: &str = include_str!("data/scalar_reference.csv");

@@ -4,7 +4,7 @@
 //! columns of G keeps all of them to full relative accuracy however far masses and stiffnesses
 //! spread, which forming K̄ = GᵀG and calling an eigensolver does not.
 
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 
 /// A matrix by columns.
 pub type Columns = Vec<Vec<Dd>>;

@@ -4,9 +4,9 @@ use crate::jacobi::{self, Columns, dot};
 use crate::reduced::Reduced;
 use crate::scene::{Contact, Damping, Excitation, Node, Scene};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::chain::Chain;
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::mode::{Kind, Mode};
+use frictiongen_kernel::contact::sums::Chain;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Ends;
 
 /// Below this share of the largest that it could be, a residue is rounding noise: exactly zero.

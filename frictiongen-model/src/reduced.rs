@@ -1,11 +1,11 @@
 //! What the steady response needs of a scene, in a solver's own scalar; and the kernel's scene over it.
 
 use frictiongen_kernel::Float;
-use frictiongen_kernel::chain::{Chain, ContactAt, ModeAt};
-use frictiongen_kernel::decay::Damped;
-use frictiongen_kernel::mode::{Mode, ModeResponse};
+use frictiongen_kernel::contact::sums::{Chain, ContactAt, ModeAt};
+use frictiongen_kernel::modal_sum::wave::Wave;
+use frictiongen_kernel::oscillator::decay::Damped;
+use frictiongen_kernel::oscillator::mode::{Mode, ModeResponse};
 use frictiongen_kernel::response::{Ends, Numbers, Scene};
-use frictiongen_kernel::wave::Wave;
 
 /// The kernel's [`Numbers`], with their vectors.
 #[derive(Clone, Debug)]

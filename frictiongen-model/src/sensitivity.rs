@@ -6,8 +6,8 @@
 use crate::modal::{Modal, at_rest, rayleigh};
 use crate::scene::{Damping, Excitation, Node, Scene};
 use frictiongen_kernel::Scalar;
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::dual::Dual;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
 
 /// Modes whose λ differ by less than this share are equal to the analysis.
 const EQUAL: f64 = 1e-24;

@@ -46,7 +46,7 @@
 //! | `at.sliding_limit()` | β*_lim |
 //! | `at.regime(beta)`, `at.margin(beta)` | [`Regime`]; β/min(β_lim, β*_lim) − 1 |
 //! | `at.motion(beta)` | the exact continuous motion, `FrameMotion`, or [`NotContinuous`] |
-//! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::steady::Motion): `largest` (both of them by one search), `amplitude`, `phase`, `amplitude_monoharmonic`, `displacement`, `velocity`, `harmonic` |
+//! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::response::motion::Motion): `largest` (both of them by one search), `amplitude`, `phase`, `amplitude_monoharmonic`, `displacement`, `velocity`, `harmonic` |
 //! | `at.stuck()` | the response with the contact stuck, or [`StuckResonance`] |
 //! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `period` (1, or up to 64 cycles if it is subharmonic), `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
 //! | `at.orbit_or_last_cycles(beta)` | the same; where the motion does not settle, its last 64 cycles, with `is_settled()` false |
@@ -76,7 +76,7 @@
 //! | `at`, `continuous_limit_without_search`, `continuous_limit_per_mode` in passes, `sliding_limit`, `stuck` | operations, listed with each emitted function |
 //! | `continuous_limit`, `limits`, `regime`, `margin` | one search; `motion` one or two |
 //! | `amplitude`, `phase`, `largest` of a mass | one search |
-//! | a search | [`MAX_EVALUATIONS`](kernel::search::MAX_EVALUATIONS) evaluations of a sum over the modes; [`Effort`] tells if they did not do, and then the answer is the best seen: a limit on the unsafe side, an amplitude too small |
+//! | a search | [`MAX_EVALUATIONS`](kernel::modal_sum::search::MAX_EVALUATIONS) evaluations of a sum over the modes; [`Effort`] tells if they did not do, and then the answer is the best seen: a limit on the unsafe side, an amplitude too small |
 //! | `simulation`'s `advance` | two segments of [`MAX_STEPS`](kernel::simulation::MAX_STEPS) steps each |
 //! | `orbit` | about [`MAX_CYCLES`](kernel::orbit::MAX_CYCLES) cycles, and [`orbit::MAX_STEPS`](kernel::orbit::MAX_STEPS) steps in all, else [`NoOrbit`] |
 //!
@@ -96,12 +96,12 @@ pub mod study;
 
 pub use frictiongen_kernel as kernel;
 pub use frictiongen_kernel::Complex;
+pub use frictiongen_kernel::contact::regime::Limits;
 pub use frictiongen_kernel::errors::{
     Error, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance,
 };
-pub use frictiongen_kernel::regime::Limits;
-pub use frictiongen_kernel::search::Effort;
-pub use frictiongen_kernel::steady::Largest;
+pub use frictiongen_kernel::modal_sum::search::Effort;
+pub use frictiongen_kernel::response::motion::Largest;
 /// Turns the description of a scene into its solver; see the [crate's documentation](crate).
 pub use frictiongen_macros::friction_system;
 pub use in_time::{OrbitAt, Periodic, Run, Simulates, SteadyState};

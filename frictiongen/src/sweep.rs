@@ -33,7 +33,7 @@
 
 use crate::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, OutOfDomain, Regime};
 use core::fmt;
-use frictiongen_kernel::regime;
+use frictiongen_kernel::contact::regime;
 
 /// Both limits at one frequency ratio.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

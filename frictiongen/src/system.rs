@@ -4,11 +4,11 @@
 use crate::{Complex, NotContinuous, OutOfDomain, Regime, StuckResonance};
 use core::ops::Deref;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::decay::Decay;
-use frictiongen_kernel::regime::Limits;
+use frictiongen_kernel::contact::regime::Limits;
+use frictiongen_kernel::modal_sum::wave::Wave;
+use frictiongen_kernel::oscillator::decay::Decay;
+use frictiongen_kernel::response::motion::{Largest, Motion};
 use frictiongen_kernel::response::{At, Continuous, ProvidesMotion, ProvidesStuck, Scene, Stuck};
-use frictiongen_kernel::steady::{Largest, Motion};
-use frictiongen_kernel::wave::Wave;
 
 /// A scene that answers at any frequency ratio.
 ///

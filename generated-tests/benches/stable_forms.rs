@@ -3,11 +3,11 @@
 //! `cargo bench -p generated-tests --bench stable_forms`; with `UPDATE_ACCURACY=1` the figures go to
 //! `tests/budgets/costs.csv`, from which `docs/accuracy.md` is made.
 
-use frictiongen_kernel::complex::{self, Complex};
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::decay::{Basis, Damped, Decay, Instant, Undamped};
-use frictiongen_kernel::mode::{Kind, Mode};
-use frictiongen_kernel::special::{exp_m1_minus, versine_pi};
+use frictiongen_kernel::number::complex::{self, Complex};
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::special::{exp_m1_minus, versine_pi};
+use frictiongen_kernel::oscillator::decay::{Basis, Damped, Decay, Instant, Undamped};
+use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::{Float, Scalar};
 use std::f64::consts::PI;
 use std::fmt::Write;

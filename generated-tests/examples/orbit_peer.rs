@@ -8,7 +8,7 @@
 use frictiongen::study::scene::Node;
 use frictiongen::{NoOrbit, System};
 use frictiongen_kernel::Plain;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use std::hint::black_box;
 use std::time::Instant;
 

@@ -1,11 +1,11 @@
 //! A scene read from its modal data as they stand in some scalar: what separates the rounding of an
 //! evaluation from the rounding of its data.
 
-use frictiongen_kernel::chain::{Chain, ModeAt};
-use frictiongen_kernel::decay::{Damped, Decay, Instant};
-use frictiongen_kernel::mode::{Kind, Mode};
+use frictiongen_kernel::contact::sums::{Chain, ModeAt};
+use frictiongen_kernel::modal_sum::wave::{Sum, Wave};
+use frictiongen_kernel::oscillator::decay::{Damped, Decay, Instant};
+use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::{At, Ends, MotionOf};
-use frictiongen_kernel::wave::{Sum, Wave};
 use frictiongen_kernel::{Complex, Float};
 use frictiongen_model::reduced::Reduced;
 use std::ops::Deref;

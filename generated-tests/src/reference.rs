@@ -5,7 +5,7 @@
 
 use frictiongen::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady, StuckAt};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};

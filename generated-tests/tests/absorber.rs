@@ -4,7 +4,7 @@
 //! those between load and contact.
 
 use frictiongen::{FrictionSystem, LimitsAt, Regime, StuckAt, System, friction_system};
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Float, Scalar};
 
 friction_system! {

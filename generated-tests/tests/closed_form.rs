@@ -2,7 +2,7 @@
 
 use frictiongen::System;
 use frictiongen_codegen::{Limits, parse_text};
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use generated_tests::larger;
 use generated_tests::reference::{
     Worst, closed_form, compare, compare_extremes, description, extremes,

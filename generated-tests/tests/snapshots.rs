@@ -69,7 +69,7 @@ fn specialised_away() {
 /// code; those of a single mode, `mode_1_…`, are left out.
 #[test]
 fn local_names_are_shielded() {
-    let shielded = include_str!("../../frictiongen-kernel/src/locals.rs");
+    let shielded = include_str!("../../frictiongen-kernel/src/emitted/locals.rs");
     let shielded: Vec<&str> = shielded.split_whitespace().collect();
     for (name, text) in SCENES {
         let source = pretty(&parse_text(text, &Limits::MACRO).expect("a valid scene"))

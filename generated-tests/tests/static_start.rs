@@ -1,7 +1,6 @@
 //! The quasi-static start against a linear solve of the chain: K x = p − βw while the contact slides.
 
 use frictiongen::System;
-use frictiongen_kernel::Float;
 use generated_tests::larger;
 use nalgebra::{DMatrix, DVector};
 

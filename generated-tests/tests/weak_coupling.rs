@@ -2,7 +2,7 @@
 //! that they could be are no noise.  The equations of two masses are solved by hand beside it.
 
 use frictiongen::{FrictionSystem, LimitsAt, StuckAt, System, friction_system};
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Float, Scalar};
 
 macro_rules! coupled {

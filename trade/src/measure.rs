@@ -9,7 +9,7 @@ use crate::peers::{by_hand, stepper};
 use crate::points::{EXTREME, Errors, Extent, Set, USUAL, asked, edges, usual};
 use crate::scenes::{Label, Orbit, Visitor};
 use frictiongen::kernel::Float;
-use frictiongen::kernel::dd::Dd;
+use frictiongen::kernel::number::dd::Dd;
 use frictiongen::{FrictionSystem, MotionAt, System};
 
 /// Who answers.

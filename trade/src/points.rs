@@ -4,7 +4,7 @@ use crate::methods::{Fill, Method, Pair};
 use frictiongen::FrictionSystem;
 use frictiongen::System;
 use frictiongen::kernel::Float;
-use frictiongen::kernel::dd::Dd;
+use frictiongen::kernel::number::dd::Dd;
 
 /// How much is measured.
 #[derive(Clone, Copy, Debug)]

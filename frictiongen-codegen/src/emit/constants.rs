@@ -1,7 +1,7 @@
 //! The type itself and everything that does not depend on the frequency.
 
 use super::{Emission, Part, limits, rounded};
-use frictiongen_kernel::mode::{Kind, Mode};
+use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_model::scene::Scene;
 use proc_macro2::{Literal, TokenStream};
 

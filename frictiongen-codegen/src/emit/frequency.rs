@@ -5,9 +5,9 @@ use super::{Emission, field, local};
 use crate::graph::count::Count;
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::Scalar;
-use frictiongen_kernel::chain::ContactAt;
-use frictiongen_kernel::complex::Complex;
-use frictiongen_kernel::mode::{Kind, Mode, ModeResponse};
+use frictiongen_kernel::contact::sums::ContactAt;
+use frictiongen_kernel::number::complex::Complex;
+use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
 use proc_macro2::{Literal, TokenStream};
 
 /// The frequency stage, as a method of the kernel's `Scene`.

@@ -161,7 +161,7 @@ impl Emission<'_> {
 
 /// Rounded once from double-double to the scene's scalar, as an `f64`.
 #[allow(clippy::cast_possible_truncation, reason = "the scene's scalar is f32")]
-pub(crate) fn rounded(value: frictiongen_kernel::dd::Dd, precision: Precision) -> f64 {
+pub(crate) fn rounded(value: frictiongen_kernel::number::dd::Dd, precision: Precision) -> f64 {
     match precision {
         Precision::F64 => value.hi,
         Precision::F32 => {
@@ -251,8 +251,6 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     let shield = shield::emit(&items);
     let block = code! {
             use #facade::kernel::emitted::*;
-            // Local variables may have the names of the user's constants: these come first.
-            use #facade::kernel::locals::*;
             #shield
             #items
     };

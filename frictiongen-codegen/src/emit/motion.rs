@@ -3,7 +3,7 @@
 use super::trace::Tracer;
 use super::{Emission, Part, field, local};
 use crate::graph::{Expr, Graph};
-use frictiongen_kernel::motion::{Carrier, Share};
+use frictiongen_kernel::response::coefficients::{Carrier, Share};
 use proc_macro2::{Ident, Literal, TokenStream};
 
 /// Names of the code around the formulas.
@@ -151,12 +151,7 @@ fn of_contact(emission: &Emission<'_>) -> TokenStream {
         statements,
         carrier,
         waves,
-    } = lines(
-        emission,
-        &tracer,
-        &coefficients,
-        &code!(steady::motion_wave),
-    );
+    } = lines(emission, &tracer, &coefficients, &code!(motion_wave));
     code! {
         #statements
         let carrier = #carrier;
@@ -187,7 +182,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize) -> TokenStream {
         statements,
         carrier,
         waves,
-    } = lines(emission, &tracer, &coefficients, &code!(steady::mass_wave));
+    } = lines(emission, &tracer, &coefficients, &code!(mass_wave));
     let mass = Literal::usize_unsuffixed(mass);
     code! {
         #mass => {

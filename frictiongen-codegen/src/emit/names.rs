@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
 /// What emitted code imports: a scene may have the same name.
-pub(super) const IMPORTED: [&str; 53] = [
+pub(super) const IMPORTED: [&str; 54] = [
     "Complex",
     "Scalar",
     "Chain",
@@ -42,7 +42,8 @@ pub(super) const IMPORTED: [&str; 53] = [
     "Part",
     "Segment",
     "Simulation",
-    "steady",
+    "mass_wave",
+    "motion_wave",
     "Motion",
     "Wave",
     "From",

@@ -118,6 +118,7 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
 
 fn range<S: frictiongen_kernel::Float>(emission: &Emission<'_>) -> (f64, f64) {
     let resonances = emission.reduced.modes.iter().map(|mode| mode.resonance);
-    let (low, high) = frictiongen_kernel::regime::inverse_ratio_range(resonances.map(S::constant));
+    let (low, high) =
+        frictiongen_kernel::contact::regime::inverse_ratio_range(resonances.map(S::constant));
     (low.to_f64(), high.to_f64())
 }

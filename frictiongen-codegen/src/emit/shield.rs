@@ -3,7 +3,7 @@
 //! A pattern `let r` means the constant `r` where there is one.  Functions of the same names hide it, and a
 //! pattern may in turn hide them.  The library has those of most scenes; the others are emitted.
 
-use frictiongen_kernel::locals::NAMES;
+use frictiongen_kernel::emitted::locals::NAMES;
 use frictiongen_model::validate::is_keyword;
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use std::collections::BTreeSet;

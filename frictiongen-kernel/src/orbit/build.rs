@@ -5,10 +5,10 @@ use super::newton::{Map, Room, multipliers, same};
 use super::record::{Record, Recorded};
 use super::solve::{Found, MAX_STEPS, ON_CIRCLE, Settled, settle};
 use super::{MAX_SEGMENTS, Mark, Orbit};
-use crate::complex::Complex;
 use crate::errors::NoOrbit;
-use crate::mode::{Kind, Mode};
-use crate::scalar::{Float, Plain};
+use crate::number::complex::Complex;
+use crate::number::scalar::{Float, Plain};
+use crate::oscillator::mode::{Kind, Mode};
 use crate::simulation::{Contact, Dynamics, Part, Setting, Stance, leap};
 use core::f64::consts::FRAC_PI_4;
 

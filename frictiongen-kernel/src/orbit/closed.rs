@@ -3,13 +3,13 @@
 //! Beside a resonance the fixed point is badly conditioned, while the closed form loses nothing.
 
 use super::flow::Flow;
-use crate::apart::Partner;
-use crate::chain::{Chain, ContactAt, ModeAt};
-use crate::decay::Damped;
-use crate::mode::Mode;
-use crate::scalar::Float;
+use crate::contact::dominant::Partner;
+use crate::contact::sums::{Chain, ContactAt, ModeAt};
+use crate::modal_sum::wave::Sum;
+use crate::number::scalar::Float;
+use crate::oscillator::decay::Damped;
+use crate::oscillator::mode::Mode;
 use crate::simulation::{Contact, Dynamics, Stance};
-use crate::wave::Sum;
 
 /// The sums over all modes that the contact drives.
 struct Sums<'a, S> {

@@ -9,8 +9,8 @@ use super::flow::unit;
 use super::matrix::Matrix;
 use super::newton::Room;
 use crate::errors::NoOrbit;
-use crate::pairs::{pairs, pairs_mut};
-use crate::scalar::Float;
+use crate::number::pairs::{pairs, pairs_mut};
+use crate::number::scalar::Float;
 
 /// The flow stands on the symmetric member, and `room.state` is the motion in the same section; sets
 /// the flow to the member that the motion tends to.  `monotone` says that μ = 1: with more, a stop does not

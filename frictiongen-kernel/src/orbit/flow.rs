@@ -2,8 +2,8 @@
 
 use super::tangent;
 use crate::errors::NoOrbit;
-use crate::pairs::{pairs, pairs_mut};
-use crate::scalar::Float;
+use crate::number::pairs::{pairs, pairs_mut};
+use crate::number::scalar::Float;
 use crate::simulation::{Contact, Event, Part, Setting, Stance, leap};
 
 /// No half cycle is followed through more events than this.

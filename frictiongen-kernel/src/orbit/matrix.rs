@@ -1,7 +1,7 @@
 //! Small square matrices in a slice, column after column: linear equations and eigenvalues.
 
-use crate::complex::Complex;
-use crate::scalar::Float;
+use crate::number::complex::Complex;
+use crate::number::scalar::Float;
 
 /// A square matrix.
 pub(super) struct Matrix<'a, S> {

@@ -23,8 +23,8 @@ pub use motion::OrbitMotion;
 pub use provides::{ProvidesOrbit, Start};
 pub use solve::{MAX_CYCLES, MAX_PERIOD, MAX_STEPS};
 
-use crate::complex::{self, Complex};
-use crate::scalar::Float;
+use crate::number::complex::{self, Complex};
+use crate::number::scalar::Float;
 use crate::simulation::{Contact, Part, Setting, Stance};
 use segments::Segments;
 

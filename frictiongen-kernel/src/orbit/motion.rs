@@ -3,8 +3,8 @@
 use super::gauss::{PANEL, SIXTEEN};
 use super::segments::Segments;
 use super::{Mark, Orbit};
-use crate::complex::{self, Complex};
-use crate::scalar::Float;
+use crate::number::complex::{self, Complex};
+use crate::number::scalar::Float;
 use crate::simulation::{Contact, Part, Sum, rotated};
 
 /// The steady motion of the contact or of a mass, in an [`Orbit`].

@@ -2,10 +2,10 @@
 
 use super::flow::{Flow, Pattern, unit};
 use super::matrix::Matrix;
-use crate::complex::{self, Complex};
 use crate::errors::NoOrbit;
-use crate::pairs::pairs_mut;
-use crate::scalar::Float;
+use crate::number::complex::{self, Complex};
+use crate::number::pairs::pairs_mut;
+use crate::number::scalar::Float;
 use crate::simulation::{Contact, Stance};
 
 const NEWTON_STEPS: u32 = 12;

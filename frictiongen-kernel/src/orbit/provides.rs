@@ -24,3 +24,44 @@ pub trait ProvidesOrbit: Scene {
         last: bool,
     ) -> Result<Self::Orbit, NoOrbit>;
 }
+
+impl<T: ProvidesOrbit> At<T> {
+    /// The steady state at β = F/P that is reached from rest, in any regime.
+    ///
+    /// # Errors
+    /// [`NoOrbit`] says why there is none.
+    #[inline]
+    pub fn orbit(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
+        T::settled(self, beta, None, false)
+    }
+
+    /// The steady state as [`orbit`](Self::orbit) gives it.  Where the motion from rest does not settle, its last 64
+    /// cycles stand in its place: `is_settled()` is false, and an amplitude is the largest of those cycles.
+    ///
+    /// # Errors
+    /// [`NoOrbit`] if the motion is unbounded, if following it takes too many steps, or if β is negative or not
+    /// finite.
+    #[inline]
+    pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
+        T::settled(self, beta, None, true)
+    }
+
+    /// The steady state that is reached from another state at a maximum of the excitation: x̄ and dx̄/dτ of every
+    /// mass.
+    ///
+    /// # Errors
+    /// [`NoOrbit`], also for a state that is not finite or not one number for each mass.
+    #[inline]
+    pub fn orbit_from(
+        &self,
+        beta: T::Scalar,
+        state: (&T::State, &T::State),
+    ) -> Result<T::Orbit, NoOrbit> {
+        T::settled(
+            self,
+            beta,
+            Some((state.0.as_ref(), state.1.as_ref())),
+            false,
+        )
+    }
+}

@@ -6,7 +6,7 @@
 use super::flow::Flow;
 use super::{MAX_SEGMENTS, Mark, slack};
 use crate::errors::NoOrbit;
-use crate::scalar::Float;
+use crate::number::scalar::Float;
 use crate::simulation::{Contact, Event, Stance, leap};
 
 /// What is written down.

@@ -4,9 +4,9 @@
 
 use super::record::{passed, within};
 use super::{Mark, Orbit, slack};
-use crate::complex::Complex;
-use crate::pairs::pairs;
-use crate::scalar::Float;
+use crate::number::complex::Complex;
+use crate::number::pairs::pairs;
+use crate::number::scalar::Float;
 use crate::simulation::{Part, leap, span};
 
 /// Goes through the segments of a steady state.

@@ -5,7 +5,7 @@ use super::closed;
 use super::flow::{Flow, Pattern};
 use super::newton::{Map, Room, multipliers, newton, same};
 use crate::errors::NoOrbit;
-use crate::scalar::Float;
+use crate::number::scalar::Float;
 use crate::simulation::Stance;
 
 /// So many cycles are followed at most before the search for a steady state is given up.

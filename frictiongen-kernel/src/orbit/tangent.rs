@@ -1,8 +1,8 @@
 //! How small deviations grow along a motion: closed forms between events, and at each event the
 //! jump (saltation) that comes from its being met a little earlier or later.
 
-use crate::pairs::{pairs, pairs_mut};
-use crate::scalar::Float;
+use crate::number::pairs::{pairs, pairs_mut};
+use crate::number::scalar::Float;
 use crate::simulation::{Contact, End, Part, Setting, Stance};
 
 /// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.

@@ -3,15 +3,14 @@
 use super::continuous::{Continuous, MotionOf, ProvidesMotion};
 use super::scene::Scene;
 use super::stuck::{ProvidesStuck, Stuck};
-use crate::chain::ContactAt;
-use crate::complex::{self, Complex};
-use crate::errors::{NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance};
-use crate::motion::Friction;
-use crate::orbit::ProvidesOrbit;
-use crate::regime::{self, Limits};
-use crate::scalar::Scalar;
-use crate::search::{Effort, Peak};
-use crate::steady::Motion;
+use crate::contact::regime::{self, Limits};
+use crate::contact::sums::ContactAt;
+use crate::errors::{NotContinuous, OutOfDomain, Regime, StuckResonance};
+use crate::modal_sum::search::{Effort, Peak};
+use crate::number::complex::{self, Complex};
+use crate::number::scalar::Scalar;
+use crate::response::coefficients::Friction;
+use crate::response::motion::Motion;
 
 /// A scene at one frequency ratio: what both limits and every motion share.
 #[derive(Clone, Debug)]
@@ -126,7 +125,7 @@ impl<T: Scene> At<T> {
     /// β_lim, exact: the boundary of continuous motion (5.65, 5.80, 5.96, 7.49), with S from a guaranteed search
     /// over the half period.  Without damping the search is needed only where some R < 1/2.
     ///
-    /// The search takes at most [`MAX_EVALUATIONS`](crate::search::MAX_EVALUATIONS) evaluations of a sum over the
+    /// The search takes at most [`MAX_EVALUATIONS`](crate::modal_sum::search::MAX_EVALUATIONS) evaluations of a sum over the
     /// modes; [`limits_searched`](Self::limits_searched) says how many, and whether it came to its end.
     #[must_use]
     pub fn continuous_limit(&self) -> T::Scalar {
@@ -277,54 +276,6 @@ impl<T: Scene> At<T> {
     #[must_use]
     pub fn held(self) -> Stuck<T> {
         Stuck::new(self)
-    }
-
-    /// The steady state at β = F/P that is reached from rest, in any regime, of a scene that provides `orbit`.
-    ///
-    /// # Errors
-    /// [`NoOrbit`] says why there is none.
-    #[inline]
-    pub fn orbit(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit>
-    where
-        T: ProvidesOrbit,
-    {
-        T::settled(self, beta, None, false)
-    }
-
-    /// The steady state as [`orbit`](Self::orbit) gives it.  Where the motion from rest does not settle, its last 64
-    /// cycles stand in its place: `is_settled()` is false, and an amplitude is the largest of those cycles.
-    ///
-    /// # Errors
-    /// [`NoOrbit`] if the motion is unbounded, if following it takes too many steps, or if β is negative or not
-    /// finite.
-    #[inline]
-    pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit>
-    where
-        T: ProvidesOrbit,
-    {
-        T::settled(self, beta, None, true)
-    }
-
-    /// The steady state that is reached from another state at a maximum of the excitation: x̄ and dx̄/dτ of every
-    /// mass.
-    ///
-    /// # Errors
-    /// [`NoOrbit`], also for a state that is not finite or not one number for each mass.
-    #[inline]
-    pub fn orbit_from(
-        &self,
-        beta: T::Scalar,
-        state: (&T::State, &T::State),
-    ) -> Result<T::Orbit, NoOrbit>
-    where
-        T: ProvidesOrbit,
-    {
-        T::settled(
-            self,
-            beta,
-            Some((state.0.as_ref(), state.1.as_ref())),
-            false,
-        )
     }
 
     #[inline]

@@ -2,8 +2,8 @@
 
 use super::at::At;
 use super::scene::Scene;
-use crate::motion::{Carrier, Friction};
-use crate::steady::Motion;
+use crate::response::coefficients::{Carrier, Friction};
+use crate::response::motion::Motion;
 
 /// The motion of the contact or of a mass of a scene.
 pub type MotionOf<T> = Motion<<T as Scene>::Scalar, <T as Scene>::Decay, <T as Scene>::Waves>;

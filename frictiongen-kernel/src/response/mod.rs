@@ -6,7 +6,9 @@
 //! their own scenes.  Nothing here knows of time, events or text.
 
 mod at;
+pub mod coefficients;
 mod continuous;
+pub mod motion;
 mod numbers;
 mod scene;
 mod stuck;

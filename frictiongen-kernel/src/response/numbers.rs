@@ -1,8 +1,8 @@
 //! The numbers of a scene, which depend neither on r nor on β.
 
-use crate::chain::Chain;
-use crate::mode::Mode;
-use crate::scalar::Float;
+use crate::contact::sums::Chain;
+use crate::number::scalar::Float;
+use crate::oscillator::mode::Mode;
 
 /// The limits at r = 0 and r = ∞ (6.4, 6.28 and the high-frequency limits of section 6 of `docs/derivation.md`).
 #[derive(Clone, Copy, Debug)]

@@ -3,13 +3,13 @@
 use super::at::At;
 use super::continuous::MotionOf;
 use super::numbers::Numbers;
-use crate::chain::{ContactAt, ModeAt};
-use crate::complex::Complex;
-use crate::decay::Decay;
-use crate::motion::Friction;
-use crate::regime;
-use crate::scalar::Float;
-use crate::wave::Wave;
+use crate::contact::regime;
+use crate::contact::sums::{ContactAt, ModeAt};
+use crate::modal_sum::wave::Wave;
+use crate::number::complex::Complex;
+use crate::number::scalar::Float;
+use crate::oscillator::decay::Decay;
+use crate::response::coefficients::Friction;
 
 /// A scene: its numbers, and the formulas that may be specialised for it.
 ///

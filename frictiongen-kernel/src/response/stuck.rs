@@ -2,8 +2,8 @@
 
 use super::at::At;
 use super::scene::Scene;
-use crate::complex::{self, Complex};
-use crate::scalar::Scalar;
+use crate::number::complex::{self, Complex};
+use crate::number::scalar::Scalar;
 
 /// A scene that provides `stuck`.
 pub trait ProvidesStuck: Scene {

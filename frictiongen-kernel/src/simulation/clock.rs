@@ -1,6 +1,6 @@
 //! The excitation's phase over a long run, and sums of steps, without the rounding of each step.
 
-use crate::scalar::Float;
+use crate::number::scalar::Float;
 
 /// A sum of many numbers, with what its roundings left out.
 #[derive(Clone, Copy, Debug)]

@@ -26,10 +26,10 @@ pub use walk::MAX_STEPS;
 pub(crate) use segment::{End, Stance, leap, span};
 pub(crate) use sum::Sum;
 
-use crate::chain::Chain;
-use crate::complex::Complex;
-use crate::mode::{Kind, Mode};
-use crate::scalar::Float;
+use crate::contact::sums::Chain;
+use crate::number::complex::Complex;
+use crate::number::scalar::Float;
+use crate::oscillator::mode::{Kind, Mode};
 
 /// A mode of the chain with its contact held: an oscillator (y, u), u = ẏ/ω in the time t√(k₁/m₁).
 #[derive(Clone, Copy, Debug)]

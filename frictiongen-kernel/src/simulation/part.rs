@@ -4,10 +4,10 @@
 //! c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q, both entire in q².
 
 use super::{HeldMode, rotated};
-use crate::complex::{self, Complex};
-use crate::decay::{Damped, Decay, Instant};
-use crate::mode::{Kind, Mode};
-use crate::scalar::Float;
+use crate::number::complex::{self, Complex};
+use crate::number::scalar::Float;
+use crate::oscillator::decay::{Damped, Decay, Instant};
+use crate::oscillator::mode::{Kind, Mode};
 
 /// Nearer to a resonance than this, |D| < NEAR·x², the forced motion is formed from differences that
 /// vanish with D; elsewhere as the steady motion plus a free one, which loses at most 1/NEAR of the

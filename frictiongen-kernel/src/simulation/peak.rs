@@ -2,7 +2,7 @@
 
 use super::sum::Sum;
 use super::walk::{Start, Walk, first_reach};
-use crate::scalar::Float;
+use crate::number::scalar::Float;
 
 /// Values closer than this many roundings count as equal.
 const EQUAL: f64 = 64.0;

@@ -4,7 +4,7 @@ use super::clock::{Clock, Total};
 use super::segment::{self, Sought, Stance, ended, place, seek};
 use super::{Contact, Dynamics, Event, Part, Setting};
 use crate::errors::OutOfDomain;
-use crate::scalar::{Float, Plain};
+use crate::number::scalar::{Float, Plain};
 
 /// A segment of the motion: the contact sticks, or slides one way.
 #[derive(Clone, Copy, Debug, PartialEq)]

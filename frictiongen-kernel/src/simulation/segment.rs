@@ -5,8 +5,8 @@ use super::setting::Setting;
 use super::sum::Sum;
 use super::walk::{Start, Walk, first_reach, first_zero};
 use super::{Contact, Event, rotated};
-use crate::complex::{self, Complex};
-use crate::scalar::Float;
+use crate::number::complex::{self, Complex};
+use crate::number::scalar::Float;
 
 /// How the contact stands at an instant.
 #[derive(Clone, Copy, Debug)]

@@ -2,10 +2,10 @@
 
 use super::part::Part;
 use super::{Dynamics, rotated};
-use crate::complex::Complex;
+use crate::contact::regime::{check_beta, check_ratio};
 use crate::errors::OutOfDomain;
-use crate::regime::{check_beta, check_ratio};
-use crate::scalar::{Float, Plain};
+use crate::number::complex::Complex;
+use crate::number::scalar::{Float, Plain};
 
 /// A scene at one frequency ratio and one friction ratio.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! How far a function that is positive now stays positive, from what its third derivative can do.
 
-use crate::scalar::Float;
+use crate::number::scalar::Float;
 
 /// The smallest positive root of f + f′h + f″h²/2 − Bh³/6 for f ≥ 0, f′ > 0 if f = 0: up to there the
 /// function is positive wherever |f‴| ≤ B.  Never beyond the root, to rounding; at most `most`.

@@ -2,7 +2,7 @@
 //! oscillators, with its derivatives and what the third of them cannot exceed.
 
 use super::part::Part;
-use crate::scalar::Float;
+use crate::number::scalar::Float;
 
 /// A function about one instant.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 
 use super::step;
 use super::sum::{Local, Series, Sum};
-use crate::scalar::Float;
+use crate::number::scalar::Float;
 
 /// No segment is walked with more steps than this; one that needs more goes on as another segment.
 pub const MAX_STEPS: u32 = 4000;

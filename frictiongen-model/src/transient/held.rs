@@ -8,7 +8,7 @@ use super::Plain;
 use super::roots::{Driven, pairs};
 use crate::modal::{Modal, kind};
 use frictiongen_kernel::Scalar;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::simulation::HeldMode;
 
 /// The held modes, and the shares (g, h) of every mode in each.

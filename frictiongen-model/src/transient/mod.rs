@@ -7,9 +7,9 @@ mod roots;
 use crate::modal::{self, Modal};
 use crate::scene::Scene;
 use frictiongen_kernel::Scalar;
-use frictiongen_kernel::chain::Chain;
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::mode::Mode;
+use frictiongen_kernel::contact::sums::Chain;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::oscillator::mode::Mode;
 use frictiongen_kernel::simulation::{Dynamics, HeldMode};
 
 /// Modes whose constants agree to this count as equal: beyond, rounding alone tells them apart.

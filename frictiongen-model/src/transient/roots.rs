@@ -5,8 +5,8 @@
 
 use frictiongen_kernel::Complex;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::complex;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::complex;
+use frictiongen_kernel::number::dd::Dd;
 
 /// A mode that the contact drives: σ = √λ, ζ, and its share c of the contact mobility.
 #[derive(Clone, Copy, Debug)]

@@ -4,11 +4,11 @@ use super::motion::{SystemMotion, SystemStuck};
 use super::orbit::SystemOrbit;
 use super::system::System;
 use crate::{Complex, NoOrbit};
-use frictiongen_kernel::chain::{ContactAt, ModeAt};
-use frictiongen_kernel::decay::Damped;
+use frictiongen_kernel::contact::sums::{ContactAt, ModeAt};
+use frictiongen_kernel::modal_sum::wave::Wave;
 use frictiongen_kernel::orbit::{self, Orbit, ProvidesOrbit, Start};
+use frictiongen_kernel::oscillator::decay::Damped;
 use frictiongen_kernel::response::{At, Numbers, ProvidesMotion, ProvidesStuck, Scene};
-use frictiongen_kernel::wave::Wave;
 use frictiongen_kernel::{Float, Plain};
 use std::ops::Deref;
 

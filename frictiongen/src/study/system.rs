@@ -7,7 +7,7 @@ use crate::OutOfDomain;
 use crate::system::FrictionSystem;
 use frictiongen_codegen::{Diagnostics, Limits, parse_text};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::response::At;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;

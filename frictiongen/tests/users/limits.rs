@@ -1,6 +1,6 @@
 //! What has been found once is not sought again, and a search says whether it came to its end.
 
-use frictiongen::kernel::search::MAX_EVALUATIONS;
+use frictiongen::kernel::modal_sum::search::MAX_EVALUATIONS;
 use frictiongen::{ContinuousMotion, FrictionSystem, MotionAt};
 use frictiongen::{Effort, LimitsAt, Of, Steady, System, friction_system};
 

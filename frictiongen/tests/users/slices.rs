@@ -4,8 +4,8 @@ use frictiongen::kernel::Complex;
 use frictiongen::kernel::orbit::{Orbit, numbers};
 use frictiongen::kernel::simulation::{Dynamics, HeldMode, Part, Simulation};
 use frictiongen::kernel::{
-    chain::Chain,
-    mode::{Kind, Mode},
+    contact::sums::Chain,
+    oscillator::mode::{Kind, Mode},
 };
 use frictiongen::{NoOrbit, OutOfDomain, friction_system};
 

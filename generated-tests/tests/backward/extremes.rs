@@ -7,7 +7,7 @@ use crate::judge::{Answer, Judge, modulus};
 use crate::questions::first;
 use crate::tally::Tally;
 use frictiongen::study::System;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::reference::{description, exact};
 use serde_json::Value;

@@ -1,7 +1,7 @@
 //! The smallest displacement of the inputs that explains all answers of a place at once.
 
 use frictiongen_kernel::Float;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 
 /// So often are the weights changed.
 const ROUNDS: usize = 60;

@@ -2,8 +2,8 @@
 
 use frictiongen::study::{Quantity, System};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::dual::Dual;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Damping, Scene};
 use generated_tests::data::Data;

@@ -1,7 +1,7 @@
 //! The instants at which a sum is at its largest, exactly: next to where a search of the code under
 //! test has found them.
 
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use generated_tests::data::{DataAt, DataMotion};
 
 /// The zero of `of` next to `from`; none where it leaves the place or finds no end.  `epsilon` is how

@@ -9,9 +9,10 @@ use crate::asked::{Asked, Of, Place, Watched, answers, motion};
 use crate::fit::{fit, shortest};
 use crate::inputs::Exact;
 use crate::instant::{constraining, followed};
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::dual::Dual;
-use frictiongen_kernel::{Complex, Float, complex};
+use frictiongen_kernel::number::complex;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
+use frictiongen_kernel::{Complex, Float};
 use frictiongen_model::modal::Modal;
 use generated_tests::data::{Data, DataAt};
 

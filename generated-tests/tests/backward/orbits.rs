@@ -9,7 +9,7 @@ use crate::judge::angle;
 use crate::property::BAR;
 use crate::random::{Random, scene};
 use frictiongen::study::{System, SystemOrbit};
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Float, Plain};
 use frictiongen_model::scene::{Damping, Scene};
 use std::collections::BTreeMap;

@@ -8,7 +8,7 @@ use crate::random::{Random, scene};
 use crate::tally::Tally;
 use frictiongen::study::System;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use generated_tests::data::Data;
 
 /// In roundings of the inputs.

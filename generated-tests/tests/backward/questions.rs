@@ -4,8 +4,8 @@ use crate::asked::{Asked, Of, Watched, motion};
 use crate::instant::{acceleration, constraining, largest};
 use crate::judge::{Answer, Judge, modulus};
 use frictiongen::study::{SystemAt, SystemMotion};
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::search::{MAX_EVALUATIONS, Peak};
+use frictiongen_kernel::modal_sum::search::{MAX_EVALUATIONS, Peak};
+use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::data::DataMotion;
 

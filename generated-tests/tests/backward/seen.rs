@@ -8,7 +8,7 @@ use crate::property::BAR;
 use crate::questions::Questions;
 use frictiongen::study::System;
 use frictiongen_kernel::Complex;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use std::collections::BTreeMap;
 
 /// So many roundings of its size are put into an answer.

@@ -4,7 +4,7 @@
 //! the elementary functions by their Taylor series.  Formulas are evaluated in it as they are
 //! printed; what cancels in them is far fewer digits than there are.
 
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use num_bigint::{BigInt, Sign};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::OnceLock;

@@ -3,8 +3,8 @@
 use crate::big::Big;
 use crate::elementary::formulas;
 use crate::measure::{Formula, Real, Results, Unit};
-use frictiongen_kernel::chain::{Chain, ContactAt};
-use frictiongen_kernel::complex::{self, Complex};
+use frictiongen_kernel::contact::sums::{Chain, ContactAt};
+use frictiongen_kernel::number::complex::{self, Complex};
 
 /// A second complex number from the first three arguments: (c, −b/2).
 fn second<T: Real>(b: T, c: T) -> Complex<T> {

@@ -5,7 +5,7 @@ use crate::draw::{self, Domain, Source, arguments};
 use crate::elementary::*;
 use crate::measure::{Arguments, Formula, Real, Results, Unit, against, against_big};
 use crate::modes::*;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 
 pub struct Case {
     /// As the table calls it.
@@ -103,44 +103,44 @@ macro_rules! cases {
 
 cases! {
     three SinCosPi "sin_cos_pi" ["sin", "cos"] in HALF_TURNS, counted;
-        ["trig::sin_cos_pi", "trig::sin_pi", "trig::cos_pi", "scalar::Scalar::sin_cos_pi",
-         "scalar::Scalar::sin_pi", "scalar::Scalar::cos_pi"];
-    three TanPi "tan_pi" [""] in HALF_TURNS, counted; ["trig::tan_pi"];
+        ["number::trig::sin_cos_pi", "number::trig::sin_pi", "number::trig::cos_pi", "number::scalar::Scalar::sin_cos_pi",
+         "number::scalar::Scalar::sin_pi", "number::scalar::Scalar::cos_pi"];
+    three TanPi "tan_pi" [""] in HALF_TURNS, counted; ["number::trig::tan_pi"];
     three SinCosPiMinus "sin_cos_pi_minus" ["sin", "cos"] in HALF_TURN_PAIRS;
-        ["trig::sin_cos_pi_minus", "scalar::Scalar::sin_cos_pi_minus"];
-    three Sqrt "sqrt" [""] in NOT_NEGATIVE, counted; ["scalar::Scalar::sqrt", "dd::Dd::sqrt"];
-    three Exp "exp" [""] in EXPONENTS, counted; ["scalar::Scalar::exp"];
-    three ExpM1 "exp_m1" [""] in GROWTHS, counted; ["scalar::Scalar::exp_m1"];
-    three Atan2 "atan2" [""] in PAIRS; ["scalar::Scalar::atan2"];
-    three OneMinusSincPi "one_minus_sinc_pi" [""] in SINC, counted; ["scalar::Scalar::one_minus_sinc_pi"];
+        ["number::trig::sin_cos_pi_minus", "number::scalar::Scalar::sin_cos_pi_minus"];
+    three Sqrt "sqrt" [""] in NOT_NEGATIVE, counted; ["number::scalar::Scalar::sqrt", "number::dd::Dd::sqrt"];
+    three Exp "exp" [""] in EXPONENTS, counted; ["number::scalar::Scalar::exp"];
+    three ExpM1 "exp_m1" [""] in GROWTHS, counted; ["number::scalar::Scalar::exp_m1"];
+    three Atan2 "atan2" [""] in PAIRS; ["number::scalar::Scalar::atan2"];
+    three OneMinusSincPi "one_minus_sinc_pi" [""] in SINC, counted; ["number::scalar::Scalar::one_minus_sinc_pi"];
     three ScaledSinhDefect "scaled_sinh_defect" [""] in DECAYS, counted;
-        ["scalar::Scalar::scaled_sinh_defect"];
-    three VersinePi "versine_pi" [""] in SINC, counted; ["special::versine_pi"];
-    three ExpM1Minus "exp_m1_minus" [""] in GROWTHS, counted; ["special::exp_m1_minus"];
-    three Floor "floor" [""] in ANY, counted; ["scalar::Float::floor"];
-    three Pi "pi" [""] in NOTHING; ["scalar::Scalar::pi"];
-    three InversePi "inverse_pi" [""] in NOTHING; ["scalar::Scalar::inverse_pi"];
-    only_dd Add "a + b" [""] in PAIRS; ["dd::Dd::add"];
-    only_dd Subtract "a − b" [""] in PAIRS; ["dd::Dd::sub"];
-    only_dd Multiply "a · b" [""] in PAIRS; ["dd::Dd::mul"];
-    only_dd Divide "a / b" [""] in PAIRS; ["dd::Dd::div"];
-    only_dd DdSum "sum of two f64" [""] in DOUBLES; ["dd::Dd::sum"];
-    only_dd DdProduct "product of two f64" [""] in DOUBLES; ["dd::Dd::product"];
-    three ComplexAdd "complex add" [""] in COMPLEX; ["complex::add"];
-    three ComplexScale "complex scale" [""] in COMPLEX; ["complex::scale"];
-    three ComplexMul "complex mul" [""] in COMPLEX; ["complex::mul"];
-    three ComplexReciprocal "complex reciprocal" [""] in LARGE_COMPLEX; ["complex::reciprocal"];
+        ["number::scalar::Scalar::scaled_sinh_defect"];
+    three VersinePi "versine_pi" [""] in SINC, counted; ["number::special::versine_pi"];
+    three ExpM1Minus "exp_m1_minus" [""] in GROWTHS, counted; ["number::special::exp_m1_minus"];
+    three Floor "floor" [""] in ANY, counted; ["number::scalar::Float::floor"];
+    three Pi "pi" [""] in NOTHING; ["number::scalar::Scalar::pi"];
+    three InversePi "inverse_pi" [""] in NOTHING; ["number::scalar::Scalar::inverse_pi"];
+    only_dd Add "a + b" [""] in PAIRS; ["number::dd::Dd::add"];
+    only_dd Subtract "a − b" [""] in PAIRS; ["number::dd::Dd::sub"];
+    only_dd Multiply "a · b" [""] in PAIRS; ["number::dd::Dd::mul"];
+    only_dd Divide "a / b" [""] in PAIRS; ["number::dd::Dd::div"];
+    only_dd DdSum "sum of two f64" [""] in DOUBLES; ["number::dd::Dd::sum"];
+    only_dd DdProduct "product of two f64" [""] in DOUBLES; ["number::dd::Dd::product"];
+    three ComplexAdd "complex add" [""] in COMPLEX; ["number::complex::add"];
+    three ComplexScale "complex scale" [""] in COMPLEX; ["number::complex::scale"];
+    three ComplexMul "complex mul" [""] in COMPLEX; ["number::complex::mul"];
+    three ComplexReciprocal "complex reciprocal" [""] in LARGE_COMPLEX; ["number::complex::reciprocal"];
     three ReciprocalOfUnit "complex reciprocal_of_unit" [""] in UNIT_COMPLEX;
-        ["complex::reciprocal_of_unit"];
-    three Modulus "complex modulus" [""] in LARGE_COMPLEX; ["complex::modulus", "scalar::Scalar::hypot"];
+        ["number::complex::reciprocal_of_unit"];
+    three Modulus "complex modulus" [""] in LARGE_COMPLEX; ["number::complex::modulus", "number::scalar::Scalar::hypot"];
     three UndampedComplex "complex, undamped" ["mul", "reciprocal", "modulus", "Im"] in COMPLEX; [];
     three Constraints "acceleration at a reversal" ["start_constraint", "break_away"] in POSITIVE;
-        ["limits::Chain::start_constraint", "limits::Chain::break_away"];
-    three ContinuousLimit "continuous_limit" [""] in POSITIVE; ["limits::Chain::continuous_limit"];
-    three SlidingLimit "sliding_limit" [""] in POSITIVE; ["limits::Chain::sliding_limit"];
-    three Margin "margin" [""] in MARGINS; ["regime::margin"];
+        ["contact::limits::Chain::start_constraint", "contact::limits::Chain::break_away"];
+    three ContinuousLimit "continuous_limit" [""] in POSITIVE; ["contact::limits::Chain::continuous_limit"];
+    three SlidingLimit "sliding_limit" [""] in POSITIVE; ["contact::limits::Chain::sliding_limit"];
+    three Margin "margin" [""] in MARGINS; ["contact::regime::margin"];
     three PlainResponse "response, undamped" ["denominator", "u", "g", "reversal"] in FREQUENCIES;
-        ["mode::Mode::response"];
+        ["oscillator::mode::Mode::response"];
     three Response "response, light" ["denominator re", "denominator im", "u", "g", "reversal"] in LIGHT; [];
     three DecayedResponse "response, light, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in LIGHT_DECAYED; [];
     three Response "response, heavy" ["denominator re", "denominator im", "u", "g", "reversal"] in HEAVY; [];
@@ -151,9 +151,9 @@ cases! {
     three DecayedResponse "response, overdamped, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in OVER_DECAYED; [];
     three V "v, light" [""] in LIGHT; [];
     three V "v, overdamped" [""] in OVER_DECAYED; [];
-    three AnInstant "instant" ["tau", "sine", "cosine", "versine"] in INSTANTS, counted; ["decay::Instant::new"];
+    three AnInstant "instant" ["tau", "sine", "cosine", "versine"] in INSTANTS, counted; ["oscillator::decay::Instant::new"];
     three InTimeUndamped "basis, undamped" ["free", "slope", "swing", "swing_slope", "rise"] in UNDAMPED_TIME;
-        ["decay::Decay::basis"];
+        ["oscillator::decay::Decay::basis"];
     three InTime "basis, light" ["free", "slope", "swing", "swing_slope", "rise"] in LIGHT_TIME; [];
     three DecayedInTime "basis, light, decayed" ["free", "slope", "swing", "swing_slope", "rise"] in LIGHT_TIME_DECAYED; [];
     three InTime "basis, heavy" ["free", "slope", "swing", "swing_slope", "rise"] in HEAVY_TIME; [];

@@ -3,7 +3,7 @@
 mod modes;
 
 use crate::measure::{Arguments, Real};
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 pub use modes::*;
 
 /// A generator of reproducible numbers (splitmix64).

@@ -2,9 +2,9 @@
 
 use crate::big::Big;
 use crate::measure::{Formula, Real, Results, Unit};
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::special::{exp_m1_minus, versine_pi};
-use frictiongen_kernel::trig::{double, single};
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::special::{exp_m1_minus, versine_pi};
+use frictiongen_kernel::number::trig::{double, single};
 
 /// `Name: [a, b, c] => kernel's results, printed results;`
 macro_rules! formulas {
@@ -141,7 +141,7 @@ formulas! {
     Margin Norm: |beta, continuous, sliding| {
         let one = T::constant(1.0);
         // The 1 that is taken off counts as part of the size.
-        [frictiongen_kernel::regime::margin(beta, continuous, sliding), one]
+        [frictiongen_kernel::contact::regime::margin(beta, continuous, sliding), one]
     }, {
         let limit = if (continuous.clone() - sliding.clone()).is_negative() { continuous } else { sliding };
         Some(vec![quotient(beta, limit)? - one(), one()])

@@ -108,7 +108,7 @@ fn every_row_is_measured() {
 
 /// What no ulp counts: signs of zero, infinities, NaN, the ends of the range.
 fn ends_of_the_range<T: measure::Real>(least: f64, largest: f64) {
-    use frictiongen_kernel::special::{exp_m1_minus, versine_pi};
+    use frictiongen_kernel::number::special::{exp_m1_minus, versine_pi};
     let c = T::constant;
     let of = |f: fn(T) -> T, x: f64| f(c(x)).to_f64();
     let infinity = f64::INFINITY;
@@ -182,7 +182,7 @@ fn ends_of_every_range() {
 
 #[test]
 fn the_measure_sees_an_error() {
-    use frictiongen_kernel::dd::Dd;
+    use frictiongen_kernel::number::dd::Dd;
     use measure::{Formula, Real, Results, against, against_big};
     /// 1 + x by a result that is two units off in `f64`.
     struct Wrong;

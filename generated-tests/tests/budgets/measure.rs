@@ -2,8 +2,8 @@
 
 use crate::big::Big;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::dual::Dual;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
 
 /// The arguments of a function, each exactly a number of its scalar.
 pub type Arguments = [Dd; 3];

@@ -3,11 +3,11 @@
 
 use crate::big::Big;
 use crate::measure::{Arguments, Formula, Real, Results, Unit, plus};
-use frictiongen_kernel::complex::Complex;
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::decay::{Basis, Damped, Decay, Instant, Undamped};
-use frictiongen_kernel::mode::{Kind, Mode, ModeResponse};
-use frictiongen_kernel::trig::double;
+use frictiongen_kernel::number::complex::Complex;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::trig::double;
+use frictiongen_kernel::oscillator::decay::{Basis, Damped, Decay, Instant, Undamped};
+use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
 
 fn kind(zeta: f64) -> Kind {
     match zeta {
@@ -278,8 +278,8 @@ impl Formula for V {
     const UNIT: Unit = Unit::Norm;
     fn at<T: Real>([x, zeta, _]: [T; 3]) -> Results<T> {
         let at = response(x, zeta);
-        let inverse = frictiongen_kernel::complex::reciprocal(at.denominator, true);
-        let v: Complex<T> = frictiongen_kernel::complex::scale(inverse, x * x);
+        let inverse = frictiongen_kernel::number::complex::reciprocal(at.denominator, true);
+        let v: Complex<T> = frictiongen_kernel::number::complex::scale(inverse, x * x);
         let zero = T::constant(0.0);
         [v.re, v.im, zero, zero, zero]
     }

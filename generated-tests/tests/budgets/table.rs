@@ -2,7 +2,7 @@
 
 use crate::cases::Case;
 use crate::measure::Arguments;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use std::fmt::Write;
 
 pub const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/budgets/table.csv");

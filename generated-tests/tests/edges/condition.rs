@@ -6,8 +6,8 @@
 
 use frictiongen::study::{Damping, Quantity, Sensitive, System};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::dual::Dual;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use generated_tests::data::Data;
 

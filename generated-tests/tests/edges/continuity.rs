@@ -7,7 +7,7 @@
 use crate::condition::{Asked, Question, along, along_place, modal_condition, scene_condition};
 use crate::scenes::{SCENES, system};
 use frictiongen::study::{Damping, Quantity, System};
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 
 const ROUNDINGS: f64 = 8.0;
 

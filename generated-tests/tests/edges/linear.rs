@@ -6,7 +6,7 @@
 use crate::scenes::{Rounded, SCENES, ratios, system};
 use frictiongen::study::System;
 use frictiongen_kernel::Scalar;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::modal::Modal;
 
 /// Roundings of each term of the sum and of the frequency ratio in it.

@@ -7,7 +7,7 @@
 use crate::condition::{Asked, Question, modal_condition, scene_condition};
 use crate::frequencies::{list, number, references};
 use frictiongen::study::System;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use serde_json::Value;
 use std::collections::BTreeMap;
 

@@ -10,7 +10,7 @@ use frictiongen::study::System;
 use frictiongen::{
     ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, NotContinuous, Of, Regime,
 };
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 use generated_tests::shown;
 
 /// Roundings of each input, as for every other answer.

@@ -2,7 +2,7 @@
 
 use crate::functions::{is_number, promise};
 use frictiongen::kernel::Float;
-use frictiongen::kernel::complex::Complex;
+use frictiongen::kernel::number::complex::Complex;
 use frictiongen::kernel::orbit::{Orbit, OrbitMotion};
 use frictiongen::kernel::simulation::{Part, Simulation};
 

@@ -4,7 +4,7 @@ use crate::plain::{Plain, largest};
 use crate::random::{Lcg, random_scene};
 use frictiongen::NotContinuous;
 use frictiongen::study::System;
-use frictiongen_kernel::search::MAX_EVALUATIONS;
+use frictiongen_kernel::modal_sum::search::MAX_EVALUATIONS;
 use std::f64::consts::PI;
 
 /// What a run over many scenes found.

@@ -8,7 +8,7 @@
 use crate::answers::{Answers, is_phase};
 use frictiongen::study::Sensitive;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::dd::Dd;
+use frictiongen_kernel::number::dd::Dd;
 
 const LEVELS: usize = 4;
 /// A tolerance above this share of slope and value over variable would prove nothing.

@@ -5,8 +5,8 @@ use crate::differences::{Outcome, Side, compare};
 use frictiongen::study::scene::Scene;
 use frictiongen::study::{Damping, Quantity, Sensitive, System};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::dual::Dual;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 
 /// Wall, base and mass-mass contacts; no, modal (with ζ = 0, 1 and above) and Rayleigh damping; exactly

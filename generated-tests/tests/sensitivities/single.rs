@@ -4,8 +4,8 @@ use crate::answers::{of_data, of_system};
 use crate::differences::{Outcome, Side, compare};
 use crate::scene::{SCENES, place};
 use frictiongen::study::{Quantity, System};
-use frictiongen_kernel::dd::Dd;
-use frictiongen_kernel::dual::Dual;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use generated_tests::data::Data;
 

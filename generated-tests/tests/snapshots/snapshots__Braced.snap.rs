@@ -31,7 +31,6 @@ pub struct BracedMotion(::frictiongen::kernel::response::Continuous<Braced>);
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl Braced {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [
@@ -318,7 +317,7 @@ const _: () = {
                 },
             };
             let waves = [
-                steady::motion_wave(
+                motion_wave(
                     mode_1.x,
                     <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
                     Share {
@@ -328,7 +327,7 @@ const _: () = {
                         gain: 1.5597443968718145 * inverse_r * inverse_r,
                     },
                 ),
-                steady::motion_wave(
+                motion_wave(
                     mode_2.x,
                     <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
                     Share {
@@ -461,7 +460,7 @@ const _: () = {
                             },
                         },
                         [
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_1.x,
                                 <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
                                 Share {
@@ -471,7 +470,7 @@ const _: () = {
                                     gain: 0.7659134177193961 * inverse_r * inverse_r,
                                 },
                             ),
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_2.x,
                                 <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
                                 Share {

@@ -34,7 +34,6 @@ pub struct FiveStuck(::frictiongen::kernel::response::Stuck<Five>);
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl Five {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 5] = [

@@ -28,7 +28,6 @@ pub struct LimitsOnlyAt(::frictiongen::kernel::response::At<LimitsOnly>);
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl LimitsOnly {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f32; 2] = [0.618034, 1.618034];

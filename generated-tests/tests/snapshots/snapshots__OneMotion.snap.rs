@@ -31,7 +31,6 @@ pub struct OneMotionMotion(::frictiongen::kernel::response::Continuous<OneMotion
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl OneMotion {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 3] = [

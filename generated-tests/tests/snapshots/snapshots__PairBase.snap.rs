@@ -31,7 +31,6 @@ pub struct PairBaseMotion(::frictiongen::kernel::response::Continuous<PairBase>)
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl PairBase {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [
@@ -273,7 +272,7 @@ const _: () = {
                 },
             };
             let waves = [
-                steady::motion_wave(
+                motion_wave(
                     mode_1.x,
                     Undamped,
                     Share {
@@ -283,7 +282,7 @@ const _: () = {
                         gain: 0.29660811378401175 * inverse_r * inverse_r,
                     },
                 ),
-                steady::motion_wave(
+                motion_wave(
                     mode_2.x,
                     Undamped,
                     Share {
@@ -351,7 +350,7 @@ const _: () = {
                             },
                         },
                         [
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_1.x,
                                 Undamped,
                                 Share {
@@ -361,7 +360,7 @@ const _: () = {
                                     gain: 0.29660811378401175 * inverse_r * inverse_r,
                                 },
                             ),
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_2.x,
                                 Undamped,
                                 Share {
@@ -420,7 +419,7 @@ const _: () = {
                             },
                         },
                         [
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_1.x,
                                 Undamped,
                                 Share {
@@ -430,7 +429,7 @@ const _: () = {
                                     gain: 0.4581655031275231 * inverse_r * inverse_r,
                                 },
                             ),
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_2.x,
                                 Undamped,
                                 Share {

@@ -34,7 +34,6 @@ pub struct PairMassesStuck(::frictiongen::kernel::response::Stuck<PairMasses>);
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl PairMasses {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [
@@ -274,7 +273,7 @@ const _: () = {
                 },
             };
             let waves = [
-                steady::motion_wave(
+                motion_wave(
                     mode_1.x,
                     Undamped,
                     Share {
@@ -284,7 +283,7 @@ const _: () = {
                         gain: 0.3333333333333333 * inverse_r * inverse_r,
                     },
                 ),
-                steady::motion_wave(
+                motion_wave(
                     mode_2.x,
                     Undamped,
                     Share {
@@ -342,7 +341,7 @@ const _: () = {
                             },
                         },
                         [
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_1.x,
                                 Undamped,
                                 Share {
@@ -352,7 +351,7 @@ const _: () = {
                                     gain: 0.3333333333333333 * inverse_r * inverse_r,
                                 },
                             ),
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_2.x,
                                 Undamped,
                                 Share {
@@ -402,7 +401,7 @@ const _: () = {
                             },
                         },
                         [
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_1.x,
                                 Undamped,
                                 Share {
@@ -412,7 +411,7 @@ const _: () = {
                                     gain: 0.6666666666666666 * inverse_r * inverse_r,
                                 },
                             ),
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_2.x,
                                 Undamped,
                                 Share {

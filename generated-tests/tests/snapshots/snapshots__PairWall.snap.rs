@@ -31,7 +31,6 @@ pub struct PairWallMotion(::frictiongen::kernel::response::Continuous<PairWall>)
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl PairWall {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [
@@ -272,7 +271,7 @@ const _: () = {
                 },
             };
             let waves = [
-                steady::motion_wave(
+                motion_wave(
                     mode_1.x,
                     Undamped,
                     Share {
@@ -282,7 +281,7 @@ const _: () = {
                         gain: 0.7236067977499789 * inverse_r * inverse_r,
                     },
                 ),
-                steady::motion_wave(
+                motion_wave(
                     mode_2.x,
                     Undamped,
                     Share {
@@ -341,7 +340,7 @@ const _: () = {
                             },
                         },
                         [
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_1.x,
                                 Undamped,
                                 Share {
@@ -351,7 +350,7 @@ const _: () = {
                                     gain: 0.44721359549995787 * inverse_r * inverse_r,
                                 },
                             ),
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_2.x,
                                 Undamped,
                                 Share {

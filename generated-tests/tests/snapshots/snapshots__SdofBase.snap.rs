@@ -31,7 +31,6 @@ pub struct SdofBaseMotion(::frictiongen::kernel::response::Continuous<SdofBase>)
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl SdofBase {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 1] = [5.0];
@@ -214,7 +213,7 @@ const _: () = {
                 },
             };
             let waves = [
-                steady::motion_wave(
+                motion_wave(
                     mode_1.x,
                     Undamped,
                     Share {
@@ -261,7 +260,7 @@ const _: () = {
                             },
                         },
                         [
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_1.x,
                                 Undamped,
                                 Share {

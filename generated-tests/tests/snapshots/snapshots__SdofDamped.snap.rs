@@ -31,7 +31,6 @@ pub struct SdofDampedMotion(::frictiongen::kernel::response::Continuous<SdofDamp
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl SdofDamped {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 1] = [1.0];
@@ -247,7 +246,7 @@ const _: () = {
                 },
             };
             let waves = [
-                steady::motion_wave(
+                motion_wave(
                     mode_1.x,
                     <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
                     Share {

@@ -33,7 +33,6 @@ pub struct SdofOverdampedMotion(
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl SdofOverdamped {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 1] = [1.0];
@@ -240,7 +239,7 @@ const _: () = {
                 },
             };
             let waves = [
-                steady::motion_wave(
+                motion_wave(
                     mode_1.x,
                     <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
                     Share {

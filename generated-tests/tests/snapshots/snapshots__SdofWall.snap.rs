@@ -31,7 +31,6 @@ pub struct SdofWallMotion(::frictiongen::kernel::response::Continuous<SdofWall>)
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl SdofWall {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 1] = [1.0];
@@ -213,7 +212,7 @@ const _: () = {
                 },
             };
             let waves = [
-                steady::motion_wave(
+                motion_wave(
                     mode_1.x,
                     Undamped,
                     Share {

@@ -31,7 +31,6 @@ pub struct SingleMotion(::frictiongen::kernel::response::Continuous<Single>);
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl Single {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f32; 2] = [0.618034, 1.618034];
@@ -267,7 +266,7 @@ const _: () = {
                 },
             };
             let waves = [
-                steady::motion_wave(
+                motion_wave(
                     mode_1.x,
                     Undamped,
                     Share {
@@ -277,7 +276,7 @@ const _: () = {
                         gain: 0.7236068 * inverse_r * inverse_r,
                     },
                 ),
-                steady::motion_wave(
+                motion_wave(
                     mode_2.x,
                     Undamped,
                     Share {
@@ -335,7 +334,7 @@ const _: () = {
                             },
                         },
                         [
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_1.x,
                                 Undamped,
                                 Share {
@@ -345,7 +344,7 @@ const _: () = {
                                     gain: 0.44721356 * inverse_r * inverse_r,
                                 },
                             ),
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_2.x,
                                 Undamped,
                                 Share {

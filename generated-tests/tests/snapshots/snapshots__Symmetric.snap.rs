@@ -35,7 +35,6 @@ pub struct SymmetricStuck(::frictiongen::kernel::response::Stuck<Symmetric>);
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl Symmetric {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 3] = [
@@ -281,7 +280,7 @@ const _: () = {
                 },
             };
             let waves = [
-                steady::motion_wave(
+                motion_wave(
                     mode_1.x,
                     Undamped,
                     Share {
@@ -291,7 +290,7 @@ const _: () = {
                         gain: product,
                     },
                 ),
-                steady::motion_wave(
+                motion_wave(
                     mode_2.x,
                     Undamped,
                     Share {
@@ -349,7 +348,7 @@ const _: () = {
                             },
                         },
                         [
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_1.x,
                                 Undamped,
                                 Share {
@@ -359,7 +358,7 @@ const _: () = {
                                     gain: 0.3535533905932738 * inverse_r * inverse_r,
                                 },
                             ),
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_2.x,
                                 Undamped,
                                 Share {
@@ -408,7 +407,7 @@ const _: () = {
                             },
                         },
                         [
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_1.x,
                                 Undamped,
                                 Share {
@@ -418,7 +417,7 @@ const _: () = {
                                     gain: 0.3535533905932738 * inverse_r * inverse_r,
                                 },
                             ),
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_2.x,
                                 Undamped,
                                 Share {

@@ -31,7 +31,6 @@ pub struct TallMotion(::frictiongen::kernel::response::Continuous<Tall>);
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl Tall {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 17] = [

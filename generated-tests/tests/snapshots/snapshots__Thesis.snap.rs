@@ -31,7 +31,6 @@ pub struct ThesisMotion(::frictiongen::kernel::response::Continuous<Thesis>);
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl Thesis {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 3] = [

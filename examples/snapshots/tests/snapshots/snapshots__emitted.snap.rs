@@ -36,7 +36,6 @@ pub struct MountOrbit(
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    use ::frictiongen::kernel::locals::*;
     impl Mount {
         /// ω_i, the natural frequencies, rad/s in the units given, ascending.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [44.43313233000368, 79.25084700711017];
@@ -319,7 +318,7 @@ const _: () = {
                 },
             };
             let waves = [
-                steady::motion_wave(
+                motion_wave(
                     mode_1.x,
                     <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
                     Share {
@@ -329,7 +328,7 @@ const _: () = {
                         gain: 1.7898797104430517 * inverse_r * inverse_r,
                     },
                 ),
-                steady::motion_wave(
+                motion_wave(
                     mode_2.x,
                     <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
                     Share {
@@ -462,7 +461,7 @@ const _: () = {
                             },
                         },
                         [
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_1.x,
                                 <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
                                 Share {
@@ -472,7 +471,7 @@ const _: () = {
                                     gain: 2.2483383365353795 * inverse_r * inverse_r,
                                 },
                             ),
-                            steady::mass_wave(
+                            mass_wave(
                                 mode_2.x,
                                 <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
                                 Share {

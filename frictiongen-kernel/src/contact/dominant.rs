@@ -1,0 +1,339 @@
+//! The sums V, U and H as a mode's part in a motion needs them.
+//!
+//! A mode's own terms in two of these sums cancel from its part in a motion.  Beside its pole they
+//! outweigh all others, and must not be there in the first place: that one mode gets the sums over all
+//! others.  The rest share the full sums, and so their roundings: a far mass moves by the difference of
+//! its modes, in which a common rounding cancels and a rounding of each mode's own would not.
+//!
+//! One mode is enough.  Let two modes have the terms a, b in V and c, d in U, and ac ≥ bd.  Then the
+//! larger of ad and bc, which remain of the second mode, is at least √(ac·bd) ≥ bd, what cancels.
+
+use crate::contact::sums::{Chain, ContactAt, ModeAt};
+use crate::modal_sum::mass_controlled::is_slow;
+use crate::number::complex::{self, Complex};
+use crate::number::scalar::Scalar;
+use crate::oscillator::mode::Mode;
+
+/// A mode's terms in V, U and H, or sums of them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sums<S> {
+    pub v: Complex<S>,
+    pub u: S,
+    pub h: Complex<S>,
+}
+
+impl<S: Scalar> Sums<S> {
+    fn zero() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            v: complex::real(zero),
+            u: zero,
+            h: complex::real(zero),
+        }
+    }
+
+    /// Under names of their own in emitted code.
+    fn named(self, partner: Partner) -> Self {
+        let named = |value: Complex<S>, re, im| {
+            Complex::new(value.re.named(re, None), value.im.named(im, None))
+        };
+        let v = named(self.v, "others_v_re", "others_v_im");
+        match partner {
+            Partner::U => Self {
+                v,
+                u: self.u.named("others_u", None),
+                ..self
+            },
+            Partner::H => Self {
+                v,
+                h: named(self.h, "others_h_re", "others_h_im"),
+                ..self
+            },
+        }
+    }
+
+    /// This where the condition holds, else the other.
+    fn select(&self, condition: S::Condition, other: &Self) -> Self {
+        Self {
+            v: complex::select(condition, self.v, other.v),
+            u: S::select(condition, self.u, other.u),
+            h: complex::select(condition, self.h, other.h),
+        }
+    }
+}
+
+/// The second of the two sums whose own terms cancel; the first is V.
+#[derive(Clone, Copy)]
+pub(crate) enum Partner {
+    /// U, in a motion.
+    U,
+    /// H, in a stuck response.
+    H,
+}
+
+/// The mode whose own terms weigh most so far.
+#[derive(Clone, Copy)]
+struct Heaviest<S> {
+    weight: S,
+    /// Its number, as a scalar: emitted code finds it by comparing.
+    index: S,
+    own: Sums<S>,
+    static_residue: S,
+}
+
+impl<S: Scalar> Heaviest<S> {
+    fn select(&self, condition: S::Condition, other: &Self) -> Self {
+        Self {
+            weight: S::select(condition, self.weight, other.weight),
+            index: S::select(condition, self.index, other.index),
+            own: self.own.select(condition, &other.own),
+            static_residue: S::select(condition, self.static_residue, other.static_residue),
+        }
+    }
+}
+
+/// Which mode is taken apart.
+#[derive(Clone, Copy)]
+enum Which<S> {
+    /// The only one.
+    Only,
+    /// The first of two: each has the other's terms, which cancel nothing.
+    First,
+    /// That of this number, or none where it is −1.
+    Numbered(S),
+}
+
+/// The mode taken apart, the sums for it, and those for the rest.
+#[derive(Clone, Copy)]
+pub(crate) struct Apart<S> {
+    which: Which<S>,
+    pub own: Sums<S>,
+    pub rest: Sums<S>,
+}
+
+impl<S: Scalar> Apart<S> {
+    /// By what the mode taken apart, and the rest, are turned against V, where there is damping: a mode is in
+    /// phase with its own term of V, so that the others' terms do as well as all, and better where they are
+    /// the smaller.
+    pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
+        let size = |v| complex::size(v, true);
+        let all = size(contact.v).named("v_size", None);
+        let least = |others: Complex<S>| {
+            let v = complex::select(size(others).lt(all), others, contact.v);
+            Complex::new(
+                v.re.named("turning_re", None),
+                v.im.named("turning_im", None),
+            )
+        };
+        let rest = match self.which {
+            Which::First => least(self.rest.v),
+            Which::Only | Which::Numbered(_) => self.rest.v,
+        };
+        (least(self.own.v), rest)
+    }
+}
+
+/// A sum over modes: the mode taken apart, and the rest.
+#[derive(Clone, Copy)]
+pub(crate) struct Parted<S> {
+    pub own: Complex<S>,
+    pub rest: Complex<S>,
+}
+
+impl<S: Scalar> Parted<S> {
+    pub fn zero() -> Self {
+        let zero = complex::real(S::constant(0.0));
+        Self {
+            own: zero,
+            rest: zero,
+        }
+    }
+
+    /// With one more mode.
+    pub fn with(self, chain: &Chain<S>, apart: &Apart<S>, index: usize, value: Complex<S>) -> Self {
+        match apart.which {
+            Which::Numbered(number) => {
+                let it = (number - S::constant(index as f64)).is_zero();
+                let zero = complex::real(S::constant(0.0));
+                Self {
+                    own: complex::select(it, value, self.own),
+                    rest: chain.plus(self.rest, complex::select(it, zero, value)),
+                }
+            }
+            Which::First if index != 0 => Self {
+                rest: value,
+                ..self
+            },
+            Which::First | Which::Only => Self { own: value, ..self },
+        }
+    }
+}
+
+impl<S: Scalar> Chain<S> {
+    /// Takes apart the mode whose own terms weigh most.
+    pub(crate) fn apart<'a>(
+        &self,
+        modes: impl Iterator<Item = (&'a Mode<S>, ModeAt<S>)> + Clone,
+        partner: Partner,
+        contact: &ContactAt<S>,
+        inverse_r: S,
+    ) -> Apart<S>
+    where
+        S: 'a,
+    {
+        let without = |sums: Sums<S>, static_residue: S| {
+            let Some(at_rest) = self.on_moving_base else {
+                return sums;
+            };
+            let r2 = S::constant(1.0) / (inverse_r * inverse_r);
+            let kept = complex::real((at_rest - static_residue) * contact.scale);
+            let v = complex::scale(self.plus(sums.v, kept), r2);
+            Sums { v, ..sums }
+        };
+        let mut known = modes.clone();
+        if let (Some((first, at)), second, None) = (known.next(), known.next(), known.next()) {
+            let Some((second, at_second)) = second else {
+                let none = Sums::zero();
+                let own = without(none, first.static_residue);
+                return Apart {
+                    which: Which::Only,
+                    own: self.in_full(first, &at, partner, contact, &own),
+                    rest: none,
+                };
+            };
+            let others = |mode: &Mode<S>, at: &ModeAt<S>, other: &Mode<S>, at_other: &ModeAt<S>| {
+                let others = without(self.own(other, at_other), mode.static_residue);
+                self.in_full(mode, at, partner, contact, &others)
+            };
+            return Apart {
+                which: Which::First,
+                own: others(first, &at, second, &at_second),
+                rest: others(second, &at_second, first, &at),
+            };
+        }
+        let zero = S::constant(0.0);
+        let (mut sum, mut sizes) = (Sums::zero(), (zero, zero));
+        let mut heaviest: Option<Heaviest<S>> = None;
+        for (index, (mode, at)) in modes.enumerate() {
+            let next = self.candidate(mode, &at, partner, contact.scale, index);
+            heaviest = Some(match heaviest {
+                None => next,
+                Some(known) => {
+                    let heavier = known.weight.lt(next.weight);
+                    let other = known.own.select(heavier, &next.own);
+                    let (v, partner) = self.sizes(&other, partner);
+                    sizes = (sizes.0 + v, sizes.1 + partner);
+                    sum = self.joined(sum, other);
+                    next.select(heavier, &known)
+                }
+            });
+        }
+        let all = Sums {
+            v: contact.v,
+            u: contact.u,
+            h: contact.h,
+        };
+        let Some(heaviest) = heaviest else {
+            return Apart {
+                which: Which::Only,
+                own: all,
+                rest: all,
+            };
+        };
+        let own = without(sum, heaviest.static_residue).named(partner);
+        // Where no more cancels than the other terms leave of rounding, the full sums lose nothing.
+        let (v, other) = self.sizes(&heaviest.own, partner);
+        let at_rest = match self.on_moving_base {
+            Some(at_rest) => (at_rest - heaviest.static_residue).abs() * contact.scale,
+            None => zero,
+        };
+        let remains = v * sizes.1 + (sizes.0 + at_rest) * other;
+        let outweighs = remains.lt(heaviest.weight);
+        let index = S::select(outweighs, heaviest.index, S::constant(-1.0));
+        Apart {
+            which: Which::Numbered(index.named("heaviest", None)),
+            own,
+            rest: all,
+        }
+    }
+
+    fn candidate(
+        &self,
+        mode: &Mode<S>,
+        at: &ModeAt<S>,
+        partner: Partner,
+        scale: S,
+        index: usize,
+    ) -> Heaviest<S> {
+        let own = self.own(mode, at);
+        // On a moving base what cancels is v, not the v − 1 of the sums.
+        let v = if self.on_moving_base.is_some() {
+            self.plus(own.v, complex::real(mode.static_residue * scale))
+        } else {
+            own.v
+        };
+        let (size, other) = self.sizes(&Sums { v, ..own }, partner);
+        let weight = size * other;
+        let weight = match partner {
+            Partner::U => S::select(
+                is_slow(mode.kind, mode.zeta, at.x),
+                S::constant(0.0),
+                weight,
+            ),
+            Partner::H => weight,
+        };
+        Heaviest {
+            weight: weight.named("weight", Some(index)),
+            index: S::constant(index as f64),
+            own,
+            static_residue: mode.static_residue,
+        }
+    }
+
+    /// The sums for a mode: a mode that sways has no terms of U that could cancel, and gets all of it.
+    fn in_full(
+        &self,
+        mode: &Mode<S>,
+        at: &ModeAt<S>,
+        partner: Partner,
+        contact: &ContactAt<S>,
+        others: &Sums<S>,
+    ) -> Sums<S> {
+        match partner {
+            Partner::U => Sums {
+                u: S::select(is_slow(mode.kind, mode.zeta, at.x), contact.u, others.u),
+                ..*others
+            },
+            Partner::H => *others,
+        }
+    }
+
+    fn own(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Sums<S> {
+        Sums {
+            v: self.load_term(mode, at),
+            u: (mode.mobility * at.u).named("velocity_share", None),
+            h: complex::scale(at.response, mode.mobility),
+        }
+    }
+
+    /// |V| and the size of its partner.
+    fn sizes(&self, sums: &Sums<S>, partner: Partner) -> (S, S) {
+        let size = |value| complex::size(value, self.damped);
+        let partner = match partner {
+            Partner::U => sums.u.abs(),
+            Partner::H => size(sums.h),
+        };
+        (size(sums.v), partner)
+    }
+
+    fn joined(&self, a: Sums<S>, b: Sums<S>) -> Sums<S> {
+        Sums {
+            v: self.plus(a.v, b.v),
+            u: a.u + b.u,
+            h: self.plus(a.h, b.h),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

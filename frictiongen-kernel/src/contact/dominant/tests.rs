@@ -1,0 +1,98 @@
+//! Which mode is taken apart, and what it is turned against.  An error here is one of rounding, beside a pole, where a
+//! rounding of r moves every answer by more: no answer tells it from that.
+
+use super::{Apart, Partner, Sums, Which};
+use crate::contact::sums::{Chain, ContactAt, ModeAt};
+use crate::number::complex::Complex;
+use crate::oscillator::mode::{Kind, Mode};
+
+fn chain(on_moving_base: Option<f64>) -> Chain<f64> {
+    Chain {
+        damped: false,
+        on_moving_base,
+        mobility: 1.0,
+        stiction: 1.0,
+    }
+}
+
+/// An undamped mode at twice the excitation's frequency, and its values at one: `terms` is what it adds to V and to U.
+fn mode(terms: f64) -> (Mode<f64>, ModeAt<f64>) {
+    let mode = Mode {
+        kind: Kind::Undamped,
+        in_contact: true,
+        resonance: 2.0,
+        zeta: 0.0,
+        q: 1.0,
+        q_defect: 0.0,
+        load: 1.0,
+        contact: 1.0,
+        residue: 1.0,
+        mobility: 1.0,
+        static_residue: 0.0,
+    };
+    let at = ModeAt {
+        x: 2.0,
+        response: Complex::new(terms, 0.0),
+        u: terms,
+        g: 0.0,
+    };
+    (mode, at)
+}
+
+fn contact(v: Complex<f64>) -> ContactAt<f64> {
+    ContactAt {
+        v,
+        ..ContactAt::zero(1.0)
+    }
+}
+
+/// The mode that is taken apart beside two others, if any.
+fn taken(terms: [f64; 3], on_moving_base: Option<f64>) -> Option<usize> {
+    let mut modes = terms.map(mode);
+    // On a moving base V has the static residue instead of the residue, and v − 1 for v.
+    for (mode, at) in &mut modes {
+        if on_moving_base.is_some() {
+            (mode.static_residue, at.response) = (at.response.re, Complex::new(1.0, 0.0));
+        }
+    }
+    let modes = modes.iter().map(|(mode, at)| (mode, *at));
+    let all = contact(Complex::new(terms.iter().sum(), 0.0));
+    let apart = chain(on_moving_base).apart(modes, Partner::U, &all, 1.0);
+    match apart.which {
+        Which::Numbered(number) if number >= 0.0 => Some(number as usize),
+        _ => None,
+    }
+}
+
+#[test]
+fn the_mode_that_outweighs_the_others() {
+    assert_eq!(taken([1.0, 1e3, 1.0], None), Some(1));
+    assert_eq!(taken([1e3, -1.0, 1.0], None), Some(0));
+    assert_eq!(taken([1.0, 1.2, 1.0], None), None);
+}
+
+/// What stands at rest while the base moves is one of the others' terms.
+#[test]
+fn beside_what_stands_at_rest() {
+    assert_eq!(taken([1.0, 1e3, 1.0], Some(1e3)), Some(1));
+    assert_eq!(taken([1.0, 1e3, 1.0], Some(1e6)), None);
+    assert_eq!(taken([1.0, 1e3, 1.0], Some(-1e6)), None);
+}
+
+/// A mode is in phase with its own term of V: where the others' terms are the smaller, it is turned against those.
+#[test]
+fn turned_against_what_the_others_leave() {
+    let sums = |v| Sums { v, ..Sums::zero() };
+    let (large, small) = (Complex::new(3e8, -4e8), Complex::new(0.1, 0.2));
+    for (others, all, least) in [(small, large, small), (large, small, small)] {
+        for which in [Which::Only, Which::First, Which::Numbered(1.0)] {
+            let apart = Apart {
+                which,
+                own: sums(others),
+                rest: sums(all),
+            };
+            let (own, rest) = apart.turning(&contact(all));
+            assert_eq!((own, rest), (least, all));
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! The boundaries of the three regimes (section 4 of `docs/derivation.md`), from the contact's sums.
+
+use crate::contact::sums::{Chain, ContactAt};
+use crate::number::complex;
+use crate::number::scalar::Scalar;
+
+impl<S: Scalar> Chain<S> {
+    /// The velocity constraint's S for τ → 0, times r²E: m* + H_c r² (5.58, 7.52).
+    #[inline]
+    pub fn start_constraint(&self, contact: &ContactAt<S>) -> S {
+        if self.damped {
+            contact.reversal + self.mobility * contact.scale
+        } else {
+            self.mobility * contact.scale
+        }
+    }
+
+    /// What the contact force needs for break-away at the reversal, times r²E: μm* + H_c r²
+    /// (5.63, 7.47).  As μ ≥ 1 it is never below [`start_constraint`](Self::start_constraint).
+    #[inline]
+    pub fn break_away(&self, contact: &ContactAt<S>) -> S {
+        let mobility = self.stiction * self.mobility * contact.scale;
+        if self.damped {
+            contact.reversal + mobility
+        } else {
+            mobility
+        }
+    }
+
+    /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²), for `constraint` = r²E times that maximum
+    /// (5.65, 5.80, 5.96, 7.49).
+    #[inline]
+    pub fn continuous_limit(&self, contact: &ContactAt<S>, constraint: S) -> S {
+        let excitation = complex::modulus(contact.v, self.damped).named("excitation", None);
+        excitation / (contact.u * contact.u + constraint * constraint).sqrt()
+    }
+
+    /// β*_lim = |V|/(μ|H|), beyond which the contact sticks for good (6.11, 6.27, 6.33, and the
+    /// damped stuck configurations of 7.4.3).
+    #[inline]
+    pub fn sliding_limit(&self, contact: &ContactAt<S>) -> S {
+        let excitation = complex::modulus(contact.v, self.damped).named("excitation", None);
+        let receptance = complex::modulus(contact.h, self.damped).named("receptance", None);
+        excitation / (self.stiction * receptance)
+    }
+}

@@ -1,0 +1,106 @@
+//! The regime between the two limits, and the ends of both arguments' ranges.
+
+use crate::errors::{OutOfDomain, Regime};
+use crate::number::scalar::{Float, Scalar};
+
+/// r, checked: NaN and negative values are out of the domain, 0 and ∞ are not.
+#[inline]
+pub fn check_ratio<S: Float>(value: S, argument: &'static str) -> Result<S, OutOfDomain> {
+    if value >= S::constant(0.0) {
+        Ok(value)
+    } else {
+        Err(OutOfDomain { argument })
+    }
+}
+
+/// How far a natural frequency may be from 1 before the range of r gives way to it.
+const ROOM: f64 = 1024.0;
+
+/// The smallest and the largest 1/r at which a chain with these resonances is evaluated: those of the
+/// scalar, and less where a resonance is so far from 1 that the square of √λ/r would overflow or vanish.
+pub fn inverse_ratio_range<S: Float>(resonances: impl Iterator<Item = S>) -> (S, S) {
+    let (low, high) = S::inverse_ratio_range();
+    let (mut smallest, mut largest) = (1.0 / ROOM, ROOM);
+    for resonance in resonances {
+        let resonance = resonance.to_f64();
+        smallest = Scalar::min(smallest, resonance);
+        largest = Scalar::max(largest, resonance);
+    }
+    (
+        low * S::constant(1.0 / ROOM / smallest),
+        high * S::constant(ROOM / largest),
+    )
+}
+
+/// β, checked: NaN, negative and infinite values are out of the domain.
+#[inline]
+pub fn check_beta<S: Float>(beta: S) -> Result<S, OutOfDomain> {
+    if beta >= S::constant(0.0) && beta.is_finite() {
+        Ok(beta)
+    } else {
+        Err(OutOfDomain { argument: "beta" })
+    }
+}
+
+/// The regime of β between the two limits.
+#[inline]
+pub fn regime<S: Float>(beta: S, continuous: S, sliding: S) -> Regime {
+    if !(beta < sliding) {
+        Regime::Stuck
+    } else if beta < continuous {
+        Regime::Continuous
+    } else {
+        Regime::StickSlip
+    }
+}
+
+/// Both boundaries at one frequency ratio.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Limits<S> {
+    /// β_lim, exact: below it the contact slides all the time.
+    pub continuous: S,
+    /// β*_lim: from it on the contact never slides.
+    pub sliding: S,
+}
+
+impl<S: Float> Limits<S> {
+    /// The regime at β = F/P, without another search.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β.
+    pub fn regime(&self, beta: S) -> Result<Regime, OutOfDomain> {
+        Ok(regime(check_beta(beta)?, self.continuous, self.sliding))
+    }
+
+    /// β/min(β_lim, β*_lim) − 1, without another search: negative in the continuous regime.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β.
+    pub fn margin(&self, beta: S) -> Result<S, OutOfDomain> {
+        Ok(margin(check_beta(beta)?, self.continuous, self.sliding))
+    }
+}
+
+/// β/min(β_lim, β*_lim) − 1: negative in the continuous regime; 0 where β and the limit both are.
+#[inline]
+pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {
+    let limit = continuous.min(sliding);
+    if beta == limit {
+        S::constant(0.0)
+    } else {
+        beta / limit - S::constant(1.0)
+    }
+}
+
+/// A limit with its values at r = 0 and r = ∞, where the sums themselves have none.
+#[inline]
+pub fn with_ends<S: Float>(r: S, limit: S, at_rest: S, at_infinity: S) -> S {
+    if r == S::constant(0.0) {
+        at_rest
+    } else if r.is_finite() {
+        limit
+    } else {
+        at_infinity
+    }
+}

@@ -1,0 +1,252 @@
+//! The chain at one frequency: sums over modes, carried times a scale that keeps them finite.
+
+use crate::number::complex::{self, Complex};
+use crate::number::scalar::Scalar;
+use crate::oscillator::mode::{Mode, ModeResponse};
+
+/// What a scene says beyond its modes.
+#[derive(Clone, Copy, Debug)]
+pub struct Chain<S> {
+    /// Whether any mode is damped.
+    pub damped: bool,
+    /// Set when the contact rubs on the moving base: wᵀK̄⁻¹p − 1, the static relative motion.
+    pub on_moving_base: Option<S>,
+    /// m* = wᵀΓ⁻¹w, the contact mobility.
+    pub mobility: S,
+    /// μ, static over kinetic friction force.
+    pub stiction: S,
+}
+
+/// A mode's part in the sums at one frequency.
+#[derive(Clone, Copy, Debug)]
+pub struct ModeAt<S> {
+    /// x = √λ/r.
+    pub x: S,
+    /// E/(x² − 1 + 2iζx) = E·v/x².
+    pub response: Complex<S>,
+    /// E·u/x².
+    pub u: S,
+    /// E·g.
+    pub g: S,
+}
+
+impl<S: Scalar> ModeAt<S> {
+    /// All zero: what an array of modes starts from.
+    #[must_use]
+    pub fn zero() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            x: zero,
+            response: complex::real(zero),
+            u: zero,
+            g: zero,
+        }
+    }
+}
+
+/// The contact at one frequency.  Every sum is r² times the one of its name in the thesis (so that
+/// it stays finite as r → ∞) and times the scale E (so that it stays finite on a resonance).
+#[derive(Clone, Copy, Debug)]
+pub struct ContactAt<S> {
+    /// E, the smallest |x² − 1 + 2iζx| of the chain (sum of the parts' moduli).
+    pub scale: S,
+    /// V: response of the relative motion to the excitation, friction left out.
+    pub v: Complex<S>,
+    /// U: half-period damping function of the contact (velocity part).
+    pub u: S,
+    /// G: half-period damping function of the contact (displacement part).
+    pub g: S,
+    /// H_c r²: the damping's share in the acceleration at a reversal.
+    pub reversal: S,
+    /// H: response of the relative motion to a harmonic force in the contact.
+    pub h: Complex<S>,
+}
+
+impl<S: Scalar> ContactAt<S> {
+    /// Sums that have not begun.
+    #[must_use]
+    pub fn zero(scale: S) -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            scale,
+            v: complex::real(zero),
+            u: zero,
+            g: zero,
+            reversal: zero,
+            h: complex::real(zero),
+        }
+    }
+}
+
+impl<S: Scalar> Chain<S> {
+    /// First pass: every mode's functions, and the scale E.  `out` has a place for each mode.
+    pub fn responses(modes: &[Mode<S>], inverse_r: S, out: &mut [ModeResponse<S>]) -> S {
+        debug_assert_eq!(modes.len(), out.len(), "a place for each mode");
+        let mut scale: Option<S> = None;
+        for (index, (mode, out)) in modes.iter().zip(out.iter_mut()).enumerate() {
+            *out = mode.response(inverse_r, index);
+            // A mode that the contact does not drive is in none of its sums.
+            if mode.in_contact {
+                scale = Some(scale.map_or(out.size, |scale| scale.min(out.size)));
+            }
+        }
+        scale.unwrap_or(S::constant(1.0)).named("scale", None)
+    }
+
+    /// Second pass for one of several modes: its functions times the scale.
+    #[inline]
+    pub fn at_scale(&self, mode: &ModeResponse<S>, scale: S) -> ModeAt<S> {
+        self.scaled(mode, scale, false, 0)
+    }
+
+    /// Second pass: a mode's functions times the scale.  With a single mode, which is then the
+    /// scale itself, the quotient is a sign.
+    #[inline]
+    pub fn scaled(
+        &self,
+        mode: &ModeResponse<S>,
+        scale: S,
+        single: bool,
+        index: usize,
+    ) -> ModeAt<S> {
+        let at = Some(index);
+        let one = S::constant(1.0);
+        let ModeResponse {
+            x,
+            denominator,
+            size,
+            u,
+            g,
+            reversal: _,
+        } = *mode;
+        if !self.damped {
+            if single {
+                return ModeAt {
+                    x,
+                    response: complex::real(one.copysign(denominator.re)),
+                    u,
+                    g,
+                };
+            }
+            let response = (scale / denominator.re).named("response", at);
+            let share = response.abs();
+            return ModeAt {
+                x,
+                response: complex::real(response),
+                u: (u * share).named("u_scaled", at),
+                g,
+            };
+        }
+        let inverse = (one / size).named("inverse_size", at);
+        let unit = Complex::new(
+            (denominator.re * inverse).named("unit_re", at),
+            (denominator.im * inverse).named("unit_im", at),
+        );
+        let reciprocal = complex::reciprocal_of_unit(unit);
+        if single {
+            let response = Complex::new(
+                reciprocal.re.named("response_re", at),
+                reciprocal.im.named("response_im", at),
+            );
+            return ModeAt { x, response, u, g };
+        }
+        let share = (scale * inverse).named("share", at);
+        ModeAt {
+            x,
+            response: Complex::new(
+                (reciprocal.re * share).named("response_re", at),
+                (reciprocal.im * share).named("response_im", at),
+            ),
+            u: (u * share).named("u_scaled", at),
+            g: (g * share).named("g_scaled", at),
+        }
+    }
+
+    /// The contact's sums over all modes (section 3 of `docs/derivation.md`: V, H, U, G, H_c).  The slices have a place for each
+    /// mode.
+    pub fn contact(
+        &self,
+        modes: &[Mode<S>],
+        responses: &[ModeResponse<S>],
+        scale: S,
+        inverse_r: S,
+        out: &mut [ModeAt<S>],
+    ) -> ContactAt<S> {
+        debug_assert_eq!(modes.len(), responses.len(), "a response of each mode");
+        debug_assert_eq!(modes.len(), out.len(), "a place for each mode");
+        let single = modes.len() == 1;
+        let mut sum = ContactAt::zero(scale);
+        for (index, ((mode, response), out)) in
+            modes.iter().zip(responses).zip(out.iter_mut()).enumerate()
+        {
+            *out = self.scaled(response, scale, single, index);
+            sum = self.joined_by(&sum, mode, response, out, single);
+        }
+        self.completed(&sum, inverse_r)
+    }
+
+    /// One mode's turn in the sums.
+    #[inline]
+    pub fn joined_by(
+        &self,
+        sum: &ContactAt<S>,
+        mode: &Mode<S>,
+        response: &ModeResponse<S>,
+        at: &ModeAt<S>,
+        single: bool,
+    ) -> ContactAt<S> {
+        let mut sum = *sum;
+        sum.v = self.plus(sum.v, self.load_term(mode, at));
+        sum.h = self.plus(sum.h, complex::scale(at.response, mode.mobility));
+        sum.u = sum.u + mode.mobility * at.u;
+        if self.damped {
+            let share = if single {
+                S::constant(1.0)
+            } else {
+                sum.scale / response.size
+            };
+            sum.g = sum.g + mode.mobility * (at.g / (at.x * at.x));
+            sum.reversal = sum.reversal + mode.mobility * (response.reversal * share);
+        }
+        sum
+    }
+
+    /// The sums with what comes once: on a moving base the static part of V joins, and r² with it.
+    #[inline]
+    pub fn completed(&self, sum: &ContactAt<S>, inverse_r: S) -> ContactAt<S> {
+        let mut sum = *sum;
+        if let Some(at_rest) = self.on_moving_base {
+            let r2 = S::constant(1.0) / (inverse_r * inverse_r);
+            sum.v = complex::scale(self.plus(sum.v, complex::real(at_rest * sum.scale)), r2);
+        }
+        sum.v = Complex::new(sum.v.re.named("v_re", None), sum.v.im.named("v_im", None));
+        sum.h = Complex::new(sum.h.re.named("h_re", None), sum.h.im.named("h_im", None));
+        sum.u = sum.u.named("u", None);
+        sum.g = sum.g.named("g", None);
+        sum.reversal = sum.reversal.named("reversal", None);
+        sum
+    }
+
+    #[inline(always)]
+    pub(crate) fn plus(&self, a: Complex<S>, b: Complex<S>) -> Complex<S> {
+        if self.damped {
+            complex::add(a, b)
+        } else {
+            complex::real(a.re + b.re)
+        }
+    }
+
+    /// A mode's term of V.  On a moving base the relative motion is what counts, and v − 1 =
+    /// (1 − 2iζx)/(x² − 1 + 2iζx) replaces v: the difference from the base is then never taken.
+    #[inline]
+    pub(crate) fn load_term(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Complex<S> {
+        if self.on_moving_base.is_none() {
+            return complex::scale(at.response, mode.residue);
+        }
+        let lag = Complex::new(S::constant(1.0), -(S::constant(2.0) * mode.zeta * at.x));
+        complex::scale(
+            complex::mul(at.response, lag, self.damped),
+            mode.static_residue,
+        )
+    }
+}

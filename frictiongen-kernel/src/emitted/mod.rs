@@ -1,0 +1,71 @@
+//! What emitted code is written with: the names that it imports, and items that all scenes have alike.
+
+pub mod locals;
+pub mod missing;
+
+// Local variables may have the names of the user's constants: these hide them.
+pub use crate::Complex;
+pub use crate::Scalar;
+pub use crate::contact::sums::{Chain, ContactAt, ModeAt};
+pub use crate::errors::{NoOrbit, OutOfDomain};
+pub use crate::modal_sum::wave::Wave;
+pub use crate::orbit::{FixedOrbit, FixedOrbitMotion, Orbit, ProvidesOrbit, Start};
+pub use crate::oscillator::decay::{Damped, Decay, Undamped};
+pub use crate::oscillator::mode::{Kind, Mode, ModeResponse};
+pub use crate::response::coefficients::{Carrier, Friction, Share};
+pub use crate::response::motion::{Motion, mass_wave, motion_wave};
+pub use crate::response::{
+    At, Continuous, Ends, MotionOf, Numbers, ProvidesMotion, ProvidesStuck, Scene, Stuck,
+};
+pub use crate::simulation::{
+    Dynamics, FixedSimulation, HeldMode, Moment, Part, Segment, Simulation,
+};
+pub use core::convert::From;
+pub use core::iter::{IntoIterator, Iterator};
+pub use core::option::Option::{self, None, Some};
+pub use core::primitive::{bool, f32, f64, usize};
+pub use core::result::Result::{self, Err, Ok};
+pub use locals::*;
+
+/// An emitted type around one of the kernel's, whose queries it has by `Deref`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! wraps {
+    ($type:ident, $target:ident of $scene:ident, Copy) => {
+        impl ::core::marker::Copy for $type {}
+        $crate::wraps!(@ $type, $crate::response::$target<$scene>);
+    };
+    ($type:ident, $target:ident of $scalar:ident, $($size:literal),*) => {
+        $crate::wraps!(@ $type, $crate::emitted::$target<$scalar, $($size),*>);
+    };
+    (@ $type:ident, $target:ty) => {
+        impl ::core::clone::Clone for $type {
+            #[inline]
+            fn clone(&self) -> Self {
+                Self(::core::clone::Clone::clone(&self.0))
+            }
+        }
+
+        impl ::core::fmt::Debug for $type {
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                f.debug_tuple(::core::stringify!($type)).field(&self.0).finish()
+            }
+        }
+
+        impl ::core::convert::From<$target> for $type {
+            #[inline]
+            fn from(inner: $target) -> Self {
+                Self(inner)
+            }
+        }
+
+        impl ::core::ops::Deref for $type {
+            type Target = $target;
+
+            #[inline]
+            fn deref(&self) -> &Self::Target {
+                &self.0
+            }
+        }
+    };
+}

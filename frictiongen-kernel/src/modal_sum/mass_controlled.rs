@@ -1,0 +1,269 @@
+//! The response of one mode, slow beside the excitation, to a unit force that changes its sign with the
+//! contact's sliding.
+//!
+//! Over the half period y″ + 2ζx y′ + x²y = 1, and after it the motion repeats with the opposite sign:
+//! y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, E_n the Euler polynomials, and h_0 = 1,
+//! h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}, which fall as the modulus of the mode's roots.  All but the
+//! first of the e_n are sinusoids, and more so with n: the rest of the sum is one, known in closed form.
+//!
+//! Elsewhere y is put together from the mode's return from rest, its lag and its static displacement (see
+//! [`motion`](crate::response::coefficients)).  Far above the resonance these are each of order 1 where y vanishes, at the
+//! ends of the half period, and where y′ does, in its middle: what rounding leaves there is more than a mass
+//! far from load and contact moves.  The polynomials vanish where the sums do.
+
+use crate::number::complex::{self, Complex};
+use crate::number::scalar::{Float, Scalar};
+use crate::oscillator::decay::{Basis, Instant};
+use crate::oscillator::mode::Kind;
+
+/// Roots of a smaller modulus than this count as slow.
+const SLOW: f64 = 0.5;
+/// Even orders that are summed in `f64` and in `f32`: SLOW/3, the rate at which the third harmonic of the rest
+/// falls, to the power of twice as many is below their rounding.
+const DOUBLE: usize = 11;
+const SINGLE: usize = 5;
+
+/// The coefficients of e_2m, m = 1, 2, …: powers of w = τ(π − τ) from the mth down to the first.
+pub(crate) const DOUBLE_TERMS: [f64; terms(DOUBLE)] = coefficients();
+/// The same in `f32`.
+pub(crate) const SINGLE_TERMS: [f32; terms(SINGLE)] = rounded(coefficients());
+
+const fn terms(orders: usize) -> usize {
+    orders * (orders + 1) / 2
+}
+
+/// Whether a mode at x is slow; never in a scalar that has no polynomials.
+#[inline]
+pub(crate) fn is_slow<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Condition {
+    if !S::SWAYS {
+        return x.lt(S::constant(0.0));
+    }
+    // The faster root of an overdamped mode is below 2ζx.
+    let rate = if kind == Kind::Over {
+        (zeta + zeta) * x
+    } else {
+        x
+    };
+    // One constant: two of which one is picked would be converted from double precision on the target.
+    rate.lt(S::constant(SLOW))
+}
+
+/// By e_n″ = e_n−2, from the highest power down, where nothing cancels.
+#[allow(clippy::indexing_slicing, reason = "at compile time")]
+const fn coefficients<const N: usize>() -> [f64; N] {
+    const SQUARE: f64 = core::f64::consts::PI * core::f64::consts::PI;
+    let mut out = [0.0; N];
+    out[0] = -0.5;
+    let (mut order, mut row, mut before) = (2, 1, 0);
+    while row < N {
+        let mut power = order;
+        while power > 0 {
+            let at = row + order - power;
+            // Of w^(power−1) in e_2m−2, and of w^(power+1) in e_2m.
+            let lower = if power > 1 {
+                out[before + order - power]
+            } else {
+                0.0
+            };
+            let higher = if power < order { out[at - 1] } else { 0.0 };
+            let k = power as f64;
+            out[at] = (k * (k + 1.0) * SQUARE * higher - lower) / (2.0 * k * (2.0 * k - 1.0));
+            power -= 1;
+        }
+        (before, row) = (row, row + order);
+        order += 1;
+    }
+    out
+}
+
+#[allow(clippy::indexing_slicing, reason = "at compile time")]
+#[allow(clippy::cast_possible_truncation, reason = "rounding is meant")]
+const fn rounded<const N: usize>(exact: [f64; N]) -> [f32; N] {
+    let mut out = [0.0; N];
+    let mut index = 0;
+    while index < N {
+        out[index] = exact[index] as f32;
+        index += 1;
+    }
+    out
+}
+
+/// y as the return from rest, y′ and y″ as its derivatives.
+pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
+    let (zero, half, one) = (S::constant(0.0), S::constant(0.5), S::constant(1.0));
+    let w = at.tau * (S::pi() * (one - at.t));
+    let w_slope = (S::pi() + S::pi()) * (half - at.t);
+    let (loss, square) = (-((zeta + zeta) * x), x * x);
+    // h_2m−4, h_2m−3, h_2m−2, and e_2m−2.
+    let (mut first, mut before, mut now, mut last) = (zero, zero, one, one);
+    let (mut value, mut slope) = (zero, zero);
+    let (mut rest, mut order, mut degree) = (S::sway_terms(), 1, one);
+    // (−1)^m
+    let mut sign = one;
+    while let Some((row, others)) = rest.split_at_checked(order) {
+        // e_2m, and e_2m−1, which is its derivative.
+        let (mut even, mut odd, mut power) = (zero, zero, degree);
+        for term in row {
+            even = even * w + *term;
+            odd = odd * w + *term * power;
+            power = power - one;
+        }
+        let (even, odd) = (even * w, odd * w_slope);
+        value = value + (before * odd + now * even);
+        slope = slope + (before * last + now * odd);
+        let next = loss * now - square * before;
+        (first, before, now, last) = (now, next, loss * next - square * now, even);
+        (rest, order, degree, sign) = (others, order + 1, degree + one, -sign);
+    }
+    // The rest: 4/π Im[(−1)^m i (h_N−1 + i x²h_N−2) e^{iτ}/(x² − 1 + 2iζx)], N = 2m.
+    let denominator = Complex::new((x - one) * (x + one), -loss);
+    let numerator = Complex::new(-(square * first), before);
+    let turning = complex::mul(numerator, complex::reciprocal(denominator, true), true);
+    let turning = complex::scale(turning, sign * S::constant(4.0) * S::inverse_pi());
+    value = value + (turning.re * at.sine + turning.im * at.cosine);
+    slope = slope + (turning.re * at.cosine - turning.im * at.sine);
+    Basis {
+        free: slope,
+        slope: one + loss * slope - square * value,
+        swing: zero,
+        swing_slope: zero,
+        rise: value,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::dd::Dd;
+    use crate::oscillator::decay::{Damped, Decay};
+    use crate::oscillator::mode::Mode;
+
+    /// The mode's return, lag and static displacement in double-double, of which at most x⁻² is lost.
+    fn put_together(mode: &Mode<Dd>, x: Dd, t: Dd) -> (Dd, Dd) {
+        let response = mode.response(x, 0);
+        let (u, g) = (response.u / response.size, response.g / response.size);
+        let basis = Damped::of(mode).basis(x, &Instant::new(t));
+        let square = x * x;
+        let value = (Dd::ONE + g) * basis.rise - g / square - u * basis.free;
+        let slope = (Dd::ONE + g) * basis.free - u * basis.slope;
+        (value, slope)
+    }
+
+    fn mode(zeta: Dd) -> Mode<Dd> {
+        let one = Dd::ONE;
+        let kind = match zeta.to_f64() {
+            0.0 => Kind::Undamped,
+            zeta if zeta < 0.5 => Kind::Light,
+            zeta if zeta < 1.0 => Kind::Heavy,
+            1.0 => Kind::Critical,
+            _ => Kind::Over,
+        };
+        let q = ((one - zeta) * (one + zeta)).abs().sqrt();
+        Mode {
+            kind,
+            in_contact: true,
+            resonance: one,
+            zeta,
+            q,
+            q_defect: zeta * zeta / (one + q),
+            load: one,
+            contact: one,
+            residue: one,
+            mobility: one,
+            static_residue: one,
+        }
+    }
+
+    /// Relative to y and y′ themselves, also next to where they vanish.
+    #[test]
+    fn as_put_together() {
+        for zeta in [0.0, 1e-9, 0.01, 0.3, 0.7, 1.0, 1.5, 9.0] {
+            for x in [1e-6, 1e-3, 0.02, 0.1249, 0.25, 0.4999] {
+                if !is_slow(mode(Dd::from(zeta)).kind, zeta, x) {
+                    continue;
+                }
+                for t in [0.0, 1e-9, 0.1, 0.499_999, 0.5, 0.7, 1.0 - 1e-9, 1.0] {
+                    let (value, slope) = put_together(&mode(zeta.into()), x.into(), t.into());
+                    let got = basis(x, zeta, &Instant::new(t));
+                    for (got, want) in [(got.rise, value), (got.free, slope)] {
+                        // What double-double leaves of the sums.
+                        let lost = 1e-30 / (x * x);
+                        let off = (Dd::from(got) - want).abs().to_f64();
+                        let bar = 16.0 * f64::EPSILON * want.to_f64().abs() + lost;
+                        assert!(off <= bar, "ζ {zeta}, x {x}, t {t}: {got:e} {want:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// What the `f32` response is off by, in the third harmonic, in units of its rounding: over so many instants
+    /// roundings average out, while orders left out are the third harmonic before all.
+    fn third_harmonic_of_the_error(x: f64, zeta: f64) -> (f64, f64) {
+        const INSTANTS: u32 = 4096;
+        let (mut sine, mut cosine) = ((0.0, 0.0), (0.0, 0.0));
+        for i in 0..INSTANTS {
+            let t = (f64::from(i) + 0.5) / f64::from(INSTANTS);
+            // Both read the same instant and the same mode.
+            let (t, x, zeta) = (t as f32, x as f32, zeta as f32);
+            let wide = |value: f32| Dd::from(f64::from(value));
+            let (value, slope) = put_together(&mode(wide(zeta)), wide(x), wide(t));
+            let got = basis(x, zeta, &Instant::new(t));
+            let (s, c) = (3.0 * core::f64::consts::PI * f64::from(t)).sin_cos();
+            let off = f64::from(got.rise) - value.to_f64();
+            sine = (sine.0 + off * s, sine.1 + off * c);
+            let off = f64::from(got.free) - slope.to_f64();
+            cosine = (cosine.0 + off * s, cosine.1 + off * c);
+        }
+        let unit = 2.0 / f64::from(INSTANTS) / f64::from(f32::EPSILON);
+        (sine.0.hypot(sine.1) * unit, cosine.0.hypot(cosine.1) * unit)
+    }
+
+    /// The orders that `f32` sums are enough: what is left is below its rounding, and one less is not.
+    #[test]
+    fn single_precision_has_enough_orders() {
+        let mut worst = (0.0_f64, 0.0_f64);
+        for zeta in [0.0, 0.01, 0.3, 0.7] {
+            for x in [0.3, 0.4, 0.45, 0.499] {
+                let (value, slope) = third_harmonic_of_the_error(x, zeta);
+                println!("ζ {zeta}, x {x}: {value} {slope}");
+                worst = (worst.0.max(value), worst.1.max(slope));
+            }
+        }
+        println!("16 modes; third harmonic of the error {worst:?} roundings");
+        assert!(worst.0 < 0.25 && worst.1 < 0.25);
+    }
+
+    /// Each value by itself, as in `f64`.
+    #[test]
+    fn as_put_together_in_single_precision() {
+        let (mut compared, mut worst) = (0, 0.0_f64);
+        for zeta in [0.0_f32, 1e-4, 0.01, 0.3, 0.7, 1.0, 1.5, 9.0] {
+            for x in [1e-3_f32, 0.02, 0.1249, 0.25, 0.4, 0.4999] {
+                let wide = |value: f32| Dd::from(f64::from(value));
+                if !is_slow(mode(wide(zeta)).kind, zeta, x) {
+                    continue;
+                }
+                for t in [0.0_f32, 1e-4, 0.1, 0.4999, 0.5, 0.7, 0.9999, 1.0] {
+                    let (value, slope) = put_together(&mode(wide(zeta)), wide(x), wide(t));
+                    let got = basis(x, zeta, &Instant::new(t));
+                    for (got, want) in [(got.rise, value), (got.free, slope)] {
+                        let lost = 1e-30 / f64::from(x * x);
+                        let off = (wide(got) - want).abs().to_f64();
+                        // Of the damping's terms, which do not vanish at the ends, a rounding is left where y does.
+                        let size = want.to_f64().abs() + f64::from(zeta * x);
+                        let unit = f64::from(f32::EPSILON) * size + lost;
+                        assert!(
+                            off <= 4.0 * unit,
+                            "ζ {zeta}, x {x}, t {t}: {got:e} {want:?}"
+                        );
+                        worst = worst.max(off / unit);
+                        compared += 1;
+                    }
+                }
+            }
+        }
+        println!("{compared} values, worst {worst} roundings");
+        assert_eq!(compared, 656);
+    }
+}

@@ -1,0 +1,392 @@
+//! A sum of modal motions over the half period, with bounds on what it can still do.
+
+use crate::modal_sum::mass_controlled;
+use crate::number::scalar::{Float, Scalar};
+use crate::oscillator::decay::{Basis, Decay, Instant};
+use crate::oscillator::mode::Mode;
+
+/// One mode's part: coefficients of the functions of [`Basis`].
+#[derive(Clone, Copy, Debug)]
+pub struct Wave<S, D> {
+    /// x = 1/R.
+    pub x: S,
+    /// How it decays.
+    pub decay: D,
+    /// Of p, the free displacement.
+    pub free: S,
+    /// Of cos τ − p′.
+    pub swing_slope: S,
+    /// Of sin τ − p.
+    pub swing: S,
+    /// Of (1 − d)/x².
+    pub rise: S,
+    /// Whether `rise` is of the whole response to a force that changes its sign instead: of a mode far
+    /// below the excitation.
+    pub sways: bool,
+    /// φ_k(φᵀw)/r², the residue contact → mass; harmonics alone use it.
+    pub gain: S,
+}
+
+impl<S: Float, D: Decay<S>> Wave<S, D> {
+    /// No motion at all.
+    pub fn rest(x: S, decay: D) -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            x,
+            decay,
+            free: zero,
+            swing_slope: zero,
+            swing: zero,
+            rise: zero,
+            sways: false,
+            gain: zero,
+        }
+    }
+
+    /// The mode's functions at an instant.
+    #[inline]
+    pub(crate) fn basis(&self, at: &Instant<S>) -> Basis<S> {
+        if self.sways {
+            mass_controlled::basis(self.x, self.decay.zeta(), at)
+        } else {
+            self.decay.basis(self.x, at)
+        }
+    }
+
+    /// The second derivative of sin τ − p, which is the slope of cos τ − p′, from what moves it.
+    #[inline]
+    pub(crate) fn swing_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
+        let (one, x) = (S::constant(1.0), self.x);
+        let loss = (self.decay.zeta() + self.decay.zeta()) * x;
+        let apart = (x - one) * (x + one);
+        apart * at.sine + loss * (at.cosine - basis.swing_slope) - x * x * basis.swing
+    }
+
+    /// No motion yet, in a mode's place.
+    pub fn idle(mode: &Mode<S>) -> Self {
+        Self::rest(S::constant(0.0), D::of(mode))
+    }
+
+    /// By how much a derivative of the wave can exceed the one before.
+    pub(crate) fn rate(&self) -> S {
+        self.x * (S::constant(1.0) + S::constant(2.0) * self.decay.zeta())
+    }
+
+    /// Whether the rounding of x alone can turn the wave by a radian before it has died out, or it is at
+    /// rest.
+    pub(crate) fn turns_unknown(&self) -> bool {
+        let zero = S::constant(0.0);
+        let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
+        let rests = self.swing == zero && self.swing_slope == zero;
+        rests || S::constant(1.0) < self.x * lasts * S::constant(S::RESOLUTION)
+    }
+
+    /// The largest that the wave can be.
+    fn amplitude_bound(&self) -> S {
+        let one = S::constant(1.0);
+        let Self {
+            x,
+            free,
+            swing_slope,
+            swing,
+            rise,
+            ..
+        } = *self;
+        let pi = S::pi();
+        // |p| ≤ min(1/x, π), |p′| ≤ 1, 0 ≤ (1 − d)/x² ≤ min((2 + 2ζ)/x², π²/2).
+        let p = (one / x).min(pi);
+        let r = (S::constant(2.0) * (one + self.decay.zeta()) / (x * x)).min(pi * pi);
+        free.abs() * p
+            + swing_slope.abs() * S::constant(2.0)
+            + swing.abs() * (one + p)
+            + rise.abs() * r
+    }
+
+    /// The value at an instant, from the mode's functions there.
+    #[inline]
+    pub fn value(&self, basis: &Basis<S>) -> S {
+        self.free * basis.free
+            + self.swing_slope * basis.swing_slope
+            + self.swing * basis.swing
+            + self.rise * basis.rise
+    }
+}
+
+/// Σ waves + cosine·cos τ + sine·sin τ.
+#[derive(Clone, Copy, Debug)]
+pub struct Sum<'a, S, D> {
+    /// The modes, slowest first.
+    pub waves: &'a [Wave<S, D>],
+    /// Of cos τ.
+    pub cosine: S,
+    /// Of sin τ.
+    pub sine: S,
+}
+
+/// A function about one instant: value, two derivatives, and what the second and the third cannot
+/// exceed from there to the end of the half period.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Local<S> {
+    /// sin τ there.
+    pub sine: S,
+    /// cos τ there.
+    pub cosine: S,
+    pub value: S,
+    pub slope: S,
+    pub curvature: S,
+    pub curvature_bound: S,
+    pub third_bound: S,
+}
+
+/// The fast modes, for steps over several of their turns: what they amount to at most, and their
+/// parts that turn with the excitation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tail<S> {
+    pub from: usize,
+    pub amplitude: S,
+    constant: S,
+    cosine: S,
+    sine: S,
+}
+
+impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
+    /// The value at an instant.
+    pub fn value(&self, at: &Instant<S>) -> S {
+        let mut sum = self.cosine * at.cosine + self.sine * at.sine;
+        for wave in self.waves {
+            sum = sum + wave.value(&wave.basis(at));
+        }
+        sum
+    }
+
+    /// The derivative with respect to τ at an instant.
+    pub fn slope(&self, at: &Instant<S>) -> S {
+        let mut sum = self.sine * at.cosine - self.cosine * at.sine;
+        for wave in self.waves {
+            let basis = wave.basis(at);
+            let (curve, _) = differences(wave, &basis, curves(wave, &basis), at);
+            sum = sum
+                + wave.free * basis.slope
+                + wave.swing_slope * curve
+                + wave.swing * basis.swing_slope
+                + wave.rise * basis.free;
+        }
+        sum
+    }
+
+    /// The value and the derivative at τ = 0, where all waves are at rest but those that sway.
+    pub(crate) fn start(&self) -> (S, S) {
+        let mut value = self.cosine;
+        let mut slope = self.sine;
+        for wave in self.waves.iter().filter(|wave| wave.sways) {
+            let basis = wave.basis(&Instant::new(S::constant(0.0)));
+            value = value + wave.rise * basis.rise;
+            slope = slope + wave.rise * basis.free;
+        }
+        (value, slope)
+    }
+
+    /// The time in which the fastest wave, or the excitation, turns by about a radian.
+    pub(crate) fn unit(&self) -> S {
+        let one = S::constant(1.0);
+        let rates = self.waves.iter().map(Wave::rate);
+        one / rates.fold(one, Scalar::max)
+    }
+
+    /// What rounding leaves of the sum at most: waves beside the excitation's frequency, whose
+    /// differences from it are small, do not count.
+    pub(crate) fn rounding(&self) -> S {
+        let (one, half) = (S::constant(1.0), S::constant(0.5));
+        let mut sum = self.cosine.abs() + self.sine.abs();
+        for wave in self.waves {
+            if half < (wave.x - one).abs() {
+                sum = sum + wave.amplitude_bound();
+            }
+        }
+        sum * S::constant(S::RESOLUTION)
+    }
+
+    /// The largest that the sum can be, but for what is in proportion to sin τ.
+    pub(crate) fn bound_over_sine(&self) -> S {
+        self.over_sine(|x| ((S::constant(1.0) / x).min(S::pi()), S::constant(2.0)))
+    }
+
+    /// What rounding leaves of the same: the angle xτ is off by as many roundings as it has turns.
+    pub(crate) fn rounding_over_sine(&self) -> S {
+        let quarter = S::constant(0.25);
+        let sum = self.over_sine(|x| {
+            let p = (S::constant(1.0) / x).min(S::pi());
+            (p + quarter, S::constant(2.0) + quarter * x)
+        });
+        sum * S::constant(S::RESOLUTION)
+    }
+
+    /// Σ |swing|·p + |swing_slope|·q with (p, q) by x.
+    fn over_sine(&self, of: impl Fn(S) -> (S, S)) -> S {
+        let add = |sum: S, wave: &Wave<S, D>| {
+            let (p, q) = of(wave.x);
+            sum + wave.swing.abs() * p + wave.swing_slope.abs() * q
+        };
+        self.waves.iter().fold(S::constant(0.0), add)
+    }
+
+    /// The largest tail of fast modes that stays below `amplitude`, if there is one worth it.
+    pub(crate) fn tail(&self, amplitude: S) -> Option<Tail<S>> {
+        let zero = S::constant(0.0);
+        let one = S::constant(1.0);
+        let two = S::constant(2.0);
+        let mut tail = Tail {
+            from: self.waves.len(),
+            amplitude: zero,
+            constant: zero,
+            cosine: zero,
+            sine: zero,
+        };
+        for (index, wave) in self.waves.iter().enumerate().rev() {
+            let Wave {
+                x,
+                free,
+                swing_slope,
+                swing,
+                rise,
+                ..
+            } = *wave;
+            let turn = (one + two * wave.decay.zeta()) * rise.abs() / (x * x);
+            let total = tail.amplitude + (free.abs() + swing.abs()) / x + swing_slope.abs() + turn;
+            if x < two || amplitude < total {
+                break;
+            }
+            tail = Tail {
+                from: index,
+                amplitude: total,
+                constant: tail.constant + rise / (x * x),
+                cosine: tail.cosine + swing_slope,
+                sine: tail.sine + swing,
+            };
+        }
+        (tail.from < self.waves.len()).then_some(tail)
+    }
+
+    /// Everything a guaranteed step needs: the whole sum, and the sum with its tail reduced to
+    /// what turns with the excitation.
+    pub(crate) fn local(
+        &self,
+        at: &Instant<S>,
+        tail: Option<&Tail<S>>,
+    ) -> (Local<S>, Option<Local<S>>) {
+        let Instant { sine, cosine, .. } = *at;
+        let mut local = carrier(S::constant(0.0), self.cosine, self.sine, sine, cosine);
+        let mut slow = None;
+        for (index, wave) in self.waves.iter().enumerate() {
+            if let Some(tail) = tail.filter(|tail| tail.from == index) {
+                slow = Some(plus(
+                    &local,
+                    &carrier(tail.constant, tail.cosine, tail.sine, sine, cosine),
+                ));
+            }
+            local = plus(&local, &wave_local(wave, at));
+        }
+        (local, slow)
+    }
+}
+
+fn plus<S: Float>(a: &Local<S>, b: &Local<S>) -> Local<S> {
+    Local {
+        sine: a.sine,
+        cosine: a.cosine,
+        value: a.value + b.value,
+        slope: a.slope + b.slope,
+        curvature: a.curvature + b.curvature,
+        curvature_bound: a.curvature_bound + b.curvature_bound,
+        third_bound: a.third_bound + b.third_bound,
+    }
+}
+
+fn carrier<S: Float>(constant: S, c: S, s: S, sine: S, cosine: S) -> Local<S> {
+    let turning = c * cosine + s * sine;
+    let bound = c.abs() + s.abs();
+    Local {
+        sine,
+        cosine,
+        value: constant + turning,
+        slope: s * cosine - c * sine,
+        curvature: -turning,
+        curvature_bound: bound,
+        third_bound: bound,
+    }
+}
+
+/// p″ and p‴, from the mode's equation p″ + 2ζx p′ + x²p = 0.
+#[inline]
+fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) {
+    let x = wave.x;
+    let two_zeta = wave.decay.zeta() + wave.decay.zeta();
+    let curve = -(x * (x * basis.free + two_zeta * basis.slope));
+    (curve, -(x * (x * basis.slope + two_zeta * curve)))
+}
+
+/// The second and third derivative of sin τ − p, given those of p: from what moves it, where that is small.
+#[inline]
+fn differences<S: Float, D: Decay<S>>(
+    wave: &Wave<S, D>,
+    basis: &Basis<S>,
+    (p2, p3): (S, S),
+    at: &Instant<S>,
+) -> (S, S) {
+    let (one, half) = (S::constant(1.0), S::constant(0.5));
+    let x = wave.x;
+    if !((x - one).abs() < half) {
+        return (-at.sine - p2, -at.cosine - p3);
+    }
+    let loss = (wave.decay.zeta() + wave.decay.zeta()) * x;
+    let apart = (x - one) * (x + one);
+    let second = wave.swing_curve(basis, at);
+    let third = apart * at.cosine - loss * (at.sine + second) - x * x * basis.swing_slope;
+    (second, third)
+}
+
+/// A wave about an instant.  Its bounds rest on the energy (xp)² + p′², which never grows.
+fn wave_local<S: Float, D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> Local<S> {
+    let one = S::constant(1.0);
+    let two = S::constant(2.0);
+    let Wave {
+        x,
+        free,
+        swing_slope,
+        swing,
+        rise,
+        ..
+    } = *wave;
+    let zeta = wave.decay.zeta();
+    let basis = wave.basis(at);
+    let (p2, p3) = curves(wave, &basis);
+    let (y2, y3) = differences(wave, &basis, (p2, p3), at);
+    let xp = x * basis.free;
+    let energy = (xp * xp + basis.slope * basis.slope).sqrt();
+    let rate = x * (one + two * zeta);
+    // Beside x = 1 the differences from sin τ and cos τ move far less than their terms do.
+    let apart = (x - one).abs();
+    let away = (S::pi() * (apart + S::constant(3.0) * zeta * x)).min(two);
+    let (n1, n2) = (energy * rate, energy * rate * rate);
+    let drift = away + apart + two * zeta * x;
+    let pull = (x * x - one).abs() * energy + two * zeta * x * n1;
+    let d1 = (one + n1).min(drift);
+    let d2 = (one + n2).min(away + pull);
+    let d3 = (one + n2 * rate).min(drift + pull * rate);
+    let (a, b, c, e) = (free.abs(), swing_slope.abs(), swing.abs(), rise.abs());
+    Local {
+        sine: at.sine,
+        cosine: at.cosine,
+        value: wave.value(&basis),
+        slope: free * basis.slope
+            + swing_slope * y2
+            + swing * basis.swing_slope
+            + rise * basis.free,
+        curvature: free * p2 + swing_slope * y3 + swing * y2 + rise * basis.slope,
+        curvature_bound: a * n1 + b * d2 + c * d1 + e * energy,
+        third_bound: a * n2 + b * d3 + c * d2 + e * n1,
+    }
+}
+
+#[cfg(test)]
+mod tests;

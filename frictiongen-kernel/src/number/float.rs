@@ -1,0 +1,211 @@
+//! `f64` and `f32` as scalars.
+//!
+//! Exponentials and the arc tangent come from `libm`, and the rest is made of additions,
+//! subtractions, multiplications, divisions and square roots: the results have the same bits on
+//! every host.  The polynomials are minimax, from `tools/coefficients.py constants`.
+
+use crate::number::scalar::{Float, Plain, Scalar};
+use crate::number::trig::{double, polynomial, single};
+
+/// Correctly rounded √x.
+#[inline]
+pub(crate) fn sqrt_f64(x: f64) -> f64 {
+    #[cfg(any(test, feature = "std"))]
+    return x.sqrt();
+    #[cfg(not(any(test, feature = "std")))]
+    libm::sqrt(x)
+}
+
+/// Correctly rounded √x.
+#[inline]
+fn sqrt_f32(x: f32) -> f32 {
+    #[cfg(any(test, feature = "std"))]
+    return x.sqrt();
+    #[cfg(not(any(test, feature = "std")))]
+    libm::sqrtf(x)
+}
+
+/// 2^400.
+pub(crate) const POWER_400: f64 = f64::from_bits((1023 + 400) << 52);
+/// 2^50.
+const POWER_50: f32 = f32::from_bits((127 + 50) << 23);
+
+macro_rules! real {
+    (
+        $float:ident, trig: $trig:ident, sqrt: $sqrt:path, exp: $exp:path, exp_m1: $exp_m1:path,
+        atan2: $atan2:path, floor: $floor:path,
+        inverse_range: $inverse_range:expr, sway_terms: $sway_terms:expr,
+        sixth_pi_squared: $sixth_pi_squared:expr,
+        sinc: [$sinc_first:expr, $($sinc:expr),+ $(,)?],
+        sinh: [$sinh_first:expr, $($sinh:expr),+ $(,)?] $(,)?
+    ) => {
+        impl Scalar for $float {
+            const SWAYS: bool = true;
+            type Condition = bool;
+
+            #[inline(always)]
+            fn constant(value: f64) -> Self {
+                value as Self
+            }
+            #[inline(always)]
+            fn pi() -> Self {
+                core::$float::consts::PI
+            }
+            #[inline(always)]
+            fn inverse_pi() -> Self {
+                core::$float::consts::FRAC_1_PI
+            }
+            #[inline(always)]
+            fn lt(self, other: Self) -> bool {
+                self < other
+            }
+            #[inline(always)]
+            fn is_zero(self) -> bool {
+                self == 0.0
+            }
+            #[inline(always)]
+            fn select(condition: bool, yes: Self, no: Self) -> Self {
+                if condition { yes } else { no }
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $float::abs(self)
+            }
+            #[inline]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                if self < other { other } else { self }
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                if other < self { other } else { self }
+            }
+            #[inline(always)]
+            fn copysign(self, sign: Self) -> Self {
+                $float::copysign(self, sign)
+            }
+            #[inline]
+            fn exp(self) -> Self {
+                $exp(self)
+            }
+            #[inline]
+            fn exp_m1(self) -> Self {
+                $exp_m1(self)
+            }
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                // The sum with 0 takes the sign off a zero: an exact zero of a sine, of either
+                // sign, must not decide between π and −π.
+                $atan2(self + 0.0, x + 0.0)
+            }
+            #[inline]
+            fn sin_cos_pi(self) -> (Self, Self) {
+                $trig::sin_cos_pi(self)
+            }
+            #[inline]
+            fn sin_cos_pi_minus(self, d: Self) -> (Self, Self) {
+                $trig::sin_cos_pi_minus(self, d)
+            }
+            #[inline]
+            fn one_minus_sinc_pi(self) -> Self {
+                let z = self;
+                if z.abs() > 0.75 {
+                    return 1.0 - $trig::sin_pi(z) / (core::$float::consts::PI * z);
+                }
+                // The leading term without a rounding error, as in the trigonometry.
+                const SIXTH_PI_SQUARED: [$float; 2] = $sixth_pi_squared;
+                let u = z * z;
+                let high = $trig::leading(z);
+                let low = z - high;
+                let main = high * high * SIXTH_PI_SQUARED[0];
+                let rest = (z + high) * low * SIXTH_PI_SQUARED[0] + u * SIXTH_PI_SQUARED[1];
+                main + (rest + u * u * ($sinc_first + u * polynomial!(u, $($sinc),+)))
+            }
+            #[inline]
+            fn scaled_sinh_defect(self) -> Self {
+                // e^{−a} is 0 long before, and would meet an infinite a.
+                let a = if self > 1000.0 { 1000.0 } else { self };
+                let decay = Scalar::exp(-a);
+                if a < 2.0 {
+                    // The cube with one rounding: that of the leading bits is exact.
+                    let u = a * a;
+                    let high = $trig::leading(a);
+                    let square = high * high;
+                    let cube = square * high + (a - high) * (u + a * high + square);
+                    cube * (decay * ($sinh_first + u * polynomial!(u, $($sinh),+)))
+                } else {
+                    (1.0 - 2.0 * a * decay) - decay * decay
+                }
+            }
+        }
+
+        impl Float for $float {
+            const EPSILON: f64 = $float::EPSILON as f64;
+
+            #[inline(always)]
+            fn inverse_ratio_range() -> (Self, Self) {
+                $inverse_range
+            }
+
+            fn sway_terms() -> &'static [Self] {
+                &$sway_terms
+            }
+
+            #[inline(always)]
+            fn floor(self) -> Self {
+                $floor(self)
+            }
+
+            #[inline(always)]
+            fn to_f64(self) -> f64 {
+                self.into()
+            }
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                $float::is_finite(self)
+            }
+        }
+
+        impl Plain for $float {}
+    };
+}
+
+real! {
+    f64, trig: double, sqrt: sqrt_f64, exp: libm::exp, exp_m1: libm::expm1, atan2: libm::atan2,
+    floor: libm::floor, inverse_range: (POWER_400.recip(), POWER_400),
+    sway_terms: crate::modal_sum::mass_controlled::DOUBLE_TERMS,
+    sixth_pi_squared: [1.6449356079101562, -1.5410619298135275e-06],
+    sinc: [
+        -0.8117424252833522,
+        0.19075182412199804,
+        -0.02614784781598732,
+        0.002346081019796654,
+        -0.00014842871143860948,
+        6.975625221234919e-06,
+        -2.526814375588628e-07,
+        6.882639598707224e-09,
+    ],
+    sinh: [
+        0.3333333333333333,
+        0.016666666666666663,
+        0.0003968253968254174,
+        5.511463844743564e-06,
+        5.0104216840524636e-08,
+        3.2118082603021776e-10,
+        1.5294543890514389e-12,
+        5.617543964768898e-15,
+        1.7156822258697436e-17,
+    ],
+}
+
+real! {
+    f32, trig: single, sqrt: sqrt_f32, exp: libm::expf, exp_m1: libm::expm1f, atan2: libm::atan2f,
+    floor: libm::floorf, inverse_range: (POWER_50.recip(), POWER_50),
+    sway_terms: crate::modal_sum::mass_controlled::SINGLE_TERMS,
+    sixth_pi_squared: [1.6484375, -0.0035034332],
+    sinc: [-0.8117424, 0.19075158, -0.026145883, 0.0023391352, -0.00013717386],
+    sinh: [0.33333334, 0.016666658, 0.00039684158, 5.499997e-06, 5.3386835e-08],
+}

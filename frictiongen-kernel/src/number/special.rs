@@ -1,0 +1,101 @@
+//! Differences that cancel, with full relative accuracy.  The polynomials are minimax, from
+//! `tools/coefficients.py constants`.
+
+use crate::number::dd::INVERSE_FACTORIAL;
+use crate::number::scalar::Float;
+use crate::number::trig::polynomial;
+
+/// 1 − cos πz, z in half-turns: relative accuracy also next to the even integers, where it is 0.
+///
+/// Within 2.5 units in the last place of `f64` and `f32`, 1e-30 in double-double.
+///
+/// ```
+/// use frictiongen_kernel::number::special::versine_pi;
+///
+/// assert_eq!(versine_pi(0.5), 1.0);
+/// assert_eq!(versine_pi(1.0_f32), 2.0);
+/// assert!((versine_pi(1e-12) / 4.934802200544679e-24 - 1.0_f64).abs() < 1e-15);
+/// ```
+#[inline]
+#[must_use]
+pub fn versine_pi<T: Float>(z: T) -> T {
+    versine_beside(z, z.cos_pi())
+}
+
+/// The same, knowing cos πz.
+#[inline]
+pub(crate) fn versine_beside<T: Float>(z: T, cosine: T) -> T {
+    // The difference itself has fewer roundings where it does not cancel.
+    let versine = T::constant(1.0) - cosine;
+    if versine < T::constant(0.5) {
+        let sin = (z * T::constant(0.5)).sin_pi();
+        T::constant(2.0) * sin * sin
+    } else {
+        versine
+    }
+}
+
+/// e^a − 1 − a: relative accuracy down to a = 0 (result 0) on both sides.
+///
+/// Within 3.5 units in the last place of `f64` and `f32`, 1e-30 in double-double.
+///
+/// ```
+/// use frictiongen_kernel::number::special::exp_m1_minus;
+///
+/// assert!((exp_m1_minus(1e-10) / 5.000000000166667e-21 - 1.0_f64).abs() < 1e-15);
+/// assert_eq!(exp_m1_minus(f64::INFINITY), f64::INFINITY);
+/// ```
+#[inline]
+#[must_use]
+pub fn exp_m1_minus<T: Float>(a: T) -> T {
+    if a.abs() < T::constant(1.0) {
+        let c = T::constant;
+        // The precisions apart: the condition and the coefficients are known to the compiler.
+        let curve = if T::EPSILON < 1e-20 {
+            INVERSE_FACTORIAL
+                .iter()
+                .take(32)
+                .skip(2)
+                .rev()
+                .fold(c(0.0), |sum, coefficient| {
+                    sum * a + (c(coefficient.hi) + c(coefficient.lo))
+                })
+        } else if T::EPSILON < 1e-10 {
+            c(0.5)
+                + a * polynomial!(
+                    a,
+                    c(0.16666666666666666),
+                    c(0.041666666666666664),
+                    c(0.00833333333333324),
+                    c(0.001388888888888958),
+                    c(0.0001984126984137176),
+                    c(2.480158730119695e-05),
+                    c(2.755731917507634e-06),
+                    c(2.7557319324962825e-07),
+                    c(2.505212041332562e-08),
+                    c(2.08767448204811e-09),
+                    c(1.6057462240887358e-10),
+                    c(1.1471241254813485e-11),
+                    c(7.752867030331909e-13),
+                    c(4.7988420380473736e-14),
+                )
+        } else {
+            c(0.5)
+                + a * polynomial!(
+                    a,
+                    c(0.16666667),
+                    c(0.041666668),
+                    c(0.008333345),
+                    c(0.0013888859),
+                    c(0.00019837049),
+                    c(2.4804369e-05),
+                    c(2.8123015e-06),
+                    c(2.7712534e-07),
+                )
+        };
+        return a * a * curve;
+    }
+    let grown = a.exp_m1();
+    // Past the overflow the difference of two infinities would remain.
+    if grown.is_finite() { grown - a } else { grown }
+}

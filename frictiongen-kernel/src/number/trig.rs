@@ -1,0 +1,265 @@
+//! Sine and cosine of angles in half-turns, in `f64` ([`double`]) and `f32` ([`single`]).
+//!
+//! The argument counts half-turns: `sin_pi(h)` is sin(πh).  A multiple of a half is subtracted
+//! from h without any rounding before π comes in, so the results have full relative accuracy
+//! next to every zero and are exactly 0 or ±1 where the mathematical value is.  Only `+`, `-`
+//! and `*` are used (and `/` for the tangent): every host returns the same bits.  The polynomials
+//! are minimax, from `tools/coefficients.py constants`.
+
+/// A polynomial with the coefficients of the lowest power first, by Estrin's scheme: pairs of
+/// coefficients do not wait for each other as they would in Horner's.
+macro_rules! polynomial {
+    (@pairs $u:ident, $square:ident, $last:expr $(,)?) => { $last };
+    (@pairs $u:ident, $square:ident, $first:expr, $second:expr $(,)?) => {
+        ($first + $u * $second)
+    };
+    (@pairs $u:ident, $square:ident, $first:expr, $second:expr, $($rest:expr),+ $(,)?) => {
+        (($first + $u * $second)
+            + $square * $crate::number::trig::polynomial!(@pairs $u, $square, $($rest),+))
+    };
+    ($u:ident, $last:expr $(,)?) => { $last };
+    ($u:ident, $first:expr, $second:expr $(,)?) => { $first + $u * $second };
+    ($u:ident, $first:expr, $second:expr, $($rest:expr),+ $(,)?) => {{
+        let square = $u * $u;
+        ($first + $u * $second) + square * $crate::number::trig::polynomial!(@pairs $u, square, $($rest),+)
+    }};
+}
+pub(crate) use polynomial;
+
+macro_rules! half_turns {
+    (
+        $(#[$doc:meta])*
+        $module:ident: $float:ident as $bits:ident,
+        to_halves: $to_halves:expr, to_fours: $to_fours:expr,
+        exact: $exact:expr, even: $even:expr, near: $near:expr,
+        leading: $leading:expr, half: $half:expr,
+        pi: $pi:expr, half_pi_squared: $half_pi_squared:expr,
+        sin: [$($sin:expr),+ $(,)?], cos: [$($cos:expr),+ $(,)?] $(,)?
+    ) => {
+        $(#[$doc])*
+        pub mod $module {
+            /// π as a sum; the first part times a number of [`LEADING`] bits is exact.
+            const PI: [$float; 2] = $pi;
+            const HALF_PI_SQUARED: $float = $half_pi_squared;
+            /// Clears all but the leading third of a significand.
+            const LEADING: $bits = $leading;
+            /// Clears the lower half of a significand.
+            const HALF: $bits = $half;
+            /// Added to a smaller number, it rounds that number to a multiple of a half, whose
+            /// count of halves then stands in the lowest bits.
+            const TO_HALVES: $float = $to_halves;
+            /// The same for multiples of four.
+            const TO_FOURS: $float = $to_fours;
+
+            /// The leading third of x's significand.
+            #[inline(always)]
+            pub(crate) fn leading(x: $float) -> $float {
+                masked(x, LEADING)
+            }
+
+            #[inline(always)]
+            fn masked(x: $float, mask: $bits) -> $float {
+                $float::from_bits(x.to_bits() & mask)
+            }
+
+            /// h minus a multiple of 4, exactly; NaN for what is not finite.
+            #[cold]
+            fn wrapped(h: $float) -> $float {
+                // From this size on, every number is an even integer.
+                if h.abs() < $even { h - ((h + TO_FOURS) - TO_FOURS) } else { h * 0.0 }
+            }
+
+            /// The number q of halves nearest to h (the two lowest bits) and h − q/2, exactly.
+            #[inline(always)]
+            fn reduced(h: $float) -> ($bits, $float) {
+                let shifted = h + TO_HALVES;
+                (shifted.to_bits(), h - (shifted - TO_HALVES))
+            }
+
+            /// As [`reduced`], for every h.
+            #[inline(always)]
+            pub(crate) fn reduced_any(h: $float) -> ($bits, $float) {
+                reduced(if h.abs() < $exact { h } else { wrapped(h) })
+            }
+
+            /// Sine and cosine of πr, |r| ≤ 1/4, each as a leading part and a small rest.
+            ///
+            /// The leading product πr is split so that it has no rounding error; the cosine is 1
+            /// less a drop of at most 0.3, whose errors weigh little.
+            #[inline(always)]
+            fn kernel(r: $float) -> ([$float; 2], [$float; 2]) {
+                let u = r * r;
+                let high = leading(r);
+                let low = r - high;
+                let sin = high * PI[0];
+                let sin_rest = low * PI[0] + r * PI[1];
+                let drop = u * HALF_PI_SQUARED;
+                let cos = 1.0 - drop;
+                let cos_rest = (1.0 - cos) - drop;
+                (
+                    [sin, sin_rest + r * u * $crate::number::trig::polynomial!(u, $($sin),+)],
+                    [cos, cos_rest + u * u * $crate::number::trig::polynomial!(u, $($cos),+)],
+                )
+            }
+
+            /// Turns sine and cosine of the remainder by q quarter turns, without a branch.
+            #[inline(always)]
+            fn turned(q: $bits, sin: $float, cos: $float) -> ($float, $float) {
+                const SIGN: u32 = $bits::BITS - 2;
+                let (s, c) = (sin.to_bits(), cos.to_bits());
+                let exchange = (s ^ c) & (q & 1).wrapping_neg();
+                let s = s ^ exchange ^ ((q & 2) << SIGN);
+                let c = c ^ exchange ^ ((q.wrapping_add(1) & 2) << SIGN);
+                ($float::from_bits(s), $float::from_bits(c))
+            }
+
+            /// (sin πh, cos πh), h in half-turns.
+            ///
+            /// Each is within 1.1 units in the last place for every finite h, exactly 0 or ±1
+            /// where sine and cosine are.  Large numbers are even integers: (0, 1).  An infinite
+            /// h or NaN gives NaN.
+            ///
+            /// ```
+            #[doc = concat!("use frictiongen_kernel::number::trig::", stringify!($module), "::sin_cos_pi;")]
+            ///
+            /// assert_eq!(sin_cos_pi(0.5), (1.0, 0.0));
+            /// assert_eq!(sin_cos_pi(-3.0), (0.0, -1.0));
+            /// ```
+            #[inline]
+            #[must_use]
+            pub fn sin_cos_pi(h: $float) -> ($float, $float) {
+                let (q, r) = reduced_any(h);
+                let (sin, cos) = kernel(r);
+                turned(q, sin[0] + sin[1], cos[0] + cos[1])
+            }
+
+            /// (sin π(h − d), cos π(h − d)), h and d in half-turns.
+            ///
+            /// The difference is never rounded: h is reduced first, and what the subtraction of d
+            /// loses is carried along.  Each result is within 1.2 units in the last place, also
+            /// where h − d is next to a zero; a zero is exact.  NaN unless h and d are finite.
+            ///
+            /// ```
+            #[doc = concat!(
+                "use frictiongen_kernel::number::trig::", stringify!($module),
+                "::{sin_pi, sin_cos_pi_minus};"
+            )]
+            ///
+            /// // 1000.5 - 1e-20 would be 1000.5, with the cosine 0.
+            /// assert_eq!(sin_cos_pi_minus(1000.5, 1e-20), (1.0, sin_pi(1e-20)));
+            /// ```
+            #[inline]
+            #[must_use]
+            pub fn sin_cos_pi_minus(h: $float, d: $float) -> ($float, $float) {
+                let (q, r) = reduced_any(h);
+                // Beyond this the square of what is lost would no longer be negligible.
+                let d = if d.abs() < $near { d } else { wrapped(d) };
+                let difference = r - d;
+                let subtracted = difference - r;
+                let lost = (r - (difference - subtracted)) - (d + subtracted);
+                // The first order of the addition theorem puts it back.
+                let angle = lost * core::$float::consts::PI;
+                let (p, rest) = reduced(difference);
+                let (sin, cos) = kernel(rest);
+                let (s, c) = (sin[0] + sin[1], cos[0] + cos[1]);
+                let (s, c) = (sin[0] + (sin[1] + angle * c), cos[0] + (cos[1] - angle * s));
+                turned(q.wrapping_add(p), s, c)
+            }
+
+            /// sin πh, h in half-turns, within 1.1 units in the last place.
+            ///
+            /// ```
+            #[doc = concat!("use frictiongen_kernel::number::trig::", stringify!($module), "::sin_pi;")]
+            ///
+            /// assert_eq!(sin_pi(-1.5), 1.0);
+            /// assert_eq!(sin_pi(1e9), 0.0);
+            /// ```
+            #[inline]
+            #[must_use]
+            pub fn sin_pi(h: $float) -> $float {
+                sin_cos_pi(h).0
+            }
+
+            /// cos πh, h in half-turns, within 1.1 units in the last place.
+            ///
+            /// ```
+            #[doc = concat!("use frictiongen_kernel::number::trig::", stringify!($module), "::cos_pi;")]
+            ///
+            /// assert_eq!(cos_pi(2.5), 0.0);
+            /// assert_eq!(cos_pi(7.0), -1.0);
+            /// ```
+            #[inline]
+            #[must_use]
+            pub fn cos_pi(h: $float) -> $float {
+                sin_cos_pi(h).1
+            }
+
+            /// tan πh, h in half-turns, within 1.5 units in the last place; infinite where the
+            /// cosine is 0, NaN unless h is finite.
+            ///
+            /// ```
+            #[doc = concat!("use frictiongen_kernel::number::trig::", stringify!($module), "::tan_pi;")]
+            ///
+            /// assert_eq!(tan_pi(0.25), 1.0);
+            /// assert_eq!(tan_pi(3.0), 0.0);
+            /// assert!(tan_pi(0.5).is_infinite());
+            /// ```
+            #[inline]
+            #[must_use]
+            pub fn tan_pi(h: $float) -> $float {
+                let (q, r) = reduced_any(h);
+                let (sin, cos) = kernel(r);
+                let turned = (cos, [-sin[0], -sin[1]]);
+                let (above, below) = if q & 1 == 0 { (sin, cos) } else { turned };
+                let (n, d) = (above[0] + above[1], below[0] + below[1]);
+                let ratio = n / d;
+                // The first order of what the parts and the ratio lost to rounding: without it
+                // three roundings add up.
+                let (high, d_high) = (masked(ratio, HALF), masked(d, HALF));
+                let (low, d_low) = (ratio - high, d - d_high);
+                let remainder = (((n - high * d_high) - high * d_low) - low * d_high) - low * d_low;
+                let rests = (above[1] - (n - above[0])) - ratio * (below[1] - (d - below[0]));
+                // At a pole the correction is not a number.
+                if d == 0.0 { ratio } else { ratio + (remainder + rests) / d }
+            }
+        }
+    };
+}
+
+half_turns! {
+    /// Half-turn trigonometry in `f64`.
+    double: f64 as u64,
+    to_halves: 6_755_399_441_055_744.0 / 2.0, to_fours: 6_755_399_441_055_744.0 * 4.0,
+    exact: 1_125_899_906_842_624.0, even: 9_007_199_254_740_992.0, near: 1_048_576.0,
+    leading: !0xf_ffff_ffff, half: !0x7ff_ffff,
+    pi: [3.1415926535846666, 5.126688303189038e-12],
+    half_pi_squared: 4.934802200544679,
+    sin: [
+        -5.167712780049959,
+        2.5501640398739,
+        -0.5992645289668816,
+        0.082145869870122,
+        -0.00737003000375459,
+        0.0004615714412287862,
+    ],
+    cos: [
+        4.058712126416761,
+        -1.3352627688530614,
+        0.2353306302376655,
+        -0.025806886654452167,
+        0.0019294765373059936,
+        -0.00010361369842729192,
+    ],
+}
+
+half_turns! {
+    /// Half-turn trigonometry in `f32`, without any `f64` underneath.
+    single: f32 as u32,
+    to_halves: 12_582_912.0 / 2.0, to_fours: 12_582_912.0 * 4.0,
+    exact: 2_097_152.0, even: 16_777_216.0, near: 64.0,
+    leading: !0xffff, half: !0xfff,
+    pi: [3.1416016, -8.90891e-06],
+    half_pi_squared: 4.934802,
+    sin: [-5.167709, 2.5498047, -0.58941096],
+    cos: [4.05871, -1.3351114, 0.23183197],
+}

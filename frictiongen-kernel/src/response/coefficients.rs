@@ -1,0 +1,335 @@
+//! The continuous motion at one friction ratio: coefficients of the exact response (section 4 of `docs/derivation.md`).
+//!
+//! The response of mode i, V-part and friction together, has a pole wherever the mode resonates,
+//! which the two parts share and which cancels in part.  Written with ν = p v/V and
+//! κ = (p v U − w u V)/V, where U and V are taken without mode i wherever its own terms would cancel,
+//! nothing is left to cancel: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d +
+//! uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).  Beside a damped resonance g d and Qρ are large
+//! and nearly in proportion to cos τ: −g cos τ joins the carrier, and g (cos τ − d) is small.
+
+use crate::contact::dominant::{Apart, Parted, Partner};
+use crate::contact::sums::{Chain, ContactAt, ModeAt};
+use crate::modal_sum::mass_controlled::is_slow;
+use crate::number::complex::{self, Complex};
+use crate::number::scalar::Scalar;
+use crate::oscillator::mode::Mode;
+
+/// What a friction ratio adds to the contact's sums.
+#[derive(Clone, Copy, Debug)]
+pub struct Friction<S> {
+    /// β.
+    pub beta: S,
+    /// Q = √(|V|² − (βU)²), times r²E.
+    pub root: S,
+    /// Z, the amplitude of the contact's relative motion.
+    pub amplitude: S,
+    /// φ, the lag of the contact's relative motion behind the excitation, in (−π, π].
+    pub phase: S,
+    /// 1/(r²E), by which sums become displacements.
+    pub unscale: S,
+}
+
+/// Coefficients of a motion that all modes share.
+#[derive(Clone, Copy, Debug)]
+pub struct Carrier<S> {
+    /// Of cos τ.
+    pub cosine: S,
+    /// Of sin τ.
+    pub sine: S,
+    /// V_k, the complex response with friction left out.
+    pub response: Complex<S>,
+}
+
+impl<S: Scalar> Carrier<S> {
+    /// No motion.
+    #[inline]
+    #[must_use]
+    pub fn at_rest() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            cosine: zero,
+            sine: zero,
+            response: complex::real(zero),
+        }
+    }
+}
+
+/// A mode's coefficients in a motion.
+#[derive(Clone, Copy, Debug)]
+pub struct Share<S> {
+    /// Of (1 − d)/x², the mode's return from rest.
+    pub rise: S,
+    /// Of cos τ − d, with which its static displacement falls behind the excitation; the cos τ is in the
+    /// carrier.  0 without damping.
+    pub fall: S,
+    /// Of sin τ − R q̃, the mode's lag behind the excitation.
+    pub swing: S,
+    /// φ_k(φᵀw)/r², the residue contact → mass, for the harmonics.
+    pub gain: S,
+}
+
+/// 2^24: the smallest `f32` times this has a finite reciprocal.
+const LIFT: f64 = (1_u32 << 24) as f64;
+
+/// The angle moved by a turn into (−π, π], from within a turn of it.
+#[inline]
+fn wrapped<S: Scalar>(angle: S) -> S {
+    let (pi, turn) = (S::pi(), (S::pi() + S::pi()));
+    let angle = S::select(pi.lt(angle), angle - turn, angle).named("phase", None);
+    S::select((-pi).lt(angle), angle, angle + turn)
+}
+
+/// A complex value under its names in emitted code.
+#[inline(always)]
+fn named<S: Scalar>(
+    value: Complex<S>,
+    names: [&'static str; 2],
+    mode: Option<usize>,
+) -> Complex<S> {
+    let [re, im] = names;
+    Complex::new(value.re.named(re, mode), value.im.named(im, mode))
+}
+
+impl<S: Scalar> Chain<S> {
+    /// Amplitude and phase of the contact's relative motion (2.21, 5.35, 5.38, 7.20, 7.21).
+    #[inline]
+    pub fn friction(&self, contact: &ContactAt<S>, inverse_r: S, beta: S) -> Friction<S> {
+        let excitation = complex::modulus(contact.v, self.damped).named("excitation", None);
+        let velocity_part = (beta * contact.u).named("friction_quadrature", None);
+        // As a product: the difference of squares would lose what is left beside a limit.
+        let zero = S::constant(0.0);
+        let less = (excitation - velocity_part).max(zero);
+        let more = (excitation + velocity_part).max(zero);
+        let root = if self.damped || self.on_moving_base.is_some() {
+            // Both grow as r⁴ on a moving base, and with damping V may be all but zero: their product
+            // would overflow or vanish.
+            less.sqrt() * more.sqrt()
+        } else {
+            (less * more).sqrt()
+        };
+        let root = root.named("in_phase", None);
+        let unscale = (inverse_r * inverse_r / contact.scale).named("unscale", None);
+        let amplitude = if self.damped {
+            root - beta * contact.g
+        } else {
+            root
+        };
+        let direction = if self.damped {
+            contact.v.im.atan2(contact.v.re)
+        } else {
+            S::select(contact.v.re.lt(zero), S::pi(), zero)
+        };
+        let lag = (-velocity_part).atan2(root) - direction;
+        Friction {
+            beta,
+            root,
+            amplitude: (amplitude * unscale).named("amplitude", None),
+            phase: wrapped(lag.named("lag", None)),
+            unscale,
+        }
+    }
+
+    /// The contact's own coefficients: of the carrier only the amplitude at τ = 0 is left.
+    #[inline]
+    pub fn contact_carrier(&self, contact: &ContactAt<S>, friction: &Friction<S>) -> Carrier<S> {
+        Carrier {
+            cosine: friction.amplitude,
+            sine: S::constant(0.0),
+            response: complex::scale(contact.v, friction.unscale),
+        }
+    }
+
+    /// A mode's coefficients in a motion; `residue` is φ_k(φᵀw), or (φᵀw)² for the contact.
+    #[inline]
+    pub fn share(
+        &self,
+        at: &ModeAt<S>,
+        residue: S,
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+        index: usize,
+    ) -> Share<S> {
+        let weight = (friction.beta * friction.unscale).named("friction_weight", None);
+        let force = (weight * residue).named("friction_force", Some(index));
+        let fall = if self.damped {
+            (force * (at.g / (at.x * at.x))).named("fall", Some(index))
+        } else {
+            S::constant(0.0)
+        };
+        Share {
+            rise: (force * contact.scale).named("rise", Some(index)),
+            fall,
+            swing: (force * at.u).named("swing", Some(index)),
+            gain: residue * inverse_r * inverse_r,
+        }
+    }
+
+    /// The same in the motion of a mass: a mode far below the excitation sways, and its response is not put
+    /// together from parts that cancel (see `sway`).  The wave is [`mass_wave`](crate::response::motion::mass_wave).
+    #[inline]
+    #[allow(clippy::too_many_arguments, reason = "a mode, and all it rests on")]
+    pub fn mass_share(
+        &self,
+        mode: &Mode<S>,
+        at: &ModeAt<S>,
+        residue: S,
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+        index: usize,
+    ) -> Share<S> {
+        let at = self.without_parts(mode, at, index);
+        self.share(&at, residue, contact, friction, inverse_r, index)
+    }
+
+    /// A mode in the motion of a mass: one that sways has its whole response in its wave, and neither lag
+    /// nor static displacement beside.
+    fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
+        let (slow, zero) = (is_slow(mode.kind, mode.zeta, at.x), S::constant(0.0));
+        let g = if self.damped {
+            S::select(slow, zero, at.g).named("offset", Some(index))
+        } else {
+            at.g
+        };
+        ModeAt {
+            u: S::select(slow, zero, at.u).named("lag", Some(index)),
+            g,
+            ..*at
+        }
+    }
+
+    /// The carrier of mass k, whose mode shape components are `shape`.
+    pub fn carrier(
+        &self,
+        shape: &[S],
+        modes: &[Mode<S>],
+        at: &[ModeAt<S>],
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+    ) -> Carrier<S> {
+        let known = modes.iter().zip(at.iter().copied());
+        let apart = self.apart(known.clone(), Partner::U, contact, inverse_r);
+        let known = shape.iter().zip(known).enumerate();
+        let parts = known.map(|(index, (component, (mode, at)))| (index, *component, mode, at));
+        self.carrier_of(parts, &apart, contact, friction)
+    }
+
+    /// The carrier that these modes make: number, component, constants and functions of each.
+    pub(crate) fn carrier_of<'a>(
+        &self,
+        parts: impl Iterator<Item = (usize, S, &'a Mode<S>, ModeAt<S>)>,
+        apart: &Apart<S>,
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+    ) -> Carrier<S>
+    where
+        S: 'a,
+    {
+        let (mut driven, mut rubbed) = (Parted::zero(), Parted::zero());
+        let mut held = S::constant(0.0);
+        for (index, component, mode, at) in parts {
+            let free = complex::scale(at.response, component * mode.load);
+            let free = named(free, ["driven_re", "driven_im"], Some(index));
+            driven = driven.with(self, apart, index, free);
+            let residue = component * mode.contact;
+            let at = self.without_parts(mode, &at, index);
+            let back = (-(residue * at.u)).named("rubbed_back", Some(index));
+            rubbed = rubbed.with(self, apart, index, complex::real(back));
+            if self.damped {
+                held = held - residue * (at.g / (at.x * at.x));
+            }
+        }
+        let ratio = self.plus(driven.own, driven.rest);
+        // On a moving base V grows as r², and the products with it may be out of range.
+        let on_base = self.on_moving_base.is_some();
+        let one = S::constant(1.0);
+        let (drop, rise) = if on_base {
+            (S::constant(1.0 / LIFT), S::constant(LIFT))
+        } else {
+            (one, one)
+        };
+        // Products of sums: a far mass moves by V_k U − U_k V, and what is common must stay so.
+        let part = |driven, u: S, rubbed: Complex<S>, v| {
+            let (u, rubbed) = (u * drop, rubbed.re * drop);
+            self.plus(complex::scale(driven, u), complex::scale(v, rubbed))
+        };
+        let mismatch = self.plus(
+            part(driven.own, apart.own.u, rubbed.own, apart.own.v),
+            part(driven.rest, apart.rest.u, rubbed.rest, apart.rest.v),
+        );
+        let ratio = named(ratio, ["response_re", "response_im"], None);
+        let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
+        // On a moving base V does not vanish, and β may be all that a number can be.
+        let vanishes = self.damped && !on_base;
+        let lift = if vanishes { S::constant(LIFT) } else { one };
+        let v = complex::scale(contact.v, lift);
+        let inverse_v = complex::reciprocal(v, self.damped);
+        let response = complex::scale(ratio, friction.unscale);
+        let ratio = complex::mul(ratio, inverse_v, self.damped);
+        let mismatch = complex::mul(mismatch, inverse_v, self.damped);
+        let Friction {
+            beta,
+            root,
+            unscale,
+            ..
+        } = *friction;
+        let (root, raised) = (root * drop * lift, unscale * rise);
+        if self.damped {
+            let weight = (beta * unscale).named("friction_weight", None);
+            let beta = beta * lift;
+            let (_, (near, far)) = complex::inverse(v);
+            let turned = |driven: Complex<S>, v: Complex<S>| {
+                let v = complex::scale(complex::scale(v, lift), far);
+                driven.im * v.re - driven.re * v.im
+            };
+            let (own, rest) = apart.turning(contact);
+            let lag = turned(driven.own, own) + turned(driven.rest, rest);
+            let in_phase = (root * near).named("in_phase_share", None);
+            Carrier {
+                cosine: (root * ratio.re + beta * mismatch.im) * raised + held * weight,
+                sine: (beta * mismatch.re - in_phase * lag) * raised,
+                response,
+            }
+        } else {
+            Carrier {
+                cosine: root * ratio.re * raised,
+                sine: beta * mismatch.re * raised,
+                response,
+            }
+        }
+    }
+
+    /// x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck.
+    pub fn stuck(
+        &self,
+        shape: &[S],
+        modes: &[Mode<S>],
+        at: &[ModeAt<S>],
+        contact: &ContactAt<S>,
+        inverse_r: S,
+    ) -> Complex<S> {
+        let known = modes.iter().zip(at.iter().copied());
+        let apart = self.apart(known.clone(), Partner::H, contact, inverse_r);
+        let (mut driven, mut rubbed) = (Parted::zero(), Parted::zero());
+        for (index, (component, (mode, at))) in shape.iter().zip(known).enumerate() {
+            let free = complex::scale(at.response, *component * mode.load);
+            driven = driven.with(self, &apart, index, free);
+            let back = complex::scale(at.response, -(*component * mode.contact));
+            rubbed = rubbed.with(self, &apart, index, back);
+        }
+        let part = |driven, h, rubbed, v| {
+            let mul = |a, b| complex::mul(a, b, self.damped);
+            self.plus(mul(driven, h), mul(rubbed, v))
+        };
+        let sum = self.plus(
+            part(driven.own, apart.own.h, rubbed.own, apart.own.v),
+            part(driven.rest, apart.rest.h, rubbed.rest, apart.rest.v),
+        );
+        let sum = named(sum, ["held_re", "held_im"], None);
+        let inverse_h = complex::reciprocal(contact.h, self.damped);
+        let unscale = (inverse_r * inverse_r / contact.scale).named("unscale", None);
+        complex::scale(complex::mul(sum, inverse_h, self.damped), unscale)
+    }
+}

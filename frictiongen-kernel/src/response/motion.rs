@@ -1,0 +1,350 @@
+//! The steady continuous motion as something to ask: exact amplitude, displacement at any time,
+//! harmonics.  Run-time systems and emitted solvers share it.
+
+use crate::contact::sums::{Chain, ContactAt, ModeAt};
+use crate::modal_sum::mass_controlled::is_slow;
+use crate::modal_sum::search::{self, Effort, Peak, Question, Weight};
+use crate::modal_sum::wave::{Sum, Wave};
+use crate::number::complex::Complex;
+use crate::number::scalar::Float;
+use crate::oscillator::decay::{Decay, Instant};
+use crate::oscillator::mode::Mode;
+use crate::response::coefficients::{Carrier, Friction, Share};
+
+/// Lags whose sizes differ by no more than so many roundings of a radian are of one size: places of maxima and
+/// the contact's phase have a few each.
+const ALIKE: f64 = 64.0;
+
+/// The steady motion of one mass, or of the contact, in the continuous regime.
+///
+/// `W` holds the waves: an array in emitted code, a vector at run time.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<S, D, W> {
+    friction: Friction<S>,
+    carrier: Carrier<S>,
+    waves: W,
+    is_contact: bool,
+    decay: core::marker::PhantomData<D>,
+}
+
+/// The largest displacement of a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Largest<S> {
+    /// The exact maximum of |x̄|.
+    pub amplitude: S,
+    /// Its lag behind the excitation's maximum, rad, in (−π, π].
+    pub phase: S,
+    /// What the search for it took.
+    pub effort: Effort,
+}
+
+/// A mode's wave in a motion.
+pub fn motion_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: Share<S>) -> Wave<S, D> {
+    let mut wave = Wave::rest(x, decay);
+    wave.rise = share.rise;
+    // d = p′ + 2ζx·p.
+    wave.swing_slope = share.fall;
+    wave.free = -((decay.zeta() + decay.zeta()) * x * share.fall);
+    wave.swing = share.swing;
+    wave.gain = share.gain;
+    wave
+}
+
+/// A mode's wave in the motion of a mass, for [`Chain::mass_share`].
+pub fn mass_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: Share<S>) -> Wave<S, D> {
+    Wave {
+        sways: is_slow(decay.kind(), decay.zeta(), x),
+        ..motion_wave(x, decay, share)
+    }
+}
+
+impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
+    /// The relative motion in the contact.
+    pub fn of_contact(friction: Friction<S>, carrier: Carrier<S>, waves: W) -> Self {
+        Self {
+            friction,
+            carrier,
+            waves,
+            is_contact: true,
+            decay: core::marker::PhantomData,
+        }
+    }
+
+    /// The motion of a mass.
+    pub fn of_mass(friction: Friction<S>, carrier: Carrier<S>, waves: W) -> Self {
+        Self {
+            friction,
+            carrier,
+            waves,
+            is_contact: false,
+            decay: core::marker::PhantomData,
+        }
+    }
+
+    fn sum(&self) -> Sum<'_, S, D> {
+        Sum {
+            waves: self.waves.as_ref(),
+            cosine: self.carrier.cosine,
+            sine: self.carrier.sine,
+        }
+    }
+
+    /// Amplitude and phase by one search, and what that took.
+    ///
+    /// It evaluates the motion at most [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS) times, of the contact
+    /// never.
+    pub fn largest(&self) -> Largest<S> {
+        if self.is_contact {
+            return Largest {
+                amplitude: self.friction.amplitude,
+                phase: self.friction.phase,
+                effort: Effort::Bounded(0),
+            };
+        }
+        let peak = self.peak();
+        Largest {
+            amplitude: peak.value,
+            phase: self.lag(&peak),
+            effort: peak.effort(),
+        }
+    }
+
+    /// The exact maximum of |x̄| over the period (P/k₁; for base motion Y).  A search of its own, as of
+    /// [`largest`](Self::largest), which says whether it came to its end.
+    pub fn amplitude(&self) -> S {
+        if self.is_contact {
+            self.friction.amplitude
+        } else {
+            self.peak().value
+        }
+    }
+
+    /// √(x̄₀² + x̄₀′²), the estimate 5.50, 7.33 from the start of the half period.
+    pub fn amplitude_monoharmonic(&self) -> S {
+        if self.is_contact {
+            return self.friction.amplitude;
+        }
+        let (c, s) = self.sum().start();
+        let large = c.abs().max(s.abs());
+        if large == S::constant(0.0) {
+            return large;
+        }
+        let ratio = c.abs().min(s.abs()) / large;
+        large * (S::constant(1.0) + ratio * ratio).sqrt()
+    }
+
+    /// The search for the exact maximum of |x̄|.
+    pub fn peak(&self) -> Peak<S> {
+        let zero = S::constant(0.0);
+        let (c, s) = self.sum().start();
+        let guess = s.atan2(c);
+        let guess = if guess < zero { guess + S::pi() } else { guess };
+        search::largest_from(
+            self.sum(),
+            Question {
+                weight: Weight::One,
+                both_signs: true,
+                end: S::pi(),
+                floor: zero,
+                start: zero,
+                tolerance: S::constant(4.0 * S::RESOLUTION),
+            },
+            guess,
+        )
+    }
+
+    /// The lag of the motion's maximum behind the excitation's, rad, in (−π, π].  Of equal maxima
+    /// the one of the smallest |lag| counts, then the positive one.  A search of its own, as of
+    /// [`largest`](Self::largest).
+    pub fn phase(&self) -> S {
+        if self.is_contact {
+            return self.friction.phase;
+        }
+        self.lag(&self.peak())
+    }
+
+    fn lag(&self, peak: &Peak<S>) -> S {
+        let mut best: Option<S> = None;
+        for place in peak.places.into_iter().flatten() {
+            let shift = if place.negative {
+                S::pi()
+            } else {
+                S::constant(0.0)
+            };
+            let lag = wrap(self.friction.phase + place.tau + shift);
+            // Rounding must not decide between two lags that differ in sign alone.
+            let near = S::constant(ALIKE * S::RESOLUTION);
+            best = Some(match best {
+                Some(known) if known.abs() + near < lag.abs() => known,
+                Some(known) if (known.abs() - lag.abs()).abs() <= near => known.max(lag),
+                _ => lag,
+            });
+        }
+        best.unwrap_or(self.friction.phase)
+    }
+
+    /// x̄ at τ, counted from a maximum of the contact's relative motion.
+    pub fn displacement(&self, tau: S) -> S {
+        let (at, negative) = instant(tau);
+        let value = self.sum().value(&at);
+        if negative { -value } else { value }
+    }
+
+    /// dx̄/dτ at τ, counted from a maximum of the contact's relative motion.
+    pub fn velocity(&self, tau: S) -> S {
+        let (at, negative) = instant(tau);
+        let value = self.sum().slope(&at);
+        if negative { -value } else { value }
+    }
+
+    /// X_n, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the excitation (section 5 of `docs/derivation.md`).
+    /// Even n, and n = 0, are 0: the motion repeats with the opposite sign after half a period.
+    pub fn harmonic(&self, n: u32) -> Complex<S> {
+        let zero = S::constant(0.0);
+        if n.is_multiple_of(2) {
+            return Complex::new(zero, zero);
+        }
+        let order = S::constant(f64::from(n));
+        let mut sum = Complex::new(zero, zero);
+        for wave in self.waves.as_ref() {
+            let re = (wave.x - order) * (wave.x + order);
+            let im = S::constant(2.0) * wave.decay.zeta() * order * wave.x;
+            let size = re.abs() + im;
+            if wave.gain.vanishes() || size == zero {
+                continue;
+            }
+            let (re, im) = (re / size, im / size);
+            let weight = wave.gain / (size * (re * re + im * im));
+            sum = Complex::new(sum.re + weight * re, sum.im - weight * im);
+        }
+        // −(4iβ/πn) e^{−inφ}
+        let (sine, cosine) = (self.friction.phase * S::inverse_pi() * order).sin_cos_pi();
+        let k = S::constant(4.0) * S::inverse_pi() * self.friction.beta / order;
+        let factor = Complex::new(-(k * sine), -(k * cosine));
+        let mut harmonic = Complex::new(
+            factor.re * sum.re - factor.im * sum.im,
+            factor.re * sum.im + factor.im * sum.re,
+        );
+        if n == 1 {
+            harmonic = Complex::new(
+                harmonic.re + self.carrier.response.re,
+                harmonic.im + self.carrier.response.im,
+            );
+        }
+        harmonic
+    }
+}
+
+/// An angle moved into (−π, π].
+fn wrap<S: Float>(mut angle: S) -> S {
+    let (pi, turn) = (S::pi(), (S::pi() + S::pi()));
+    while pi < angle {
+        angle = angle - turn;
+    }
+    while angle <= -pi {
+        angle = angle + turn;
+    }
+    angle
+}
+
+/// τ as an instant of the half period, and whether the motion has the opposite sign there.
+fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
+    let half_turns = tau * S::inverse_pi();
+    let whole = half_turns.floor();
+    let odd = (whole * S::constant(0.5)).floor() * S::constant(2.0) != whole;
+    (Instant::new(half_turns - whole), odd)
+}
+
+impl<S: Float> Chain<S> {
+    /// A mode's wave in the contact's motion.
+    pub fn contact_wave<D: Decay<S>>(
+        &self,
+        mode: &Mode<S>,
+        at: &ModeAt<S>,
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+    ) -> Wave<S, D> {
+        let decay = D::of(mode);
+        if !mode.in_contact {
+            return Wave::rest(at.x, decay);
+        }
+        let share = self.share(at, mode.mobility, contact, friction, inverse_r, 0);
+        motion_wave(at.x, decay, share)
+    }
+
+    /// A mode's wave in the motion of a mass; `component` is the mass's in the mode's shape.
+    pub fn mass_wave<D: Decay<S>>(
+        &self,
+        mode: &Mode<S>,
+        component: S,
+        at: &ModeAt<S>,
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+    ) -> Wave<S, D> {
+        let decay = D::of(mode);
+        if !mode.in_contact {
+            return Wave::rest(at.x, decay);
+        }
+        let residue = component * mode.contact;
+        let share = self.mass_share(mode, at, residue, contact, friction, inverse_r, 0);
+        mass_wave(at.x, decay, share)
+    }
+
+    /// The waves of the contact's motion, for an array of modes.
+    pub fn contact_waves<D: Decay<S>, const N: usize>(
+        &self,
+        modes: &[Mode<S>; N],
+        at: &[ModeAt<S>; N],
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+    ) -> [Wave<S, D>; N] {
+        let mut waves = modes.map(|mode| Wave::idle(&mode));
+        for ((wave, mode), at) in waves.iter_mut().zip(modes).zip(at) {
+            *wave = self.contact_wave(mode, at, contact, friction, inverse_r);
+        }
+        waves
+    }
+
+    /// The waves of a mass's motion, whose mode shape components are `shape`.
+    pub fn mass_waves<D: Decay<S>, const N: usize>(
+        &self,
+        modes: &[Mode<S>; N],
+        shape: &[S; N],
+        at: &[ModeAt<S>; N],
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+    ) -> [Wave<S, D>; N] {
+        let mut waves = modes.map(|mode| Wave::idle(&mode));
+        for (((wave, mode), at), component) in waves.iter_mut().zip(modes).zip(at).zip(shape) {
+            *wave = self.mass_wave(mode, *component, at, contact, friction, inverse_r);
+        }
+        waves
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::wrap;
+    use core::f64::consts::PI;
+
+    #[test]
+    fn angles_end_within_half_a_turn() {
+        for (angle, expected) in [
+            (0.0, 0.0),
+            (PI, PI),
+            (-PI, PI),
+            (-3.0, -3.0),
+            (4.0, 4.0 - 2.0 * PI),
+            (-4.0, 2.0 * PI - 4.0),
+            (-20.0, 6.0 * PI - 20.0),
+            (20.0, 20.0 - 6.0 * PI),
+        ] {
+            assert!((wrap(angle) - expected).abs() < 1e-14, "{angle}");
+        }
+    }
+}
