@@ -6,7 +6,7 @@
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::oscillator::decay::Damped;
 use crate::oscillator::mode::Kind;
-use crate::response::coefficients::Share;
+use crate::response::coefficients::ModalCoefficients;
 use crate::response::motion::motion_wave;
 use core::f64::consts::PI;
 
@@ -92,7 +92,7 @@ fn turning(tau: f64, order: usize) -> (f64, f64) {
 
 /// y = 1/x² + a·d + b·p, the response to a unit force that changes its sign every half period, by what it
 /// repeats: y(π) = −y(0) and y′(π) = −y′(0), with d = p′ + 2ζx p and d′ = −x²p.
-fn swaying(x: f64, zeta: f64) -> (f64, f64) {
+fn mass_controlled_parts(x: f64, zeta: f64) -> (f64, f64) {
     let end = free(x, zeta, PI, 1);
     let (p, slope) = (end[0], end[1]);
     let d = slope + 2.0 * zeta * x * p;
@@ -112,8 +112,8 @@ pub fn derivative(wave: &TestWave, tau: f64, order: usize) -> f64 {
         0 => p[1] + 2.0 * zeta * x * p[0],
         _ => -x * x * p[order - 1],
     };
-    let rise = if wave.sways {
-        let (a, b) = swaying(x, zeta);
+    let rise = if wave.mass_controlled {
+        let (a, b) = mass_controlled_parts(x, zeta);
         let at_rest = if order == 0 { 1.0 / (x * x) } else { 0.0 };
         at_rest + a * d(order) + b * p[order]
     } else if order == 0 {
@@ -150,12 +150,12 @@ pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
         ("rise", Wave { rise: 1.0, ..rest }),
     ];
     if x * (2.0 * zeta).max(1.0) < 0.5 {
-        let sways = Wave {
+        let inert = Wave {
             rise: 1.0,
-            sways: true,
+            mass_controlled: true,
             ..rest
         };
-        parts.push(("sways", sways));
+        parts.push(("mass-controlled", inert));
     }
     parts
 }
@@ -192,7 +192,7 @@ pub fn random_waves(
     waves
 }
 
-/// A motion as a chain's: carrier and waves that repeat with the opposite sign after half a period, modes far
+/// A motion as a chain's: fundamental component and waves that repeat with the opposite sign after half a period, modes far
 /// below the excitation by their whole response.
 pub fn random_motion(
     random: &mut Lcg,
@@ -219,16 +219,16 @@ pub fn random_motion(
             if x * (2.0 * zeta).max(1.0) < 0.5 {
                 return Wave {
                     rise: weight,
-                    sways: true,
+                    mass_controlled: true,
                     ..rest(x, zeta)
                 };
             }
             // 1/x² + a·d + b·p = (1 − d)/x² + g(cos τ − d)/x² − b(sin τ − p) − g cos τ/x² + b sin τ.
-            let (a, b) = swaying(x, zeta);
+            let (a, b) = mass_controlled_parts(x, zeta);
             let fall = -a - 1.0 / (x * x);
             cosine -= weight * fall;
             sine += weight * b;
-            let share = Share {
+            let share = ModalCoefficients {
                 rise: weight,
                 fall: weight * fall,
                 swing: -(weight * b),
@@ -264,10 +264,10 @@ pub fn random_constraint(
             } else {
                 damping[random.below(4)]
             };
-            let mobility = random.unit();
+            let inverse_mass = random.unit();
             // y′ = −a x²p + b p′.
-            let (a, b) = swaying(x, zeta);
-            let (swing, swing_slope) = (mobility * a * x * x, -(mobility * b));
+            let (a, b) = mass_controlled_parts(x, zeta);
+            let (swing, swing_slope) = (inverse_mass * a * x * x, -(inverse_mass * b));
             sine -= 2.0 * zeta * x * swing_slope;
             start += 2.0 * zeta * x * swing_slope - swing;
             Wave {

@@ -82,7 +82,7 @@ impl<S: Float> At<S> {
                     load,
                     contact,
                     residue: load * contact,
-                    mobility: contact * contact,
+                    inverse_mass: contact * contact,
                     static_residue: load * contact / (resonance * resonance),
                 }
             })
@@ -90,7 +90,9 @@ impl<S: Float> At<S> {
         let chain = Chain {
             damped: parts.iter().any(|part| part.zeta > 0.0),
             on_moving_base: None,
-            mobility: modes.iter().fold(c(0.0), |sum, mode| sum + mode.mobility),
+            inverse_mass: modes
+                .iter()
+                .fold(c(0.0), |sum, mode| sum + mode.inverse_mass),
             stiction: c(1.0),
         };
         let mut responses = vec![ModeResponse::zero(); modes.len()];
@@ -142,12 +144,12 @@ fn in_step(random: &mut Lcg) -> Vec<Part> {
     let part = |n: u32| {
         let sign = if n % 4 == 1 { 1.0 } else { -1.0 };
         let x = f64::from(n) - sign * 0.005;
-        let mobility = (1.0 + 0.2 * random.unit()) * x * (0.5 * PI * x).cos().abs();
+        let inverse_mass = (1.0 + 0.2 * random.unit()) * x * (0.5 * PI * x).cos().abs();
         Part {
             resonance: x,
             zeta: 0.0,
             load: 1.0,
-            contact: mobility.sqrt(),
+            contact: inverse_mass.sqrt(),
         }
     };
     odd.into_iter().map(part).collect()
@@ -203,9 +205,9 @@ fn the_undamped_constraint_is_searched_to_the_middle() {
         let peak = at.searched();
         assert!(peak.evaluations < MAX_EVALUATIONS);
         // μ = 1: what the quotient is for τ → 0 belongs to it.
-        let want = best.max(at.chain.mobility);
+        let want = best.max(at.chain.inverse_mass);
         let got = peak.value / at.contact.scale;
-        at_start += u32::from(best <= at.chain.mobility * (1.0 + 1e-12));
+        at_start += u32::from(best <= at.chain.inverse_mass * (1.0 + 1e-12));
         // Rounding of x beside a pole of a tangent.
         let pole = parts
             .iter()
@@ -214,7 +216,7 @@ fn the_undamped_constraint_is_searched_to_the_middle() {
         let off = (got / want - 1.0).abs() / (1.0 + 1e-6 * fastest * pole);
         assert!(off < 1e-9, "case {case}: {got}, not {want} at {place}");
         worst = worst.max(off);
-        last_sixth += u32::from(place > 0.42 * PI && best > at.chain.mobility * (1.0 + 1e-6));
+        last_sixth += u32::from(place > 0.42 * PI && best > at.chain.inverse_mass * (1.0 + 1e-6));
         compared += 1;
     }
     println!(

@@ -3,7 +3,7 @@
 use frictiongen_kernel::Complex;
 use frictiongen_kernel::modal_sum::wave::Wave;
 use frictiongen_kernel::oscillator::decay::Undamped;
-use frictiongen_kernel::response::coefficients::{Carrier, Friction};
+use frictiongen_kernel::response::coefficients::{Friction, Fundamental};
 use frictiongen_kernel::response::motion::Motion;
 use std::f64::consts::PI;
 
@@ -13,7 +13,7 @@ fn phase(cosine: f64, sine: f64, (k, b): (f64, f64), lag: f64) -> f64 {
     wave.free = sine * k * b;
     wave.swing_slope = cosine * b;
     let zero = Complex::new(0.0, 0.0);
-    let carrier = Carrier {
+    let fundamental = Fundamental {
         cosine: cosine * (1.0 - b),
         sine,
         response: zero,
@@ -25,7 +25,7 @@ fn phase(cosine: f64, sine: f64, (k, b): (f64, f64), lag: f64) -> f64 {
         phase: lag,
         unscale: 1.0,
     };
-    Motion::of_mass(friction, carrier, [wave]).phase()
+    Motion::of_mass(friction, fundamental, [wave]).phase()
 }
 
 /// An angle moved into (−π, π].

@@ -17,7 +17,7 @@ fn undamped<S: Float>(resonance: S) -> Mode<S> {
         load: one,
         contact: one,
         residue: one,
-        mobility: one,
+        inverse_mass: one,
         static_residue: one,
     }
 }

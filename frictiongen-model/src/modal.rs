@@ -27,7 +27,7 @@ pub struct Modal<T = Dd> {
     /// φᵀw for each mode.
     pub contacts: Vec<T>,
     /// m* = wᵀΓ⁻¹w.
-    pub mobility: T,
+    pub inverse_mass: T,
     /// wᵀΓ⁻¹p.
     pub inertial_load: T,
     /// wᵀK̄⁻¹p − s, the static relative motion.
@@ -234,7 +234,7 @@ impl Modal {
             shapes,
             loads,
             contacts,
-            mobility: dot(w_scaled, w_scaled),
+            inverse_mass: dot(w_scaled, w_scaled),
             inertial_load,
             static_motion,
             static_receptance,
@@ -296,7 +296,7 @@ impl<T: Float> Modal<T> {
         let chain = Chain {
             damped: self.is_damped(),
             on_moving_base: self.on_moving_base.then(|| to(self.static_motion)),
-            mobility: to(self.mobility),
+            inverse_mass: to(self.inverse_mass),
             stiction: to(self.stiction),
         };
         let ends = self.ends();
@@ -354,7 +354,7 @@ impl<T: Float> Modal<T> {
                 sliding_at_infinity: infinity,
             };
         }
-        let ratio = self.inertial_load.abs() / self.mobility;
+        let ratio = self.inertial_load.abs() / self.inverse_mass;
         let root = (T::constant(4.0) * mu * mu + T::pi() * T::pi()).sqrt();
         Ends {
             sliding_at_rest: rest,
@@ -384,7 +384,7 @@ pub(crate) fn mode<T: Float, S>(
         load: to(load),
         contact: to(contact),
         residue: to(contact * load),
-        mobility: to(contact * contact),
+        inverse_mass: to(contact * contact),
         static_residue: to(contact * load / (resonance * resonance)),
     }
 }

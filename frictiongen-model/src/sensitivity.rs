@@ -66,7 +66,7 @@ impl Modal {
             shapes: self.shapes.iter().map(|shape| fixed(shape)).collect(),
             loads: fixed(&self.loads),
             contacts: fixed(&self.contacts),
-            mobility: Dual::fixed(self.mobility),
+            inverse_mass: Dual::fixed(self.inverse_mass),
             inertial_load: Dual::fixed(self.inertial_load),
             static_motion: Dual::fixed(self.static_motion),
             static_receptance: Dual::fixed(self.static_receptance),
@@ -99,7 +99,7 @@ impl Modal {
             Quantity::Contact(mode) => {
                 let contact = along.contacts.get_mut(mode)?;
                 contact.slope = one;
-                along.mobility.slope = contact.value + contact.value;
+                along.inverse_mass.slope = contact.value + contact.value;
                 along.inertial_load.slope = along.loads.get(mode)?.value;
             }
             Quantity::Shape { mode, mass } => {
@@ -351,7 +351,7 @@ impl Change {
                     sum + *a * *b / dual(*gamma, *gamma * *change)
                 })
         };
-        along.mobility = over_mass(&w, &w);
+        along.inverse_mass = over_mass(&w, &w);
         along.inertial_load.slope = over_mass(&w, &p).slope;
     }
 }

@@ -46,7 +46,7 @@ fn mode<T: Float>(zeta: T) -> Mode<T> {
         load: one,
         contact: one,
         residue: one,
-        mobility: one,
+        inverse_mass: one,
         static_residue: one,
     }
 }

@@ -59,7 +59,7 @@ impl<S: Float> Data<S> {
                 load: to(mode.load),
                 contact: to(mode.contact),
                 residue: to(mode.residue),
-                mobility: to(mode.mobility),
+                inverse_mass: to(mode.inverse_mass),
                 static_residue: to(mode.static_residue),
             }
         };
@@ -70,7 +70,7 @@ impl<S: Float> Data<S> {
                 chain: Chain {
                     damped: chain.damped,
                     on_moving_base: chain.on_moving_base.map(&to),
-                    mobility: to(chain.mobility),
+                    inverse_mass: to(chain.inverse_mass),
                     stiction: to(chain.stiction),
                 },
                 ends: Ends {
@@ -123,8 +123,8 @@ impl<'a, S: Float> DataAt<'a, S> {
         let part = |(mode, at): (&Mode<S>, &ModeAt<S>)| {
             let mut wave = Wave::rest(at.x, Damped::of(mode));
             if mode.in_contact {
-                wave.free = mode.mobility * (self.contact_sums().scale + at.g);
-                wave.swing_slope = mode.mobility * at.u;
+                wave.free = mode.inverse_mass * (self.contact_sums().scale + at.g);
+                wave.swing_slope = mode.inverse_mass * at.u;
             }
             wave
         };

@@ -134,7 +134,7 @@ mod among_types_of_the_same_names {
     in_the_way! {
         Result Option Ok Err Some None Box Vec String Default Error Copied Into From
         Scalar Float Mode Modes ModeAt ModeResponse Kind Chain ContactAt Damped Undamped Decay
-        Carrier Friction Share Motion Wave Complex Regime NotContinuous OutOfDomain StuckResonance
+        Fundamental Friction ModalCoefficients Motion Wave Complex Regime NotContinuous OutOfDomain StuckResonance
         Orbit OrbitMotion NoOrbit Simulation Segment Moment Part Dynamics HeldMode
         Iterator IntoIterator Steady LimitsAt FrictionSystem Of f32 usize str bool u8
     }
@@ -223,14 +223,14 @@ mod with_masses_called_like_variables {
         /// In passes.
         pub(super) struct Many {
             masses: {
-                u: 1.0, beta: 1.0, modes: 1.0, carrier: 1.0, scale: 1.0, mode: 1.0, response: 1.0,
+                u: 1.0, beta: 1.0, modes: 1.0, fundamental: 1.0, scale: 1.0, mode: 1.0, response: 1.0,
                 responses: 1.0, sum: 1.0, others: 1.0, waves: 1.0, constraint: 1.0, index: 1.0,
                 question: 1.0, of: 1.0, rs: 1.0, v: 1.0, g: 1.0, h: 1.0, ask: 1.0, map: 1.0, get: 1.0,
                 stuck_mass: 1.0, masses: 1.0, springs: 1.0, modal: 1.0, limited: 1.0, name: 1.0,
             },
             springs: {
-                base - u: 1.0, u - beta: 1.0, beta - modes: 1.0, modes - carrier: 1.0,
-                carrier - scale: 1.0, scale - mode: 1.0, mode - response: 1.0,
+                base - u: 1.0, u - beta: 1.0, beta - modes: 1.0, modes - fundamental: 1.0,
+                fundamental - scale: 1.0, scale - mode: 1.0, mode - response: 1.0,
                 response - responses: 1.0, responses - sum: 1.0, sum - others: 1.0,
                 others - waves: 1.0, waves - constraint: 1.0, constraint - index: 1.0,
                 index - question: 1.0, question - of: 1.0, of - rs: 1.0, rs - v: 1.0, v - g: 1.0,

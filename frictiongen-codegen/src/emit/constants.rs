@@ -156,7 +156,7 @@ pub(super) fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>) -> TokenS
     let of = |value| emission.literal(value);
     let (resonance, zeta, q) = (of(mode.resonance), of(mode.zeta), of(mode.q));
     let (q_defect, load, contact) = (of(mode.q_defect), of(mode.load), of(mode.contact));
-    let (residue, mobility) = (of(mode.residue), of(mode.mobility));
+    let (residue, inverse_mass) = (of(mode.residue), of(mode.inverse_mass));
     let static_residue = of(mode.static_residue);
     code! {
         Mode {
@@ -169,7 +169,7 @@ pub(super) fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>) -> TokenS
             load: #load,
             contact: #contact,
             residue: #residue,
-            mobility: #mobility,
+            inverse_mass: #inverse_mass,
             static_residue: #static_residue,
         }
     }
@@ -196,13 +196,13 @@ fn chain(emission: &Emission<'_>) -> TokenStream {
             code!(Some(#at_rest))
         }
     };
-    let mobility = emission.literal(chain.mobility);
+    let inverse_mass = emission.literal(chain.inverse_mass);
     let stiction = emission.literal(chain.stiction);
     code! {
         Chain {
             damped: #damped,
             on_moving_base: #on_moving_base,
-            mobility: #mobility,
+            inverse_mass: #inverse_mass,
             stiction: #stiction,
         }
     }

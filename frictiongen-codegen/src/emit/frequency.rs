@@ -318,7 +318,7 @@ fn symbolic_mode(graph: &Graph, kind: Kind) -> Mode<Expr<'_>> {
         load: of("load"),
         contact: of("contact"),
         residue: of("residue"),
-        mobility: of("mobility"),
+        inverse_mass: of("inverse_mass"),
         static_residue: of("static_residue"),
     }
 }

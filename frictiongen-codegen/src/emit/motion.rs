@@ -3,7 +3,7 @@
 use super::trace::Tracer;
 use super::{Emission, Part, field, local};
 use crate::graph::{Expr, Graph};
-use frictiongen_kernel::response::coefficients::{Carrier, Share};
+use frictiongen_kernel::response::coefficients::{Fundamental, ModalCoefficients};
 use proc_macro2::{Ident, Literal, TokenStream};
 
 /// Names of the code around the formulas.
@@ -14,7 +14,7 @@ const TAKEN: [&str; 8] = [
     "modes",
     "beta",
     "friction",
-    "carrier",
+    "fundamental",
     "waves",
 ];
 
@@ -94,11 +94,11 @@ pub(super) fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> T
             ) -> Option<MotionOf<Self>> {
                 let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
                 let [#(#modes),*] = at.modes();
-                let (carrier, waves) = match mass {
+                let (fundamental, waves) = match mass {
                     #(#masses)*
                     _ => return None,
                 };
-                Some(Motion::of_mass(*friction, carrier, waves))
+                Some(Motion::of_mass(*friction, fundamental, waves))
             }
         }
     });
@@ -108,7 +108,7 @@ pub(super) fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> T
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [#(#modes),*] = at.modes();
             #contact
-            Motion::of_contact(*friction, carrier, waves)
+            Motion::of_contact(*friction, fundamental, waves)
         }
 
         #masses
@@ -123,9 +123,9 @@ pub(super) fn mode_names(emission: &Emission<'_>) -> Vec<Ident> {
 
 /// The coefficients that all modes share, and each mode's.
 struct Coefficients<'g> {
-    carrier: Carrier<Expr<'g>>,
+    fundamental: Fundamental<Expr<'g>>,
     /// None for a mode that the contact does not drive.
-    shares: Vec<Option<Share<Expr<'g>>>>,
+    shares: Vec<Option<ModalCoefficients<Expr<'g>>>>,
 }
 
 fn of_contact(emission: &Emission<'_>) -> TokenStream {
@@ -137,24 +137,25 @@ fn of_contact(emission: &Emission<'_>) -> TokenStream {
     let modes = tracer.reduced.modes.iter().zip(tracer.modes_at());
     let inverse_r = graph.input("inverse_r");
     let coefficients = Coefficients {
-        carrier: chain.contact_carrier(&contact, &friction),
+        fundamental: chain.contact_fundamental(&contact, &friction),
         shares: modes
             .enumerate()
             .map(|(index, (mode, at))| {
-                let residue = mode.mobility;
-                mode.in_contact
-                    .then(|| chain.share(&at, residue, &contact, &friction, inverse_r, index))
+                let residue = mode.inverse_mass;
+                mode.in_contact.then(|| {
+                    chain.modal_coefficients(&at, residue, &contact, &friction, inverse_r, index)
+                })
             })
             .collect(),
     };
     let Lines {
         statements,
-        carrier,
+        fundamental,
         waves,
     } = lines(emission, &tracer, &coefficients, &code!(motion_wave));
     code! {
         #statements
-        let carrier = #carrier;
+        let fundamental = #fundamental;
         let waves = #waves;
     }
 }
@@ -168,26 +169,27 @@ fn of_mass(emission: &Emission<'_>, mass: usize) -> TokenStream {
     let (shape, modes) = (tracer.reduced.shape(mass), &tracer.reduced.modes);
     let parts = modes.iter().zip(&at).zip(shape).enumerate();
     let coefficients = Coefficients {
-        carrier: chain.carrier(shape, modes, &at, &contact, &friction, inverse_r),
+        fundamental: chain.fundamental(shape, modes, &at, &contact, &friction, inverse_r),
         shares: parts
             .map(|(index, ((mode, at), component))| {
                 let residue = *component * mode.contact;
                 mode.in_contact.then(|| {
-                    chain.mass_share(mode, at, residue, &contact, &friction, inverse_r, index)
+                    chain
+                        .mass_coefficients(mode, at, residue, &contact, &friction, inverse_r, index)
                 })
             })
             .collect(),
     };
     let Lines {
         statements,
-        carrier,
+        fundamental,
         waves,
     } = lines(emission, &tracer, &coefficients, &code!(mass_wave));
     let mass = Literal::usize_unsuffixed(mass);
     code! {
         #mass => {
             #statements
-            (#carrier, #waves)
+            (#fundamental, #waves)
         }
     }
 }
@@ -195,7 +197,7 @@ fn of_mass(emission: &Emission<'_>, mass: usize) -> TokenStream {
 /// A motion's coefficients as statements and expressions.
 struct Lines {
     statements: TokenStream,
-    carrier: TokenStream,
+    fundamental: TokenStream,
     waves: TokenStream,
 }
 
@@ -205,21 +207,21 @@ fn lines<'g>(
     coefficients: &Coefficients<'g>,
     wave: &TokenStream,
 ) -> Lines {
-    let Carrier {
+    let Fundamental {
         cosine,
         sine,
         response,
-    } = coefficients.carrier;
+    } = coefficients.fundamental;
     let mut outputs = vec![cosine, sine, response.re, response.im];
     for share in coefficients.shares.iter().flatten() {
         outputs.extend([share.rise, share.fall, share.swing, share.gain]);
     }
     let outputs: Vec<_> = outputs.into_iter().map(Expr::operand).collect();
     let (printed, _) = tracer.print(&outputs, emission.precision, &TAKEN);
-    let (carrier, shares) = printed.outputs.split_at(printed.outputs.len().min(4));
-    let carrier = match carrier {
+    let (fundamental, shares) = printed.outputs.split_at(printed.outputs.len().min(4));
+    let fundamental = match fundamental {
         [cosine, sine, re, im] => {
-            code!(Carrier { cosine: #cosine, sine: #sine, response: Complex { re: #re, im: #im } })
+            code!(Fundamental { cosine: #cosine, sine: #sine, response: Complex { re: #re, im: #im } })
         }
         _ => TokenStream::new(),
     };
@@ -235,14 +237,14 @@ fn lines<'g>(
                 Some([rise, fall, swing, gain]) => {
                     let (rise, fall) = (field("rise", rise), field("fall", fall));
                     let (swing, gain) = (field("swing", swing), field("gain", gain));
-                    code!(#wave(#mode.x, #decay, Share { #rise, #fall, #swing, #gain }))
+                    code!(#wave(#mode.x, #decay, ModalCoefficients { #rise, #fall, #swing, #gain }))
                 }
                 _ => code!(Wave::rest(#mode.x, #decay)),
             }
         });
     Lines {
         statements: printed.statements,
-        carrier,
+        fundamental,
         waves: code!([#(#waves),*]),
     }
 }

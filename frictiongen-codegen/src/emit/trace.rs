@@ -172,7 +172,7 @@ pub fn traces<S: frictiongen_kernel::Float>(
     .to_vec();
     for (index, mass) in scene.masses.iter().enumerate() {
         let shape = tracer.reduced.shape(index);
-        let carrier = chain.carrier(
+        let fundamental = chain.fundamental(
             shape,
             &tracer.reduced.modes,
             &at,
@@ -180,7 +180,7 @@ pub fn traces<S: frictiongen_kernel::Float>(
             &friction,
             inverse,
         );
-        for (field, value) in [("cosine", carrier.cosine), ("sine", carrier.sine)] {
+        for (field, value) in [("cosine", fundamental.cosine), ("sine", fundamental.sine)] {
             named.push((format!("{}.{field}", mass.name), value.operand()));
         }
         if tracer.reduced.rubbing == Some(index) {

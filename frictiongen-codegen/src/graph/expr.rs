@@ -166,7 +166,7 @@ impl Div for Expr<'_> {
 }
 
 impl<'g> Scalar for Expr<'g> {
-    const SWAYS: bool = true;
+    const MASS_CONTROLLED: bool = true;
     type Condition = Condition<'g>;
 
     fn constant(value: f64) -> Self {

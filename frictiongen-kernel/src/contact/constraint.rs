@@ -3,7 +3,7 @@
 use crate::contact::regime::check_beta;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::errors::{NotContinuous, StuckResonance};
-use crate::modal_sum::search::{self, Peak, Question, Weight};
+use crate::modal_sum::search::{self, Peak, Problem, Weight};
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::complex;
 use crate::number::scalar::Float;
@@ -40,7 +40,7 @@ impl<S: Float> Chain<S> {
     ) -> Peak<S> {
         let start = self.start_constraint(contact);
         // Not as the difference of two sums: beside a resonance the damping's share outweighs the rest.
-        let above = (self.stiction - S::constant(1.0)) * self.mobility * contact.scale;
+        let above = (self.stiction - S::constant(1.0)) * self.inverse_mass * contact.scale;
         let mut peak = self.constraint_above(contact, at, waves, start, above);
         peak.value = if peak.places[0].is_some() {
             start + peak.value
@@ -84,7 +84,7 @@ impl<S: Float> Chain<S> {
         let tolerance = S::constant(4.0 * S::RESOLUTION) * (S::constant(1.0) + ratio * ratio);
         search::largest(
             sum,
-            Question {
+            Problem {
                 weight: Weight::Sine,
                 both_signs: !self.damped,
                 end: if self.damped {
@@ -117,7 +117,7 @@ impl<S: Float> Chain<S> {
                 let at = core::slice::from_ref(at);
                 let above = S::constant(0.0);
                 let peak = self.constraint_above(contact, at, &[wave], start, above);
-                sum = sum + mode.mobility * (start + peak.value);
+                sum = sum + mode.inverse_mass * (start + peak.value);
             }
         }
         sum.max(self.break_away(contact))
@@ -233,7 +233,7 @@ fn fill<S: Float, D: Decay<S>>(
     debug_assert_eq!(modes.len(), at.len(), "every mode at this r");
     debug_assert_eq!(modes.len(), waves.len(), "a wave for each mode");
     for ((mode, at), wave) in modes.iter().zip(at).zip(waves) {
-        *wave = constraint_wave(mode, at, contact, mode.mobility);
+        *wave = constraint_wave(mode, at, contact, mode.inverse_mass);
     }
 }
 
@@ -244,12 +244,12 @@ fn constraint_wave<S: Float, D: Decay<S>>(
     mode: &Mode<S>,
     at: &ModeAt<S>,
     contact: &ContactAt<S>,
-    mobility: S,
+    inverse_mass: S,
 ) -> Wave<S, D> {
     let mut wave = Wave::rest(at.x, D::of(mode));
     if mode.in_contact {
-        wave.swing = -(mobility * (contact.scale + at.g));
-        wave.swing_slope = mobility * at.u;
+        wave.swing = -(inverse_mass * (contact.scale + at.g));
+        wave.swing_slope = inverse_mass * at.u;
     }
     wave
 }

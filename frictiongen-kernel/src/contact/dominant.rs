@@ -9,7 +9,7 @@
 //! larger of ad and bc, which remain of the second mode, is at least √(ac·bd) ≥ bd, what cancels.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
-use crate::modal_sum::mass_controlled::is_slow;
+use crate::modal_sum::mass_controlled::is_mass_controlled;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
@@ -276,7 +276,7 @@ impl<S: Scalar> Chain<S> {
         let weight = size * other;
         let weight = match partner {
             Partner::U => S::select(
-                is_slow(mode.kind, mode.zeta, at.x),
+                is_mass_controlled(mode.kind, mode.zeta, at.x),
                 S::constant(0.0),
                 weight,
             ),
@@ -290,7 +290,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The sums for a mode: a mode that sways has no terms of U that could cancel, and gets all of it.
+    /// The sums for a mode: a mass-controlled mode has no terms of U that could cancel, and gets all of it.
     fn in_full(
         &self,
         mode: &Mode<S>,
@@ -301,7 +301,11 @@ impl<S: Scalar> Chain<S> {
     ) -> Sums<S> {
         match partner {
             Partner::U => Sums {
-                u: S::select(is_slow(mode.kind, mode.zeta, at.x), contact.u, others.u),
+                u: S::select(
+                    is_mass_controlled(mode.kind, mode.zeta, at.x),
+                    contact.u,
+                    others.u,
+                ),
                 ..*others
             },
             Partner::H => *others,
@@ -311,8 +315,8 @@ impl<S: Scalar> Chain<S> {
     fn own(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Sums<S> {
         Sums {
             v: self.load_term(mode, at),
-            u: (mode.mobility * at.u).named("velocity_share", None),
-            h: complex::scale(at.response, mode.mobility),
+            u: (mode.inverse_mass * at.u).named("velocity_share", None),
+            h: complex::scale(at.response, mode.inverse_mass),
         }
     }
 

@@ -9,9 +9,9 @@ impl<S: Scalar> Chain<S> {
     #[inline]
     pub fn start_constraint(&self, contact: &ContactAt<S>) -> S {
         if self.damped {
-            contact.reversal + self.mobility * contact.scale
+            contact.reversal + self.inverse_mass * contact.scale
         } else {
-            self.mobility * contact.scale
+            self.inverse_mass * contact.scale
         }
     }
 
@@ -19,11 +19,11 @@ impl<S: Scalar> Chain<S> {
     /// (5.63, 7.47).  As μ ≥ 1 it is never below [`start_constraint`](Self::start_constraint).
     #[inline]
     pub fn break_away(&self, contact: &ContactAt<S>) -> S {
-        let mobility = self.stiction * self.mobility * contact.scale;
+        let inverse_mass = self.stiction * self.inverse_mass * contact.scale;
         if self.damped {
-            contact.reversal + mobility
+            contact.reversal + inverse_mass
         } else {
-            mobility
+            inverse_mass
         }
     }
 

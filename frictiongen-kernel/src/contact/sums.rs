@@ -11,8 +11,8 @@ pub struct Chain<S> {
     pub damped: bool,
     /// Set when the contact rubs on the moving base: wᵀK̄⁻¹p − 1, the static relative motion.
     pub on_moving_base: Option<S>,
-    /// m* = wᵀΓ⁻¹w, the contact mobility.
-    pub mobility: S,
+    /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact.
+    pub inverse_mass: S,
     /// μ, static over kinetic friction force.
     pub stiction: S,
 }
@@ -197,16 +197,16 @@ impl<S: Scalar> Chain<S> {
     ) -> ContactAt<S> {
         let mut sum = *sum;
         sum.v = self.plus(sum.v, self.load_term(mode, at));
-        sum.h = self.plus(sum.h, complex::scale(at.response, mode.mobility));
-        sum.u = sum.u + mode.mobility * at.u;
+        sum.h = self.plus(sum.h, complex::scale(at.response, mode.inverse_mass));
+        sum.u = sum.u + mode.inverse_mass * at.u;
         if self.damped {
             let share = if single {
                 S::constant(1.0)
             } else {
                 sum.scale / response.size
             };
-            sum.g = sum.g + mode.mobility * (at.g / (at.x * at.x));
-            sum.reversal = sum.reversal + mode.mobility * (response.reversal * share);
+            sum.g = sum.g + mode.inverse_mass * (at.g / (at.x * at.x));
+            sum.reversal = sum.reversal + mode.inverse_mass * (response.reversal * share);
         }
         sum
     }

@@ -12,7 +12,7 @@ pub use crate::modal_sum::wave::Wave;
 pub use crate::orbit::{FixedOrbit, FixedOrbitMotion, Orbit, ProvidesOrbit, Start};
 pub use crate::oscillator::decay::{Damped, Decay, Undamped};
 pub use crate::oscillator::mode::{Kind, Mode, ModeResponse};
-pub use crate::response::coefficients::{Carrier, Friction, Share};
+pub use crate::response::coefficients::{Friction, Fundamental, ModalCoefficients};
 pub use crate::response::motion::{Motion, mass_wave, motion_wave};
 pub use crate::response::{
     At, Continuous, Ends, MotionOf, Numbers, ProvidesMotion, ProvidesStuck, Scene, Stuck,

@@ -1,4 +1,4 @@
-//! The response of one mode, slow beside the excitation, to a unit force that changes its sign with the
+//! The response of one mass-controlled mode, far below the excitation, to a unit force that changes its sign with the
 //! contact's sliding.
 //!
 //! Over the half period y″ + 2ζx y′ + x²y = 1, and after it the motion repeats with the opposite sign:
@@ -16,26 +16,12 @@ use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Basis, Instant};
 use crate::oscillator::mode::Kind;
 
-/// Roots of a smaller modulus than this count as slow.
+/// A mode whose roots have a smaller modulus than this is mass-controlled: its inertia outweighs its spring.
 const SLOW: f64 = 0.5;
-/// Even orders that are summed in `f64` and in `f32`: SLOW/3, the rate at which the third harmonic of the rest
-/// falls, to the power of twice as many is below their rounding.
-const DOUBLE: usize = 11;
-const SINGLE: usize = 5;
-
-/// The coefficients of e_2m, m = 1, 2, …: powers of w = τ(π − τ) from the mth down to the first.
-pub(crate) const DOUBLE_TERMS: [f64; terms(DOUBLE)] = coefficients();
-/// The same in `f32`.
-pub(crate) const SINGLE_TERMS: [f32; terms(SINGLE)] = rounded(coefficients());
-
-const fn terms(orders: usize) -> usize {
-    orders * (orders + 1) / 2
-}
-
-/// Whether a mode at x is slow; never in a scalar that has no polynomials.
+/// Whether a mode at x is mass-controlled; never in a scalar that has no polynomials.
 #[inline]
-pub(crate) fn is_slow<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Condition {
-    if !S::SWAYS {
+pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Condition {
+    if !S::MASS_CONTROLLED {
         return x.lt(S::constant(0.0));
     }
     // The faster root of an overdamped mode is below 2ζx.
@@ -48,46 +34,6 @@ pub(crate) fn is_slow<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Condition {
     rate.lt(S::constant(SLOW))
 }
 
-/// By e_n″ = e_n−2, from the highest power down, where nothing cancels.
-#[allow(clippy::indexing_slicing, reason = "at compile time")]
-const fn coefficients<const N: usize>() -> [f64; N] {
-    const SQUARE: f64 = core::f64::consts::PI * core::f64::consts::PI;
-    let mut out = [0.0; N];
-    out[0] = -0.5;
-    let (mut order, mut row, mut before) = (2, 1, 0);
-    while row < N {
-        let mut power = order;
-        while power > 0 {
-            let at = row + order - power;
-            // Of w^(power−1) in e_2m−2, and of w^(power+1) in e_2m.
-            let lower = if power > 1 {
-                out[before + order - power]
-            } else {
-                0.0
-            };
-            let higher = if power < order { out[at - 1] } else { 0.0 };
-            let k = power as f64;
-            out[at] = (k * (k + 1.0) * SQUARE * higher - lower) / (2.0 * k * (2.0 * k - 1.0));
-            power -= 1;
-        }
-        (before, row) = (row, row + order);
-        order += 1;
-    }
-    out
-}
-
-#[allow(clippy::indexing_slicing, reason = "at compile time")]
-#[allow(clippy::cast_possible_truncation, reason = "rounding is meant")]
-const fn rounded<const N: usize>(exact: [f64; N]) -> [f32; N] {
-    let mut out = [0.0; N];
-    let mut index = 0;
-    while index < N {
-        out[index] = exact[index] as f32;
-        index += 1;
-    }
-    out
-}
-
 /// y as the return from rest, y′ and y″ as its derivatives.
 pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let (zero, half, one) = (S::constant(0.0), S::constant(0.5), S::constant(1.0));
@@ -97,7 +43,7 @@ pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     // h_2m−4, h_2m−3, h_2m−2, and e_2m−2.
     let (mut first, mut before, mut now, mut last) = (zero, zero, one, one);
     let (mut value, mut slope) = (zero, zero);
-    let (mut rest, mut order, mut degree) = (S::sway_terms(), 1, one);
+    let (mut rest, mut order, mut degree) = (S::euler_terms(), 1, one);
     // (−1)^m
     let mut sign = one;
     while let Some((row, others)) = rest.split_at_checked(order) {
@@ -169,7 +115,7 @@ mod tests {
             load: one,
             contact: one,
             residue: one,
-            mobility: one,
+            inverse_mass: one,
             static_residue: one,
         }
     }
@@ -179,7 +125,7 @@ mod tests {
     fn as_put_together() {
         for zeta in [0.0, 1e-9, 0.01, 0.3, 0.7, 1.0, 1.5, 9.0] {
             for x in [1e-6, 1e-3, 0.02, 0.1249, 0.25, 0.4999] {
-                if !is_slow(mode(Dd::from(zeta)).kind, zeta, x) {
+                if !is_mass_controlled(mode(Dd::from(zeta)).kind, zeta, x) {
                     continue;
                 }
                 for t in [0.0, 1e-9, 0.1, 0.499_999, 0.5, 0.7, 1.0 - 1e-9, 1.0] {
@@ -241,7 +187,7 @@ mod tests {
         for zeta in [0.0_f32, 1e-4, 0.01, 0.3, 0.7, 1.0, 1.5, 9.0] {
             for x in [1e-3_f32, 0.02, 0.1249, 0.25, 0.4, 0.4999] {
                 let wide = |value: f32| Dd::from(f64::from(value));
-                if !is_slow(mode(wide(zeta)).kind, zeta, x) {
+                if !is_mass_controlled(mode(wide(zeta)).kind, zeta, x) {
                     continue;
                 }
                 for t in [0.0_f32, 1e-4, 0.1, 0.4999, 0.5, 0.7, 0.9999, 1.0] {

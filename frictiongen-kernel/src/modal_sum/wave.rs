@@ -22,7 +22,7 @@ pub struct Wave<S, D> {
     pub rise: S,
     /// Whether `rise` is of the whole response to a force that changes its sign instead: of a mode far
     /// below the excitation.
-    pub sways: bool,
+    pub mass_controlled: bool,
     /// φ_k(φᵀw)/r², the residue contact → mass; harmonics alone use it.
     pub gain: S,
 }
@@ -38,7 +38,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             swing_slope: zero,
             swing: zero,
             rise: zero,
-            sways: false,
+            mass_controlled: false,
             gain: zero,
         }
     }
@@ -46,7 +46,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     /// The mode's functions at an instant.
     #[inline]
     pub(crate) fn basis(&self, at: &Instant<S>) -> Basis<S> {
-        if self.sways {
+        if self.mass_controlled {
             mass_controlled::basis(self.x, self.decay.zeta(), at)
         } else {
             self.decay.basis(self.x, at)
@@ -174,11 +174,11 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum
     }
 
-    /// The value and the derivative at τ = 0, where all waves are at rest but those that sway.
+    /// The value and the derivative at τ = 0, where all waves are at rest but the mass-controlled.
     pub(crate) fn start(&self) -> (S, S) {
         let mut value = self.cosine;
         let mut slope = self.sine;
-        for wave in self.waves.iter().filter(|wave| wave.sways) {
+        for wave in self.waves.iter().filter(|wave| wave.mass_controlled) {
             let basis = wave.basis(&Instant::new(S::constant(0.0)));
             value = value + wave.rise * basis.rise;
             slope = slope + wave.rise * basis.free;
@@ -275,13 +275,13 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         tail: Option<&Tail<S>>,
     ) -> (Local<S>, Option<Local<S>>) {
         let Instant { sine, cosine, .. } = *at;
-        let mut local = carrier(S::constant(0.0), self.cosine, self.sine, sine, cosine);
+        let mut local = fundamental(S::constant(0.0), self.cosine, self.sine, sine, cosine);
         let mut slow = None;
         for (index, wave) in self.waves.iter().enumerate() {
             if let Some(tail) = tail.filter(|tail| tail.from == index) {
                 slow = Some(plus(
                     &local,
-                    &carrier(tail.constant, tail.cosine, tail.sine, sine, cosine),
+                    &fundamental(tail.constant, tail.cosine, tail.sine, sine, cosine),
                 ));
             }
             local = plus(&local, &wave_local(wave, at));
@@ -302,7 +302,7 @@ fn plus<S: Float>(a: &Local<S>, b: &Local<S>) -> Local<S> {
     }
 }
 
-fn carrier<S: Float>(constant: S, c: S, s: S, sine: S, cosine: S) -> Local<S> {
+fn fundamental<S: Float>(constant: S, c: S, s: S, sine: S, cosine: S) -> Local<S> {
     let turning = c * cosine + s * sine;
     let bound = c.abs() + s.abs();
     Local {

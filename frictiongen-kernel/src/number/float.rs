@@ -34,13 +34,13 @@ macro_rules! real {
     (
         $float:ident, trig: $trig:ident, sqrt: $sqrt:path, exp: $exp:path, exp_m1: $exp_m1:path,
         atan2: $atan2:path, floor: $floor:path,
-        inverse_range: $inverse_range:expr, sway_terms: $sway_terms:expr,
+        inverse_range: $inverse_range:expr, euler_terms: $euler_terms:expr,
         sixth_pi_squared: $sixth_pi_squared:expr,
         sinc: [$sinc_first:expr, $($sinc:expr),+ $(,)?],
         sinh: [$sinh_first:expr, $($sinh:expr),+ $(,)?] $(,)?
     ) => {
         impl Scalar for $float {
-            const SWAYS: bool = true;
+            const MASS_CONTROLLED: bool = true;
             type Condition = bool;
 
             #[inline(always)]
@@ -150,8 +150,8 @@ macro_rules! real {
                 $inverse_range
             }
 
-            fn sway_terms() -> &'static [Self] {
-                &$sway_terms
+            fn euler_terms() -> &'static [Self] {
+                &$euler_terms
             }
 
             #[inline(always)]
@@ -176,7 +176,7 @@ macro_rules! real {
 real! {
     f64, trig: double, sqrt: sqrt_f64, exp: libm::exp, exp_m1: libm::expm1, atan2: libm::atan2,
     floor: libm::floor, inverse_range: (POWER_400.recip(), POWER_400),
-    sway_terms: crate::modal_sum::mass_controlled::DOUBLE_TERMS,
+    euler_terms: super::euler::DOUBLE_TERMS,
     sixth_pi_squared: [1.6449356079101562, -1.5410619298135275e-06],
     sinc: [
         -0.8117424252833522,
@@ -204,7 +204,7 @@ real! {
 real! {
     f32, trig: single, sqrt: sqrt_f32, exp: libm::expf, exp_m1: libm::expm1f, atan2: libm::atan2f,
     floor: libm::floorf, inverse_range: (POWER_50.recip(), POWER_50),
-    sway_terms: crate::modal_sum::mass_controlled::SINGLE_TERMS,
+    euler_terms: super::euler::SINGLE_TERMS,
     sixth_pi_squared: [1.6484375, -0.0035034332],
     sinc: [-0.8117424, 0.19075158, -0.026145883, 0.0023391352, -0.00013717386],
     sinh: [0.33333334, 0.016666658, 0.00039684158, 5.499997e-06, 5.3386835e-08],

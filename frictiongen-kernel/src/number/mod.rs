@@ -7,6 +7,7 @@
 pub mod complex;
 pub mod dd;
 pub mod dual;
+mod euler;
 mod float;
 pub(crate) mod pairs;
 pub mod scalar;

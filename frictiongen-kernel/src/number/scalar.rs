@@ -18,8 +18,8 @@ pub trait Scalar:
 {
     /// The outcome of a comparison.
     type Condition: Copy;
-    /// Whether a mass's motion takes modes far below the excitation by the polynomials of [`Float::sway_terms`].
-    const SWAYS: bool = false;
+    /// Whether a mass's motion takes modes far below the excitation by the polynomials of [`Float::euler_terms`].
+    const MASS_CONTROLLED: bool = false;
 
     /// The nearest representable value to `value`.
     fn constant(value: f64) -> Self;
@@ -107,8 +107,8 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
     /// r → ∞ and r → 0 to every digit; within, no square of a frequency overflows or vanishes.
     fn inverse_ratio_range() -> (Self, Self);
     /// The polynomials that a mode follows far above its resonance, to this scalar's precision: where
-    /// [`Scalar::SWAYS`] says so.
-    fn sway_terms() -> &'static [Self] {
+    /// [`Scalar::MASS_CONTROLLED`] says so.
+    fn euler_terms() -> &'static [Self] {
         &[]
     }
     /// The largest integer that is not larger.

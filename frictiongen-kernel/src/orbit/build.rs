@@ -1,15 +1,15 @@
 //! From a scene, r and β to its steady state.
 
-use super::flow::Flow;
-use super::newton::{Map, Room, multipliers, same};
+use super::cycle_map::CycleMap;
+use super::newton::{Map, Workspace, multipliers, same};
 use super::record::{Record, Recorded};
-use super::solve::{Found, MAX_STEPS, ON_CIRCLE, Settled, settle};
-use super::{MAX_SEGMENTS, Mark, Orbit};
+use super::shooting::{Found, MAX_STEPS, ON_CIRCLE, Settled, settle};
+use super::{MAX_SEGMENTS, Orbit, SegmentStart};
 use crate::errors::NoOrbit;
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Plain};
 use crate::oscillator::mode::{Kind, Mode};
-use crate::simulation::{Contact, Dynamics, Part, Setting, Stance, leap};
+use crate::simulation::{Contact, ContactState, Dynamics, Part, Setting, leap};
 use core::f64::consts::FRAC_PI_4;
 
 impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
@@ -70,54 +70,55 @@ where
         }
         let clean = parts.clone();
         let (modes, held) = setting.split(parts.as_mut());
-        let mut flow = Flow {
-            stance: setting.stance(modes, zero),
+        let mut cycle_map = CycleMap {
+            contact_state: setting.contact_state(modes, zero),
             setting: &setting,
             modes,
             held,
             middle: zero,
             stuck: zero,
-            patience: MAX_STEPS,
+            step_budget: MAX_STEPS,
         };
-        let room = numbers.as_mut();
+        let workspace = numbers.as_mut();
         let (states, rest) =
-            room.split_at_mut(room.len().min(MAX_SEGMENTS * 2 * dynamics.modes.len()));
+            workspace.split_at_mut(workspace.len().min(MAX_SEGMENTS * 2 * dynamics.modes.len()));
         let (matrix, rest) = rest.split_at_mut(rest.len().min(4 * driven * driven));
         let (state, other) = rest.split_at_mut(rest.len() / 2);
-        let mut room = Room {
+        let mut workspace = Workspace {
             matrix,
             state,
             other,
             multipliers: multipliers.as_mut(),
         };
-        let mut marks = [Mark::empty(); MAX_SEGMENTS];
+        let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         let mut record = Record::new(&mut marks, states, 2 * dynamics.modes.len());
         if let Some((displacements, velocities)) = start {
             setting.check_state((displacements, velocities))?;
-            setting.load_state(displacements, velocities, flow.modes);
-            flow.stance = setting.stance(flow.modes, zero);
+            setting.load_state(displacements, velocities, cycle_map.modes);
+            cycle_map.contact_state = setting.contact_state(cycle_map.modes, zero);
         }
         let found = if sticks {
-            let found = stuck(&mut flow, &mut room)?;
-            record.stuck(&flow);
+            let found = stuck(&mut cycle_map, &mut workspace)?;
+            record.stuck(&cycle_map);
             found
         } else {
             let found = if beta.is_zero() {
-                linear(&mut flow, &mut room)?
+                linear(&mut cycle_map, &mut workspace)?
             } else {
-                match settle(&mut flow, &mut room)? {
+                match settle(&mut cycle_map, &mut workspace)? {
                     Settled::Found(found) => found,
                     Settled::Not(_) if last => Found::NONE,
                     Settled::Not(error) => return Err(error),
                 }
             };
             // However long the way, the period itself may take as much again.
-            flow.patience = MAX_STEPS;
-            to_event(&mut flow, found.period)?;
-            let at = flow.stance.t.sin_cos_pi();
-            settle_free(&mut flow, at)?;
-            record.follow(&mut flow, found.period)?;
-            let symmetric = found.symmetric || is_symmetric(&mut flow, &mut room, found.period)?;
+            cycle_map.step_budget = MAX_STEPS;
+            to_event(&mut cycle_map, found.period)?;
+            let at = cycle_map.contact_state.t.sin_cos_pi();
+            settle_free(&mut cycle_map, at)?;
+            record.follow(&mut cycle_map, found.period)?;
+            let symmetric =
+                found.symmetric || is_symmetric(&mut cycle_map, &mut workspace, found.period)?;
             Found { symmetric, ..found }
         };
         let Recorded {
@@ -174,30 +175,33 @@ fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
 
 /// The state while the contact never slides (6.11, 6.27, 6.33): every held mode in its steady motion
 /// about the contact's middle.
-fn stuck<S: Float>(flow: &mut Flow<'_, '_, S>, room: &mut Room<'_, S>) -> Result<Found, NoOrbit> {
+fn stuck<S: Float>(
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
+) -> Result<Found, NoOrbit> {
     let zero = S::constant(0.0);
     let at = (zero, S::constant(1.0));
-    for part in flow.held.iter_mut() {
+    for part in cycle_map.held.iter_mut() {
         part.settle(at).ok_or(NoOrbit::Unbounded)?;
     }
-    settle_free(flow, at)?;
-    let driven = flow.setting.dynamics.in_contact();
-    let states = flow.modes.iter_mut().take(driven);
+    settle_free(cycle_map, at)?;
+    let driven = cycle_map.setting.dynamics.in_contact();
+    let states = cycle_map.modes.iter_mut().take(driven);
     let states = states.map(|part| (&mut part.y, &mut part.u));
-    let lifted = flow.setting.lifted(zero, at);
-    flow.setting.release(flow.held, lifted, states);
-    flow.stance.contact = Contact::Stuck;
-    flow.stance.departing = None;
+    let lifted = cycle_map.setting.lifted(zero, at);
+    cycle_map.setting.release(cycle_map.held, lifted, states);
+    cycle_map.contact_state.contact = Contact::Stuck;
+    cycle_map.contact_state.departing = None;
     // A deviation of the contact stays where it is, one of its velocity is gone at once, and the
     // held modes' decay by themselves.
     let one = S::constant(1.0);
     let two_pi = S::pi() + S::pi();
-    let mut out = room.multipliers.iter_mut();
+    let mut out = workspace.multipliers.iter_mut();
     // The array ends first: the other way round `zip` takes one more of the multipliers, and leaves it out.
     for (re, out) in [one, zero].into_iter().zip(out.by_ref()) {
         *out = Complex::new(re, zero);
     }
-    for part in flow.held.iter() {
+    for part in cycle_map.held.iter() {
         for multiplier in part.multipliers(two_pi) {
             if let Some(out) = out.next() {
                 *out = multiplier;
@@ -213,15 +217,20 @@ fn stuck<S: Float>(flow: &mut Flow<'_, '_, S>, room: &mut Room<'_, S>) -> Result
 }
 
 /// β = 0: every mode in its steady motion.
-fn linear<S: Float>(flow: &mut Flow<'_, '_, S>, room: &mut Room<'_, S>) -> Result<Found, NoOrbit> {
+fn linear<S: Float>(
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
+) -> Result<Found, NoOrbit> {
     let at = (S::constant(0.0), S::constant(1.0));
-    let driven = flow.setting.dynamics.in_contact();
-    for part in flow.modes.iter_mut().take(driven) {
+    let driven = cycle_map.setting.dynamics.in_contact();
+    for part in cycle_map.modes.iter_mut().take(driven) {
         part.settle(at).ok_or(NoOrbit::Unbounded)?;
     }
-    settle_free(flow, at)?;
-    flow.stance = flow.setting.stance(flow.modes, S::constant(0.0));
-    let largest = multipliers(flow, room, Map::HALF_CYCLE)?;
+    settle_free(cycle_map, at)?;
+    cycle_map.contact_state = cycle_map
+        .setting
+        .contact_state(cycle_map.modes, S::constant(0.0));
+    let largest = multipliers(cycle_map, workspace, Map::HALF_CYCLE)?;
     Ok(Found {
         settled: true,
         period: 1,
@@ -231,30 +240,36 @@ fn linear<S: Float>(flow: &mut Flow<'_, '_, S>, room: &mut Room<'_, S>) -> Resul
 }
 
 /// Sets the modes that the contact does not touch to their steady motion.
-fn settle_free<S: Float>(flow: &mut Flow<'_, '_, S>, at: (S, S)) -> Result<(), NoOrbit> {
-    let driven = flow.setting.dynamics.in_contact();
-    for part in flow.modes.iter_mut().skip(driven) {
+fn settle_free<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>, at: (S, S)) -> Result<(), NoOrbit> {
+    let driven = cycle_map.setting.dynamics.in_contact();
+    for part in cycle_map.modes.iter_mut().skip(driven) {
         part.settle(at).ok_or(NoOrbit::Unbounded)?;
     }
     Ok(())
 }
 
 /// To the first event of a period; nowhere where there is none.
-fn to_event<S: Float>(flow: &mut Flow<'_, '_, S>, period: u32) -> Result<(), NoOrbit> {
-    let section: Stance<S> = flow.stance;
+fn to_event<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>, period: u32) -> Result<(), NoOrbit> {
+    let section: ContactState<S> = cycle_map.contact_state;
     let mut left = (S::pi() + S::pi()) * S::constant(f64::from(period));
     loop {
-        let end = leap(flow.setting, flow.modes, flow.held, flow.stance, left);
+        let end = leap(
+            cycle_map.setting,
+            cycle_map.modes,
+            cycle_map.held,
+            cycle_map.contact_state,
+            left,
+        );
         // A leap that is too long for one ends without an event; where a mode turns faster than r is
         // known, there is no end of them.
-        flow.spend(end.steps)?;
-        flow.stance = end.stance;
+        cycle_map.spend(end.steps)?;
+        cycle_map.contact_state = end.contact_state;
         left = left - end.tau;
         if end.event.is_some() {
             return Ok(());
         }
         if !(S::constant(0.0) < left) {
-            flow.stance = section;
+            cycle_map.contact_state = section;
             return Ok(());
         }
     }
@@ -263,19 +278,19 @@ fn to_event<S: Float>(flow: &mut Flow<'_, '_, S>, period: u32) -> Result<(), NoO
 /// Whether half a period takes the state to its opposite.  After an even number of cycles the load has the same sign
 /// half a period later, so that nothing is opposite.
 fn is_symmetric<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
-    room: &mut Room<'_, S>,
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
     period: u32,
 ) -> Result<bool, NoOrbit> {
     if period.is_multiple_of(2) {
         return Ok(false);
     }
-    flow.save(room.other);
+    cycle_map.save(workspace.other);
     for _ in 0..period {
-        flow.half(None)?;
+        cycle_map.half(None)?;
     }
-    flow.save(room.state);
-    let apart = room.state.iter().zip(room.other.iter());
+    cycle_map.save(workspace.state);
+    let apart = workspace.state.iter().zip(workspace.other.iter());
     let apart = apart.fold(S::constant(0.0), |most, (a, b)| most.max((*a + *b).abs()));
-    Ok(apart <= same(flow.scale()))
+    Ok(apart <= same(cycle_map.scale()))
 }

@@ -2,14 +2,14 @@
 //!
 //! Beside a resonance the fixed point is badly conditioned, while the closed form loses nothing.
 
-use super::flow::Flow;
+use super::cycle_map::CycleMap;
 use crate::contact::dominant::Partner;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::wave::Sum;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Damped;
 use crate::oscillator::mode::Mode;
-use crate::simulation::{Contact, Dynamics, Stance};
+use crate::simulation::{Contact, ContactState, Dynamics};
 
 /// The sums over all modes that the contact drives.
 struct Sums<'a, S> {
@@ -55,24 +55,24 @@ impl<'a, S: Float> Sums<'a, S> {
     }
 }
 
-/// Sets the flow to the closed form's state at a maximum of the relative motion.
-pub(super) fn set<S: Float>(flow: &mut Flow<'_, '_, S>) {
+/// Sets the cycle map to the closed form's state at a maximum of the relative motion.
+pub(super) fn set<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>) {
     let one = S::constant(1.0);
-    let dynamics = &flow.setting.dynamics;
-    let sums = Sums::new(dynamics, one / flow.setting.r);
+    let dynamics = &cycle_map.setting.dynamics;
+    let sums = Sums::new(dynamics, one / cycle_map.setting.r);
     let contact = sums.contact();
     let friction = dynamics
         .chain
-        .friction(&contact, sums.inverse_r, flow.setting.beta);
+        .friction(&contact, sums.inverse_r, cycle_map.setting.beta);
     let known = sums.modes.iter().map(|mode| (mode, sums.at(mode)));
     let apart = dynamics
         .chain
         .apart(known.clone(), Partner::U, &contact, sums.inverse_r);
-    for (index, (part, (mode, at))) in flow.modes.iter_mut().zip(known).enumerate() {
+    for (index, (part, (mode, at))) in cycle_map.modes.iter_mut().zip(known).enumerate() {
         let alone = core::iter::once((index, one, mode, at));
-        let carrier = dynamics
+        let fundamental = dynamics
             .chain
-            .carrier_of(alone, &apart, &contact, &friction);
+            .fundamental_of(alone, &apart, &contact, &friction);
         let wave = dynamics.chain.mass_wave::<Damped<S>>(
             mode,
             one,
@@ -83,8 +83,8 @@ pub(super) fn set<S: Float>(flow: &mut Flow<'_, '_, S>) {
         );
         let sum = Sum {
             waves: core::slice::from_ref(&wave),
-            cosine: carrier.cosine,
-            sine: carrier.sine,
+            cosine: fundamental.cosine,
+            sine: fundamental.sine,
         };
         let (y, slope) = sum.start();
         (part.y, part.u) = (y, slope / part.x);
@@ -92,12 +92,12 @@ pub(super) fn set<S: Float>(flow: &mut Flow<'_, '_, S>) {
     let turns = friction.phase * S::inverse_pi();
     let two = S::constant(2.0);
     let t = turns - (turns * S::constant(0.5)).floor() * two;
-    let force = flow.setting.holding(flow.modes, t.sin_cos_pi());
-    let excess = force.abs() - flow.setting.beta;
-    flow.stance = Stance {
+    let force = cycle_map.setting.holding(cycle_map.modes, t.sin_cos_pi());
+    let excess = force.abs() - cycle_map.setting.beta;
+    cycle_map.contact_state = ContactState {
         t,
         contact: Contact::Backward,
-        departing: Some(flow.setting.acceleration(excess)),
+        departing: Some(cycle_map.setting.acceleration(excess)),
         wedged: false,
     };
 }

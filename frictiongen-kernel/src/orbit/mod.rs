@@ -8,7 +8,7 @@
 mod build;
 mod closed;
 mod continuum;
-mod flow;
+mod cycle_map;
 mod gauss;
 mod matrix;
 mod motion;
@@ -16,16 +16,16 @@ mod newton;
 mod provides;
 mod record;
 mod segments;
-mod solve;
-mod tangent;
+mod shooting;
+mod variational;
 
 pub use motion::OrbitMotion;
 pub use provides::{ProvidesOrbit, Start};
-pub use solve::{MAX_CYCLES, MAX_PERIOD, MAX_STEPS};
+pub use shooting::{MAX_CYCLES, MAX_PERIOD, MAX_STEPS};
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Part, Setting, Stance};
+use crate::simulation::{Contact, ContactState, Part, Setting};
 use segments::Segments;
 
 /// A cycle of more segments than this is not reported; a period of several cycles may have so many for each.
@@ -39,9 +39,9 @@ pub const fn numbers(modes: usize, driven: usize) -> usize {
 
 /// A segment of the period.
 #[derive(Clone, Copy, Debug)]
-struct Mark<S> {
+struct SegmentStart<S> {
     /// How the contact stands at its start, and the excitation within its cycle.
-    stance: Stance<S>,
+    contact_state: ContactState<S>,
     /// Which cycle that is, counted from the first mark's.
     cycle: S,
     /// Its length in τ.
@@ -52,12 +52,12 @@ struct Mark<S> {
     more: u32,
 }
 
-impl<S: Float> Mark<S> {
+impl<S: Float> SegmentStart<S> {
     /// What an array of them starts from.
     fn empty() -> Self {
         let zero = S::constant(0.0);
         Self {
-            stance: Stance {
+            contact_state: ContactState {
                 t: zero,
                 contact: Contact::Stuck,
                 departing: None,
@@ -72,7 +72,7 @@ impl<S: Float> Mark<S> {
 
     /// z̄ at its end, if it sticks: what it was at the start, to the last digit.
     fn held(&self) -> Option<S> {
-        (self.stance.contact == Contact::Stuck).then_some(self.relative)
+        (self.contact_state.contact == Contact::Stuck).then_some(self.relative)
     }
 }
 
@@ -91,7 +91,7 @@ pub struct Orbit<'a, S, P, V, C> {
     parts: P,
     numbers: V,
     multipliers: C,
-    marks: [Mark<S>; MAX_SEGMENTS],
+    marks: [SegmentStart<S>; MAX_SEGMENTS],
     count: usize,
     /// In cycles of the excitation.
     period: u32,
@@ -100,7 +100,7 @@ pub struct Orbit<'a, S, P, V, C> {
     symmetric: bool,
     marginal: bool,
     settled: bool,
-    /// The excitation's phase in half-turns where τ = 0: a maximum of z̄, at its end; and its cycle, as in [`Mark`].
+    /// The excitation's phase in half-turns where τ = 0: a maximum of z̄, at its end; and its cycle, as in [`SegmentStart`].
     origin: S,
     origin_cycle: S,
 }
@@ -125,7 +125,7 @@ where
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
-    fn marks(&self) -> &[Mark<S>] {
+    fn marks(&self) -> &[SegmentStart<S>] {
         self.marks.get(..self.count).unwrap_or_default()
     }
 
@@ -180,14 +180,14 @@ where
     }
 
     /// The excitation's angle at a mark, in half-turns: 0 at the maximum of the excitation next to τ = 0.
-    fn angle(&self, mark: &Mark<S>) -> S {
+    fn angle(&self, mark: &SegmentStart<S>) -> S {
         let one = S::constant(1.0);
         let past = if one < self.origin {
             one
         } else {
             S::constant(0.0)
         };
-        mark.stance.t + S::constant(2.0) * (mark.cycle - self.origin_cycle - past)
+        mark.contact_state.t + S::constant(2.0) * (mark.cycle - self.origin_cycle - past)
     }
 
     /// The intervals for which the contact sticks: start and length.  The start is τ of the excitation, between 0 and 2π
@@ -195,7 +195,7 @@ where
     /// [`origin`](Self::origin).
     pub fn sticking_intervals(&self) -> impl Iterator<Item = (S, S)> + '_ {
         self.segments()
-            .filter(|mark| mark.stance.contact == Contact::Stuck)
+            .filter(|mark| mark.contact_state.contact == Contact::Stuck)
             .map(|mark| (self.within(self.angle(&mark)) * S::pi(), mark.length))
     }
 
@@ -227,7 +227,7 @@ where
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.settled
-            && self.largest_multiplier() <= S::constant(1.0 + solve::ON_CIRCLE * S::EPSILON)
+            && self.largest_multiplier() <= S::constant(1.0 + shooting::ON_CIRCLE * S::EPSILON)
     }
 
     /// Whether some deviation stays for good, or dies more slowly than any power: the state is a

@@ -2,7 +2,7 @@
 
 use super::gauss::{PANEL, SIXTEEN};
 use super::segments::Segments;
-use super::{Mark, Orbit};
+use super::{Orbit, SegmentStart};
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Part, Sum, rotated};
@@ -81,7 +81,9 @@ where
     /// Where n or a mode's own vibration within a segment goes beyond some 10⁴ turns, what vibrates so
     /// fast is told by its order of magnitude alone.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
-        self.component(S::constant(f64::from(n)), n == 0, |mark| mark.stance.t)
+        self.component(S::constant(f64::from(n)), n == 0, |mark| {
+            mark.contact_state.t
+        })
     }
 
     /// The component of order k/[`period`](Orbit::period): X in Re Σ X e^{ikτ_e/period}.  It turns k times in a period of
@@ -93,7 +95,12 @@ where
     }
 
     /// Of any order; with where in the excitation's half-turns a segment starts.
-    fn component(&self, order: S, mean: bool, starts: impl Fn(&Mark<S>) -> S) -> Complex<S> {
+    fn component(
+        &self,
+        order: S,
+        mean: bool,
+        starts: impl Fn(&SegmentStart<S>) -> S,
+    ) -> Complex<S> {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
         let mut total = complex::real(zero);
         self.each(|mark, sum| {
@@ -137,7 +144,7 @@ where
         } else {
             self.each(|mark, sum| {
                 sum.peaks(best.value, |tau, value| {
-                    best.note(mark.stance.t + tau * S::inverse_pi(), value);
+                    best.note(mark.contact_state.t + tau * S::inverse_pi(), value);
                     best.value
                 });
             });
@@ -154,15 +161,15 @@ where
     fn at_events(&self, best: &mut Best<S>) {
         let zero = S::constant(0.0);
         for mark in self.orbit.segments() {
-            best.note(mark.stance.t, mark.relative);
-            if mark.stance.contact == Contact::Stuck {
+            best.note(mark.contact_state.t, mark.relative);
+            if mark.contact_state.contact == Contact::Stuck {
                 let turns = mark.length * S::inverse_pi();
-                best.note(mark.stance.t + turns, mark.relative);
+                best.note(mark.contact_state.t + turns, mark.relative);
                 // The excitation's maximum, or for a negative one its minimum, within the stop.
                 let (one, two) = (S::constant(1.0), S::constant(2.0));
                 let target = if mark.relative < zero { one } else { zero };
                 for target in [target, target + two] {
-                    if mark.stance.t <= target && target <= mark.stance.t + turns {
+                    if mark.contact_state.t <= target && target <= mark.contact_state.t + turns {
                         best.note(target, mark.relative);
                     }
                 }
@@ -177,7 +184,8 @@ where
         // The mark that stands last before it.
         let mut found: Option<(usize, S)> = None;
         for (index, mark) in orbit.marks().iter().enumerate() {
-            let since = orbit.within(t - mark.stance.t - two * (mark.cycle - orbit.origin_cycle));
+            let since =
+                orbit.within(t - mark.contact_state.t - two * (mark.cycle - orbit.origin_cycle));
             if found.is_none_or(|(_, best)| since < best) {
                 found = Some((index, since));
             }
@@ -197,7 +205,7 @@ where
         zero
     }
 
-    fn each(&self, mut question: impl FnMut(&Mark<S>, &Sum<'_, S>)) {
+    fn each(&self, mut question: impl FnMut(&SegmentStart<S>, &Sum<'_, S>)) {
         let mut segments = self.orbit.segments();
         while let Some(mark) = segments.next() {
             let sum = self.aimed(segments.parts(), &mark);
@@ -206,13 +214,14 @@ where
     }
 
     /// The motion in one segment, whose parts are in the state at its start.
-    fn aimed<'p>(&self, parts: &'p mut [Part<S>], mark: &Mark<S>) -> Sum<'p, S> {
+    fn aimed<'p>(&self, parts: &'p mut [Part<S>], mark: &SegmentStart<S>) -> Sum<'p, S> {
         let zero = S::constant(0.0);
-        let (setting, stance, reach) = (&self.orbit.setting, &mark.stance, mark.length);
+        let (setting, contact_state, reach) =
+            (&self.orbit.setting, &mark.contact_state, mark.length);
         let (modes, held) = setting.split(parts);
         let driven = setting.dynamics.in_contact();
         let mut constant = zero;
-        let mut carrier = complex::real(zero);
+        let mut fundamental = complex::real(zero);
         let component = |index: usize| -> S {
             let contact = || setting.dynamics.modes.get(index).map(|mode| mode.contact);
             let component = match self.shape {
@@ -222,11 +231,11 @@ where
             component.unwrap_or(zero)
         };
         if self.shape.is_none() {
-            carrier = complex::real(-setting.base);
+            fundamental = complex::real(-setting.base);
         }
-        let sticks = stance.contact == Contact::Stuck;
+        let sticks = contact_state.contact == Contact::Stuck;
         if sticks {
-            let (_, offset) = setting.stick(modes, held, stance, reach);
+            let (_, offset) = setting.stick(modes, held, contact_state, reach);
             for (part, (_, shares)) in held.iter_mut().zip(setting.dynamics.held_modes()) {
                 part.weight = [zero; 2];
                 for (index, share) in shares.iter().enumerate() {
@@ -238,10 +247,10 @@ where
             for (index, mode) in setting.dynamics.driven().iter().enumerate() {
                 let lift = component(index) * setting.lift(mode.contact, mode.resonance);
                 constant = constant + lift * offset;
-                carrier.re = carrier.re + lift * setting.base;
+                fundamental.re = fundamental.re + lift * setting.base;
             }
         } else {
-            let _ = setting.slide(modes, stance, reach);
+            let _ = setting.slide(modes, contact_state, reach);
             for (index, part) in modes.iter_mut().enumerate().take(driven) {
                 part.weight = [component(index), zero];
                 constant = constant + component(index) * part.centre;
@@ -260,12 +269,12 @@ where
         let parts = parts.get_mut(range).unwrap_or_default();
         for part in parts.iter_mut() {
             part.aim();
-            carrier = complex::add(carrier, part.carrier());
+            fundamental = complex::add(fundamental, part.fundamental());
         }
-        let at = stance.t.sin_cos_pi();
+        let at = contact_state.t.sin_cos_pi();
         let (sine, cosine) = at;
-        let cosines = rotated(carrier, sine, cosine);
-        let sines = -(carrier.re * sine) - carrier.im * cosine;
+        let cosines = rotated(fundamental, sine, cosine);
+        let sines = -(fundamental.re * sine) - fundamental.im * cosine;
         Sum::new(parts, constant, (cosines, sines), at, reach)
     }
 }

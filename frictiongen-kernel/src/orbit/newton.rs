@@ -1,12 +1,12 @@
 //! Newton's method on the map of half a period or a whole one, and the map's multipliers.
 
-use super::flow::{Flow, Pattern, unit};
+use super::cycle_map::{CycleMap, Pattern, unit};
 use super::matrix::Matrix;
 use crate::errors::NoOrbit;
 use crate::number::complex::{self, Complex};
 use crate::number::pairs::pairs_mut;
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Stance};
+use crate::simulation::{Contact, ContactState};
 
 const NEWTON_STEPS: u32 = 12;
 
@@ -16,7 +16,7 @@ pub(super) fn same<S: Float>(scale: S) -> S {
 }
 
 /// Working space: the matrix, two states, and the multipliers.
-pub(super) struct Room<'m, S> {
+pub(super) struct Workspace<'m, S> {
     pub matrix: &'m mut [S],
     pub state: &'m mut [S],
     pub other: &'m mut [S],
@@ -49,38 +49,38 @@ impl Map {
     }
 }
 
-/// Newton's method from where the flow stands; none if it does not converge.  The flow then stands
+/// Newton's method from where the cycle map stands; none if it does not converge.  The cycle map then stands
 /// on the fixed point.
 pub(super) fn newton<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
-    room: &mut Room<'_, S>,
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
     map: Map,
 ) -> Result<Option<Pattern>, NoOrbit> {
     let symmetric = map.symmetric;
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
-    let size = flow.size();
-    let start = flow.stance;
+    let size = cycle_map.size();
+    let start = cycle_map.contact_state;
     let mut last = S::constant(f64::MAX);
-    let mut stance = start;
+    let mut contact_state = start;
     for _ in 0..NEWTON_STEPS {
-        flow.save(room.other);
-        unit(room.matrix, size);
-        let Ok((image, pattern)) = mapped(flow, room.matrix, map) else {
+        cycle_map.save(workspace.other);
+        unit(workspace.matrix, size);
+        let Ok((image, pattern)) = mapped(cycle_map, workspace.matrix, map) else {
             return Ok(None);
         };
-        if (image == Contact::Stuck) != (stance.contact == Contact::Stuck) {
+        if (image == Contact::Stuck) != (contact_state.contact == Contact::Stuck) {
             // The section itself has changed hands; the image is as good a start.
-            stance.contact = image;
-            stance.t = start.t;
-            flow.save(room.other);
-            negate(room.other, symmetric);
-            flow.restore(room.other, &stance);
+            contact_state.contact = image;
+            contact_state.t = start.t;
+            cycle_map.save(workspace.other);
+            negate(workspace.other, symmetric);
+            cycle_map.restore(workspace.other, &contact_state);
             continue;
         }
         // δ = (1 − A)⁻¹(F(x) − x), in the place of F(x).
-        let scale = flow.scale().max(S::constant(1e-290));
+        let scale = cycle_map.scale().max(S::constant(1e-290));
         let sign = if symmetric { -one } else { one };
-        for (part, state) in flow.modes.iter_mut().zip(pairs_mut(room.other)) {
+        for (part, state) in cycle_map.modes.iter_mut().zip(pairs_mut(workspace.other)) {
             if let [y, u] = state {
                 let difference = [sign * part.y - *y, sign * part.u - *u];
                 (part.y, part.u) = (*y, *u);
@@ -88,15 +88,15 @@ pub(super) fn newton<S: Float>(
             }
         }
         if symmetric {
-            for entry in room.matrix.iter_mut() {
+            for entry in workspace.matrix.iter_mut() {
                 *entry = -*entry;
             }
         }
-        if !Matrix::new(room.matrix, size).solve_shifted(one, room.other) {
+        if !Matrix::new(workspace.matrix, size).solve_shifted(one, workspace.other) {
             return Ok(None);
         }
         let mut step = zero;
-        for (part, state) in flow.modes.iter_mut().zip(pairs_mut(room.other)) {
+        for (part, state) in cycle_map.modes.iter_mut().zip(pairs_mut(workspace.other)) {
             if let [y, u] = state {
                 step = step.max(y.abs()).max(u.abs());
                 (*y, *u) = (part.y + *y, part.u + *u);
@@ -105,8 +105,8 @@ pub(super) fn newton<S: Float>(
         if !step.is_finite() {
             return Ok(None);
         }
-        stance.t = start.t;
-        flow.restore(room.other, &stance);
+        contact_state.t = start.t;
+        cycle_map.restore(workspace.other, &contact_state);
         let small = step <= scale * S::constant(1e-11_f64.max(256.0 * S::EPSILON));
         // Below rounding, or as far down as rounding lets it come.
         if step <= scale * S::constant(4.0 * S::EPSILON)
@@ -122,15 +122,15 @@ pub(super) fn newton<S: Float>(
 
 /// The map with its deviations; how the contact stands then.
 fn mapped<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
+    cycle_map: &mut CycleMap<'_, '_, S>,
     columns: &mut [S],
     map: Map,
 ) -> Result<(Contact, Pattern), NoOrbit> {
     let mut pattern = Pattern::default();
     for _ in 0..map.halves() {
-        pattern = pattern.and(flow.half(Some(columns))?);
+        pattern = pattern.and(cycle_map.half(Some(columns))?);
     }
-    let contact = flow.stance.contact;
+    let contact = cycle_map.contact_state.contact;
     let contact = if map.symmetric {
         contact.reversed()
     } else {
@@ -147,22 +147,22 @@ fn negate<S: Float>(state: &mut [S], really: bool) {
     }
 }
 
-/// The multipliers of the period, for which the flow stands on a fixed point and stays there; the
+/// The multipliers of the period, for which the cycle map stands on a fixed point and stays there; the
 /// largest modulus of those of the map.
 pub(super) fn multipliers<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
-    room: &mut Room<'_, S>,
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
     map: Map,
 ) -> Result<S, NoOrbit> {
-    let size = flow.size();
-    let start: Stance<S> = flow.stance;
-    flow.save(room.other);
-    unit(room.matrix, size);
-    mapped(flow, room.matrix, map)?;
-    flow.restore(room.other, &start);
-    Matrix::new(room.matrix, size).eigenvalues(room.multipliers);
+    let size = cycle_map.size();
+    let start: ContactState<S> = cycle_map.contact_state;
+    cycle_map.save(workspace.other);
+    unit(workspace.matrix, size);
+    mapped(cycle_map, workspace.matrix, map)?;
+    cycle_map.restore(workspace.other, &start);
+    Matrix::new(workspace.matrix, size).eigenvalues(workspace.multipliers);
     let mut largest = S::constant(0.0);
-    for multiplier in room.multipliers.iter_mut() {
+    for multiplier in workspace.multipliers.iter_mut() {
         largest = largest.max(complex::modulus(*multiplier, true));
         if map.symmetric {
             *multiplier = complex::mul(*multiplier, *multiplier, true);

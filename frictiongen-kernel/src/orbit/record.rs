@@ -3,15 +3,15 @@
 //! There is room for [`MAX_SEGMENTS`].  A period of more keeps every second one, then every fourth, and so on; the
 //! others are followed anew when they are asked for.
 
-use super::flow::Flow;
-use super::{MAX_SEGMENTS, Mark, slack};
+use super::cycle_map::CycleMap;
+use super::{MAX_SEGMENTS, SegmentStart, slack};
 use crate::errors::NoOrbit;
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Event, Stance, leap};
+use crate::simulation::{Contact, ContactState, Event, leap};
 
 /// What is written down.
 pub(super) struct Record<'s, S> {
-    marks: &'s mut [Mark<S>; MAX_SEGMENTS],
+    marks: &'s mut [SegmentStart<S>; MAX_SEGMENTS],
     count: usize,
     /// The states at the starts of the marks.
     states: &'s mut [S],
@@ -25,7 +25,7 @@ pub(super) struct Record<'s, S> {
     /// z̄ at the end of the segment written down last, if that sticks.
     held: Option<S>,
     /// Where the relative motion leaves its maximum: the start of the segment with the largest z̄.
-    top: Option<Mark<S>>,
+    top: Option<SegmentStart<S>>,
 }
 
 /// What is known of all of it.
@@ -40,7 +40,7 @@ pub(super) struct Recorded<S> {
 impl<'s, S: Float> Record<'s, S> {
     /// Nothing yet; `size` is how many numbers a state has.
     pub(super) fn new(
-        marks: &'s mut [Mark<S>; MAX_SEGMENTS],
+        marks: &'s mut [SegmentStart<S>; MAX_SEGMENTS],
         states: &'s mut [S],
         size: usize,
     ) -> Self {
@@ -59,18 +59,18 @@ impl<'s, S: Float> Record<'s, S> {
     }
 
     /// A contact that sticks for the whole cycle.
-    pub(super) fn stuck(&mut self, flow: &Flow<'_, '_, S>) {
+    pub(super) fn stuck(&mut self, cycle_map: &CycleMap<'_, '_, S>) {
         if let Some(first) = self.marks.first_mut() {
             first.length = S::pi() + S::pi();
         }
-        self.save(flow, 0);
+        self.save(cycle_map, 0);
         self.count = 1;
     }
 
     /// From event to event, through a period of so many cycles.
     pub(super) fn follow(
         &mut self,
-        flow: &mut Flow<'_, '_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S>,
         period: u32,
     ) -> Result<(), NoOrbit> {
         let zero = S::constant(0.0);
@@ -81,39 +81,43 @@ impl<'s, S: Float> Record<'s, S> {
             if self.segments == most {
                 return Err(NoOrbit::TooManyEvents);
             }
-            let mut mark = self.begin(flow, cycle);
+            let mut mark = self.begin(cycle_map, cycle);
             let end = leap(
-                flow.setting,
-                flow.modes,
-                flow.held,
-                flow.stance,
+                cycle_map.setting,
+                cycle_map.modes,
+                cycle_map.held,
+                cycle_map.contact_state,
                 left + slack(),
             );
-            flow.spend(end.steps)?;
+            cycle_map.spend(end.steps)?;
             mark.length = within(end.tau, left);
             left = left - mark.length;
             // A segment of no length was an attempt to leave that came to nothing.
             if zero < mark.length {
                 self.note(mark, end.event);
             }
-            cycle = cycle + passed(&flow.stance, end.tau, &end.stance);
-            flow.stance = end.stance;
+            cycle = cycle + passed(&cycle_map.contact_state, end.tau, &end.contact_state);
+            cycle_map.contact_state = end.contact_state;
         }
         Ok(())
     }
 
     /// The segment that begins; its state is kept if it is to have a mark.
-    fn begin(&mut self, flow: &Flow<'_, '_, S>, cycle: S) -> Mark<S> {
+    fn begin(&mut self, cycle_map: &CycleMap<'_, '_, S>, cycle: S) -> SegmentStart<S> {
         if self.is_due() {
             if self.count == MAX_SEGMENTS {
                 self.thin();
             }
-            self.save(flow, self.count);
+            self.save(cycle_map, self.count);
         }
-        let stance = flow.stance;
-        let found = || flow.setting.relative(flow.modes, stance.t.sin_cos_pi());
-        Mark {
-            stance,
+        let contact_state = cycle_map.contact_state;
+        let found = || {
+            cycle_map
+                .setting
+                .relative(cycle_map.modes, contact_state.t.sin_cos_pi())
+        };
+        SegmentStart {
+            contact_state,
             cycle,
             length: S::constant(0.0),
             relative: self.held.unwrap_or_else(found),
@@ -128,7 +132,7 @@ impl<'s, S: Float> Record<'s, S> {
         last.is_none_or(|last| self.stride <= last.more + 1)
     }
 
-    fn note(&mut self, mark: Mark<S>, event: Option<Event>) {
+    fn note(&mut self, mark: SegmentStart<S>, event: Option<Event>) {
         if self.is_due() {
             if let Some(place) = self.marks.get_mut(self.count) {
                 *place = mark;
@@ -141,8 +145,8 @@ impl<'s, S: Float> Record<'s, S> {
         self.held = mark.held();
         self.stops += usize::from(event == Some(Event::Stop));
         self.reversals += usize::from(event == Some(Event::Reversal));
-        let higher = |top: &Mark<S>| top.relative < mark.relative;
-        if mark.stance.contact == Contact::Backward && self.top.as_ref().is_none_or(higher) {
+        let higher = |top: &SegmentStart<S>| top.relative < mark.relative;
+        if mark.contact_state.contact == Contact::Backward && self.top.as_ref().is_none_or(higher) {
             self.top = Some(mark);
         }
     }
@@ -153,7 +157,7 @@ impl<'s, S: Float> Record<'s, S> {
         for index in 0..half {
             let pair = (self.marks.get(2 * index), self.marks.get(2 * index + 1));
             if let (Some(first), Some(second)) = pair {
-                let kept = Mark {
+                let kept = SegmentStart {
                     more: first.more + second.more + 1,
                     ..*first
                 };
@@ -174,10 +178,10 @@ impl<'s, S: Float> Record<'s, S> {
         self.stride += self.stride;
     }
 
-    fn save(&mut self, flow: &Flow<'_, '_, S>, index: usize) {
+    fn save(&mut self, cycle_map: &CycleMap<'_, '_, S>, index: usize) {
         let size = self.size;
         if let Some(state) = self.states.get_mut(index * size..(index + 1) * size) {
-            flow.save(state);
+            cycle_map.save(state);
         }
     }
 
@@ -192,7 +196,7 @@ impl<'s, S: Float> Record<'s, S> {
             reversals: self.reversals,
             origin: self
                 .top
-                .map_or((zero, zero), |top| (top.stance.t, top.cycle)),
+                .map_or((zero, zero), |top| (top.contact_state.t, top.cycle)),
         }
     }
 }
@@ -207,7 +211,7 @@ pub(super) fn within<S: Float>(length: S, left: S) -> S {
 }
 
 /// How many cycles begin between two stances τ apart.
-pub(super) fn passed<S: Float>(from: &Stance<S>, tau: S, to: &Stance<S>) -> S {
+pub(super) fn passed<S: Float>(from: &ContactState<S>, tau: S, to: &ContactState<S>) -> S {
     let half = S::constant(0.5);
     let turns = (from.t + tau * S::inverse_pi() - to.t) * half;
     (turns + half).floor()

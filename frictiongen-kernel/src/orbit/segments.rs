@@ -3,7 +3,7 @@
 //! A period of many segments keeps the state at the start of some of them only; the others are followed anew.
 
 use super::record::{passed, within};
-use super::{Mark, Orbit, slack};
+use super::{Orbit, SegmentStart, slack};
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
@@ -17,7 +17,7 @@ pub(super) struct Segments<'o, 'a, S, P, V, C> {
     /// Whether it is there.
     placed: bool,
     /// The segment given last.
-    last: Option<Mark<S>>,
+    last: Option<SegmentStart<S>>,
     /// The mark that is next, and how many segments are to be followed first.
     next: usize,
     more: u32,
@@ -69,7 +69,7 @@ where
     }
 
     /// The segment of the next mark.
-    fn kept(&mut self) -> Option<Mark<S>> {
+    fn kept(&mut self) -> Option<SegmentStart<S>> {
         let mark = *self.orbit.marks().get(self.next)?;
         self.placed = false;
         self.next += 1;
@@ -78,31 +78,31 @@ where
     }
 
     /// The segment after the last one, followed from there.
-    fn followed(&mut self, last: &Mark<S>) -> Option<Mark<S>> {
+    fn followed(&mut self, last: &SegmentStart<S>) -> Option<SegmentStart<S>> {
         let zero = S::constant(0.0);
         let orbit = self.orbit;
         let setting = &orbit.setting;
-        let end = orbit.marks().first()?.stance.t + S::constant(2.0) * orbit.cycles();
+        let end = orbit.marks().first()?.contact_state.t + S::constant(2.0) * orbit.cycles();
         let (modes, held) = setting.split(self.parts());
         let mut mark = *last;
         // Over the last one; then over attempts to leave that come to nothing.
         loop {
-            let left = (end - mark.stance.t - S::constant(2.0) * mark.cycle) * S::pi();
+            let left = (end - mark.contact_state.t - S::constant(2.0) * mark.cycle) * S::pi();
             let reach = left + slack();
-            let length = span(setting, modes, held, mark.stance, reach);
+            let length = span(setting, modes, held, mark.contact_state, reach);
             if zero < length && !(zero < mark.length) {
                 mark.length = within(length, left);
-                let found = || setting.relative(modes, mark.stance.t.sin_cos_pi());
+                let found = || setting.relative(modes, mark.contact_state.t.sin_cos_pi());
                 mark.relative = last.held().unwrap_or_else(found);
                 break;
             }
             if !(zero < left) {
                 return None;
             }
-            let next = leap(setting, modes, held, mark.stance, reach);
-            mark = Mark {
-                stance: next.stance,
-                cycle: mark.cycle + passed(&mark.stance, next.tau, &next.stance),
+            let next = leap(setting, modes, held, mark.contact_state, reach);
+            mark = SegmentStart {
+                contact_state: next.contact_state,
+                cycle: mark.cycle + passed(&mark.contact_state, next.tau, &next.contact_state),
                 length: zero,
                 ..mark
             };
@@ -119,9 +119,9 @@ where
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
-    type Item = Mark<S>;
+    type Item = SegmentStart<S>;
 
-    fn next(&mut self) -> Option<Mark<S>> {
+    fn next(&mut self) -> Option<SegmentStart<S>> {
         self.last = match self.last {
             Some(last) if self.follows() => self.followed(&last),
             _ => self.kept(),

@@ -45,8 +45,8 @@ pub struct Mode<S> {
     pub contact: S,
     /// (φᵀw)(φᵀp), the residue load → contact times λ.
     pub residue: S,
-    /// (φᵀw)²: the mode's share c of the contact mobility.
-    pub mobility: S,
+    /// (φᵀw)²: the mode's part c of the inverse effective mass of the contact.
+    pub inverse_mass: S,
     /// (φᵀw)(φᵀp)/λ, the static residue load → contact.
     pub static_residue: S,
 }
@@ -116,8 +116,8 @@ impl<S: Scalar> Mode<S> {
     fn oscillating(&self, x: S, at: Option<usize>) -> ModeResponse<S> {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         let (denominator, size) = self.denominator(x, at);
-        let decay = (S::pi() * self.zeta * x).named("half_period_decay", at);
-        let (m, e) = lost_and_kept(decay, at);
+        let decay = (S::pi() * self.zeta * x).named("decay_exponent", at);
+        let (m, e) = complement_and_factor(decay, at);
         let turns = (self.q * x).named("half_turns", at);
         let (s, c) = if self.kind == Kind::Light {
             (x * half).sin_cos_pi_minus(x * (self.q_defect * half))
@@ -125,7 +125,7 @@ impl<S: Scalar> Mode<S> {
             (turns * half).sin_cos_pi()
         };
         let (s, c) = (s.named("sine", at), c.named("cosine", at));
-        let re = ((one + e).named("one_and_kept", at) * c).named("nearness_re", at);
+        let re = ((one + e).named("one_plus_factor", at) * c).named("nearness_re", at);
         let im = (m * s).named("nearness_im", at);
         let inverse = (one / (re.abs() + im.abs())).named("inverse_nearness", at);
         let re = (re * inverse).named("unit_nearness_re", at);
@@ -151,8 +151,8 @@ impl<S: Scalar> Mode<S> {
     fn critical(&self, x: S, at: Option<usize>) -> ModeResponse<S> {
         let one = S::constant(1.0);
         let (denominator, size) = self.denominator(x, at);
-        let decay = (S::pi() * self.zeta * x).named("half_period_decay", at);
-        let (m, e) = lost_and_kept(decay, at);
+        let decay = (S::pi() * self.zeta * x).named("decay_exponent", at);
+        let (m, e) = complement_and_factor(decay, at);
         // θ², θ = πqx.
         let angle = S::pi() * x;
         let square = angle * angle * ((one - self.zeta) * (one + self.zeta));
@@ -180,14 +180,14 @@ impl<S: Scalar> Mode<S> {
         let slow = (pi / (self.zeta + self.q) * x).named("slow_decay", at);
         let fading = (-slow).named("slow_exponent", at);
         let spread = (S::constant(2.0) * pi * self.q * x).named("spread", at);
-        let (e_slow, e_fast) = (fading.exp().named("slow_kept_share", at), (-fast).exp());
+        let (e_slow, e_fast) = (fading.exp().named("slow_decay_factor", at), (-fast).exp());
         let k = (size / ((one + e_slow) * (one + e_fast))).named("pole_weight", at);
         let b = (-(-spread).exp_m1() * e_slow / self.q * k).named("swing", at);
         let a = -(-(S::constant(2.0) * pi * self.zeta * x)).exp_m1() * k;
         // 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}) from parts of the third order in x, of which
         // the one subtracted is never more than two thirds of the others.
         let half = S::constant(0.5);
-        let lost = (-(fast * half)).exp_m1().named("negative_lost_share", at);
+        let lost = (-(fast * half)).exp_m1().named("decay_minus_one", at);
         let both = lost * lost * -fading.exp_m1();
         let small = S::constant(2.0) * (one + lost) * (slow * half).scaled_sinh_defect();
         let excess = e_slow * (pi * self.q * x).scaled_sinh_defect();
@@ -205,12 +205,12 @@ impl<S: Scalar> Mode<S> {
 
 /// 1 − e^{−decay} and e^{−decay}, each to its own digits: the second is not what rounding leaves of the first.
 #[inline]
-fn lost_and_kept<S: Scalar>(decay: S, at: Option<usize>) -> (S, S) {
+fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (S, S) {
     let lost = (decay * S::constant(-0.5)).exp_m1();
-    let lost = lost.named("negative_lost_half", at);
-    let kept = (S::constant(1.0) + lost).named("kept_half", at);
+    let lost = lost.named("half_decay_minus_one", at);
+    let kept = (S::constant(1.0) + lost).named("half_decay_factor", at);
     let (m, e) = (-(lost * (S::constant(1.0) + kept)), kept * kept);
-    (m.named("lost_share", at), e.named("kept_share", at))
+    (m.named("decay_complement", at), e.named("decay_factor", at))
 }
 
 /// ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0.  The exact zeros (x = 1, where v and u share

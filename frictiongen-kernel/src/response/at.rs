@@ -287,8 +287,8 @@ impl<T: Scene> At<T> {
         for (wave, (mode, at)) in waves.as_mut().iter_mut().zip(modes) {
             *wave = chain.contact_wave(mode, at, &self.contact, friction, self.inverse_r);
         }
-        let carrier = chain.contact_carrier(&self.contact, friction);
-        Motion::of_contact(*friction, carrier, waves)
+        let fundamental = chain.contact_fundamental(&self.contact, friction);
+        Motion::of_contact(*friction, fundamental, waves)
     }
 
     #[inline]
@@ -300,7 +300,7 @@ impl<T: Scene> At<T> {
         let numbers = self.scene.numbers();
         let (shape, chain) = (self.scene.shape(mass)?, numbers.chain);
         let (contact, modes) = (&self.contact, self.modes.as_ref());
-        let carrier = chain.carrier(
+        let fundamental = chain.fundamental(
             shape,
             numbers.modes,
             modes,
@@ -313,7 +313,7 @@ impl<T: Scene> At<T> {
         for (wave, ((mode, at), component)) in waves.as_mut().iter_mut().zip(modes) {
             *wave = chain.mass_wave(mode, *component, at, contact, friction, self.inverse_r);
         }
-        Some(Motion::of_mass(*friction, carrier, waves))
+        Some(Motion::of_mass(*friction, fundamental, waves))
     }
 
     #[inline]

@@ -5,11 +5,11 @@
 //! κ = (p v U − w u V)/V, where U and V are taken without mode i wherever its own terms would cancel,
 //! nothing is left to cancel: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d +
 //! uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).  Beside a damped resonance g d and Qρ are large
-//! and nearly in proportion to cos τ: −g cos τ joins the carrier, and g (cos τ − d) is small.
+//! and nearly in proportion to cos τ: −g cos τ joins the fundamental component, and g (cos τ − d) is small.
 
 use crate::contact::dominant::{Apart, Parted, Partner};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
-use crate::modal_sum::mass_controlled::is_slow;
+use crate::modal_sum::mass_controlled::is_mass_controlled;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
@@ -31,7 +31,7 @@ pub struct Friction<S> {
 
 /// Coefficients of a motion that all modes share.
 #[derive(Clone, Copy, Debug)]
-pub struct Carrier<S> {
+pub struct Fundamental<S> {
     /// Of cos τ.
     pub cosine: S,
     /// Of sin τ.
@@ -40,7 +40,7 @@ pub struct Carrier<S> {
     pub response: Complex<S>,
 }
 
-impl<S: Scalar> Carrier<S> {
+impl<S: Scalar> Fundamental<S> {
     /// No motion.
     #[inline]
     #[must_use]
@@ -56,11 +56,11 @@ impl<S: Scalar> Carrier<S> {
 
 /// A mode's coefficients in a motion.
 #[derive(Clone, Copy, Debug)]
-pub struct Share<S> {
+pub struct ModalCoefficients<S> {
     /// Of (1 − d)/x², the mode's return from rest.
     pub rise: S,
     /// Of cos τ − d, with which its static displacement falls behind the excitation; the cos τ is in the
-    /// carrier.  0 without damping.
+    /// fundamental component.  0 without damping.
     pub fall: S,
     /// Of sin τ − R q̃, the mode's lag behind the excitation.
     pub swing: S,
@@ -129,10 +129,14 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The contact's own coefficients: of the carrier only the amplitude at τ = 0 is left.
+    /// The contact's own coefficients: of the fundamental component only the amplitude at τ = 0 is left.
     #[inline]
-    pub fn contact_carrier(&self, contact: &ContactAt<S>, friction: &Friction<S>) -> Carrier<S> {
-        Carrier {
+    pub fn contact_fundamental(
+        &self,
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+    ) -> Fundamental<S> {
+        Fundamental {
             cosine: friction.amplitude,
             sine: S::constant(0.0),
             response: complex::scale(contact.v, friction.unscale),
@@ -141,7 +145,7 @@ impl<S: Scalar> Chain<S> {
 
     /// A mode's coefficients in a motion; `residue` is φ_k(φᵀw), or (φᵀw)² for the contact.
     #[inline]
-    pub fn share(
+    pub fn modal_coefficients(
         &self,
         at: &ModeAt<S>,
         residue: S,
@@ -149,7 +153,7 @@ impl<S: Scalar> Chain<S> {
         friction: &Friction<S>,
         inverse_r: S,
         index: usize,
-    ) -> Share<S> {
+    ) -> ModalCoefficients<S> {
         let weight = (friction.beta * friction.unscale).named("friction_weight", None);
         let force = (weight * residue).named("friction_force", Some(index));
         let fall = if self.damped {
@@ -157,7 +161,7 @@ impl<S: Scalar> Chain<S> {
         } else {
             S::constant(0.0)
         };
-        Share {
+        ModalCoefficients {
             rise: (force * contact.scale).named("rise", Some(index)),
             fall,
             swing: (force * at.u).named("swing", Some(index)),
@@ -165,11 +169,11 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The same in the motion of a mass: a mode far below the excitation sways, and its response is not put
-    /// together from parts that cancel (see `sway`).  The wave is [`mass_wave`](crate::response::motion::mass_wave).
+    /// The same in the motion of a mass: the response of a mass-controlled mode is not put together from parts that
+    /// cancel (see `modal_sum::mass_controlled`).  The wave is [`mass_wave`](crate::response::motion::mass_wave).
     #[inline]
     #[allow(clippy::too_many_arguments, reason = "a mode, and all it rests on")]
-    pub fn mass_share(
+    pub fn mass_coefficients(
         &self,
         mode: &Mode<S>,
         at: &ModeAt<S>,
@@ -178,15 +182,18 @@ impl<S: Scalar> Chain<S> {
         friction: &Friction<S>,
         inverse_r: S,
         index: usize,
-    ) -> Share<S> {
+    ) -> ModalCoefficients<S> {
         let at = self.without_parts(mode, at, index);
-        self.share(&at, residue, contact, friction, inverse_r, index)
+        self.modal_coefficients(&at, residue, contact, friction, inverse_r, index)
     }
 
-    /// A mode in the motion of a mass: one that sways has its whole response in its wave, and neither lag
+    /// A mode in the motion of a mass: a mass-controlled one has its whole response in its wave, and neither lag
     /// nor static displacement beside.
     fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
-        let (slow, zero) = (is_slow(mode.kind, mode.zeta, at.x), S::constant(0.0));
+        let (slow, zero) = (
+            is_mass_controlled(mode.kind, mode.zeta, at.x),
+            S::constant(0.0),
+        );
         let g = if self.damped {
             S::select(slow, zero, at.g).named("offset", Some(index))
         } else {
@@ -199,8 +206,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The carrier of mass k, whose mode shape components are `shape`.
-    pub fn carrier(
+    /// The fundamental component of mass k, whose mode shape components are `shape`.
+    pub fn fundamental(
         &self,
         shape: &[S],
         modes: &[Mode<S>],
@@ -208,22 +215,22 @@ impl<S: Scalar> Chain<S> {
         contact: &ContactAt<S>,
         friction: &Friction<S>,
         inverse_r: S,
-    ) -> Carrier<S> {
+    ) -> Fundamental<S> {
         let known = modes.iter().zip(at.iter().copied());
         let apart = self.apart(known.clone(), Partner::U, contact, inverse_r);
         let known = shape.iter().zip(known).enumerate();
         let parts = known.map(|(index, (component, (mode, at)))| (index, *component, mode, at));
-        self.carrier_of(parts, &apart, contact, friction)
+        self.fundamental_of(parts, &apart, contact, friction)
     }
 
-    /// The carrier that these modes make: number, component, constants and functions of each.
-    pub(crate) fn carrier_of<'a>(
+    /// The fundamental component that these modes make: number, component, constants and functions of each.
+    pub(crate) fn fundamental_of<'a>(
         &self,
         parts: impl Iterator<Item = (usize, S, &'a Mode<S>, ModeAt<S>)>,
         apart: &Apart<S>,
         contact: &ContactAt<S>,
         friction: &Friction<S>,
-    ) -> Carrier<S>
+    ) -> Fundamental<S>
     where
         S: 'a,
     {
@@ -287,13 +294,13 @@ impl<S: Scalar> Chain<S> {
             let (own, rest) = apart.turning(contact);
             let lag = turned(driven.own, own) + turned(driven.rest, rest);
             let in_phase = (root * near).named("in_phase_share", None);
-            Carrier {
+            Fundamental {
                 cosine: (root * ratio.re + beta * mismatch.im) * raised + held * weight,
                 sine: (beta * mismatch.re - in_phase * lag) * raised,
                 response,
             }
         } else {
-            Carrier {
+            Fundamental {
                 cosine: root * ratio.re * raised,
                 sine: beta * mismatch.re * raised,
                 response,

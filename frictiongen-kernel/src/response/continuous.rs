@@ -2,7 +2,7 @@
 
 use super::at::At;
 use super::scene::Scene;
-use crate::response::coefficients::{Carrier, Friction};
+use crate::response::coefficients::{Friction, Fundamental};
 use crate::response::motion::Motion;
 
 /// The motion of the contact or of a mass of a scene.
@@ -57,7 +57,7 @@ impl<T: Scene> Continuous<T> {
     #[must_use]
     pub fn mass(&self, mass: usize) -> MotionOf<T> {
         self.mass_at(mass).unwrap_or_else(|| {
-            let rest = Carrier::at_rest();
+            let rest = Fundamental::at_rest();
             Motion::of_mass(self.friction, rest, self.at.scene().idle())
         })
     }

@@ -2,14 +2,14 @@
 //! harmonics.  Run-time systems and emitted solvers share it.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
-use crate::modal_sum::mass_controlled::is_slow;
-use crate::modal_sum::search::{self, Effort, Peak, Question, Weight};
+use crate::modal_sum::mass_controlled::is_mass_controlled;
+use crate::modal_sum::search::{self, Effort, Peak, Problem, Weight};
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 use crate::oscillator::mode::Mode;
-use crate::response::coefficients::{Carrier, Friction, Share};
+use crate::response::coefficients::{Friction, Fundamental, ModalCoefficients};
 
 /// Lags whose sizes differ by no more than so many roundings of a radian are of one size: places of maxima and
 /// the contact's phase have a few each.
@@ -21,7 +21,7 @@ const ALIKE: f64 = 64.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Motion<S, D, W> {
     friction: Friction<S>,
-    carrier: Carrier<S>,
+    fundamental: Fundamental<S>,
     waves: W,
     is_contact: bool,
     decay: core::marker::PhantomData<D>,
@@ -40,7 +40,11 @@ pub struct Largest<S> {
 }
 
 /// A mode's wave in a motion.
-pub fn motion_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: Share<S>) -> Wave<S, D> {
+pub fn motion_wave<S: Float, D: Decay<S>>(
+    x: S,
+    decay: D,
+    share: ModalCoefficients<S>,
+) -> Wave<S, D> {
     let mut wave = Wave::rest(x, decay);
     wave.rise = share.rise;
     // d = p′ + 2ζx·p.
@@ -51,20 +55,20 @@ pub fn motion_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: Share<S>) -> Wa
     wave
 }
 
-/// A mode's wave in the motion of a mass, for [`Chain::mass_share`].
-pub fn mass_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: Share<S>) -> Wave<S, D> {
+/// A mode's wave in the motion of a mass, for [`Chain::mass_coefficients`].
+pub fn mass_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: ModalCoefficients<S>) -> Wave<S, D> {
     Wave {
-        sways: is_slow(decay.kind(), decay.zeta(), x),
+        mass_controlled: is_mass_controlled(decay.kind(), decay.zeta(), x),
         ..motion_wave(x, decay, share)
     }
 }
 
 impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     /// The relative motion in the contact.
-    pub fn of_contact(friction: Friction<S>, carrier: Carrier<S>, waves: W) -> Self {
+    pub fn of_contact(friction: Friction<S>, fundamental: Fundamental<S>, waves: W) -> Self {
         Self {
             friction,
-            carrier,
+            fundamental,
             waves,
             is_contact: true,
             decay: core::marker::PhantomData,
@@ -72,10 +76,10 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 
     /// The motion of a mass.
-    pub fn of_mass(friction: Friction<S>, carrier: Carrier<S>, waves: W) -> Self {
+    pub fn of_mass(friction: Friction<S>, fundamental: Fundamental<S>, waves: W) -> Self {
         Self {
             friction,
-            carrier,
+            fundamental,
             waves,
             is_contact: false,
             decay: core::marker::PhantomData,
@@ -85,8 +89,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     fn sum(&self) -> Sum<'_, S, D> {
         Sum {
             waves: self.waves.as_ref(),
-            cosine: self.carrier.cosine,
-            sine: self.carrier.sine,
+            cosine: self.fundamental.cosine,
+            sine: self.fundamental.sine,
         }
     }
 
@@ -142,7 +146,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         let guess = if guess < zero { guess + S::pi() } else { guess };
         search::largest_from(
             self.sum(),
-            Question {
+            Problem {
                 weight: Weight::One,
                 both_signs: true,
                 end: S::pi(),
@@ -228,8 +232,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         );
         if n == 1 {
             harmonic = Complex::new(
-                harmonic.re + self.carrier.response.re,
-                harmonic.im + self.carrier.response.im,
+                harmonic.re + self.fundamental.response.re,
+                harmonic.im + self.fundamental.response.im,
             );
         }
         harmonic
@@ -270,7 +274,7 @@ impl<S: Float> Chain<S> {
         if !mode.in_contact {
             return Wave::rest(at.x, decay);
         }
-        let share = self.share(at, mode.mobility, contact, friction, inverse_r, 0);
+        let share = self.modal_coefficients(at, mode.inverse_mass, contact, friction, inverse_r, 0);
         motion_wave(at.x, decay, share)
     }
 
@@ -289,7 +293,7 @@ impl<S: Float> Chain<S> {
             return Wave::rest(at.x, decay);
         }
         let residue = component * mode.contact;
-        let share = self.mass_share(mode, at, residue, contact, friction, inverse_r, 0);
+        let share = self.mass_coefficients(mode, at, residue, contact, friction, inverse_r, 0);
         mass_wave(at.x, decay, share)
     }
 

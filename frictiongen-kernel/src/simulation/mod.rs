@@ -23,7 +23,7 @@ pub type FixedSimulation<S, const PARTS: usize> = Simulation<'static, S, [Part<S
 pub use setting::Setting;
 pub use walk::MAX_STEPS;
 
-pub(crate) use segment::{End, Stance, leap, span};
+pub(crate) use segment::{ContactState, End, leap, span};
 pub(crate) use sum::Sum;
 
 use crate::contact::sums::Chain;

@@ -320,8 +320,8 @@ impl<S: Float> Part<S> {
         }
     }
 
-    /// What it adds to the carrier of the function sought: complex amplitude over e^{iτ_e}.
-    pub(crate) fn carrier(&self) -> Complex<S> {
+    /// What it adds to the fundamental component of the function sought: complex amplitude over e^{iτ_e}.
+    pub(crate) fn fundamental(&self) -> Complex<S> {
         let [of_y, of_u] = self.weight;
         let direct = complex::scale(self.direct, -of_u);
         if self.near {

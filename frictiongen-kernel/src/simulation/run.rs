@@ -1,7 +1,7 @@
 //! A run in time, segment by segment.
 
 use super::clock::{Clock, Total};
-use super::segment::{self, Sought, Stance, ended, place, seek};
+use super::segment::{self, ContactState, Sought, ended, place, seek};
 use super::{Contact, Dynamics, Event, Part, Setting};
 use crate::errors::OutOfDomain;
 use crate::number::scalar::{Float, Plain};
@@ -51,7 +51,7 @@ pub struct Simulation<'a, S, P> {
     setting: Setting<'a, S>,
     parts: P,
     /// How the contact stands at the start of the segment.
-    stance: Stance<S>,
+    contact_state: ContactState<S>,
     /// The excitation at the start of the segment, and now.
     start: Clock<S>,
     now: Clock<S>,
@@ -84,11 +84,11 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
             setting.check_state((displacements, velocities))?;
             setting.load_state(displacements, velocities, parts.as_mut());
         }
-        let stance = setting.stance(parts.as_ref(), S::constant(0.0));
+        let contact_state = setting.contact_state(parts.as_ref(), S::constant(0.0));
         Ok(Self {
             setting,
             parts,
-            stance,
+            contact_state,
             start: Clock::start(),
             now: Clock::start(),
             sought: None,
@@ -111,7 +111,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     /// What the contact does from now on.
     #[must_use]
     pub fn contact(&self) -> Contact {
-        self.stance.contact
+        self.contact_state.contact
     }
 
     /// A mass now, by its place in the description; at rest if there is no such mass.
@@ -128,7 +128,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     #[must_use]
     pub fn relative(&self) -> (S, S) {
         let at = segment::phase(self.now.t);
-        let velocity = if self.stance.contact == Contact::Stuck {
+        let velocity = if self.contact_state.contact == Contact::Stuck {
             S::constant(0.0)
         } else {
             self.setting.relative_velocity(self.parts.as_ref(), at).0
@@ -140,7 +140,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     /// sticks; positive against positive sliding.
     #[must_use]
     pub fn friction(&self) -> S {
-        match self.stance.contact {
+        match self.contact_state.contact {
             Contact::Stuck => self
                 .setting
                 .holding(self.parts.as_ref(), segment::phase(self.now.t)),
@@ -175,14 +175,14 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         let mut segment = Segment {
             start: self.phase(),
             length: zero,
-            contact: self.stance.contact,
+            contact: self.contact_state.contact,
             event: None,
         };
         if !(zero < reach) {
             return segment;
         }
         let known = self.sought.is_some();
-        segment.contact = self.look(reach).stance.contact;
+        segment.contact = self.look(reach).contact_state.contact;
         let (length, mut ended) = self.pass(reach);
         segment.length = length;
         // What was looked through before may end, without an event, short of the reach.
@@ -202,13 +202,14 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         }
         let reach = reach.max(S::pi() + S::pi());
         let (modes, held) = self.setting.split(self.parts.as_mut());
-        let mut sought = seek(&self.setting, modes, held, self.stance, reach);
+        let mut sought = seek(&self.setting, modes, held, self.contact_state, reach);
         if sought.holds() {
             // The contact could not leave after all: it goes on sticking.
-            let stance = ended(&self.setting, modes, &sought, segment::phase(self.now.t)).stance;
-            sought = seek(&self.setting, modes, held, stance, reach);
+            let contact_state =
+                ended(&self.setting, modes, &sought, segment::phase(self.now.t)).contact_state;
+            sought = seek(&self.setting, modes, held, contact_state, reach);
         }
-        self.stance = sought.stance;
+        self.contact_state = sought.contact_state;
         self.sought = Some(sought);
         sought
     }
@@ -229,9 +230,9 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         let to = segment::phase(self.now.t);
         place(&self.setting, modes, held, &sought, sought.tau, to);
         let end = ended(&self.setting, modes, &sought, to);
-        self.stance = Stance {
+        self.contact_state = ContactState {
             t: self.now.t,
-            ..end.stance
+            ..end.contact_state
         };
         self.start = self.now;
         self.passed = Total::zero();

@@ -10,7 +10,7 @@ use crate::number::scalar::Float;
 
 /// How the contact stands at an instant.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stance<S> {
+pub(crate) struct ContactState<S> {
     /// The excitation's phase in half-turns, in [0, 2).
     pub t: S,
     /// Whether it sticks.
@@ -29,7 +29,7 @@ pub(crate) struct End<S> {
     /// What ends it, if it is not the reach.
     pub event: Option<Event>,
     /// How the contact stands then.
-    pub stance: Stance<S>,
+    pub contact_state: ContactState<S>,
     /// At an event, the slope of the function whose zero it is: z̄″ before, or F′.
     pub slope: S,
     /// How much the contact force jumps at the event: before less after.
@@ -53,10 +53,10 @@ pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
 
 impl<S: Float> Setting<'_, S> {
     /// How the contact stands in a state that nothing is known of.
-    pub(crate) fn stance(&self, parts: &[Part<S>], t: S) -> Stance<S> {
+    pub(crate) fn contact_state(&self, parts: &[Part<S>], t: S) -> ContactState<S> {
         let at = phase(t);
         let (velocity, size) = self.relative_velocity(parts, at);
-        let mut stance = Stance {
+        let mut contact_state = ContactState {
             t,
             contact: Contact::along(velocity),
             departing: None,
@@ -65,33 +65,33 @@ impl<S: Float> Setting<'_, S> {
         if velocity.abs() <= size * S::constant(8.0 * S::EPSILON) {
             let force = self.holding(parts, at);
             if force.abs() <= self.grip() {
-                stance.contact = Contact::Stuck;
+                contact_state.contact = Contact::Stuck;
             } else {
-                stance.contact = Contact::along(force);
-                stance.departing = Some(self.acceleration(force.abs() - self.beta));
+                contact_state.contact = Contact::along(force);
+                contact_state.departing = Some(self.acceleration(force.abs() - self.beta));
             }
         }
-        stance
+        contact_state
     }
 
     /// Sets the parts of the modes to sliding, and the function z̄′ times its sign.
     pub(crate) fn slide<'p>(
         &self,
         modes: &'p mut [Part<S>],
-        stance: &Stance<S>,
+        contact_state: &ContactState<S>,
         reach: S,
     ) -> Sum<'p, S> {
-        let at = phase(stance.t);
-        let sign: S = stance.contact.sign();
+        let at = phase(contact_state.t);
+        let sign: S = contact_state.contact.sign();
         let zero = S::constant(0.0);
-        let mut carrier = Complex::new(zero, -(self.base * sign));
+        let mut fundamental = Complex::new(zero, -(self.base * sign));
         for (part, mode) in modes.iter_mut().zip(self.dynamics.driven()) {
             let lambda = mode.resonance * mode.resonance;
             part.centre = -(sign * self.beta * mode.contact / lambda);
             part.start(at);
             part.weight = [zero, sign * mode.contact * part.x];
             part.aim();
-            carrier = complex::add(carrier, part.carrier());
+            fundamental = complex::add(fundamental, part.fundamental());
         }
         let driven = self.dynamics.in_contact().min(modes.len());
         let (modes, others) = modes.split_at_mut(driven);
@@ -99,8 +99,8 @@ impl<S: Float> Setting<'_, S> {
             part.start(at);
         }
         let (sine, cosine) = at;
-        let cosines = rotated(carrier, sine, cosine);
-        let sines = -(carrier.re * sine) - carrier.im * cosine;
+        let cosines = rotated(fundamental, sine, cosine);
+        let sines = -(fundamental.re * sine) - fundamental.im * cosine;
         Sum::new(modes, zero, (cosines, sines), at, reach)
     }
 
@@ -109,28 +109,28 @@ impl<S: Float> Setting<'_, S> {
         &self,
         modes: &mut [Part<S>],
         held: &'p mut [Part<S>],
-        stance: &Stance<S>,
+        contact_state: &ContactState<S>,
         reach: S,
     ) -> (Sum<'p, S>, S) {
-        let at = phase(stance.t);
+        let at = phase(contact_state.t);
         let (sine, cosine) = at;
         let offset = self.relative(modes, at);
         let lifted = self.lifted(offset, at);
         self.project(modes.iter().map(|part| [part.y, part.u]), lifted, held);
         let zero = S::constant(0.0);
-        let (constant, mut carrier) = self.held_force(offset);
+        let (constant, mut fundamental) = self.held_force(offset);
         for (part, mode) in held.iter_mut().zip(self.dynamics.held) {
             part.start(at);
             part.weight = [-mode.force, zero];
             part.aim();
-            carrier = complex::add(carrier, part.carrier());
+            fundamental = complex::add(fundamental, part.fundamental());
         }
         let driven = self.dynamics.in_contact();
         for part in modes.iter_mut().skip(driven) {
             part.start(at);
         }
-        let cosines = rotated(carrier, sine, cosine);
-        let sines = -(carrier.re * sine) - carrier.im * cosine;
+        let cosines = rotated(fundamental, sine, cosine);
+        let sines = -(fundamental.re * sine) - fundamental.im * cosine;
         (
             Sum::new(held, constant, (cosines, sines), at, reach),
             offset,
@@ -206,7 +206,7 @@ pub(crate) fn advanced<S: Float>(parts: &mut [Part<S>], tau: S, from: (S, S), to
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sought<S> {
     /// How the contact stands at its start.
-    pub stance: Stance<S>,
+    pub contact_state: ContactState<S>,
     /// Its length, in τ.
     pub tau: S,
     /// z̄ less the base's motion, where the contact sticks.
@@ -229,26 +229,26 @@ enum Outcome {
     Holds,
 }
 
-/// Looks for the next event from a stance, as far as `reach`; the parts are set to the segment.
+/// Looks for the next event from a contact state, as far as `reach`; the parts are set to the segment.
 pub(crate) fn seek<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
     held: &mut [Part<S>],
-    stance: Stance<S>,
+    contact_state: ContactState<S>,
     reach: S,
 ) -> Sought<S> {
     let zero = S::constant(0.0);
     let mut sought = Sought {
-        stance,
+        contact_state,
         tau: zero,
         offset: zero,
         outcome: Outcome::Goes,
         slope: zero,
         steps: 0,
     };
-    if stance.contact == Contact::Stuck {
-        let (sum, offset) = setting.stick(modes, held, &stance, reach);
-        let start = if stance.wedged {
+    if contact_state.contact == Contact::Stuck {
+        let (sum, offset) = setting.stick(modes, held, &contact_state, reach);
+        let start = if contact_state.wedged {
             Start::Held
         } else {
             Start::Anywhere
@@ -262,8 +262,8 @@ pub(crate) fn seek<S: Float>(
         sought.offset = offset;
         sought.slope = sum.local(sought.tau).slope;
     } else {
-        let sum = setting.slide(modes, &stance, reach);
-        let start = stance.departing.map_or(Start::Anywhere, Start::Zero);
+        let sum = setting.slide(modes, &contact_state, reach);
+        let start = contact_state.departing.map_or(Start::Anywhere, Start::Zero);
         (sought.tau, sought.outcome) = match first_zero(&sum, start, &mut sought.steps) {
             Walk::Zero(tau, _) => (tau, Outcome::Halts),
             Walk::Until(tau) => (tau, Outcome::Goes),
@@ -282,8 +282,8 @@ pub(crate) fn place<S: Float>(
     tau: S,
     to: (S, S),
 ) {
-    let from = phase(sought.stance.t);
-    if sought.stance.contact != Contact::Stuck {
+    let from = phase(sought.contact_state.t);
+    if sought.contact_state.contact != Contact::Stuck {
         return advanced(modes, tau, from, to);
     }
     advanced(held, tau, from, to);
@@ -302,12 +302,12 @@ pub(crate) fn ended<S: Float>(
     to: (S, S),
 ) -> End<S> {
     let zero = S::constant(0.0);
-    let mut end = quiet(sought.tau, sought.stance, sought.steps);
+    let mut end = quiet(sought.tau, sought.contact_state, sought.steps);
     match sought.outcome {
         Outcome::Goes => {}
         Outcome::Holds => {
-            end.stance.contact = Contact::Stuck;
-            end.stance.wedged = true;
+            end.contact_state.contact = Contact::Stuck;
+            end.contact_state.wedged = true;
         }
         Outcome::Breaks(negative) => {
             let contact = if negative {
@@ -318,26 +318,28 @@ pub(crate) fn ended<S: Float>(
             let sign: S = contact.sign();
             let excess = setting.grip() - setting.beta;
             end.event = Some(Event::Slip);
-            end.stance.contact = contact;
-            end.stance.departing = Some(setting.acceleration(excess));
+            end.contact_state.contact = contact;
+            end.contact_state.departing = Some(setting.acceleration(excess));
             end.slope = sought.slope;
             end.jump = sign * excess;
         }
         Outcome::Halts => {
-            let sign: S = sought.stance.contact.sign();
+            let sign: S = sought.contact_state.contact.sign();
             let force = setting.holding(modes, to);
             end.slope = setting.acceleration(force - sign * setting.beta);
             if force.abs() <= setting.grip() {
                 end.event = Some(Event::Stop);
-                end.stance.contact = Contact::Stuck;
+                end.contact_state.contact = Contact::Stuck;
                 end.jump = sign * setting.beta - force;
             } else if zero < force * sign {
                 // It touched zero and goes on.
-                end.stance.departing = Some(setting.acceleration(force.abs() - setting.beta));
+                end.contact_state.departing =
+                    Some(setting.acceleration(force.abs() - setting.beta));
             } else {
                 end.event = Some(Event::Reversal);
-                end.stance.contact = sought.stance.contact.reversed();
-                end.stance.departing = Some(setting.acceleration(force.abs() - setting.beta));
+                end.contact_state.contact = sought.contact_state.contact.reversed();
+                end.contact_state.departing =
+                    Some(setting.acceleration(force.abs() - setting.beta));
                 end.jump = (sign + sign) * setting.beta;
             }
         }
@@ -345,31 +347,31 @@ pub(crate) fn ended<S: Float>(
     end
 }
 
-/// How far it is from a stance to the next event, at most `reach`; 0 where the contact, on the point of leaving, does not.
+/// How far it is from a contact state to the next event, at most `reach`; 0 where the contact, on the point of leaving, does not.
 pub(crate) fn span<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
     held: &mut [Part<S>],
-    stance: Stance<S>,
+    contact_state: ContactState<S>,
     reach: S,
 ) -> S {
-    let sought = seek(setting, modes, held, stance, reach);
+    let sought = seek(setting, modes, held, contact_state, reach);
     if sought.holds() {
         return S::constant(0.0);
     }
     sought.tau
 }
 
-/// From a stance to the next event, or as far as `reach`.
+/// From a contact state to the next event, or as far as `reach`.
 pub(crate) fn leap<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
     held: &mut [Part<S>],
-    stance: Stance<S>,
+    contact_state: ContactState<S>,
     reach: S,
 ) -> End<S> {
-    let sought = seek(setting, modes, held, stance, reach);
-    let to = phase(moved(stance.t, sought.tau));
+    let sought = seek(setting, modes, held, contact_state, reach);
+    let to = phase(moved(contact_state.t, sought.tau));
     if sought.outcome != Outcome::Holds {
         place(setting, modes, held, &sought, sought.tau, to);
     }
@@ -384,16 +386,16 @@ impl<S: Float> Sought<S> {
 }
 
 /// A segment that ends with no event.
-fn quiet<S: Float>(tau: S, stance: Stance<S>, steps: u32) -> End<S> {
+fn quiet<S: Float>(tau: S, contact_state: ContactState<S>, steps: u32) -> End<S> {
     let zero = S::constant(0.0);
     End {
         tau,
         event: None,
-        stance: Stance {
-            t: moved(stance.t, tau),
+        contact_state: ContactState {
+            t: moved(contact_state.t, tau),
             departing: None,
             wedged: false,
-            ..stance
+            ..contact_state
         },
         slope: zero,
         jump: zero,

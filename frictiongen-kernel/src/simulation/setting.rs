@@ -60,8 +60,8 @@ impl<'a, S: Float> Setting<'a, S> {
         let (mut load, mut receptance, mut drag) = (base * r * r, zero, zero);
         for mode in dynamics.driven() {
             load = load + mode.residue;
-            receptance = receptance + mode.mobility / (mode.resonance * mode.resonance);
-            drag = drag + (mode.zeta + mode.zeta) * mode.mobility / mode.resonance;
+            receptance = receptance + mode.inverse_mass / (mode.resonance * mode.resonance);
+            drag = drag + (mode.zeta + mode.zeta) * mode.inverse_mass / mode.resonance;
         }
         let setting = Self {
             dynamics,
@@ -162,25 +162,25 @@ impl<'a, S: Float> Setting<'a, S> {
             let lambda = mode.resonance * mode.resonance;
             sum - mode.contact * lambda * (part.y + two * mode.zeta * part.u)
         });
-        sum / self.dynamics.chain.mobility
+        sum / self.dynamics.chain.inverse_mass
     }
 
     /// The relative acceleration z̄″ under a contact force of which `excess` is more than it takes
     /// to keep the velocity.
     pub(crate) fn acceleration(&self, excess: S) -> S {
-        self.dynamics.chain.mobility * excess / (self.r * self.r)
+        self.dynamics.chain.inverse_mass * excess / (self.r * self.r)
     }
 
-    /// The constant and the carrier of the contact force while z̄ = z₀ + s cos τ_e, held modes left
+    /// The constant and the fundamental component of the contact force while z̄ = z₀ + s cos τ_e, held modes left
     /// out.
     pub(crate) fn held_force(&self, offset: S) -> (S, Complex<S>) {
-        let mobility = self.dynamics.chain.mobility;
+        let inverse_mass = self.dynamics.chain.inverse_mass;
         let base = self.base;
         (
             -(offset / self.receptance),
             Complex::new(
-                self.load / mobility - base / self.receptance,
-                -(self.r * self.drag * base / mobility),
+                self.load / inverse_mass - base / self.receptance,
+                -(self.r * self.drag * base / inverse_mass),
             ),
         )
     }

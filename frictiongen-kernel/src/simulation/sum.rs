@@ -1,4 +1,4 @@
-//! A function of time between two events: a carrier at the excitation's frequency and a sum over
+//! A function of time between two events: a fundamental component at the excitation's frequency and a sum over
 //! oscillators, with its derivatives and what the third of them cannot exceed.
 
 use super::part::Part;
@@ -29,7 +29,7 @@ pub(crate) struct Sum<'a, S> {
     pub noise: S,
     /// The largest rate at which a derivative can exceed what it derives.
     pub(crate) rate: S,
-    /// The bounds of the carrier and of the parts beside a resonance.
+    /// The bounds of the fundamental component and of the parts beside a resonance.
     bound: S,
 }
 

@@ -23,7 +23,7 @@ pub(super) fn held<S: Scalar>(
         .map(|mode| Driven {
             sigma: mode.resonance,
             zeta: mode.zeta,
-            mobility: mode.contact * mode.contact,
+            inverse_mass: mode.contact * mode.contact,
         })
         .collect();
     let (mut held, mut shares) = (Vec::new(), Vec::new());
@@ -81,7 +81,7 @@ pub(super) fn held<S: Scalar>(
             frequency: to(omega),
             zeta: to(zeta),
             q: to(((one - zeta) * (one + zeta)).abs().sqrt()),
-            force: to(force / modal.mobility),
+            force: to(force / modal.inverse_mass),
             inverse: [
                 to(second / determinant),
                 to(-(mixed / determinant)),

@@ -8,12 +8,12 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 
-/// A mode that the contact drives: σ = √λ, ζ, and its share c of the contact mobility.
+/// A mode that the contact drives: σ = √λ, ζ, and its share c of the inverse effective mass of the contact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Driven {
     pub sigma: Dd,
     pub zeta: Dd,
-    pub mobility: Dd,
+    pub inverse_mass: Dd,
 }
 
 /// Two roots as s² + 2αs + ω².
@@ -59,7 +59,7 @@ fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
             } else {
                 gap(low) * gap(high) / gap(mode.sigma)
             };
-            sum + mode.mobility * weight
+            sum + mode.inverse_mass * weight
         })
     };
     let (mut a, mut b) = (low, high);
@@ -112,7 +112,7 @@ fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
             if gap.is_zero() {
                 continue;
             }
-            let share = mode.mobility / (gap * gap);
+            let share = mode.inverse_mass / (gap * gap);
             weight = weight + share;
             damping = damping + share * mode.zeta * mode.sigma;
         }
@@ -151,7 +151,7 @@ fn iterate<S: Float>(modes: &[Driven], roots: &mut [Complex<Dd>], steps: usize, 
     };
     let modes: Vec<(S, S, S)> = modes
         .iter()
-        .map(|mode| (to(mode.sigma), to(mode.zeta), to(mode.mobility)))
+        .map(|mode| (to(mode.sigma), to(mode.zeta), to(mode.inverse_mass)))
         .collect();
     let mut own: Vec<Complex<S>> = roots
         .iter()
@@ -193,7 +193,7 @@ fn slope_over_value<S: Float>(modes: &[(S, S, S)], s: Complex<S>) -> Complex<S> 
     let zero = complex::real(S::constant(0.0));
     let (mut value, mut slope, mut others) = (zero, zero, zero);
     let two = S::constant(2.0);
-    for (sigma, zeta, mobility) in modes {
+    for (sigma, zeta, inverse_mass) in modes {
         let rate = two * *zeta * *sigma;
         let d = complex::add(
             complex::mul(s, Complex::new(s.re + rate, s.im), true),
@@ -202,7 +202,7 @@ fn slope_over_value<S: Float>(modes: &[(S, S, S)], s: Complex<S>) -> Complex<S> 
         let inverse = complex::reciprocal(d, true);
         let derivative = Complex::new(s.re * two + rate, s.im * two);
         let ratio = complex::mul(derivative, inverse, true);
-        let share = complex::scale(inverse, *mobility);
+        let share = complex::scale(inverse, *inverse_mass);
         value = complex::add(value, share);
         slope = complex::add(slope, complex::mul(share, ratio, true));
         others = complex::add(others, ratio);

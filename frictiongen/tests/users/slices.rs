@@ -59,7 +59,7 @@ const MODES: [Mode<f64>; 1] = [Mode {
     load: 1.0,
     contact: 1.0,
     residue: 1.0,
-    mobility: 1.0,
+    inverse_mass: 1.0,
     static_residue: 1.0,
 }];
 const HELD: [HeldMode<f64>; 0] = [];
@@ -67,7 +67,7 @@ const DYNAMICS: Dynamics<'static, f64> = Dynamics {
     chain: Chain {
         damped: false,
         on_moving_base: None,
-        mobility: 1.0,
+        inverse_mass: 1.0,
         stiction: 1.0,
     },
     modes: &MODES,

@@ -145,7 +145,7 @@ impl Exact {
 /// Every number of the modal data beside the same one of others.
 fn each<A, B>(modal: &mut Modal<A>, other: &Modal<B>, mut visit: impl FnMut(&mut A, &B)) {
     let single = [
-        (&mut modal.mobility, &other.mobility),
+        (&mut modal.inverse_mass, &other.inverse_mass),
         (&mut modal.inertial_load, &other.inertial_load),
         (&mut modal.static_motion, &other.static_motion),
         (&mut modal.static_receptance, &other.static_receptance),

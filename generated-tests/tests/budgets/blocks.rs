@@ -42,11 +42,11 @@ fn undamped<T: Real>(a: T, b: T) -> [T; 4] {
 }
 
 /// A chain of which the limits read μ and m* alone.
-fn chain<T: Real>(stiction: T, mobility: T) -> Chain<T> {
+fn chain<T: Real>(stiction: T, inverse_mass: T) -> Chain<T> {
     Chain {
         damped: true,
         on_moving_base: None,
-        mobility,
+        inverse_mass,
         stiction,
     }
 }
@@ -91,8 +91,8 @@ formulas! {
         let (chain, contact) = (chain(c, a), contact(a, b, c));
         [chain.start_constraint(&contact), chain.break_away(&contact)]
     }, {
-        let mobility = a.shifted(-1);
-        Some(vec![b.abs() + mobility.clone(), b.abs() + c * mobility])
+        let inverse_mass = a.shifted(-1);
+        Some(vec![b.abs() + inverse_mass.clone(), b.abs() + c * inverse_mass])
     };
     /// β_lim from V, U and the constraint c.
     ContinuousLimit Place: |a, b, c| [chain(c, a).continuous_limit(&contact(a, b, c), c)], {

@@ -33,7 +33,7 @@ fn mode<T: Real>(x: T, zeta: T) -> Mode<T> {
         load: one,
         contact: one,
         residue: one,
-        mobility: one,
+        inverse_mass: one,
         static_residue: one,
     }
 }
@@ -122,7 +122,7 @@ impl Formula for Response {
 }
 
 /// The same where little of the motion is left after a half period: u and what g lacks from 1 then
-/// vanish beside the contact mobility, to which they are added as a share of `size`.
+/// vanish beside the inverse effective mass of the contact, to which they are added as a share of `size`.
 pub struct DecayedResponse;
 impl Formula for DecayedResponse {
     const UNIT: Unit = Unit::Size;

@@ -10,7 +10,7 @@ pub mod values {
         ($($name:ident)*) => { $(pub const $name: u8 = 0;)* };
     }
     constants! {
-        r inverse_r contact modes scale mode response beta friction others carrier
+        r inverse_r contact modes scale mode response beta friction others fundamental
         amplitude phase limit constraint index stuck mode_1 mode_2 rs
         continuous sliding load of question omega at u g v x
         excitation in_phase lag unscale waves velocity_share ratio product sum state run orbit
@@ -112,7 +112,7 @@ macro_rules! scenes {
 
 scenes! {
     chain Chain  mode Mode  kind Kind  damped Damped  undamped Undamped  decay Decay
-    carrier Carrier  friction_ Friction  share Share  motion Motion  wave Wave  complex Complex
+    fundamental Fundamental  friction_ Friction  share ModalCoefficients  motion Motion  wave Wave  complex Complex
     scalar Scalar  contact Contact  regime Regime  option Option  result Result  ok Ok  none None
     iterator Iterator  self_ Scene  system System  of Of  steady Steady
 }

@@ -50,10 +50,10 @@ impl Chain {
         let free: f64 = (0..self.n)
             .map(|i| self.w[i] * load[i] / self.gamma[i])
             .sum();
-        let mobility: f64 = (0..self.n)
+        let inverse_mass: f64 = (0..self.n)
             .map(|i| self.w[i] * self.w[i] / self.gamma[i])
             .sum();
-        (free + self.r * self.r * self.s * t.cos()) / mobility
+        (free + self.r * self.r * self.s * t.cos()) / inverse_mass
     }
 
     pub fn derivative(&self, t: f64, y: &State, contact: Contact) -> State {

@@ -100,7 +100,7 @@ pub struct Plain {
     pub modes: Vec<Mode>,
     pub r: f64,
     pub share: f64,
-    pub mobility: f64,
+    pub inverse_mass: f64,
     pub mu: f64,
 }
 
@@ -135,7 +135,7 @@ impl Plain {
             modes,
             r,
             share: if modal.on_moving_base { 1.0 } else { 0.0 },
-            mobility: modal.mobility.to_f64(),
+            inverse_mass: modal.inverse_mass.to_f64(),
             mu: modal.stiction.to_f64(),
         }
     }
@@ -183,7 +183,7 @@ impl Plain {
 
     pub fn beta_with(&self, s: f64) -> f64 {
         let (v, u, _, _) = self.contact();
-        let mass = self.mobility / (self.r * self.r);
+        let mass = self.inverse_mass / (self.r * self.r);
         let demand = s.max(self.reversal() + self.mu * mass);
         v.0.hypot(v.1) / u.hypot(demand)
     }
@@ -191,7 +191,7 @@ impl Plain {
     /// β_lim with S from the grid; `least` points at least.
     pub fn limit(&self, system: &System, least: usize) -> Limit {
         let (tau, searched_s) = largest(|tau| self.constraint(tau), self.points(least));
-        let mass = self.mobility / (self.r * self.r);
+        let mass = self.inverse_mass / (self.r * self.r);
         // S's own limit for τ → 0 belongs to it.
         let s = searched_s.max(mass + self.reversal());
         let beta = self.beta_with(s);
@@ -203,7 +203,7 @@ impl Plain {
         for alternate in [false, true] {
             let moved = Plain::new(system, self.r, step, alternate);
             let value = if at_start {
-                moved.mobility / (moved.r * moved.r) + moved.reversal()
+                moved.inverse_mass / (moved.r * moved.r) + moved.reversal()
             } else {
                 moved.constraint(tau)
             };

@@ -27,7 +27,7 @@ fn moved(modal: &Modal, quantity: Quantity, by: Dd) -> Modal {
     };
     let contact = |mode: usize| modal.contacts[mode];
     let lambda = |mode: usize| modal.resonances[mode] * modal.resonances[mode];
-    let mobility = sum(&|mode| contact(mode) * contact(mode));
+    let inverse_mass = sum(&|mode| contact(mode) * contact(mode));
     let inertial = sum(&|mode| contact(mode) * modal.loads[mode]);
     let motion = sum(&|mode| contact(mode) * modal.loads[mode] / lambda(mode));
     let receptance = sum(&|mode| contact(mode) * contact(mode) / lambda(mode));
@@ -36,7 +36,7 @@ fn moved(modal: &Modal, quantity: Quantity, by: Dd) -> Modal {
     } else {
         Dd::ZERO
     };
-    modal.mobility = mobility;
+    modal.inverse_mass = inverse_mass;
     modal.inertial_load = inertial;
     modal.static_motion = motion - share;
     modal.static_receptance = receptance;

@@ -60,7 +60,7 @@ pub fn filler(modal: &Modal) -> Fill<f64> {
     ] {
         data.extend(part);
     }
-    data.extend([modal.base, 1.0, modal.mobility, modal.zeta]);
+    data.extend([modal.base, 1.0, modal.inverse_mass, modal.zeta]);
     let (masses, damped) = (modal.root.len(), modal.zeta > 0.0);
     Box::new(move |method, points, out| {
         let count = points.len().min(out.len());

@@ -28,7 +28,7 @@ pub struct Modal {
     /// What a moving base takes off the relative motion.
     pub base: f64,
     /// wᵀΓ⁻¹w.
-    pub mobility: f64,
+    pub inverse_mass: f64,
     /// Of every mode.
     pub zeta: f64,
 }
@@ -73,7 +73,7 @@ impl Modal {
             far_friction: by_mode(&|l, s| far(s) * dot(s, &contact) / l),
             share: by_mode(&|_, s| dot(s, &contact).powi(2)),
             base,
-            mobility: dot(&contact, &contact),
+            inverse_mass: dot(&contact, &contact),
             zeta: label.zeta,
             root,
         }

@@ -59,7 +59,7 @@ const _: () = {
                 load: 0.3426795800926145,
                 contact: 1.33786386095262,
                 residue: 0.45845862609232785,
-                mobility: 1.7898797104430517,
+                inverse_mass: 1.7898797104430517,
                 static_residue: 1.1610643562596341,
             },
             Mode {
@@ -72,14 +72,14 @@ const _: () = {
                 load: 0.9394523433296388,
                 contact: -1.5524562118001746,
                 residue: -1.4584586260923278,
-                mobility: 2.4101202895569482,
+                inverse_mass: 2.4101202895569482,
                 static_residue: -1.1610643562596341,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
-            mobility: 4.2,
+            inverse_mass: 4.2,
             stiction: 1.15,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -166,19 +166,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.02 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.031415926535897934 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.9999499987499375 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 2.5000625031251956e-5,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -186,14 +187,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.9999499987499375)
+                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.01 * swing;
                 ModeResponse {
                     x: frequency,
@@ -209,19 +210,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.04 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.06283185307179587 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.06283185307179587 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.999799979995999 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 0.00010001000200050015,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -229,14 +231,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.999799979995999)
+                let swing = 4.0 * decay_factor * (sine / 0.999799979995999)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.02 * swing;
                 ModeResponse {
                     x: frequency,
@@ -309,7 +311,7 @@ const _: () = {
             let mode_2_fall = mode_2_friction_force * (mode_2.g / (mode_2.x * mode_2.x));
             let mode_2_rise = mode_2_friction_force * contact.scale;
             let mode_2_swing = mode_2_friction_force * mode_2.u;
-            let carrier = Carrier {
+            let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
                 response: Complex {
@@ -321,7 +323,7 @@ const _: () = {
                 motion_wave(
                     mode_1.x,
                     <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
-                    Share {
+                    ModalCoefficients {
                         rise: mode_1_rise,
                         fall: mode_1_fall,
                         swing: mode_1_swing,
@@ -331,7 +333,7 @@ const _: () = {
                 motion_wave(
                     mode_2.x,
                     <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
-                    Share {
+                    ModalCoefficients {
                         rise: mode_2_rise,
                         fall: mode_2_fall,
                         swing: mode_2_swing,
@@ -339,7 +341,7 @@ const _: () = {
                     },
                 ),
             ];
-            Motion::of_contact(*friction, carrier, waves)
+            Motion::of_contact(*friction, fundamental, waves)
         }
         #[allow(unused_variables)]
         fn mass_motion(
@@ -349,7 +351,7 @@ const _: () = {
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [mode_1, mode_2] = at.modes();
-            let (carrier, waves) = match mass {
+            let (fundamental, waves) = match mass {
                 1 => {
                     let product = mode_2.response.re * -1.4584586260923278;
                     let product_2 = mode_2.response.im * -1.4584586260923278;
@@ -435,7 +437,7 @@ const _: () = {
                     let mode_2_rise = mode_2_friction_force * contact.scale;
                     let mode_2_swing = mode_2_friction_force * mode_2_lag;
                     (
-                        Carrier {
+                        Fundamental {
                             cosine: (product_7
                                 * (response_re * inverse_re - response_im * inverse_im)
                                 + product_8
@@ -464,7 +466,7 @@ const _: () = {
                             mass_wave(
                                 mode_1.x,
                                 <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: mode_1_fall,
                                     swing: mode_1_swing,
@@ -474,7 +476,7 @@ const _: () = {
                             mass_wave(
                                 mode_2.x,
                                 <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: mode_2_fall,
                                     swing: mode_2_swing,
@@ -486,7 +488,7 @@ const _: () = {
                 }
                 _ => return None,
             };
-            Some(Motion::of_mass(*friction, carrier, waves))
+            Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }
     ::frictiongen::kernel::not_provided!(MountAt : stuck);
@@ -508,7 +510,7 @@ const _: () = {
                     load: 0.3426795800926145,
                     contact: 1.33786386095262,
                     residue: 0.45845862609232785,
-                    mobility: 1.7898797104430517,
+                    inverse_mass: 1.7898797104430517,
                     static_residue: 1.1610643562596341,
                 },
                 Mode {
@@ -521,7 +523,7 @@ const _: () = {
                     load: 0.9394523433296388,
                     contact: -1.5524562118001746,
                     residue: -1.4584586260923278,
-                    mobility: 2.4101202895569482,
+                    inverse_mass: 2.4101202895569482,
                     static_residue: -1.1610643562596341,
                 },
             ],

@@ -10,7 +10,7 @@ fn chain(on_moving_base: Option<f64>) -> Chain<f64> {
     Chain {
         damped: false,
         on_moving_base,
-        mobility: 1.0,
+        inverse_mass: 1.0,
         stiction: 1.0,
     }
 }
@@ -27,7 +27,7 @@ fn mode(terms: f64) -> (Mode<f64>, ModeAt<f64>) {
         load: 1.0,
         contact: 1.0,
         residue: 1.0,
-        mobility: 1.0,
+        inverse_mass: 1.0,
         static_residue: 0.0,
     };
     let at = ModeAt {

@@ -1,6 +1,6 @@
 //! Climbing to a maximum, and keeping those that are equal.
 
-use super::{APART, EQUAL, Place, Search, Weight};
+use super::{APART, EQUAL, Maximiser, Search, Weight};
 use crate::modal_sum::wave::Local;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
@@ -66,7 +66,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             last = step.abs();
         }
         let share = S::constant(1.0 - EQUAL * S::RESOLUTION);
-        let place = Place { tau, negative };
+        let place = Maximiser { tau, negative };
         if self.peak.value < best {
             if self.peak.value < best * share {
                 self.peak.places = [None; 4];
@@ -97,12 +97,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
         let (value, _) = self.quotient(&local, negative);
         let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
-        if equal < value && !self.knows(Place { tau, negative }) {
+        if equal < value && !self.knows(Maximiser { tau, negative }) {
             self.climb(tau, local, negative);
         }
     }
 
-    fn note(&mut self, place: Place<S>) {
+    fn note(&mut self, place: Maximiser<S>) {
         if self.knows(place) {
             return;
         }
@@ -113,7 +113,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// Whether this maximum is known: the end of one half period is the beginning of the next, of the
     /// other sign.
-    fn knows(&self, place: Place<S>) -> bool {
+    fn knows(&self, place: Maximiser<S>) -> bool {
         let near = S::constant(APART);
         self.peak.places.iter().flatten().any(|known| {
             let apart = (known.tau - place.tau).abs();

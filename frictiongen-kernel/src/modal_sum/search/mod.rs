@@ -42,7 +42,7 @@ pub enum Weight {
 
 /// What to search.
 #[derive(Clone, Copy, Debug)]
-pub struct Question<S> {
+pub struct Problem<S> {
     /// By what the sum is divided.
     pub weight: Weight,
     /// Whether the negative of the sum counts as well.
@@ -59,7 +59,7 @@ pub struct Question<S> {
 
 /// A place where the largest value is taken.
 #[derive(Clone, Copy, Debug)]
-pub struct Place<S> {
+pub struct Maximiser<S> {
     /// τ.
     pub tau: S,
     /// Whether the negative of the sum is the largest there.
@@ -72,7 +72,7 @@ pub struct Peak<S> {
     /// The largest value, or the floor if nothing exceeds it.
     pub value: S,
     /// Where it is taken; none if nothing exceeds the floor.  Up to four equal ones.
-    pub places: [Option<Place<S>>; 4],
+    pub places: [Option<Maximiser<S>>; 4],
     /// How often the sum was evaluated.
     pub evaluations: u32,
 }
@@ -101,7 +101,7 @@ impl<S> Peak<S> {
 
 struct Search<'a, S, D> {
     sum: Sum<'a, S, D>,
-    question: Question<S>,
+    question: Problem<S>,
     peak: Peak<S>,
     tail: Option<Tail<S>>,
     /// What rounding leaves of the sum, below which nothing can be told.
@@ -109,7 +109,7 @@ struct Search<'a, S, D> {
 }
 
 /// The largest value of `sum` over (0, end], divided by the weight.
-pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, question: Question<S>) -> Peak<S> {
+pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, question: Problem<S>) -> Peak<S> {
     let mut search = Search::new(sum, question);
     search.walk();
     search.peak
@@ -118,7 +118,7 @@ pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, question: Question<S>)
 /// The same, knowing a place from which to climb first.
 pub fn largest_from<S: Float, D: Decay<S>>(
     sum: Sum<'_, S, D>,
-    question: Question<S>,
+    question: Problem<S>,
     guess: S,
 ) -> Peak<S> {
     let mut search = Search::new(sum, question);
@@ -130,7 +130,7 @@ pub fn largest_from<S: Float, D: Decay<S>>(
 }
 
 impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
-    fn new(sum: Sum<'a, S, D>, question: Question<S>) -> Self {
+    fn new(sum: Sum<'a, S, D>, question: Problem<S>) -> Self {
         let rounding = match question.weight {
             Weight::One => sum.rounding(),
             Weight::Sine => sum.rounding_over_sine(),

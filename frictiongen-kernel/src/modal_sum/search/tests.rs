@@ -13,9 +13,9 @@ type TestSearch<'a> = Search<'a, f64, Damped<f64>>;
 type TestSum<'a> = Sum<'a, f64, Damped<f64>>;
 
 /// A question without a tolerance: over the half period, or over half of it for a sum that is odd about it.
-pub fn asked(weight: Weight, both_signs: bool, start: f64) -> Question<f64> {
+pub fn asked(weight: Weight, both_signs: bool, start: f64) -> Problem<f64> {
     let odd = weight == Weight::Sine && both_signs;
-    Question {
+    Problem {
         weight,
         both_signs,
         end: if odd { FRAC_PI_2 } else { PI },
@@ -26,7 +26,7 @@ pub fn asked(weight: Weight, both_signs: bool, start: f64) -> Question<f64> {
 }
 
 /// A search that has found this much.
-pub fn search<'a>(sum: TestSum<'a>, question: Question<f64>, known: f64) -> TestSearch<'a> {
+pub fn search<'a>(sum: TestSum<'a>, question: Problem<f64>, known: f64) -> TestSearch<'a> {
     let mut search = Search::new(sum, question);
     search.peak.value = known;
     search
@@ -69,7 +69,7 @@ struct Drawn {
     waves: Vec<TestWave>,
     cosine: f64,
     sine: f64,
-    question: Question<f64>,
+    question: Problem<f64>,
 }
 
 impl Drawn {

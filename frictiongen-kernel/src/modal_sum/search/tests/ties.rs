@@ -3,7 +3,7 @@
 use super::whole::scanned;
 use super::*;
 use crate::number::complex;
-use crate::response::coefficients::{Carrier, Friction};
+use crate::response::coefficients::{Friction, Fundamental};
 use crate::response::motion::Motion;
 
 /// Of sinusoids with odd multiples of the excitation's frequency: Σ sines b·sin kτ + Σ cosines c·cos kτ.
@@ -32,8 +32,8 @@ fn harmonics(sines: &[(f64, f64)], cosines: &[(f64, f64)]) -> (Vec<TestWave>, f6
     (waves, cosine, sine)
 }
 
-fn motion_question() -> Question<f64> {
-    Question {
+fn motion_question() -> Problem<f64> {
+    Problem {
         tolerance: 4.0 * f64::EPSILON,
         ..asked(Weight::One, true, 0.0)
     }
@@ -196,7 +196,7 @@ fn the_guess_spares_evaluations() {
             sine,
         };
         let without = largest_from(sum, motion_question(), 0.0);
-        let carrier = Carrier {
+        let fundamental = Fundamental {
             cosine,
             sine,
             response: complex::real(0.0),
@@ -208,7 +208,7 @@ fn the_guess_spares_evaluations() {
             phase: 0.0,
             unscale: 1.0,
         };
-        let with = Motion::of_mass(friction, carrier, &waves[..]).peak();
+        let with = Motion::of_mass(friction, fundamental, &waves[..]).peak();
         assert!(
             (with.value / without.value - 1.0).abs() < 1e-12,
             "case {case}"

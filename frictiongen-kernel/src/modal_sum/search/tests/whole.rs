@@ -60,7 +60,7 @@ fn no_maximum_of_a_random_sum_is_missed() {
         let drawn = Drawn::new(&mut random, (0.05, 60.0), undamped, sine);
         let (sum, question) = (drawn.sum(), drawn.question);
         let want = scanned(&search(sum, question, 0.0));
-        let question = Question {
+        let question = Problem {
             tolerance: 4.0 * f64::EPSILON,
             ..question
         };

@@ -2,11 +2,11 @@
 //! the excitation, or several.
 
 use super::closed;
-use super::flow::{Flow, Pattern};
-use super::newton::{Map, Room, multipliers, newton, same};
+use super::cycle_map::{CycleMap, Pattern};
+use super::newton::{Map, Workspace, multipliers, newton, same};
 use crate::errors::NoOrbit;
 use crate::number::scalar::Float;
-use crate::simulation::Stance;
+use crate::simulation::ContactState;
 
 /// So many cycles are followed at most before the search for a steady state is given up.
 pub const MAX_CYCLES: u32 = 2048;
@@ -71,12 +71,12 @@ pub(super) enum Settled {
     Not(NoOrbit),
 }
 
-/// Follows the motion until a steady state is settled.  The flow then stands on it, or on the motion.
+/// Follows the motion until a steady state is settled.  The cycle map then stands on it, or on the motion.
 pub(super) fn settle<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
-    room: &mut Room<'_, S>,
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
 ) -> Result<Settled, NoOrbit> {
-    let monotone = flow.setting.dynamics.chain.stiction <= S::constant(1.0);
+    let monotone = cycle_map.setting.dynamics.chain.stiction <= S::constant(1.0);
     let mut failure = NoOrbit::Unsettled;
     let (mut cycles, mut wanted) = (0, 2);
     let mut halves = [Pattern::default(); 4];
@@ -85,7 +85,7 @@ pub(super) fn settle<S: Float>(
     while cycles < MAX_CYCLES {
         while cycles < wanted {
             for _ in 0..2 {
-                let half = flow.half(None)?;
+                let half = cycle_map.half(None)?;
                 let [a, b, c, _] = halves;
                 halves = [half, a, b, c];
                 settled[0] = if half == a { settled[0] + 1 } else { 0 };
@@ -94,15 +94,15 @@ pub(super) fn settle<S: Float>(
             cycles += 1;
         }
         // A section where no event is near.
-        let middle = flow.middle * S::pi();
-        flow.on(middle, None)?;
+        let middle = cycle_map.middle * S::pi();
+        cycle_map.on(middle, None)?;
         let [last, before, ..] = halves;
         for symmetric in [true, false] {
             let steady = if symmetric { settled[0] } else { settled[1] };
             if !monotone && steady == 0 {
                 continue;
             }
-            flow.save(room.state);
+            cycle_map.save(workspace.state);
             let mut candidate = Candidate {
                 map: Map {
                     period: 1,
@@ -113,24 +113,24 @@ pub(super) fn settle<S: Float>(
                 alike: settled[1],
                 monotone,
                 cycles,
-                here: flow.stance,
+                here: cycle_map.contact_state,
             };
-            let verdict = candidate.try_from(flow, room);
+            let verdict = candidate.try_from(cycle_map, workspace);
             cycles = candidate.cycles;
             match verdict {
                 Ok(Verdict::Found(found)) => return Ok(Settled::Found(found)),
                 Ok(Verdict::Wait) => {
-                    flow.restore(room.state, &candidate.here);
+                    cycle_map.restore(workspace.state, &candidate.here);
                     break;
                 }
                 Ok(Verdict::No) => {}
                 Err(error) => failure = error,
             }
-            flow.restore(room.state, &candidate.here);
+            cycle_map.restore(workspace.state, &candidate.here);
         }
         // With μ = 1 two motions never part: what repeats after several cycles is one of a continuum.
         if FIRST_ASKED <= cycles && (!monotone || MAX_CYCLES <= cycles * 2) {
-            match several(flow, room, &mut cycles, failure)? {
+            match several(cycle_map, workspace, &mut cycles, failure)? {
                 Settled::Found(found) => return Ok(Settled::Found(found)),
                 Settled::Not(error) => failure = error,
             }
@@ -140,25 +140,25 @@ pub(super) fn settle<S: Float>(
     Ok(Settled::Not(failure))
 }
 
-/// The steady state that repeats after several cycles and that the motion is near to; where none is, the flow stands on
+/// The steady state that repeats after several cycles and that the motion is near to; where none is, the cycle map stands on
 /// the motion.
 fn several<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
-    room: &mut Room<'_, S>,
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
     cycles: &mut u32,
     mut failure: NoOrbit,
 ) -> Result<Settled, NoOrbit> {
     let mut after = 1;
     for _ in 0..MOST_TRIED {
         let most = MAX_PERIOD.min(*cycles);
-        let Some((period, total)) = comes_back(flow, room, cycles, after, most)? else {
+        let Some((period, total)) = comes_back(cycle_map, workspace, cycles, after, most)? else {
             break;
         };
         for symmetric in [true, false] {
             let Some(wanted) = wanted(total, symmetric, period) else {
                 continue;
             };
-            flow.save(room.state);
+            cycle_map.save(workspace.state);
             let mut candidate = Candidate {
                 map: Map { period, symmetric },
                 wanted,
@@ -166,11 +166,11 @@ fn several<S: Float>(
                 alike: 0,
                 monotone: false,
                 cycles: *cycles,
-                here: flow.stance,
+                here: cycle_map.contact_state,
             };
-            let mut verdict = candidate.try_from(flow, room);
+            let mut verdict = candidate.try_from(cycle_map, workspace);
             if matches!(verdict, Ok(Verdict::Found(_)))
-                && let Some(sooner) = repeats_sooner(flow, room, period)?
+                && let Some(sooner) = repeats_sooner(cycle_map, workspace, period)?
             {
                 // The same state as one of fewer cycles.
                 candidate.map.period = sooner;
@@ -180,7 +180,7 @@ fn several<S: Float>(
                 {
                     Some(wanted) => {
                         candidate.wanted = wanted;
-                        candidate.try_from(flow, room)
+                        candidate.try_from(cycle_map, workspace)
                     }
                     None => Ok(Verdict::No),
                 };
@@ -191,7 +191,7 @@ fn several<S: Float>(
                 Ok(_) => {}
                 Err(error) => failure = error,
             }
-            flow.restore(room.state, &candidate.here);
+            cycle_map.restore(workspace.state, &candidate.here);
         }
         after = period;
     }
@@ -199,43 +199,43 @@ fn several<S: Float>(
 }
 
 /// The number of cycles, fewer than `period`, after which the fixed point repeats, if there is one: a free vibration that
-/// dies slowly comes back to itself, and looks like a longer period.  The flow stands on the fixed point, and stays there.
+/// dies slowly comes back to itself, and looks like a longer period.  The cycle map stands on the fixed point, and stays there.
 fn repeats_sooner<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
-    room: &mut Room<'_, S>,
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
     period: u32,
 ) -> Result<Option<u32>, NoOrbit> {
-    let stance = flow.stance;
-    flow.save(room.other);
-    let limit = same(flow.scale());
+    let contact_state = cycle_map.contact_state;
+    cycle_map.save(workspace.other);
+    let limit = same(cycle_map.scale());
     let mut sooner = None;
     for cycles in 1..period {
-        flow.half(None)?;
-        flow.half(None)?;
-        if sooner.is_none() && flow.distance(room.other) <= limit {
+        cycle_map.half(None)?;
+        cycle_map.half(None)?;
+        if sooner.is_none() && cycle_map.distance(workspace.other) <= limit {
             sooner = Some(cycles);
         }
     }
-    flow.restore(room.other, &stance);
+    cycle_map.restore(workspace.other, &contact_state);
     Ok(sooner)
 }
 
 /// After how many cycles, more than `after` and at most `most`, the motion comes back near to where it is now, nearer
 /// than after fewer; with what happens on the way.
 fn comes_back<S: Float>(
-    flow: &mut Flow<'_, '_, S>,
-    room: &mut Room<'_, S>,
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
     cycles: &mut u32,
     after: u32,
     most: u32,
 ) -> Result<Option<(u32, Pattern)>, NoOrbit> {
     let mut total = Pattern::default();
-    flow.save(room.state);
-    let mut near = flow.scale() * S::constant(NEARLY_BACK);
+    cycle_map.save(workspace.state);
+    let mut near = cycle_map.scale() * S::constant(NEARLY_BACK);
     for period in 1..=most {
-        total = total.and(flow.half(None)?).and(flow.half(None)?);
+        total = total.and(cycle_map.half(None)?).and(cycle_map.half(None)?);
         *cycles += 1;
-        let distance = flow.distance(room.state);
+        let distance = cycle_map.distance(workspace.state);
         if period > after && distance <= near {
             return Ok(Some((period, total)));
         }
@@ -276,22 +276,22 @@ struct Candidate<S> {
     monotone: bool,
     /// How many cycles the motion has gone through.
     cycles: u32,
-    /// How the contact stands in the motion, whose state is in `Room::state`.
-    here: Stance<S>,
+    /// How the contact stands in the motion, whose state is in `Workspace::state`.
+    here: ContactState<S>,
 }
 
 impl<S: Float> Candidate<S> {
     fn try_from(
         &mut self,
-        flow: &mut Flow<'_, '_, S>,
-        room: &mut Room<'_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S>,
+        workspace: &mut Workspace<'_, S>,
     ) -> Result<Verdict, NoOrbit> {
-        let Some(pattern) = newton(flow, room, self.map)? else {
+        let Some(pattern) = newton(cycle_map, workspace, self.map)? else {
             return Ok(Verdict::No);
         };
-        let scale = flow.scale();
-        let far = flow.distance(room.state);
-        let largest = multipliers(flow, room, self.map)?;
+        let scale = cycle_map.scale();
+        let far = cycle_map.distance(workspace.state);
+        let largest = multipliers(cycle_map, workspace, self.map)?;
         let one = S::constant(1.0);
         let margin = S::constant(ON_CIRCLE * S::EPSILON);
         if one + margin < largest {
@@ -299,14 +299,14 @@ impl<S: Float> Candidate<S> {
         }
         let on_circle = one - margin < largest;
         if on_circle {
-            return self.marginal(flow, room, far, scale, self.cycles);
+            return self.marginal(cycle_map, workspace, far, scale, self.cycles);
         }
         // With μ = 1 two motions never part, so there is no second steady state to mistake this for.
         let near = far <= same(scale);
         let same = pattern == self.wanted;
-        if self.monotone || (same && (near || self.attracts(flow, room, largest)?)) {
+        if self.monotone || (same && (near || self.attracts(cycle_map, workspace, largest)?)) {
             if self.map.symmetric && self.map.period == 1 && pattern == ONE_REVERSAL {
-                closed::set(flow);
+                closed::set(cycle_map);
             }
             return Ok(Verdict::Found(Found {
                 settled: true,
@@ -318,18 +318,18 @@ impl<S: Float> Candidate<S> {
         Ok(Verdict::No)
     }
 
-    /// Whether the motion keeps the pattern and comes as near to the fixed point, on which the flow
+    /// Whether the motion keeps the pattern and comes as near to the fixed point, on which the cycle map
     /// stands, as its multipliers promise: with μ > 1 other steady states may lie close by.
     fn attracts(
         &mut self,
-        flow: &mut Flow<'_, '_, S>,
-        room: &mut Room<'_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S>,
+        workspace: &mut Workspace<'_, S>,
         largest: S,
     ) -> Result<bool, NoOrbit> {
-        let (fixed, stuck) = (flow.stance, flow.stuck);
-        flow.save(room.other);
-        flow.restore(room.state, &self.here);
-        let before = flow.energy_between(room.other);
+        let (fixed, stuck) = (cycle_map.contact_state, cycle_map.stuck);
+        cycle_map.save(workspace.other);
+        cycle_map.restore(workspace.state, &self.here);
+        let before = cycle_map.energy_between(workspace.other);
         let rate = if self.map.symmetric {
             largest * largest
         } else {
@@ -344,7 +344,7 @@ impl<S: Float> Candidate<S> {
             for _ in 0..maps {
                 let mut pattern = Pattern::default();
                 for _ in 0..self.map.halves() {
-                    pattern = pattern.and(flow.half(None)?);
+                    pattern = pattern.and(cycle_map.half(None)?);
                 }
                 keeps = keeps && pattern == self.wanted;
             }
@@ -352,25 +352,25 @@ impl<S: Float> Candidate<S> {
             cycles += self.map.period;
         }
         self.cycles += cycles;
-        self.here = flow.stance;
-        flow.save(room.state);
-        let after = flow.energy_between(room.other).sqrt();
+        self.here = cycle_map.contact_state;
+        cycle_map.save(workspace.state);
+        let after = cycle_map.energy_between(workspace.other).sqrt();
         let enough = S::constant(0.1) + S::constant(0.9) * promised;
         // Across a graze the states may be close, but not the stops.
-        let apart = (flow.stuck - stuck).abs();
-        let alike = apart <= S::constant(0.25) * flow.stuck.max(stuck);
+        let apart = (cycle_map.stuck - stuck).abs();
+        let alike = apart <= S::constant(0.25) * cycle_map.stuck.max(stuck);
         if !keeps || !alike || !(after <= enough * before.sqrt()) {
             return Ok(false);
         }
-        flow.restore(room.other, &fixed);
+        cycle_map.restore(workspace.other, &fixed);
         Ok(true)
     }
 
     /// A steady state with neighbours that are steady too: the motion itself must say which.
     fn marginal(
         &self,
-        flow: &mut Flow<'_, '_, S>,
-        room: &mut Room<'_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S>,
+        workspace: &mut Workspace<'_, S>,
         far: S,
         scale: S,
         cycles: u32,
@@ -390,7 +390,7 @@ impl<S: Float> Candidate<S> {
             return Ok(Verdict::No);
         }
         // Of a motion so large that friction is below rounding every one seems steady.
-        let own = room.state.iter();
+        let own = workspace.state.iter();
         let own = own.fold(S::constant(1.0), |most, value| most.max(value.abs()));
         if own * S::constant(MOST_GROWN) < scale {
             return Ok(Verdict::No);
@@ -405,7 +405,7 @@ impl<S: Float> Candidate<S> {
         if !self.map.symmetric || cycles < 64 || !calm {
             return Ok(Verdict::Wait);
         }
-        super::continuum::member(flow, room, self.monotone)?;
+        super::continuum::member(cycle_map, workspace, self.monotone)?;
         found(false)
     }
 }

@@ -1,10 +1,10 @@
 //! The motion over half a cycle or a whole one, from a section at a fixed phase of the excitation.
 
-use super::tangent;
+use super::variational;
 use crate::errors::NoOrbit;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Event, Part, Setting, Stance, leap};
+use crate::simulation::{Contact, ContactState, Event, Part, Setting, leap};
 
 /// No half cycle is followed through more events than this.
 const MOST_EVENTS: u32 = 4096;
@@ -50,21 +50,21 @@ impl Pattern {
 }
 
 /// The state at the section, and what moves it on.
-pub(super) struct Flow<'f, 'a, S> {
+pub(super) struct CycleMap<'f, 'a, S> {
     pub setting: &'f Setting<'a, S>,
     pub modes: &'f mut [Part<S>],
     pub held: &'f mut [Part<S>],
-    pub stance: Stance<S>,
+    pub contact_state: ContactState<S>,
     /// Where the longest segment of the last half cycle had its middle, as half-turns after the
     /// section.
     pub middle: S,
     /// For how long the contact stuck in the last half cycle.
     pub stuck: S,
     /// So many steps it may still take.
-    pub patience: u32,
+    pub step_budget: u32,
 }
 
-impl<S: Float> Flow<'_, '_, S> {
+impl<S: Float> CycleMap<'_, '_, S> {
     /// How many numbers a state has.
     pub(super) fn size(&self) -> usize {
         2 * self.setting.dynamics.in_contact()
@@ -72,18 +72,21 @@ impl<S: Float> Flow<'_, '_, S> {
 
     /// Takes the steps of a leap from what is left.
     pub(super) fn spend(&mut self, steps: u32) -> Result<(), NoOrbit> {
-        self.patience = self.patience.checked_sub(steps).ok_or(NoOrbit::Unsettled)?;
+        self.step_budget = self
+            .step_budget
+            .checked_sub(steps)
+            .ok_or(NoOrbit::Unsettled)?;
         Ok(())
     }
 
     /// Half a cycle on; deviations in `columns` go along.
     pub(super) fn half(&mut self, columns: Option<&mut [S]>) -> Result<Pattern, NoOrbit> {
-        let start = self.stance.t;
+        let start = self.contact_state.t;
         let pattern = self.on(S::pi(), columns)?;
         // Exactly half a cycle, whatever the sum of the lengths says.
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let t = start + one;
-        self.stance.t = if t < two { t } else { t - two };
+        self.contact_state.t = if t < two { t } else { t - two };
         Ok(pattern)
     }
 
@@ -94,19 +97,26 @@ impl<S: Float> Flow<'_, '_, S> {
         let (mut left, mut longest) = (tau, zero);
         self.stuck = zero;
         for _ in 0..MOST_EVENTS {
-            let stance = self.stance;
-            let end = leap(self.setting, self.modes, self.held, stance, left);
+            let contact_state = self.contact_state;
+            let end = leap(self.setting, self.modes, self.held, contact_state, left);
             if longest < end.tau {
                 longest = end.tau;
                 self.middle = (tau - left + end.tau * S::constant(0.5)) * S::inverse_pi();
             }
             if let Some(columns) = &mut columns {
-                tangent::through(self.setting, self.modes, self.held, &stance, &end, columns);
+                variational::through(
+                    self.setting,
+                    self.modes,
+                    self.held,
+                    &contact_state,
+                    &end,
+                    columns,
+                );
             }
-            if stance.contact == Contact::Stuck {
+            if contact_state.contact == Contact::Stuck {
                 self.stuck = self.stuck + end.tau;
             }
-            self.stance = end.stance;
+            self.contact_state = end.contact_state;
             self.spend(end.steps)?;
             left = left - end.tau;
             match end.event {
@@ -131,16 +141,16 @@ impl<S: Float> Flow<'_, '_, S> {
     }
 
     /// The state, set anew; how the contact stands is kept if it sticks, else read off.
-    pub(super) fn restore(&mut self, state: &[S], stance: &Stance<S>) {
+    pub(super) fn restore(&mut self, state: &[S], contact_state: &ContactState<S>) {
         for (part, state) in self.modes.iter_mut().zip(pairs(state)) {
             if let [y, u] = state {
                 (part.y, part.u) = (*y, *u);
             }
         }
-        self.stance = *stance;
-        self.stance.departing = None;
-        if stance.contact != Contact::Stuck {
-            self.stance = self.setting.stance(self.modes, stance.t);
+        self.contact_state = *contact_state;
+        self.contact_state.departing = None;
+        if contact_state.contact != Contact::Stuck {
+            self.contact_state = self.setting.contact_state(self.modes, contact_state.t);
         }
     }
 

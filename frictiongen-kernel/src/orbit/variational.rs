@@ -3,7 +3,7 @@
 
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, End, Part, Setting, Stance};
+use crate::simulation::{Contact, ContactState, End, Part, Setting};
 
 /// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.
 /// `modes` and `held` are the parts as the segment has left them; what `held` says is used up.
@@ -11,13 +11,13 @@ pub(super) fn through<S: Float>(
     setting: &Setting<'_, S>,
     modes: &[Part<S>],
     held: &mut [Part<S>],
-    stance: &Stance<S>,
+    contact_state: &ContactState<S>,
     end: &End<S>,
     columns: &mut [S],
 ) {
     let size = 2 * setting.dynamics.in_contact();
     let t = end.tau * S::inverse_pi();
-    if stance.contact == Contact::Stuck {
+    if contact_state.contact == Contact::Stuck {
         for column in columns.chunks_exact_mut(size.max(1)) {
             stuck(setting, held, t, end, column);
         }
@@ -33,7 +33,7 @@ pub(super) fn through<S: Float>(
     }
     if end.event.is_some() {
         for column in columns.chunks_exact_mut(size.max(1)) {
-            jump(setting, stance, end, column);
+            jump(setting, contact_state, end, column);
         }
     }
 }
@@ -70,7 +70,12 @@ fn stuck<S: Float>(
 
 /// The event comes δτ = −δf/f′ later; meanwhile the state moves on by the slope before it instead of
 /// that after it, which differ by the jump of the contact force.
-fn jump<S: Float>(setting: &Setting<'_, S>, stance: &Stance<S>, end: &End<S>, column: &mut [S]) {
+fn jump<S: Float>(
+    setting: &Setting<'_, S>,
+    contact_state: &ContactState<S>,
+    end: &End<S>,
+    column: &mut [S],
+) {
     if end.jump.is_zero() {
         return;
     }
@@ -82,15 +87,15 @@ fn jump<S: Float>(setting: &Setting<'_, S>, stance: &Stance<S>, end: &End<S>, co
         let sigma = mode.resonance;
         deviation = deviation
             + mode.contact
-                * if stance.contact == Contact::Stuck {
+                * if contact_state.contact == Contact::Stuck {
                     // Of the contact force, times −m*.
                     sigma * sigma * (*y + two * mode.zeta * *u)
                 } else {
                     sigma / setting.r * *u
                 };
     }
-    if stance.contact == Contact::Stuck {
-        deviation = -(deviation / setting.dynamics.chain.mobility);
+    if contact_state.contact == Contact::Stuck {
+        deviation = -(deviation / setting.dynamics.chain.inverse_mass);
     }
     let later = -(deviation / end.slope);
     for (mode, state) in driven.iter().zip(pairs_mut(column)) {

@@ -1,0 +1,58 @@
+//! Coefficients of the Euler polynomials e_n(τ) = πⁿE_n(τ/π)/n! of even order, as polynomials in w = τ(π − τ).
+//!
+//! They are what a unit force that changes its sign twice a period makes of a mass alone; see
+//! `modal_sum::mass_controlled`.
+
+/// Even orders that are summed in `f64` and in `f32`: 1/6, the rate at which the third harmonic of the rest
+/// falls where polynomials are used, to the power of twice as many is below their rounding.
+const DOUBLE: usize = 11;
+const SINGLE: usize = 5;
+
+/// The coefficients of e_2m, m = 1, 2, …: powers of w = τ(π − τ) from the mth down to the first.
+pub(crate) const DOUBLE_TERMS: [f64; terms(DOUBLE)] = coefficients();
+/// The same in `f32`.
+pub(crate) const SINGLE_TERMS: [f32; terms(SINGLE)] = rounded(coefficients());
+
+const fn terms(orders: usize) -> usize {
+    orders * (orders + 1) / 2
+}
+
+/// By e_n″ = e_n−2, from the highest power down, where nothing cancels.
+#[allow(clippy::indexing_slicing, reason = "at compile time")]
+const fn coefficients<const N: usize>() -> [f64; N] {
+    const SQUARE: f64 = core::f64::consts::PI * core::f64::consts::PI;
+    let mut out = [0.0; N];
+    out[0] = -0.5;
+    let (mut order, mut row, mut before) = (2, 1, 0);
+    while row < N {
+        let mut power = order;
+        while power > 0 {
+            let at = row + order - power;
+            // Of w^(power−1) in e_2m−2, and of w^(power+1) in e_2m.
+            let lower = if power > 1 {
+                out[before + order - power]
+            } else {
+                0.0
+            };
+            let higher = if power < order { out[at - 1] } else { 0.0 };
+            let k = power as f64;
+            out[at] = (k * (k + 1.0) * SQUARE * higher - lower) / (2.0 * k * (2.0 * k - 1.0));
+            power -= 1;
+        }
+        (before, row) = (row, row + order);
+        order += 1;
+    }
+    out
+}
+
+#[allow(clippy::indexing_slicing, reason = "at compile time")]
+#[allow(clippy::cast_possible_truncation, reason = "rounding is meant")]
+const fn rounded<const N: usize>(exact: [f64; N]) -> [f32; N] {
+    let mut out = [0.0; N];
+    let mut index = 0;
+    while index < N {
+        out[index] = exact[index] as f32;
+        index += 1;
+    }
+    out
+}
