@@ -44,6 +44,8 @@ fn formulas<S: Scalar>(a: S, b: S) -> Vec<S> {
         beside + along * b,
         a.one_minus_sinc_pi() * b,
         a.abs().scaled_sinh_defect() - b,
+        a.detuning_off_pole() * b,
+        b.cosine_off_pole() + a,
     ]
 }
 
@@ -80,5 +82,5 @@ fn interpreted_as_recorded() {
         }
     }
     println!("{compared} values compared, none skipped");
-    assert_eq!(compared, 9 * 9 * 4 * 30);
+    assert_eq!(compared, 9 * 9 * 4 * 32);
 }

@@ -70,7 +70,8 @@ fn kind(node: &Node) -> Option<&'static str> {
         Node::Binary(Binary::Add | Binary::Sub, ..) => "+",
         Node::Binary(Binary::Mul, ..) => "×",
         Node::Binary(Binary::Div, ..) => "÷",
-        Node::Binary(Binary::Max | Binary::Min, ..)
+        Node::Unary(Unary::DetuningOffPole | Unary::CosineOffPole, _)
+        | Node::Binary(Binary::Max | Binary::Min, ..)
         | Node::Less(..)
         | Node::IsZero(_)
         | Node::Select(..) => "compare",

@@ -262,6 +262,12 @@ impl<'g> Scalar for Expr<'g> {
     fn one_minus_sinc_pi(self) -> Self {
         self.unary(Unary::OneMinusSincPi, Scalar::one_minus_sinc_pi)
     }
+    fn detuning_off_pole(self) -> Self {
+        self.unary(Unary::DetuningOffPole, Scalar::detuning_off_pole)
+    }
+    fn cosine_off_pole(self) -> Self {
+        self.unary(Unary::CosineOffPole, Scalar::cosine_off_pole)
+    }
     fn scaled_sinh_defect(self) -> Self {
         self.unary(Unary::ScaledSinhDefect, Scalar::scaled_sinh_defect)
     }

@@ -56,6 +56,8 @@ fn evaluate<S: Float>(
                 Unary::Exp => a.exp(),
                 Unary::ExpM1 => a.exp_m1(),
                 Unary::OneMinusSincPi => a.one_minus_sinc_pi(),
+                Unary::DetuningOffPole => a.detuning_off_pole(),
+                Unary::CosineOffPole => a.cosine_off_pole(),
                 Unary::ScaledSinhDefect => a.scaled_sinh_defect(),
             })
         }

@@ -44,6 +44,8 @@ pub enum Unary {
     ExpM1,
     OneMinusSincPi,
     ScaledSinhDefect,
+    DetuningOffPole,
+    CosineOffPole,
 }
 
 /// An operation on two numbers.

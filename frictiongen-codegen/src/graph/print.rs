@@ -320,6 +320,8 @@ fn unary_name(op: Unary) -> &'static str {
         Unary::Exp => "exp",
         Unary::ExpM1 => "exp_m1",
         Unary::OneMinusSincPi => "one_minus_sinc_pi",
+        Unary::DetuningOffPole => "detuning_off_pole",
+        Unary::CosineOffPole => "cosine_off_pole",
         Unary::ScaledSinhDefect => "scaled_sinh_defect",
     }
 }

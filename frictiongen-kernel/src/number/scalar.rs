@@ -5,7 +5,11 @@
 //! Rust source.  A formula must therefore not branch on a scalar: it builds a condition with
 //! [`lt`](Scalar::lt) or [`is_zero`](Scalar::is_zero) and picks with [`select`](Scalar::select).
 
+use core::f64::consts::FRAC_PI_4;
 use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Stands for an exact zero of x² − 1, which it is far below in any precision.
+pub const NEXT_TO_POLE: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// A number, or something that stands for one, in which the closed forms can be evaluated.
 pub trait Scalar:
@@ -68,6 +72,24 @@ pub trait Scalar:
     fn one_minus_sinc_pi(self) -> Self;
     /// 1 − e^{−2a} − 2a·e^{−a} = 2e^{−a}(sinh a − a) for a = `self` ≥ 0: relative accuracy down to 0.
     fn scaled_sinh_defect(self) -> Self;
+
+    /// x² − 1 of an undamped mode, where its exact zero is [`NEXT_TO_POLE`] instead.
+    #[inline]
+    #[must_use]
+    fn detuning_off_pole(self) -> Self {
+        Self::select(self.is_zero(), self.replaced(NEXT_TO_POLE), self)
+    }
+    /// cos(πx/2) of an undamped mode, where its exact zero is −π/4·[`NEXT_TO_POLE`] instead: beside x = 1 it is in that
+    /// ratio to x² − 1.
+    #[inline]
+    #[must_use]
+    fn cosine_off_pole(self) -> Self {
+        Self::select(
+            self.is_zero(),
+            self.replaced(-FRAC_PI_4 * NEXT_TO_POLE),
+            self,
+        )
+    }
 
     /// The constant in place of the value; what else a scalar carries, a derivative, stays.
     #[inline(always)]

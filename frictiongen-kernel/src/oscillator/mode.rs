@@ -7,7 +7,6 @@
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
-use core::f64::consts::FRAC_PI_4;
 
 /// How a mode decays; it decides which closed form its functions take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,9 +49,6 @@ pub struct Mode<S> {
     /// (φᵀw)(φᵀp)/λ, the static residue load → contact.
     pub static_residue: S,
 }
-
-/// Stands for an exact zero of x² − 1, which it is far below in any precision.
-const NEXT_TO_POLE: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// The functions of one mode at one frequency, each free of the pole at x = 1.
 #[derive(Clone, Copy, Debug)]
@@ -213,18 +209,18 @@ fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (S, S) {
     (m.named("decay_complement", at), e.named("decay_factor", at))
 }
 
-/// ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0.  The exact zeros (x = 1, where v and u share
-/// the pole, and the odd x, where u has one of its own) are replaced by a distance far below the
-/// precision, in the ratio that both have beside x = 1: no quotient is then 0/0.
+/// ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0.  The exact zeros of both divisors (x = 1, where v and u share the
+/// pole, and the odd x, where u has one of its own) are replaced, so that no quotient is 0/0.
 #[inline]
 fn undamped<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let (s, c) = (x * S::constant(0.5)).sin_cos_pi();
     let s = s.named("sine", at);
-    let re = ((x - one) * (x + one)).named("plain_detuning", at);
-    let re = S::select(re.is_zero(), re.replaced(NEXT_TO_POLE), re).named("detuning", at);
+    let re = ((x - one) * (x + one))
+        .detuning_off_pole()
+        .named("detuning", at);
     let c = c.named("plain_cosine", at);
-    let c = S::select(c.is_zero(), c.replaced(-FRAC_PI_4 * NEXT_TO_POLE), c).named("cosine", at);
+    let c = c.cosine_off_pole().named("cosine", at);
     let size = re.abs().named("size", at);
     ModeResponse {
         x,

@@ -57,7 +57,7 @@ const _: () = {
                 load: 0.9254960696380404,
                 contact: 1.2488972723454137,
                 residue: 1.15584951693735,
-                mobility: 1.5597443968718145,
+                inverse_mass: 1.5597443968718145,
                 static_residue: 1.0928913342651618,
             },
             Mode {
@@ -70,14 +70,14 @@ const _: () = {
                 load: 0.5474550438935962,
                 contact: -0.9696677797721163,
                 residue: -0.5308495169373498,
-                mobility: 0.9402556031281853,
+                inverse_mass: 0.9402556031281853,
                 static_residue: -0.24492536196720122,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
-            mobility: 2.5,
+            inverse_mass: 2.5,
             stiction: 1.0,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -165,19 +165,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.1784258568542197 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.2802706805518403 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.2802706805518403 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.9960125769293575 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 0.0019937115353212288,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -185,14 +186,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.9960125769293575)
+                let swing = 4.0 * decay_factor * (sine / 0.9960125769293575)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.08921292842710984 * swing;
                 ModeResponse {
                     x: frequency,
@@ -208,19 +209,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.2527883982044275 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.3970790873558803 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.3970790873558803 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.9919800937686754 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 0.004009953115662322,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -228,14 +230,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.9919800937686754)
+                let swing = 4.0 * decay_factor * (sine / 0.9919800937686754)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.12639419910221375 * swing;
                 ModeResponse {
                     x: frequency,
@@ -308,7 +310,7 @@ const _: () = {
             let mode_2_fall = mode_2_friction_force * (mode_2.g / (mode_2.x * mode_2.x));
             let mode_2_rise = mode_2_friction_force * contact.scale;
             let mode_2_swing = mode_2_friction_force * mode_2.u;
-            let carrier = Carrier {
+            let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
                 response: Complex {
@@ -320,7 +322,7 @@ const _: () = {
                 motion_wave(
                     mode_1.x,
                     <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
-                    Share {
+                    ModalCoefficients {
                         rise: mode_1_rise,
                         fall: mode_1_fall,
                         swing: mode_1_swing,
@@ -330,7 +332,7 @@ const _: () = {
                 motion_wave(
                     mode_2.x,
                     <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
-                    Share {
+                    ModalCoefficients {
                         rise: mode_2_rise,
                         fall: mode_2_fall,
                         swing: mode_2_swing,
@@ -338,7 +340,7 @@ const _: () = {
                     },
                 ),
             ];
-            Motion::of_contact(*friction, carrier, waves)
+            Motion::of_contact(*friction, fundamental, waves)
         }
         #[allow(unused_variables)]
         fn mass_motion(
@@ -348,7 +350,7 @@ const _: () = {
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [mode_1, mode_2] = at.modes();
-            let (carrier, waves) = match mass {
+            let (fundamental, waves) = match mass {
                 0 => {
                     let product = mode_2.response.re * -0.5308495169373498;
                     let product_2 = mode_2.response.im * -0.5308495169373498;
@@ -434,7 +436,7 @@ const _: () = {
                     let mode_2_rise = mode_2_friction_force * contact.scale;
                     let mode_2_swing = mode_2_friction_force * mode_2_lag;
                     (
-                        Carrier {
+                        Fundamental {
                             cosine: (product_7
                                 * (response_re * inverse_re - response_im * inverse_im)
                                 + product_8
@@ -463,7 +465,7 @@ const _: () = {
                             mass_wave(
                                 mode_1.x,
                                 <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: mode_1_fall,
                                     swing: mode_1_swing,
@@ -473,7 +475,7 @@ const _: () = {
                             mass_wave(
                                 mode_2.x,
                                 <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: mode_2_fall,
                                     swing: mode_2_swing,
@@ -485,7 +487,7 @@ const _: () = {
                 }
                 _ => return None,
             };
-            Some(Motion::of_mass(*friction, carrier, waves))
+            Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }
     ::frictiongen::kernel::not_provided!(BracedAt : stuck, orbit);

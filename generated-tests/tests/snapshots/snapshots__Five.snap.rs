@@ -102,7 +102,7 @@ const _: () = {
                 load: 0.16989112404918136,
                 contact: 0.16989112404918136,
                 residue: 0.028862994030694332,
-                mobility: 0.028862994030694332,
+                inverse_mass: 0.028862994030694332,
                 static_residue: 0.35627144974809044,
             },
             Mode {
@@ -115,7 +115,7 @@ const _: () = {
                 load: 0.4557341406552499,
                 contact: 0.4557341406552499,
                 residue: 0.20769360695877911,
-                mobility: 0.20769360695877911,
+                inverse_mass: 0.20769360695877911,
                 static_residue: 0.30088376980823367,
             },
             Mode {
@@ -128,7 +128,7 @@ const _: () = {
                 load: 0.5968847876668415,
                 contact: 0.5968847876668415,
                 residue: 0.35627144974809044,
-                mobility: 0.35627144974809044,
+                inverse_mass: 0.35627144974809044,
                 static_residue: 0.20769360695877911,
             },
             Mode {
@@ -141,7 +141,7 @@ const _: () = {
                 load: 0.5485287319805897,
                 contact: 0.5485287319805897,
                 residue: 0.30088376980823367,
-                mobility: 0.30088376980823367,
+                inverse_mass: 0.30088376980823367,
                 static_residue: 0.10628817945420246,
             },
             Mode {
@@ -154,14 +154,14 @@ const _: () = {
                 load: 0.32601867960931696,
                 contact: 0.32601867960931696,
                 residue: 0.10628817945420246,
-                mobility: 0.10628817945420246,
+                inverse_mass: 0.10628817945420246,
                 static_residue: 0.028862994030694332,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
-            mobility: 1.0,
+            inverse_mass: 1.0,
             stiction: 1.0,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -309,19 +309,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.02 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.031415926535897934 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.9999499987499375 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 2.5000625031251956e-5,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -329,14 +330,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.9999499987499375)
+                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.01 * swing;
                 ModeResponse {
                     x: frequency,
@@ -352,19 +353,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.02 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.031415926535897934 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.9999499987499375 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 2.5000625031251956e-5,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -372,14 +374,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.9999499987499375)
+                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.01 * swing;
                 ModeResponse {
                     x: frequency,
@@ -395,19 +397,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.02 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.031415926535897934 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.9999499987499375 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 2.5000625031251956e-5,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -415,14 +418,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.9999499987499375)
+                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.01 * swing;
                 ModeResponse {
                     x: frequency,
@@ -438,19 +441,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.02 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.031415926535897934 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.9999499987499375 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 2.5000625031251956e-5,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -458,14 +462,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.9999499987499375)
+                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.01 * swing;
                 ModeResponse {
                     x: frequency,
@@ -481,19 +485,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.02 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.031415926535897934 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.9999499987499375 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 2.5000625031251956e-5,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -501,14 +506,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.9999499987499375)
+                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.01 * swing;
                 ModeResponse {
                     x: frequency,

@@ -63,7 +63,7 @@ const _: () = {
                 load: 0.18192304909860774,
                 contact: 0.590694937028388,
                 residue: 0.10746102403131443,
-                mobility: 0.3489205086309713,
+                inverse_mass: 0.3489205086309713,
                 static_residue: 1.0616555393793272,
             },
             Mode {
@@ -76,7 +76,7 @@ const _: () = {
                 load: 0.9784361822489328,
                 contact: -0.0716397579987311,
                 residue: -0.0700949313135159,
-                mobility: 0.005132254926116756,
+                inverse_mass: 0.005132254926116756,
                 static_residue: -0.049041871312543166,
             },
             Mode {
@@ -89,14 +89,14 @@ const _: () = {
                 load: 0.09780920955001465,
                 contact: -0.3820304129816263,
                 residue: -0.037366092717798526,
-                mobility: 0.14594723644291194,
+                inverse_mass: 0.14594723644291194,
                 static_residue: -0.012613668066784031,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
-            mobility: 0.5,
+            inverse_mass: 0.5,
             stiction: 1.5,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -185,19 +185,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.02 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.031415926535897934 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.9999499987499375 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 2.5000625031251956e-5,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -205,14 +206,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.9999499987499375)
+                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.01 * swing;
                 ModeResponse {
                     x: frequency,
@@ -228,19 +229,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.04 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.06283185307179587 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.06283185307179587 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.999799979995999 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 0.00010001000200050015,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -248,14 +250,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.999799979995999)
+                let swing = 4.0 * decay_factor * (sine / 0.999799979995999)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.02 * swing;
                 ModeResponse {
                     x: frequency,
@@ -271,19 +273,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.06 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.09424777960769379 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.09424777960769379 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.9995498987044119 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 0.0002250506477940725,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -291,14 +294,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.9995498987044119)
+                let swing = 4.0 * decay_factor * (sine / 0.9995498987044119)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.03 * swing;
                 ModeResponse {
                     x: frequency,

@@ -57,7 +57,7 @@ const _: () = {
                 load: 0.5446174012864552,
                 contact: 0.5446174012864552,
                 residue: 0.29660811378401175,
-                mobility: 0.29660811378401175,
+                inverse_mass: 0.29660811378401175,
                 static_residue: 0.7519713814184001,
             },
             Mode {
@@ -70,14 +70,14 @@ const _: () = {
                 load: 0.8386846166563378,
                 contact: 0.8386846166563378,
                 residue: 0.7033918862159882,
-                mobility: 0.7033918862159882,
+                inverse_mass: 0.7033918862159882,
                 static_residue: 0.2480286185815999,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: Some(0.0),
-            mobility: 1.0,
+            inverse_mass: 1.0,
             stiction: 1.0,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -157,23 +157,16 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 47: 20 ×, 9 compare, 7 +, 5 ÷, 4 sign, 2 sin_cos_pi.
+        /// Operations: 43: 20 ×, 7 +, 5 compare, 5 ÷, 4 sign, 2 sin_cos_pi.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
             let mode_1 = {
                 let frequency = 0.6280451371556012 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.673617379884035e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.812243160173109e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
@@ -188,17 +181,10 @@ const _: () = {
             let mode_2 = {
                 let frequency = 1.6840220742078127 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.673617379884035e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.812243160173109e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
@@ -263,7 +249,7 @@ const _: () = {
             let mode_2_friction_force = friction_weight * 0.7033918862159882;
             let mode_2_rise = mode_2_friction_force * contact.scale;
             let mode_2_swing = mode_2_friction_force * mode_2.u;
-            let carrier = Carrier {
+            let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
                 response: Complex {
@@ -275,7 +261,7 @@ const _: () = {
                 motion_wave(
                     mode_1.x,
                     Undamped,
-                    Share {
+                    ModalCoefficients {
                         rise: mode_1_rise,
                         fall: 0.0,
                         swing: mode_1_swing,
@@ -285,7 +271,7 @@ const _: () = {
                 motion_wave(
                     mode_2.x,
                     Undamped,
-                    Share {
+                    ModalCoefficients {
                         rise: mode_2_rise,
                         fall: 0.0,
                         swing: mode_2_swing,
@@ -293,7 +279,7 @@ const _: () = {
                     },
                 ),
             ];
-            Motion::of_contact(*friction, carrier, waves)
+            Motion::of_contact(*friction, fundamental, waves)
         }
         #[allow(unused_variables)]
         fn mass_motion(
@@ -303,7 +289,7 @@ const _: () = {
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [mode_1, mode_2] = at.modes();
-            let (carrier, waves) = match mass {
+            let (fundamental, waves) = match mass {
                 0 => {
                     let velocity_share = 0.7033918862159882 * mode_2.u;
                     let mode_2_driven_re = mode_2.response.re * 0.7033918862159882;
@@ -340,7 +326,7 @@ const _: () = {
                     let mode_2_rise = mode_2_friction_force * contact.scale;
                     let mode_2_swing = mode_2_friction_force * mode_2_lag;
                     (
-                        Carrier {
+                        Fundamental {
                             cosine: friction.root * 5.960464477539063e-8
                                 * (response_re * ratio_2) * product,
                             sine: friction.beta * (mismatch_re * ratio_2) * product,
@@ -353,7 +339,7 @@ const _: () = {
                             mass_wave(
                                 mode_1.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: 0.0,
                                     swing: mode_1_swing,
@@ -363,7 +349,7 @@ const _: () = {
                             mass_wave(
                                 mode_2.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: 0.0,
                                     swing: mode_2_swing,
@@ -409,7 +395,7 @@ const _: () = {
                     let mode_2_rise = mode_2_friction_force * contact.scale;
                     let mode_2_swing = mode_2_friction_force * mode_2_lag;
                     (
-                        Carrier {
+                        Fundamental {
                             cosine: friction.root * 5.960464477539063e-8
                                 * (response_re * ratio_2) * product,
                             sine: friction.beta * (mismatch_re * ratio_2) * product,
@@ -422,7 +408,7 @@ const _: () = {
                             mass_wave(
                                 mode_1.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: 0.0,
                                     swing: mode_1_swing,
@@ -432,7 +418,7 @@ const _: () = {
                             mass_wave(
                                 mode_2.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: 0.0,
                                     swing: mode_2_swing,
@@ -444,7 +430,7 @@ const _: () = {
                 }
                 _ => return None,
             };
-            Some(Motion::of_mass(*friction, carrier, waves))
+            Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }
     ::frictiongen::kernel::not_provided!(PairBaseAt : stuck, orbit);

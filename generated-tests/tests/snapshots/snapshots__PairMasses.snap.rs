@@ -60,7 +60,7 @@ const _: () = {
                 load: 0.5773502691896257,
                 contact: 0.5773502691896257,
                 residue: 0.3333333333333333,
-                mobility: 0.3333333333333333,
+                inverse_mass: 0.3333333333333333,
                 static_residue: 0.6666666666666666,
             },
             Mode {
@@ -73,14 +73,14 @@ const _: () = {
                 load: 0.816496580927726,
                 contact: -1.632993161855452,
                 residue: -1.3333333333333333,
-                mobility: 2.6666666666666665,
+                inverse_mass: 2.6666666666666665,
                 static_residue: -0.6666666666666666,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: None,
-            mobility: 3.0,
+            inverse_mass: 3.0,
             stiction: 1.2,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -160,23 +160,16 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 43: 17 ×, 9 compare, 7 +, 4 sign, 4 ÷, 2 sin_cos_pi.
+        /// Operations: 39: 17 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
             let mode_1 = {
                 let frequency = 0.7071067811865476 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.673617379884035e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.812243160173109e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
@@ -191,17 +184,10 @@ const _: () = {
             let mode_2 = {
                 let frequency = 1.4142135623730951 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.673617379884035e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.812243160173109e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
@@ -264,7 +250,7 @@ const _: () = {
             let mode_2_friction_force = friction_weight * 2.6666666666666665;
             let mode_2_rise = mode_2_friction_force * contact.scale;
             let mode_2_swing = mode_2_friction_force * mode_2.u;
-            let carrier = Carrier {
+            let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
                 response: Complex {
@@ -276,7 +262,7 @@ const _: () = {
                 motion_wave(
                     mode_1.x,
                     Undamped,
-                    Share {
+                    ModalCoefficients {
                         rise: mode_1_rise,
                         fall: 0.0,
                         swing: mode_1_swing,
@@ -286,7 +272,7 @@ const _: () = {
                 motion_wave(
                     mode_2.x,
                     Undamped,
-                    Share {
+                    ModalCoefficients {
                         rise: mode_2_rise,
                         fall: 0.0,
                         swing: mode_2_swing,
@@ -294,7 +280,7 @@ const _: () = {
                     },
                 ),
             ];
-            Motion::of_contact(*friction, carrier, waves)
+            Motion::of_contact(*friction, fundamental, waves)
         }
         #[allow(unused_variables)]
         fn mass_motion(
@@ -304,7 +290,7 @@ const _: () = {
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [mode_1, mode_2] = at.modes();
-            let (carrier, waves) = match mass {
+            let (fundamental, waves) = match mass {
                 0 => {
                     let velocity_share = 2.6666666666666665 * mode_2.u;
                     let mode_1_driven_re = mode_1.response.re * 0.3333333333333333;
@@ -330,7 +316,7 @@ const _: () = {
                     let mode_2_rise = mode_2_friction_force * contact.scale;
                     let mode_2_swing = mode_2_friction_force * mode_2_lag;
                     (
-                        Carrier {
+                        Fundamental {
                             cosine: friction.root * (response_re * ratio)
                                 * friction.unscale,
                             sine: friction.beta * (mismatch_re * ratio)
@@ -344,7 +330,7 @@ const _: () = {
                             mass_wave(
                                 mode_1.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: 0.0,
                                     swing: mode_1_swing,
@@ -354,7 +340,7 @@ const _: () = {
                             mass_wave(
                                 mode_2.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: 0.0,
                                     swing: mode_2_swing,
@@ -390,7 +376,7 @@ const _: () = {
                     let mode_2_rise = mode_2_friction_force * contact.scale;
                     let mode_2_swing = mode_2_friction_force * mode_2_lag;
                     (
-                        Carrier {
+                        Fundamental {
                             cosine: friction.root * (response_re * ratio)
                                 * friction.unscale,
                             sine: friction.beta * (mismatch_re * ratio)
@@ -404,7 +390,7 @@ const _: () = {
                             mass_wave(
                                 mode_1.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: 0.0,
                                     swing: mode_1_swing,
@@ -414,7 +400,7 @@ const _: () = {
                             mass_wave(
                                 mode_2.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: 0.0,
                                     swing: mode_2_swing,
@@ -426,7 +412,7 @@ const _: () = {
                 }
                 _ => return None,
             };
-            Some(Motion::of_mass(*friction, carrier, waves))
+            Some(Motion::of_mass(*friction, fundamental, waves))
         }
         #[allow(unused_variables)]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f64>> {

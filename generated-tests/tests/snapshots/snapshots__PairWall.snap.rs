@@ -57,7 +57,7 @@ const _: () = {
                 load: 0.5257311121191336,
                 contact: 0.8506508083520399,
                 residue: 0.4472135954999579,
-                mobility: 0.7236067977499789,
+                inverse_mass: 0.7236067977499789,
                 static_residue: 1.1708203932499368,
             },
             Mode {
@@ -70,14 +70,14 @@ const _: () = {
                 load: 0.8506508083520399,
                 contact: -0.5257311121191336,
                 residue: -0.4472135954999579,
-                mobility: 0.276393202250021,
+                inverse_mass: 0.276393202250021,
                 static_residue: -0.17082039324993692,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: None,
-            mobility: 1.0,
+            inverse_mass: 1.0,
             stiction: 1.0,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -157,23 +157,16 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 44: 18 ×, 9 compare, 7 +, 4 sign, 4 ÷, 2 sin_cos_pi.
+        /// Operations: 40: 18 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
             let mode_1 = {
                 let frequency = 0.6180339887498949 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.673617379884035e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.812243160173109e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
@@ -188,17 +181,10 @@ const _: () = {
             let mode_2 = {
                 let frequency = 1.618033988749895 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.673617379884035e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.812243160173109e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
@@ -262,7 +248,7 @@ const _: () = {
             let mode_2_friction_force = friction_weight * 0.276393202250021;
             let mode_2_rise = mode_2_friction_force * contact.scale;
             let mode_2_swing = mode_2_friction_force * mode_2.u;
-            let carrier = Carrier {
+            let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
                 response: Complex {
@@ -274,7 +260,7 @@ const _: () = {
                 motion_wave(
                     mode_1.x,
                     Undamped,
-                    Share {
+                    ModalCoefficients {
                         rise: mode_1_rise,
                         fall: 0.0,
                         swing: mode_1_swing,
@@ -284,7 +270,7 @@ const _: () = {
                 motion_wave(
                     mode_2.x,
                     Undamped,
-                    Share {
+                    ModalCoefficients {
                         rise: mode_2_rise,
                         fall: 0.0,
                         swing: mode_2_swing,
@@ -292,7 +278,7 @@ const _: () = {
                     },
                 ),
             ];
-            Motion::of_contact(*friction, carrier, waves)
+            Motion::of_contact(*friction, fundamental, waves)
         }
         #[allow(unused_variables)]
         fn mass_motion(
@@ -302,7 +288,7 @@ const _: () = {
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [mode_1, mode_2] = at.modes();
-            let (carrier, waves) = match mass {
+            let (fundamental, waves) = match mass {
                 0 => {
                     let velocity_share = 0.276393202250021 * mode_2.u;
                     let velocity_share_2 = 0.7236067977499789 * mode_1.u;
@@ -329,7 +315,7 @@ const _: () = {
                     let mode_2_rise = mode_2_friction_force * contact.scale;
                     let mode_2_swing = mode_2_friction_force * mode_2_lag;
                     (
-                        Carrier {
+                        Fundamental {
                             cosine: friction.root * (response_re * ratio)
                                 * friction.unscale,
                             sine: friction.beta * (mismatch_re * ratio)
@@ -343,7 +329,7 @@ const _: () = {
                             mass_wave(
                                 mode_1.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: 0.0,
                                     swing: mode_1_swing,
@@ -353,7 +339,7 @@ const _: () = {
                             mass_wave(
                                 mode_2.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: 0.0,
                                     swing: mode_2_swing,
@@ -365,7 +351,7 @@ const _: () = {
                 }
                 _ => return None,
             };
-            Some(Motion::of_mass(*friction, carrier, waves))
+            Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }
     ::frictiongen::kernel::not_provided!(PairWallAt : stuck, orbit);

@@ -51,14 +51,14 @@ const _: () = {
                 load: 1.0,
                 contact: 1.0,
                 residue: 1.0,
-                mobility: 1.0,
+                inverse_mass: 1.0,
                 static_residue: 1.0,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: Some(0.0),
-            mobility: 1.0,
+            inverse_mass: 1.0,
             stiction: 1.0,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -137,21 +137,14 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 17: 6 ×, 4 compare, 2 +, 2 sign, 2 ÷, 1 sin_cos_pi.
+        /// Operations: 15: 6 ×, 2 +, 2 compare, 2 sign, 2 ÷, 1 sin_cos_pi.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
             let (sine, plain_cosine) = Scalar::sin_cos_pi(inverse_r * 0.5);
-            let plain_detuning = (inverse_r - 1.0) * (inverse_r + 1.0);
-            let detuning = if plain_detuning == 0.0 {
-                8.673617379884035e-19
-            } else {
-                plain_detuning
-            };
-            let cosine = if plain_cosine == 0.0 {
-                -6.812243160173109e-19
-            } else {
-                plain_cosine
-            };
+            let detuning = Scalar::detuning_off_pole(
+                (inverse_r - 1.0) * (inverse_r + 1.0),
+            );
+            let cosine = Scalar::cosine_off_pole(plain_cosine);
             let size = Scalar::abs(detuning);
             let u = sine * size / (inverse_r * cosine);
             let h_re = Scalar::copysign(1.0, detuning);
@@ -204,7 +197,7 @@ const _: () = {
             let friction_weight = friction.beta * friction.unscale;
             let rise = friction_weight * contact.scale;
             let swing = friction_weight * mode_1.u;
-            let carrier = Carrier {
+            let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
                 response: Complex {
@@ -216,7 +209,7 @@ const _: () = {
                 motion_wave(
                     mode_1.x,
                     Undamped,
-                    Share {
+                    ModalCoefficients {
                         rise,
                         fall: 0.0,
                         swing,
@@ -224,7 +217,7 @@ const _: () = {
                     },
                 ),
             ];
-            Motion::of_contact(*friction, carrier, waves)
+            Motion::of_contact(*friction, fundamental, waves)
         }
         #[allow(unused_variables)]
         fn mass_motion(
@@ -234,7 +227,7 @@ const _: () = {
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [mode_1] = at.modes();
-            let (carrier, waves) = match mass {
+            let (fundamental, waves) = match mass {
                 0 => {
                     let product = inverse_r * inverse_r;
                     let lag = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
@@ -250,7 +243,7 @@ const _: () = {
                     let rise = friction_weight * contact.scale;
                     let swing = friction_weight * lag;
                     (
-                        Carrier {
+                        Fundamental {
                             cosine: friction.root * 5.960464477539063e-8
                                 * (mode_1.response.re * ratio) * product_2,
                             sine: friction.beta * (mismatch_re * ratio) * product_2,
@@ -263,7 +256,7 @@ const _: () = {
                             mass_wave(
                                 mode_1.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise,
                                     fall: 0.0,
                                     swing,
@@ -275,7 +268,7 @@ const _: () = {
                 }
                 _ => return None,
             };
-            Some(Motion::of_mass(*friction, carrier, waves))
+            Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }
     ::frictiongen::kernel::not_provided!(SdofBaseAt : stuck, orbit);

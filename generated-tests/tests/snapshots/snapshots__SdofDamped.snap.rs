@@ -51,14 +51,14 @@ const _: () = {
                 load: 1.0,
                 contact: 1.0,
                 residue: 1.0,
-                mobility: 1.0,
+                inverse_mass: 1.0,
                 static_residue: 1.0,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
-            mobility: 1.0,
+            inverse_mass: 1.0,
             stiction: 1.0,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -143,19 +143,19 @@ const _: () = {
             let detuning = (inverse_r - 1.0) * (inverse_r + 1.0);
             let loss = 0.1 * inverse_r;
             let size = Scalar::abs(detuning) + loss;
-            let half_period_decay = 0.15707963267948966 * inverse_r;
-            let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-            let kept_half = 1.0 + negative_lost_half;
-            let lost_share = -(negative_lost_half * (1.0 + kept_half));
-            let kept_share = kept_half * kept_half;
+            let decay_exponent = 0.15707963267948966 * inverse_r;
+            let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+            let half_decay_factor = 1.0 + half_decay_minus_one;
+            let decay_complement = -(half_decay_minus_one * (1.0 + half_decay_factor));
+            let decay_factor = half_decay_factor * half_decay_factor;
             let half_turns = 0.998749217771909 * inverse_r;
             let (sine, cosine) = Scalar::sin_cos_pi_minus(
                 inverse_r * 0.5,
                 inverse_r * 0.0006253911140455271,
             );
-            let one_and_kept = 1.0 + kept_share;
-            let nearness_re = one_and_kept * cosine;
-            let nearness_im = lost_share * sine;
+            let one_plus_factor = 1.0 + decay_factor;
+            let nearness_re = one_plus_factor * cosine;
+            let nearness_im = decay_complement * sine;
             let inverse_nearness = 1.0
                 / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
             let unit_nearness_re = nearness_re * inverse_nearness;
@@ -163,15 +163,15 @@ const _: () = {
             let pole_weight = size * inverse_nearness
                 / (unit_nearness_re * unit_nearness_re
                     + unit_nearness_im * unit_nearness_im);
-            let swing = 4.0 * kept_share * (sine / 0.998749217771909)
+            let swing = 4.0 * decay_factor * (sine / 0.998749217771909)
                 * (cosine * inverse_nearness) * pole_weight;
             let u = swing / inverse_r;
-            let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                + 2.0 * kept_share * half_period_decay
+            let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                + 2.0 * decay_factor * decay_exponent
                     * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                 * pole_weight;
-            let reversal = one_and_kept * (lost_share * inverse_nearness) * pole_weight
-                + 0.05 * swing;
+            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                * pole_weight + 0.05 * swing;
             let inverse_size = 1.0 / size;
             let unit_re = detuning * inverse_size;
             let unit_im = loss * inverse_size;
@@ -237,7 +237,7 @@ const _: () = {
             let fall = friction_weight * (mode_1.g / (mode_1.x * mode_1.x));
             let rise = friction_weight * contact.scale;
             let swing = friction_weight * mode_1.u;
-            let carrier = Carrier {
+            let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
                 response: Complex {
@@ -249,7 +249,7 @@ const _: () = {
                 motion_wave(
                     mode_1.x,
                     <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
-                    Share {
+                    ModalCoefficients {
                         rise,
                         fall,
                         swing,
@@ -257,7 +257,7 @@ const _: () = {
                     },
                 ),
             ];
-            Motion::of_contact(*friction, carrier, waves)
+            Motion::of_contact(*friction, fundamental, waves)
         }
     }
     ::frictiongen::kernel::not_provided!(SdofDampedAt : stuck, orbit);

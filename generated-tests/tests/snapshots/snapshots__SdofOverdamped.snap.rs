@@ -53,14 +53,14 @@ const _: () = {
                 load: 1.0,
                 contact: 1.0,
                 residue: 1.0,
-                mobility: 1.0,
+                inverse_mass: 1.0,
                 static_residue: 1.0,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
-            mobility: 1.0,
+            inverse_mass: 1.0,
             stiction: 1.0,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -149,18 +149,17 @@ const _: () = {
             let slow_decay = 1.1999816148643265 * inverse_r;
             let slow_exponent = -slow_decay;
             let spread = 7.024814731040727 * inverse_r;
-            let slow_kept_share = Scalar::exp(slow_exponent);
+            let slow_decay_factor = Scalar::exp(slow_exponent);
             let pole_weight = size
-                / ((1.0 + slow_kept_share) * (1.0 + Scalar::exp(-fast_decay)));
-            let swing = -Scalar::exp_m1(-spread) * slow_kept_share / 1.118033988749895
+                / ((1.0 + slow_decay_factor) * (1.0 + Scalar::exp(-fast_decay)));
+            let swing = -Scalar::exp_m1(-spread) * slow_decay_factor / 1.118033988749895
                 * pole_weight;
-            let negative_lost_share = Scalar::exp_m1(-(fast_decay * 0.5));
+            let decay_minus_one = Scalar::exp_m1(-(fast_decay * 0.5));
             let u = swing / inverse_r;
-            let g = (negative_lost_share * negative_lost_share
-                * -Scalar::exp_m1(slow_exponent)
-                + 2.0 * (1.0 + negative_lost_share)
+            let g = (decay_minus_one * decay_minus_one * -Scalar::exp_m1(slow_exponent)
+                + 2.0 * (1.0 + decay_minus_one)
                     * Scalar::scaled_sinh_defect(slow_decay * 0.5)
-                - slow_kept_share
+                - slow_decay_factor
                     * Scalar::scaled_sinh_defect(3.5124073655203634 * inverse_r)
                     / 2.9270509831248424) * pole_weight;
             let reversal = -Scalar::exp_m1(-(9.42477796076938 * inverse_r)) * pole_weight
@@ -230,7 +229,7 @@ const _: () = {
             let fall = friction_weight * (mode_1.g / (mode_1.x * mode_1.x));
             let rise = friction_weight * contact.scale;
             let swing = friction_weight * mode_1.u;
-            let carrier = Carrier {
+            let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
                 response: Complex {
@@ -242,7 +241,7 @@ const _: () = {
                 motion_wave(
                     mode_1.x,
                     <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
-                    Share {
+                    ModalCoefficients {
                         rise,
                         fall,
                         swing,
@@ -250,7 +249,7 @@ const _: () = {
                     },
                 ),
             ];
-            Motion::of_contact(*friction, carrier, waves)
+            Motion::of_contact(*friction, fundamental, waves)
         }
     }
     ::frictiongen::kernel::not_provided!(SdofOverdampedAt : stuck, orbit);

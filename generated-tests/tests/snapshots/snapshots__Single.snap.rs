@@ -54,7 +54,7 @@ const _: () = {
                 load: 0.5257311,
                 contact: 0.8506508,
                 residue: 0.4472136,
-                mobility: 0.7236068,
+                inverse_mass: 0.7236068,
                 static_residue: 1.1708204,
             },
             Mode {
@@ -67,14 +67,14 @@ const _: () = {
                 load: 0.8506508,
                 contact: -0.5257311,
                 residue: -0.4472136,
-                mobility: 0.2763932,
+                inverse_mass: 0.2763932,
                 static_residue: -0.1708204,
             },
         ];
         const CHAIN: Chain<f32> = Chain {
             damped: false,
             on_moving_base: None,
-            mobility: 1.0,
+            inverse_mass: 1.0,
             stiction: 1.0,
         };
         const NUMBERS: Numbers<'static, f32> = Numbers {
@@ -154,23 +154,16 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 44: 18 ×, 9 compare, 7 +, 4 sign, 4 ÷, 2 sin_cos_pi.
+        /// Operations: 40: 18 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline]
         fn frequency_stage(&self, inverse_r: f32) -> (ContactAt<f32>, [ModeAt<f32>; 2]) {
             let mode_1 = {
                 let frequency = 0.618034 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.6736174e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.8122433e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
@@ -185,17 +178,10 @@ const _: () = {
             let mode_2 = {
                 let frequency = 1.618034 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.6736174e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.8122433e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
@@ -257,7 +243,7 @@ const _: () = {
             let mode_2_friction_force = friction_weight * 0.2763932;
             let mode_2_rise = mode_2_friction_force * contact.scale;
             let mode_2_swing = mode_2_friction_force * mode_2.u;
-            let carrier = Carrier {
+            let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
                 response: Complex {
@@ -269,7 +255,7 @@ const _: () = {
                 motion_wave(
                     mode_1.x,
                     Undamped,
-                    Share {
+                    ModalCoefficients {
                         rise: mode_1_rise,
                         fall: 0.0,
                         swing: mode_1_swing,
@@ -279,7 +265,7 @@ const _: () = {
                 motion_wave(
                     mode_2.x,
                     Undamped,
-                    Share {
+                    ModalCoefficients {
                         rise: mode_2_rise,
                         fall: 0.0,
                         swing: mode_2_swing,
@@ -287,7 +273,7 @@ const _: () = {
                     },
                 ),
             ];
-            Motion::of_contact(*friction, carrier, waves)
+            Motion::of_contact(*friction, fundamental, waves)
         }
         #[allow(unused_variables)]
         fn mass_motion(
@@ -297,7 +283,7 @@ const _: () = {
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [mode_1, mode_2] = at.modes();
-            let (carrier, waves) = match mass {
+            let (fundamental, waves) = match mass {
                 0 => {
                     let velocity_share = 0.2763932 * mode_2.u;
                     let velocity_share_2 = 0.7236068 * mode_1.u;
@@ -323,7 +309,7 @@ const _: () = {
                     let mode_2_rise = mode_2_friction_force * contact.scale;
                     let mode_2_swing = mode_2_friction_force * mode_2_lag;
                     (
-                        Carrier {
+                        Fundamental {
                             cosine: friction.root * (response_re * ratio)
                                 * friction.unscale,
                             sine: friction.beta * (mismatch_re * ratio)
@@ -337,7 +323,7 @@ const _: () = {
                             mass_wave(
                                 mode_1.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: 0.0,
                                     swing: mode_1_swing,
@@ -347,7 +333,7 @@ const _: () = {
                             mass_wave(
                                 mode_2.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: 0.0,
                                     swing: mode_2_swing,
@@ -359,7 +345,7 @@ const _: () = {
                 }
                 _ => return None,
             };
-            Some(Motion::of_mass(*friction, carrier, waves))
+            Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }
     ::frictiongen::kernel::not_provided!(SingleAt : stuck, orbit);

@@ -64,7 +64,7 @@ const _: () = {
                 load: 0.5683291693328758,
                 contact: 0.8673087078783189,
                 residue: 0.4929168375036549,
-                mobility: 0.7522243947615592,
+                inverse_mass: 0.7522243947615592,
                 static_residue: 1.1699187927890582,
             },
             Mode {
@@ -77,14 +77,14 @@ const _: () = {
                 load: 0.8228012854179333,
                 contact: -0.5990715452678017,
                 residue: -0.4929168375036549,
-                mobility: 0.3588867163495518,
+                inverse_mass: 0.3588867163495518,
                 static_residue: -0.16991879278905825,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
-            mobility: 1.1111111111111112,
+            inverse_mass: 1.1111111111111112,
             stiction: 1.2,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -168,19 +168,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.02 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.031415926535897934 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.9999499987499375 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 2.5000625031251956e-5,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -188,14 +189,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.9999499987499375)
+                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.01 * swing;
                 ModeResponse {
                     x: frequency,
@@ -211,19 +212,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 0.024 * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 0.03769911184307752 * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 0.03769911184307752 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = 0.9999279974078134 * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * 3.60012960933204e-5,
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -231,14 +233,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / 0.9999279974078134)
+                let swing = 4.0 * decay_factor * (sine / 0.9999279974078134)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + 0.012 * swing;
                 ModeResponse {
                     x: frequency,
@@ -316,7 +318,7 @@ const _: () = {
                     load: 0.5683291693328758,
                     contact: 0.8673087078783189,
                     residue: 0.4929168375036549,
-                    mobility: 0.7522243947615592,
+                    inverse_mass: 0.7522243947615592,
                     static_residue: 1.1699187927890582,
                 },
                 Mode {
@@ -329,7 +331,7 @@ const _: () = {
                     load: 0.8228012854179333,
                     contact: -0.5990715452678017,
                     residue: -0.4929168375036549,
-                    mobility: 0.3588867163495518,
+                    inverse_mass: 0.3588867163495518,
                     static_residue: -0.16991879278905825,
                 },
             ],

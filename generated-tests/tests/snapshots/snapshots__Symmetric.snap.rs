@@ -67,7 +67,7 @@ const _: () = {
                 load: 0.7071067811865476,
                 contact: 0.7071067811865476,
                 residue: 0.5,
-                mobility: 0.5,
+                inverse_mass: 0.5,
                 static_residue: 0.8535533905932737,
             },
             Mode {
@@ -80,14 +80,14 @@ const _: () = {
                 load: -0.7071067811865476,
                 contact: -0.7071067811865476,
                 residue: 0.5,
-                mobility: 0.5,
+                inverse_mass: 0.5,
                 static_residue: 0.14644660940672624,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: None,
-            mobility: 1.0,
+            inverse_mass: 1.0,
             stiction: 1.0,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -170,23 +170,16 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 41: 16 ×, 9 compare, 6 +, 4 sign, 4 ÷, 2 sin_cos_pi.
+        /// Operations: 37: 16 ×, 6 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
             let mode_1 = {
                 let frequency = 0.7653668647301796 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.673617379884035e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.812243160173109e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
@@ -201,17 +194,10 @@ const _: () = {
             let mode_2 = {
                 let frequency = 1.8477590650225735 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.673617379884035e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.812243160173109e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
@@ -271,7 +257,7 @@ const _: () = {
             let mode_1_swing = mode_1_friction_force * mode_1.u;
             let product = 0.5 * inverse_r * inverse_r;
             let mode_2_swing = mode_1_friction_force * mode_2.u;
-            let carrier = Carrier {
+            let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
                 response: Complex {
@@ -283,7 +269,7 @@ const _: () = {
                 motion_wave(
                     mode_1.x,
                     Undamped,
-                    Share {
+                    ModalCoefficients {
                         rise: mode_1_rise,
                         fall: 0.0,
                         swing: mode_1_swing,
@@ -293,7 +279,7 @@ const _: () = {
                 motion_wave(
                     mode_2.x,
                     Undamped,
-                    Share {
+                    ModalCoefficients {
                         rise: mode_1_rise,
                         fall: 0.0,
                         swing: mode_2_swing,
@@ -301,7 +287,7 @@ const _: () = {
                     },
                 ),
             ];
-            Motion::of_contact(*friction, carrier, waves)
+            Motion::of_contact(*friction, fundamental, waves)
         }
         #[allow(unused_variables)]
         fn mass_motion(
@@ -311,7 +297,7 @@ const _: () = {
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [mode_1, mode_2] = at.modes();
-            let (carrier, waves) = match mass {
+            let (fundamental, waves) = match mass {
                 0 => {
                     let velocity_share = 0.5 * mode_2.u;
                     let velocity_share_2 = 0.5 * mode_1.u;
@@ -337,7 +323,7 @@ const _: () = {
                     let mode_2_rise = mode_2_friction_force * contact.scale;
                     let mode_2_swing = mode_2_friction_force * mode_2_lag;
                     (
-                        Carrier {
+                        Fundamental {
                             cosine: friction.root * (response_re * ratio)
                                 * friction.unscale,
                             sine: friction.beta * (mismatch_re * ratio)
@@ -351,7 +337,7 @@ const _: () = {
                             mass_wave(
                                 mode_1.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: 0.0,
                                     swing: mode_1_swing,
@@ -361,7 +347,7 @@ const _: () = {
                             mass_wave(
                                 mode_2.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: 0.0,
                                     swing: mode_2_swing,
@@ -396,7 +382,7 @@ const _: () = {
                     let mode_2_rise = mode_2_friction_force * contact.scale;
                     let mode_2_swing = mode_2_friction_force * mode_2_lag;
                     (
-                        Carrier {
+                        Fundamental {
                             cosine: friction.root * (response_re * ratio)
                                 * friction.unscale,
                             sine: friction.beta * (mismatch_re * ratio)
@@ -410,7 +396,7 @@ const _: () = {
                             mass_wave(
                                 mode_1.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: 0.0,
                                     swing: mode_1_swing,
@@ -420,7 +406,7 @@ const _: () = {
                             mass_wave(
                                 mode_2.x,
                                 Undamped,
-                                Share {
+                                ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: 0.0,
                                     swing: mode_2_swing,
@@ -432,7 +418,7 @@ const _: () = {
                 }
                 _ => return None,
             };
-            Some(Motion::of_mass(*friction, carrier, waves))
+            Some(Motion::of_mass(*friction, fundamental, waves))
         }
         #[allow(unused_variables)]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f64>> {

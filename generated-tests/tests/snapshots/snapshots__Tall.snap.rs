@@ -411,7 +411,7 @@ const _: () = {
                 load: 0.03030361732426425,
                 contact: 0.06036324774007196,
                 residue: 0.0018292247599648993,
-                mobility: 0.0036437216777293023,
+                inverse_mass: 0.0036437216777293023,
                 static_residue: 0.22719303866223473,
             },
             Mode {
@@ -424,7 +424,7 @@ const _: () = {
                 load: 0.0899368687780915,
                 contact: 0.1733916026187133,
                 residue: 0.015594297811942206,
-                mobility: 0.03006464785868579,
+                inverse_mass: 0.03006464785868579,
                 static_residue: 0.21636425799963271,
             },
             Mode {
@@ -437,7 +437,7 @@ const _: () = {
                 load: 0.14667947526908878,
                 contact: 0.2643072815554236,
                 residue: 0.03876845336834884,
-                mobility: 0.06985833908321797,
+                inverse_mass: 0.06985833908321797,
                 static_residue: 0.19573871643791838,
             },
             Mode {
@@ -450,7 +450,7 @@ const _: () = {
                 load: 0.19870768273666328,
                 contact: 0.3215157844936519,
                 residue: 0.06388765649999399,
-                mobility: 0.10337239967856843,
+                inverse_mass: 0.10337239967856843,
                 static_residue: 0.1672600561785624,
             },
             Mode {
@@ -463,7 +463,7 @@ const _: () = {
                 load: 0.2443492617838555,
                 contact: 0.33772129625267205,
                 residue: 0.08252194942802718,
-                mobility: 0.11405567394258509,
+                inverse_mass: 0.11405567394258509,
                 static_residue: 0.13355774100704082,
             },
             Mode {
@@ -476,7 +476,7 @@ const _: () = {
                 load: 0.2821372545060723,
                 contact: 0.31085712372515767,
                 residue: 0.08770437543147042,
-                mobility: 0.09663215137067799,
+                inverse_mass: 0.09663215137067799,
                 static_residue: 0.09764393892858751,
             },
             Mode {
@@ -489,7 +489,7 @@ const _: () = {
                 load: 0.31085712372515767,
                 contact: 0.2443492617838555,
                 residue: 0.07595770870249491,
-                mobility: 0.05970656173431514,
+                inverse_mass: 0.05970656173431514,
                 static_residue: 0.06257070938977043,
             },
             Mode {
@@ -502,7 +502,7 @@ const _: () = {
                 load: 0.32958578921362314,
                 contact: 0.14667947526908878,
                 residue: 0.04834347061800274,
-                mobility: 0.021514868465215227,
+                inverse_mass: 0.021514868465215227,
                 static_residue: 0.031089885714869123,
             },
             Mode {
@@ -515,7 +515,7 @@ const _: () = {
                 load: 0.33772129625267205,
                 contact: 0.03030361732426425,
                 residue: 0.01023417692389545,
-                mobility: 0.0009183092229354483,
+                inverse_mass: 0.0009183092229354483,
                 static_residue: 0.005357449526045189,
             },
             Mode {
@@ -528,7 +528,7 @@ const _: () = {
                 load: 0.33500216295215196,
                 contact: -0.0899368687780915,
                 residue: -0.03012904556980452,
-                mobility: 0.008088640365607651,
+                inverse_mass: 0.008088640365607651,
                 static_residue: -0.013281679561780814,
             },
             Mode {
@@ -541,7 +541,7 @@ const _: () = {
                 load: 0.3215157844936519,
                 contact: -0.19870768273666328,
                 residue: -0.06388765649999399,
-                mobility: 0.039484743178574436,
+                inverse_mass: 0.039484743178574436,
                 static_residue: -0.02440291332141956,
             },
             Mode {
@@ -554,7 +554,7 @@ const _: () = {
                 load: 0.2976956241774572,
                 contact: -0.2821372545060723,
                 residue: -0.0839910260838993,
-                mobility: 0.0796014303802242,
+                inverse_mass: 0.0796014303802242,
                 static_residue: -0.028493388937034278,
             },
             Mode {
@@ -567,7 +567,7 @@ const _: () = {
                 load: 0.2643072815554236,
                 contact: -0.32958578921362314,
                 residue: -0.08711192398635158,
-                mobility: 0.10862679245156681,
+                inverse_mass: 0.10862679245156681,
                 static_residue: -0.026828602152787512,
             },
             Mode {
@@ -580,7 +580,7 @@ const _: () = {
                 load: 0.222423885431443,
                 contact: -0.33500216295215196,
                 residue: -0.07451248271175505,
-                mobility: 0.11222644918262019,
+                inverse_mass: 0.11222644918262019,
                 static_residue: -0.02125198092511808,
             },
             Mode {
@@ -593,7 +593,7 @@ const _: () = {
                 load: 0.1733916026187133,
                 contact: -0.2976956241774572,
                 residue: -0.051617921368707485,
-                mobility: 0.08862268465440586,
+                inverse_mass: 0.08862268465440586,
                 static_residue: -0.01388736712747049,
             },
             Mode {
@@ -606,7 +606,7 @@ const _: () = {
                 load: 0.11878637103073232,
                 contact: -0.222423885431443,
                 residue: -0.026420926180956487,
-                mobility: 0.049472384810419684,
+                inverse_mass: 0.049472384810419684,
                 static_residue: -0.006822758587192199,
             },
             Mode {
@@ -619,14 +619,14 @@ const _: () = {
                 load: 0.06036324774007196,
                 contact: -0.11878637103073232,
                 residue: -0.0071703311426722025,
-                mobility: 0.014110201942650804,
+                inverse_mass: 0.014110201942650804,
                 static_residue: -0.0018071032318584057,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
-            mobility: 1.0,
+            inverse_mass: 1.0,
             stiction: 1.0,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -745,19 +745,20 @@ const _: () = {
                 let detuning = (frequency - 1.0) * (frequency + 1.0);
                 let loss = 2.0 * mode.zeta * frequency;
                 let size = Scalar::abs(detuning) + loss;
-                let half_period_decay = 3.141592653589793 * mode.zeta * frequency;
-                let negative_lost_half = Scalar::exp_m1(half_period_decay * -0.5);
-                let kept_half = 1.0 + negative_lost_half;
-                let lost_share = -(negative_lost_half * (1.0 + kept_half));
-                let kept_share = kept_half * kept_half;
+                let decay_exponent = 3.141592653589793 * mode.zeta * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
                 let half_turns = mode.q * frequency;
                 let (sine, cosine) = Scalar::sin_cos_pi_minus(
                     frequency * 0.5,
                     frequency * (mode.q_defect * 0.5),
                 );
-                let one_and_kept = 1.0 + kept_share;
-                let nearness_re = one_and_kept * cosine;
-                let nearness_im = lost_share * sine;
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
                 let inverse_nearness = 1.0
                     / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
                 let unit_nearness_re = nearness_re * inverse_nearness;
@@ -765,14 +766,14 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * kept_share * (sine / mode.q)
+                let swing = 4.0 * decay_factor * (sine / mode.q)
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(half_period_decay)
-                    + 2.0 * kept_share * half_period_decay
+                let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
                         * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
                     * pole_weight;
-                let reversal = one_and_kept * (lost_share * inverse_nearness)
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                     * pole_weight + mode.zeta * swing;
                 *response = ModeResponse {
                     x: frequency,
@@ -809,13 +810,15 @@ const _: () = {
                     g: g_scaled,
                 };
                 sum.v.re = sum.v.re + response_re * mode.residue;
-                sum.u = sum.u + mode.mobility * u_scaled;
-                sum.h.re = sum.h.re + response_re * mode.mobility;
+                sum.u = sum.u + mode.inverse_mass * u_scaled;
+                sum.h.re = sum.h.re + response_re * mode.inverse_mass;
                 sum.v.im = sum.v.im + response_im * mode.residue;
-                sum.h.im = sum.h.im + response_im * mode.mobility;
-                sum.g = sum.g + mode.mobility * (g_scaled / (response.x * response.x));
+                sum.h.im = sum.h.im + response_im * mode.inverse_mass;
+                sum.g = sum.g
+                    + mode.inverse_mass * (g_scaled / (response.x * response.x));
                 sum.reversal = sum.reversal
-                    + mode.mobility * (response.reversal * (sum.scale / response.size));
+                    + mode.inverse_mass
+                        * (response.reversal * (sum.scale / response.size));
             }
             let contact = ContactAt {
                 scale: sum.scale,

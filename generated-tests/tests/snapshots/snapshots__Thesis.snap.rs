@@ -63,7 +63,7 @@ const _: () = {
                 load: 0.32798527760568175,
                 contact: 0.5910090485061035,
                 residue: 0.19384226684174422,
-                mobility: 0.34929169541608984,
+                inverse_mass: 0.34929169541608984,
                 static_residue: 0.9786935821895919,
             },
             Mode {
@@ -76,7 +76,7 @@ const _: () = {
                 load: 0.7369762290995783,
                 contact: 0.32798527760568175,
                 residue: 0.2417173530900137,
-                mobility: 0.10757434232607613,
+                inverse_mass: 0.10757434232607613,
                 static_residue: 0.15544942857434563,
             },
             Mode {
@@ -89,14 +89,14 @@ const _: () = {
                 load: 0.5910090485061035,
                 contact: -0.7369762290995783,
                 residue: -0.4355596199317579,
-                mobility: 0.5431339622578341,
+                inverse_mass: 0.5431339622578341,
                 static_residue: -0.13414301076393756,
             },
         ];
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: None,
-            mobility: 1.0,
+            inverse_mass: 1.0,
             stiction: 1.0,
         };
         const NUMBERS: Numbers<'static, f64> = Numbers {
@@ -181,23 +181,16 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 68: 27 ×, 14 compare, 12 +, 6 sign, 6 ÷, 3 sin_cos_pi.
+        /// Operations: 62: 27 ×, 12 +, 8 compare, 6 sign, 6 ÷, 3 sin_cos_pi.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 3]) {
             let mode_1 = {
                 let frequency = 0.4450418679126288 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.673617379884035e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.812243160173109e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
@@ -212,17 +205,10 @@ const _: () = {
             let mode_2 = {
                 let frequency = 1.246979603717467 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.673617379884035e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.812243160173109e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
@@ -237,17 +223,10 @@ const _: () = {
             let mode_3 = {
                 let frequency = 1.8019377358048383 * inverse_r;
                 let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let plain_detuning = (frequency - 1.0) * (frequency + 1.0);
-                let detuning = if plain_detuning == 0.0 {
-                    8.673617379884035e-19
-                } else {
-                    plain_detuning
-                };
-                let cosine = if plain_cosine == 0.0 {
-                    -6.812243160173109e-19
-                } else {
-                    plain_cosine
-                };
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
                 let size = Scalar::abs(detuning);
                 let u = sine * size / (frequency * cosine);
                 ModeResponse {
