@@ -5,7 +5,9 @@ use frictiongen_kernel::contact::sums::{Chain, ContactAt, ModeAt};
 use frictiongen_kernel::modal_sum::wave::Wave;
 use frictiongen_kernel::oscillator::decay::Damped;
 use frictiongen_kernel::oscillator::mode::{Mode, ModeResponse};
-use frictiongen_kernel::response::{Ends, Numbers, Scene};
+use frictiongen_kernel::response::{
+    Continuous, Ends, Numbers, ProvidesMotion, ProvidesStuck, Scene, Stuck,
+};
 
 /// The kernel's [`Numbers`], with their vectors.
 #[derive(Clone, Debug)]
@@ -79,4 +81,12 @@ impl<S: Float> Scene for &Reduced<S> {
     fn idle(&self) -> Vec<Wave<S, Damped<S>>> {
         self.modes.iter().map(Wave::idle).collect()
     }
+}
+
+impl<S: Float> ProvidesMotion for &Reduced<S> {
+    type Motion = Continuous<Self>;
+}
+
+impl<S: Float> ProvidesStuck for &Reduced<S> {
+    type Stuck = Stuck<Self>;
 }

@@ -218,7 +218,7 @@ pub trait ContinuousMotion {
 }
 
 /// Emitted motions and those of a `System` hold the kernel's.
-impl<T: Scene, M: Deref<Target = Continuous<T>>> ContinuousMotion for M {
+impl<T: ProvidesMotion, M: Deref<Target = Continuous<T>>> ContinuousMotion for M {
     type Scalar = T::Scalar;
 
     fn ask<A>(

@@ -60,9 +60,12 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
             }
         }
     });
+    let in_lines = (!emission.in_sums()).then(|| in_lines(emission, masses));
     let items = code! {
         impl ProvidesMotion for #name {
             type Motion = #motion;
+
+            #in_lines
         }
 
         #facade::kernel::wraps!(#motion, Continuous of #name, Copy);
@@ -74,8 +77,8 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     Part { types, items }
 }
 
-/// The motions of a scene of few modes in straight lines, as methods of the kernel's `Scene`.
-pub(super) fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream {
+/// The motions of a scene of few modes in straight lines, as methods of the kernel's `ProvidesMotion`.
+fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream {
     let scalar = &emission.scalar;
     let contact = of_contact(emission);
     let modes = mode_names(emission);

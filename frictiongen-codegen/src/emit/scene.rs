@@ -1,6 +1,6 @@
 //! The scene as the kernel's response knows it: constants and specialised formulas.
 
-use super::{Emission, Wanted, frequency, limits, motion, stuck};
+use super::{Emission, Wanted, frequency, limits};
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
@@ -20,16 +20,6 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
     let (low, high) = (emission.literal(low), emission.literal(high));
     let frequency = frequency::emit(emission);
     let formulas = limits::formulas(emission);
-    let in_lines = !emission.in_sums();
-    let motions = match &wanted.motion {
-        Some(masses) if in_lines => motion::in_lines(emission, masses),
-        _ => TokenStream::new(),
-    };
-    let stuck = if wanted.stuck && in_lines {
-        stuck::in_lines(emission)
-    } else {
-        TokenStream::new()
-    };
     let shapes = shapes(emission, wanted);
     code! {
         #facade::kernel::wraps!(#at, At of #name, Copy);
@@ -59,8 +49,6 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
 
             #frequency
             #formulas
-            #motions
-            #stuck
         }
     }
 }

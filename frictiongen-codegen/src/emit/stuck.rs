@@ -45,9 +45,12 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             }
         }
     });
+    let in_lines = (!emission.in_sums()).then(|| in_lines(emission));
     let items = code! {
         impl ProvidesStuck for #name {
             type Stuck = #stuck;
+
+            #in_lines
         }
 
         #facade::kernel::wraps!(#stuck, Stuck of #name, Copy);
@@ -59,8 +62,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     Part { types, items }
 }
 
-/// The response of a scene of few modes in straight lines, as a method of the kernel's `Scene`.
-pub(super) fn in_lines(emission: &Emission<'_>) -> TokenStream {
+/// The response of a scene of few modes in straight lines, as a method of the kernel's `ProvidesStuck`.
+fn in_lines(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
     let modes = mode_names(emission);
     let masses = 0..emission.scene.masses.len();

@@ -1,25 +1,20 @@
 //! A scene at one frequency ratio: limits, regime, and the way to motions.
 
-use super::continuous::{Continuous, MotionOf, ProvidesMotion};
 use super::scene::Scene;
-use super::stuck::{ProvidesStuck, Stuck};
 use crate::contact::regime::{self, Limits};
 use crate::contact::sums::ContactAt;
-use crate::errors::{NotContinuous, OutOfDomain, Regime, StuckResonance};
+use crate::errors::{OutOfDomain, Regime};
 use crate::modal_sum::search::{Effort, Peak};
-use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
-use crate::response::coefficients::Friction;
-use crate::response::motion::Motion;
 
 /// A scene at one frequency ratio: what both limits and every motion share.
 #[derive(Clone, Debug)]
 pub struct At<T: Scene> {
-    scene: T,
-    r: T::Scalar,
-    inverse_r: T::Scalar,
-    contact: ContactAt<T::Scalar>,
-    modes: T::Modes,
+    pub(super) scene: T,
+    pub(super) r: T::Scalar,
+    pub(super) inverse_r: T::Scalar,
+    pub(super) contact: ContactAt<T::Scalar>,
+    pub(super) modes: T::Modes,
 }
 
 impl<T: Scene + Copy> Copy for At<T> where T::Modes: Copy {}
@@ -189,7 +184,7 @@ impl<T: Scene> At<T> {
 
     /// The force that holds a stuck contact, where masses beyond it absorb.
     #[inline]
-    fn absorbed_force(&self) -> Option<T::Scalar> {
+    pub(super) fn absorbed_force(&self) -> Option<T::Scalar> {
         let numbers = self.scene.numbers();
         if !numbers.absorbs {
             return None;
@@ -218,121 +213,5 @@ impl<T: Scene> At<T> {
         let beta = regime::check_beta(beta)?;
         let (continuous, sliding) = (self.continuous_limit(), self.sliding_limit());
         Ok(regime::margin(beta, continuous, sliding))
-    }
-
-    /// The exact continuous motion at the friction ratio β = F/P, of a scene that provides `motion`.  One or two
-    /// searches decide whether β is below β_lim.
-    ///
-    /// # Errors
-    /// [`NotContinuous`] says which regime it is instead, or that an undamped resonance is unbounded at this β, or
-    /// that β is out of the domain.
-    pub fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous>
-    where
-        T: ProvidesMotion,
-    {
-        let numbers = self.scene.numbers();
-        let mut waves = self.scene.idle();
-        let beta = numbers.chain.admitted(
-            self.r,
-            beta,
-            self.sliding_limit(),
-            numbers.ends.continuous_at_infinity,
-            numbers.unbounded,
-            &self.contact,
-            numbers.modes,
-            self.modes.as_ref(),
-            waves.as_mut(),
-        )?;
-        Ok(self.clone().closed_form(beta).into())
-    }
-
-    /// The closed form of the continuous motion at any β, 0 ≤ β < |V|/|U|: it is the motion only where
-    /// [`motion`](Self::motion) gives it.
-    #[inline]
-    #[must_use]
-    pub fn closed_form(self, beta: T::Scalar) -> Continuous<T> {
-        let chain = self.scene.numbers().chain;
-        let friction = chain.friction(&self.contact, self.inverse_r, beta);
-        Continuous::new(self, friction)
-    }
-
-    /// The response while the contact is stuck, β ≥ β*_lim, of a scene that provides `stuck`.
-    ///
-    /// # Errors
-    /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
-    pub fn stuck(&self) -> Result<T::Stuck, StuckResonance>
-    where
-        T: ProvidesStuck,
-    {
-        let numbers = self.scene.numbers();
-        numbers
-            .chain
-            .stuck_admitted(self.r, &self.contact, numbers.invisible)?;
-        Ok(self.clone().held().into())
-    }
-
-    /// The response with the contact stuck, without a look at resonances: there it is infinite.
-    #[inline]
-    #[must_use]
-    pub fn held(self) -> Stuck<T> {
-        Stuck::new(self)
-    }
-
-    #[inline]
-    pub(super) fn contact_motion(&self, friction: &Friction<T::Scalar>) -> MotionOf<T> {
-        let numbers = self.scene.numbers();
-        let mut waves = self.scene.idle();
-        let chain = numbers.chain;
-        let modes = numbers.modes.iter().zip(self.modes.as_ref());
-        for (wave, (mode, at)) in waves.as_mut().iter_mut().zip(modes) {
-            *wave = chain.contact_wave(mode, at, &self.contact, friction, self.inverse_r);
-        }
-        let fundamental = chain.contact_fundamental(&self.contact, friction);
-        Motion::of_contact(*friction, fundamental, waves)
-    }
-
-    #[inline]
-    pub(super) fn mass_motion(
-        &self,
-        friction: &Friction<T::Scalar>,
-        mass: usize,
-    ) -> Option<MotionOf<T>> {
-        let numbers = self.scene.numbers();
-        let (shape, chain) = (self.scene.shape(mass)?, numbers.chain);
-        let (contact, modes) = (&self.contact, self.modes.as_ref());
-        let fundamental = chain.fundamental(
-            shape,
-            numbers.modes,
-            modes,
-            contact,
-            friction,
-            self.inverse_r,
-        );
-        let mut waves = self.scene.idle();
-        let modes = numbers.modes.iter().zip(modes).zip(shape);
-        for (wave, ((mode, at), component)) in waves.as_mut().iter_mut().zip(modes) {
-            *wave = chain.mass_wave(mode, *component, at, contact, friction, self.inverse_r);
-        }
-        Some(Motion::of_mass(*friction, fundamental, waves))
-    }
-
-    #[inline]
-    pub(super) fn stuck_mass(&self, mass: usize) -> Option<Complex<T::Scalar>> {
-        let numbers = self.scene.numbers();
-        let (shape, chain) = (self.scene.shape(mass)?, numbers.chain);
-        let (contact, modes) = (&self.contact, self.modes.as_ref());
-        Some(chain.stuck(shape, numbers.modes, modes, contact, self.inverse_r))
-    }
-
-    /// The amplitude of a mass while the contact is stuck, from the holding force where masses beyond it absorb.
-    #[inline]
-    pub(super) fn absorbed_mass(&self, mass: usize) -> Option<Complex<T::Scalar>> {
-        let force = self.absorbed_force()?;
-        let numbers = self.scene.numbers();
-        let (shape, chain) = (self.scene.shape(mass)?, numbers.chain);
-        let (contact, modes) = (&self.contact, self.modes.as_ref());
-        let amplitude =
-            chain.stuck_under(force, shape, numbers.modes, modes, contact, self.inverse_r);
-        Some(complex::real(amplitude))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::at::At;
 use super::scene::Scene;
+use crate::errors::NotContinuous;
 use crate::response::coefficients::{Friction, Fundamental};
 use crate::response::motion::Motion;
 
@@ -9,9 +10,80 @@ use crate::response::motion::Motion;
 pub type MotionOf<T> = Motion<<T as Scene>::Scalar, <T as Scene>::Decay, <T as Scene>::Waves>;
 
 /// A scene that provides `motion`.
+///
+/// The formulas that have a body here are those of every chain; a generator writes its own where that is faster.
 pub trait ProvidesMotion: Scene {
     /// The motion, with a method for each mass.
     type Motion: From<Continuous<Self>>;
+
+    /// The relative motion in the contact.
+    #[inline]
+    fn contact_motion(at: &At<Self>, friction: &Friction<Self::Scalar>) -> MotionOf<Self> {
+        let numbers = at.scene.numbers();
+        let mut waves = at.scene.idle();
+        let chain = numbers.chain;
+        let modes = numbers.modes.iter().zip(at.modes.as_ref());
+        for (wave, (mode, functions)) in waves.as_mut().iter_mut().zip(modes) {
+            *wave = chain.contact_wave(mode, functions, &at.contact, friction, at.inverse_r);
+        }
+        let fundamental = chain.contact_fundamental(&at.contact, friction);
+        Motion::of_contact(*friction, fundamental, waves)
+    }
+
+    /// The motion of a mass that does not move as the contact does; none if there is no such mass.
+    #[inline]
+    fn mass_motion(
+        at: &At<Self>,
+        friction: &Friction<Self::Scalar>,
+        mass: usize,
+    ) -> Option<MotionOf<Self>> {
+        let numbers = at.scene.numbers();
+        let (shape, chain) = (at.scene.shape(mass)?, numbers.chain);
+        let (contact, modes) = (&at.contact, at.modes.as_ref());
+        let fundamental =
+            chain.fundamental(shape, numbers.modes, modes, contact, friction, at.inverse_r);
+        let mut waves = at.scene.idle();
+        let modes = numbers.modes.iter().zip(modes).zip(shape);
+        for (wave, ((mode, functions), component)) in waves.as_mut().iter_mut().zip(modes) {
+            *wave = chain.mass_wave(mode, *component, functions, contact, friction, at.inverse_r);
+        }
+        Some(Motion::of_mass(*friction, fundamental, waves))
+    }
+}
+
+impl<T: ProvidesMotion> At<T> {
+    /// The exact continuous motion at the friction ratio β = F/P.  One or two
+    /// searches decide whether β is below β_lim.
+    ///
+    /// # Errors
+    /// [`NotContinuous`] says which regime it is instead, or that an undamped resonance is unbounded at this β, or
+    /// that β is out of the domain.
+    pub fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous> {
+        let numbers = self.scene.numbers();
+        let mut waves = self.scene.idle();
+        let beta = numbers.chain.admitted(
+            self.r,
+            beta,
+            self.sliding_limit(),
+            numbers.ends.continuous_at_infinity,
+            numbers.unbounded,
+            &self.contact,
+            numbers.modes,
+            self.modes.as_ref(),
+            waves.as_mut(),
+        )?;
+        Ok(self.clone().closed_form(beta).into())
+    }
+
+    /// The closed form of the continuous motion at any β, 0 ≤ β < |V|/|U|: it is the motion only where
+    /// [`motion`](Self::motion) gives it.
+    #[inline]
+    #[must_use]
+    pub fn closed_form(self, beta: T::Scalar) -> Continuous<T> {
+        let chain = self.scene.numbers().chain;
+        let friction = chain.friction(&self.contact, self.inverse_r, beta);
+        Continuous { at: self, friction }
+    }
 }
 
 /// The exact continuous motion at one frequency ratio and one friction ratio.
@@ -23,13 +95,7 @@ pub struct Continuous<T: Scene> {
 
 impl<T: Scene + Copy> Copy for Continuous<T> where T::Modes: Copy {}
 
-impl<T: Scene> Continuous<T> {
-    /// The motion with this friction, which [`At::motion`] has admitted.
-    #[inline]
-    pub(super) fn new(at: At<T>, friction: Friction<T::Scalar>) -> Self {
-        Self { at, friction }
-    }
-
+impl<T: ProvidesMotion> Continuous<T> {
     /// The scene at the frequency of this motion.
     #[inline]
     #[must_use]

@@ -1,15 +1,11 @@
 //! What a scene has to say for its steady response.
 
-use super::at::At;
-use super::continuous::MotionOf;
 use super::numbers::Numbers;
 use crate::contact::regime;
 use crate::contact::sums::{ContactAt, ModeAt};
 use crate::modal_sum::wave::Wave;
-use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
-use crate::response::coefficients::Friction;
 
 /// A scene: its numbers, and the formulas that may be specialised for it.
 ///
@@ -74,27 +70,5 @@ pub trait Scene: Clone {
     #[inline]
     fn sliding_limit(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
         self.numbers().chain.sliding_limit(contact)
-    }
-
-    /// The relative motion in the contact.
-    #[inline]
-    fn contact_motion(at: &At<Self>, friction: &Friction<Self::Scalar>) -> MotionOf<Self> {
-        at.contact_motion(friction)
-    }
-
-    /// The motion of a mass that does not move as the contact does; none if there is no such mass.
-    #[inline]
-    fn mass_motion(
-        at: &At<Self>,
-        friction: &Friction<Self::Scalar>,
-        mass: usize,
-    ) -> Option<MotionOf<Self>> {
-        at.mass_motion(friction, mass)
-    }
-
-    /// x̄* = V_k − H_kV/H of a mass that the stuck contact does not tie (6.11, 6.27, 6.33).
-    #[inline]
-    fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<Self::Scalar>> {
-        at.stuck_mass(mass)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::at::At;
 use super::scene::Scene;
+use crate::errors::StuckResonance;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 
@@ -9,6 +10,48 @@ use crate::number::scalar::Scalar;
 pub trait ProvidesStuck: Scene {
     /// The response, with a method for each mass.
     type Stuck: From<Stuck<Self>>;
+
+    /// x̄* = V_k − H_kV/H of a mass that the stuck contact does not tie (6.11, 6.27, 6.33); a generator may write its own.
+    #[inline]
+    fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<Self::Scalar>> {
+        let numbers = at.scene.numbers();
+        let (shape, chain) = (at.scene.shape(mass)?, numbers.chain);
+        let (contact, modes) = (&at.contact, at.modes.as_ref());
+        Some(chain.stuck(shape, numbers.modes, modes, contact, at.inverse_r))
+    }
+}
+
+impl<T: ProvidesStuck> At<T> {
+    /// The response while the contact is stuck, β ≥ β*_lim.
+    ///
+    /// # Errors
+    /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
+    pub fn stuck(&self) -> Result<T::Stuck, StuckResonance> {
+        let numbers = self.scene.numbers();
+        numbers
+            .chain
+            .stuck_admitted(self.r, &self.contact, numbers.invisible)?;
+        Ok(self.clone().held().into())
+    }
+
+    /// The response with the contact stuck, without a look at resonances: there it is infinite.
+    #[inline]
+    #[must_use]
+    pub fn held(self) -> Stuck<T> {
+        Stuck { at: self }
+    }
+
+    /// The amplitude of a mass while the contact is stuck, from the holding force where masses beyond it absorb.
+    #[inline]
+    fn absorbed_mass(&self, mass: usize) -> Option<Complex<T::Scalar>> {
+        let force = self.absorbed_force()?;
+        let numbers = self.scene.numbers();
+        let (shape, chain) = (self.scene.shape(mass)?, numbers.chain);
+        let (contact, modes) = (&self.contact, self.modes.as_ref());
+        let amplitude =
+            chain.stuck_under(force, shape, numbers.modes, modes, contact, self.inverse_r);
+        Some(complex::real(amplitude))
+    }
 }
 
 /// The response at one frequency ratio while the contact is stuck.
@@ -19,13 +62,7 @@ pub struct Stuck<T: Scene> {
 
 impl<T: Scene + Copy> Copy for Stuck<T> where T::Modes: Copy {}
 
-impl<T: Scene> Stuck<T> {
-    /// The response, which [`At::stuck`] has admitted.
-    #[inline]
-    pub(super) fn new(at: At<T>) -> Self {
-        Self { at }
-    }
-
+impl<T: ProvidesStuck> Stuck<T> {
     /// The scene at this frequency.
     #[inline]
     #[must_use]

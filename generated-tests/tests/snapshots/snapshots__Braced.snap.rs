@@ -297,6 +297,11 @@ const _: () = {
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / receptance
         }
+    }
+    ::frictiongen::kernel::not_provided!(BracedAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(Braced : simulation);
+    impl ProvidesMotion for Braced {
+        type Motion = BracedMotion;
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -489,11 +494,6 @@ const _: () = {
             };
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
-    }
-    ::frictiongen::kernel::not_provided!(BracedAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(Braced : simulation);
-    impl ProvidesMotion for Braced {
-        type Motion = BracedMotion;
     }
     ::frictiongen::kernel::wraps!(BracedMotion, Continuous of Braced, Copy);
     impl BracedMotion {

@@ -238,6 +238,11 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / receptance
         }
+    }
+    ::frictiongen::kernel::not_provided!(PairBaseAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(PairBase : simulation);
+    impl ProvidesMotion for PairBase {
+        type Motion = PairBaseMotion;
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -432,11 +437,6 @@ const _: () = {
             };
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
-    }
-    ::frictiongen::kernel::not_provided!(PairBaseAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(PairBase : simulation);
-    impl ProvidesMotion for PairBase {
-        type Motion = PairBaseMotion;
     }
     ::frictiongen::kernel::wraps!(PairBaseMotion, Continuous of PairBase, Copy);
     impl PairBaseMotion {

@@ -239,6 +239,11 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / (1.2 * receptance)
         }
+    }
+    ::frictiongen::kernel::not_provided!(PairMassesAt : orbit);
+    ::frictiongen::kernel::not_provided!(PairMasses : simulation);
+    impl ProvidesMotion for PairMasses {
+        type Motion = PairMassesMotion;
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -414,6 +419,22 @@ const _: () = {
             };
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
+    }
+    ::frictiongen::kernel::wraps!(PairMassesMotion, Continuous of PairMasses, Copy);
+    impl PairMassesMotion {
+        /// The motion of mass `inner` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn inner(&self) -> MotionOf<PairMasses> {
+            self.mass(0)
+        }
+        /// The motion of mass `outer` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn outer(&self) -> MotionOf<PairMasses> {
+            self.mass(1)
+        }
+    }
+    impl ProvidesStuck for PairMasses {
+        type Stuck = PairMassesStuck;
         #[allow(unused_variables)]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f64>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -451,27 +472,6 @@ const _: () = {
                 },
             )
         }
-    }
-    ::frictiongen::kernel::not_provided!(PairMassesAt : orbit);
-    ::frictiongen::kernel::not_provided!(PairMasses : simulation);
-    impl ProvidesMotion for PairMasses {
-        type Motion = PairMassesMotion;
-    }
-    ::frictiongen::kernel::wraps!(PairMassesMotion, Continuous of PairMasses, Copy);
-    impl PairMassesMotion {
-        /// The motion of mass `inner` (5.50 and its exact form, 7.29).
-        #[must_use]
-        pub fn inner(&self) -> MotionOf<PairMasses> {
-            self.mass(0)
-        }
-        /// The motion of mass `outer` (5.50 and its exact form, 7.29).
-        #[must_use]
-        pub fn outer(&self) -> MotionOf<PairMasses> {
-            self.mass(1)
-        }
-    }
-    impl ProvidesStuck for PairMasses {
-        type Stuck = PairMassesStuck;
     }
     ::frictiongen::kernel::wraps!(PairMassesStuck, Stuck of PairMasses, Copy);
     impl PairMassesStuck {

@@ -237,6 +237,11 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / receptance
         }
+    }
+    ::frictiongen::kernel::not_provided!(PairWallAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(PairWall : simulation);
+    impl ProvidesMotion for PairWall {
+        type Motion = PairWallMotion;
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -353,11 +358,6 @@ const _: () = {
             };
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
-    }
-    ::frictiongen::kernel::not_provided!(PairWallAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(PairWall : simulation);
-    impl ProvidesMotion for PairWall {
-        type Motion = PairWallMotion;
     }
     ::frictiongen::kernel::wraps!(PairWallMotion, Continuous of PairWall, Copy);
     impl PairWallMotion {

@@ -190,6 +190,11 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / receptance
         }
+    }
+    ::frictiongen::kernel::not_provided!(SdofBaseAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(SdofBase : simulation);
+    impl ProvidesMotion for SdofBase {
+        type Motion = SdofBaseMotion;
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -270,11 +275,6 @@ const _: () = {
             };
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
-    }
-    ::frictiongen::kernel::not_provided!(SdofBaseAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(SdofBase : simulation);
-    impl ProvidesMotion for SdofBase {
-        type Motion = SdofBaseMotion;
     }
     ::frictiongen::kernel::wraps!(SdofBaseMotion, Continuous of SdofBase, Copy);
     impl SdofBaseMotion {

@@ -229,6 +229,11 @@ const _: () = {
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / receptance
         }
+    }
+    ::frictiongen::kernel::not_provided!(SdofDampedAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(SdofDamped : simulation);
+    impl ProvidesMotion for SdofDamped {
+        type Motion = SdofDampedMotion;
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -259,11 +264,6 @@ const _: () = {
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
-    }
-    ::frictiongen::kernel::not_provided!(SdofDampedAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(SdofDamped : simulation);
-    impl ProvidesMotion for SdofDamped {
-        type Motion = SdofDampedMotion;
     }
     ::frictiongen::kernel::wraps!(SdofDampedMotion, Continuous of SdofDamped, Copy);
     impl SdofDampedMotion {

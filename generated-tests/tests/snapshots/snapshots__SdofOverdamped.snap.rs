@@ -221,6 +221,11 @@ const _: () = {
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / receptance
         }
+    }
+    ::frictiongen::kernel::not_provided!(SdofOverdampedAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(SdofOverdamped : simulation);
+    impl ProvidesMotion for SdofOverdamped {
+        type Motion = SdofOverdampedMotion;
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -251,11 +256,6 @@ const _: () = {
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
-    }
-    ::frictiongen::kernel::not_provided!(SdofOverdampedAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(SdofOverdamped : simulation);
-    impl ProvidesMotion for SdofOverdamped {
-        type Motion = SdofOverdampedMotion;
     }
     ::frictiongen::kernel::wraps!(
         SdofOverdampedMotion, Continuous of SdofOverdamped, Copy

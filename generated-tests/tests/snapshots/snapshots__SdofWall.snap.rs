@@ -189,6 +189,11 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / receptance
         }
+    }
+    ::frictiongen::kernel::not_provided!(SdofWallAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(SdofWall : simulation);
+    impl ProvidesMotion for SdofWall {
+        type Motion = SdofWallMotion;
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -218,11 +223,6 @@ const _: () = {
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
-    }
-    ::frictiongen::kernel::not_provided!(SdofWallAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(SdofWall : simulation);
-    impl ProvidesMotion for SdofWall {
-        type Motion = SdofWallMotion;
     }
     ::frictiongen::kernel::wraps!(SdofWallMotion, Continuous of SdofWall, Copy);
     impl SdofWallMotion {

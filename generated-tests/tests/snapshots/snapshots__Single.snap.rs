@@ -232,6 +232,11 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / receptance
         }
+    }
+    ::frictiongen::kernel::not_provided!(SingleAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(Single : simulation);
+    impl ProvidesMotion for Single {
+        type Motion = SingleMotion;
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f32>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -347,11 +352,6 @@ const _: () = {
             };
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
-    }
-    ::frictiongen::kernel::not_provided!(SingleAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(Single : simulation);
-    impl ProvidesMotion for Single {
-        type Motion = SingleMotion;
     }
     ::frictiongen::kernel::wraps!(SingleMotion, Continuous of Single, Copy);
     impl SingleMotion {

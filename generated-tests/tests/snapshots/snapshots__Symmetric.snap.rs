@@ -247,6 +247,11 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / receptance
         }
+    }
+    ::frictiongen::kernel::not_provided!(SymmetricAt : orbit);
+    ::frictiongen::kernel::not_provided!(Symmetric : simulation);
+    impl ProvidesMotion for Symmetric {
+        type Motion = SymmetricMotion;
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -420,6 +425,29 @@ const _: () = {
             };
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
+    }
+    ::frictiongen::kernel::wraps!(SymmetricMotion, Continuous of Symmetric, Copy);
+    impl SymmetricMotion {
+        /// The motion of mass `left` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn left(&self) -> MotionOf<Symmetric> {
+            self.mass(0)
+        }
+        /// The motion of mass `middle` (5.50 and its exact form, 7.29).
+        ///
+        /// It rubs on a support at rest: its motion is the contact's.
+        #[must_use]
+        pub fn middle(&self) -> MotionOf<Symmetric> {
+            self.contact()
+        }
+        /// The motion of mass `right` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn right(&self) -> MotionOf<Symmetric> {
+            self.mass(2)
+        }
+    }
+    impl ProvidesStuck for Symmetric {
+        type Stuck = SymmetricStuck;
         #[allow(unused_variables)]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f64>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -456,34 +484,6 @@ const _: () = {
                 },
             )
         }
-    }
-    ::frictiongen::kernel::not_provided!(SymmetricAt : orbit);
-    ::frictiongen::kernel::not_provided!(Symmetric : simulation);
-    impl ProvidesMotion for Symmetric {
-        type Motion = SymmetricMotion;
-    }
-    ::frictiongen::kernel::wraps!(SymmetricMotion, Continuous of Symmetric, Copy);
-    impl SymmetricMotion {
-        /// The motion of mass `left` (5.50 and its exact form, 7.29).
-        #[must_use]
-        pub fn left(&self) -> MotionOf<Symmetric> {
-            self.mass(0)
-        }
-        /// The motion of mass `middle` (5.50 and its exact form, 7.29).
-        ///
-        /// It rubs on a support at rest: its motion is the contact's.
-        #[must_use]
-        pub fn middle(&self) -> MotionOf<Symmetric> {
-            self.contact()
-        }
-        /// The motion of mass `right` (5.50 and its exact form, 7.29).
-        #[must_use]
-        pub fn right(&self) -> MotionOf<Symmetric> {
-            self.mass(2)
-        }
-    }
-    impl ProvidesStuck for Symmetric {
-        type Stuck = SymmetricStuck;
     }
     ::frictiongen::kernel::wraps!(SymmetricStuck, Stuck of Symmetric, Copy);
     impl SymmetricStuck {

@@ -298,6 +298,78 @@ const _: () = {
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / (1.15 * receptance)
         }
+    }
+    ::frictiongen::kernel::not_provided!(MountAt : stuck);
+    ::frictiongen::kernel::not_provided!(Mount : simulation);
+    ::frictiongen::kernel::left_out!(MountMotion : frame);
+    impl Mount {
+        /// The motion in time: all modes, those that the contact drives first, and the modes of
+        /// the chain with its contact held.
+        const DYNAMICS: Dynamics<'static, f64> = Dynamics {
+            chain: Mount::CHAIN,
+            modes: &[
+                Mode {
+                    kind: Kind::Light,
+                    in_contact: true,
+                    resonance: 0.6283793835980964,
+                    zeta: 0.01,
+                    q: 0.9999499987499375,
+                    q_defect: 5.000125006250391e-5,
+                    load: 0.3426795800926145,
+                    contact: 1.33786386095262,
+                    residue: 0.45845862609232785,
+                    inverse_mass: 1.7898797104430517,
+                    static_residue: 1.1610643562596341,
+                },
+                Mode {
+                    kind: Kind::Light,
+                    in_contact: true,
+                    resonance: 1.120776226670104,
+                    zeta: 0.02,
+                    q: 0.999799979995999,
+                    q_defect: 0.0002000200040010003,
+                    load: 0.9394523433296388,
+                    contact: -1.5524562118001746,
+                    residue: -1.4584586260923278,
+                    inverse_mass: 2.4101202895569482,
+                    static_residue: -1.1610643562596341,
+                },
+            ],
+            held: &[
+                HeldMode {
+                    kind: Kind::Light,
+                    frequency: 0.8728715609439696,
+                    zeta: 0.015074980551220883,
+                    q: 0.99988636602435,
+                    force: 0.27464447784205487,
+                    inverse: [
+                        0.04287888540748418,
+                        0.6540151732676781,
+                        -0.06259741744191138,
+                    ],
+                },
+            ],
+            shares: &[
+                [-1.0, 0.03272999580865182],
+                [-0.8617723648393789, 0.02820580588920484],
+            ],
+            shapes: &[
+                0.3426795800926145,
+                0.9394523433296388,
+                1.6805434410452347,
+                -0.6130038684705358,
+            ],
+            weights: &[
+                0.3426795800926145,
+                0.5251698253266358,
+                0.9394523433296388,
+                -0.1915637088970424,
+            ],
+            rubbing: None,
+        };
+    }
+    impl ProvidesMotion for Mount {
+        type Motion = MountMotion;
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -490,78 +562,6 @@ const _: () = {
             };
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
-    }
-    ::frictiongen::kernel::not_provided!(MountAt : stuck);
-    ::frictiongen::kernel::not_provided!(Mount : simulation);
-    ::frictiongen::kernel::left_out!(MountMotion : frame);
-    impl Mount {
-        /// The motion in time: all modes, those that the contact drives first, and the modes of
-        /// the chain with its contact held.
-        const DYNAMICS: Dynamics<'static, f64> = Dynamics {
-            chain: Mount::CHAIN,
-            modes: &[
-                Mode {
-                    kind: Kind::Light,
-                    in_contact: true,
-                    resonance: 0.6283793835980964,
-                    zeta: 0.01,
-                    q: 0.9999499987499375,
-                    q_defect: 5.000125006250391e-5,
-                    load: 0.3426795800926145,
-                    contact: 1.33786386095262,
-                    residue: 0.45845862609232785,
-                    inverse_mass: 1.7898797104430517,
-                    static_residue: 1.1610643562596341,
-                },
-                Mode {
-                    kind: Kind::Light,
-                    in_contact: true,
-                    resonance: 1.120776226670104,
-                    zeta: 0.02,
-                    q: 0.999799979995999,
-                    q_defect: 0.0002000200040010003,
-                    load: 0.9394523433296388,
-                    contact: -1.5524562118001746,
-                    residue: -1.4584586260923278,
-                    inverse_mass: 2.4101202895569482,
-                    static_residue: -1.1610643562596341,
-                },
-            ],
-            held: &[
-                HeldMode {
-                    kind: Kind::Light,
-                    frequency: 0.8728715609439696,
-                    zeta: 0.015074980551220883,
-                    q: 0.99988636602435,
-                    force: 0.27464447784205487,
-                    inverse: [
-                        0.04287888540748418,
-                        0.6540151732676781,
-                        -0.06259741744191138,
-                    ],
-                },
-            ],
-            shares: &[
-                [-1.0, 0.03272999580865182],
-                [-0.8617723648393789, 0.02820580588920484],
-            ],
-            shapes: &[
-                0.3426795800926145,
-                0.9394523433296388,
-                1.6805434410452347,
-                -0.6130038684705358,
-            ],
-            weights: &[
-                0.3426795800926145,
-                0.5251698253266358,
-                0.9394523433296388,
-                -0.1915637088970424,
-            ],
-            rubbing: None,
-        };
-    }
-    impl ProvidesMotion for Mount {
-        type Motion = MountMotion;
     }
     ::frictiongen::kernel::wraps!(MountMotion, Continuous of Mount, Copy);
     impl MountMotion {
