@@ -31,7 +31,7 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     let (break_away, _) = formula(chain.break_away(&contact));
     let limit = chain.continuous_limit(&contact, graph.input("constraint"));
     let (continuous, continuous_count) = formula(limit);
-    let (sliding, sliding_count) = formula(chain.sliding_limit(&contact));
+    let (sliding, _) = formula(chain.sliding_limit(&contact));
     code! {
         /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
         #[inline]
@@ -49,8 +49,6 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
         }
 
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
-        ///
-        #[doc = #sliding_count]
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<#scalar>) -> #scalar {
             #sliding

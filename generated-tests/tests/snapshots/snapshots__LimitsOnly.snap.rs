@@ -217,8 +217,6 @@ const _: () = {
             excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
-        ///
-        /// Operations: 3: 2 sign, 1 ÷.
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f32>) -> f32 {
             let excitation = Scalar::abs(contact.v.re);

@@ -239,8 +239,6 @@ const _: () = {
             excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
-        ///
-        /// Operations: 3: 2 sign, 1 ÷.
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
             let excitation = Scalar::abs(contact.v.re);

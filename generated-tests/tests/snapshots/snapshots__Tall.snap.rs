@@ -851,8 +851,6 @@ const _: () = {
             excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
-        ///
-        /// Operations: 3: 2 hypot, 1 ÷.
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
             let excitation = Scalar::hypot(contact.v.re, contact.v.im);
