@@ -83,8 +83,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             pub const NATURAL_FREQUENCIES: [#scalar; #masses] = #frequencies;
             /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
             pub const RESONANCES: [#scalar; #masses] = #resonances;
-            /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
-            /// that is not negligible is positive.
+            /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
             pub const MODE_SHAPES: [[#scalar; #masses]; #masses] = [#(#shapes),*];
 
             /// The modes that the load or the contact drives.
@@ -111,8 +110,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
                 #frequency_ratio
             }
 
-            /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
-            /// base motion of amplitude Y the load is P = k₁Y.
+            /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
             #[inline]
             #[must_use]
             pub const fn friction_ratio(friction: #scalar, load: #scalar) -> #scalar {

@@ -91,7 +91,7 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
     let scale = printed.outputs;
     body.extend(code! {
         let scale = #(#scale)*;
-        let modes = [#(#names),*].map(|mode| Self::CHAIN.at_scale(&mode, scale));
+        let modes = [#(Self::CHAIN.at_scale(&#names, scale)),*];
     });
     let scaled = chain.scaled(&tracer.response("mode"), graph.input("scale"), false, 0);
     let outputs = mode_outputs(&scaled);

@@ -13,8 +13,8 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
     let chain = &tracer.reduced.chain;
     let contact = tracer.contact("contact");
-    let formula = |output: Expr<'_>| -> (TokenStream, String) {
-        let (printed, count) = tracer.print(
+    let formula = |output: Expr<'_>| -> TokenStream {
+        let (printed, _) = tracer.print(
             &[output.operand()],
             emission.precision,
             &["contact", "constraint"],
@@ -23,15 +23,12 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
             statements,
             outputs,
         } = printed;
-        (
-            code!(#statements #(#outputs)*),
-            format!(" Operations: {count}."),
-        )
+        code!(#statements #(#outputs)*)
     };
-    let (break_away, _) = formula(chain.break_away(&contact));
+    let break_away = formula(chain.break_away(&contact));
     let limit = chain.continuous_limit(&contact, graph.input("constraint"));
-    let (continuous, continuous_count) = formula(limit);
-    let (sliding, _) = formula(chain.sliding_limit(&contact));
+    let continuous = formula(limit);
+    let sliding = formula(chain.sliding_limit(&contact));
     code! {
         /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
         #[inline]
@@ -41,8 +38,6 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
 
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
         /// maximum.
-        ///
-        #[doc = #continuous_count]
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<#scalar>, constraint: #scalar) -> #scalar {
             #continuous

@@ -51,8 +51,7 @@ const _: () = {
             1.6825070656623624,
             1.9189859472289947,
         ];
-        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
-        /// that is not negligible is positive.
+        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
         pub const MODE_SHAPES: [[f64; 5]; 5] = [
             [
                 0.16989112404918136,
@@ -183,8 +182,7 @@ const _: () = {
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega
         }
-        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
-        /// base motion of amplitude Y the load is P = k₁Y.
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
@@ -531,8 +529,13 @@ const _: () = {
                 ),
                 mode_5.size,
             );
-            let modes = [mode_1, mode_2, mode_3, mode_4, mode_5]
-                .map(|mode| Self::CHAIN.at_scale(&mode, scale));
+            let modes = [
+                Self::CHAIN.at_scale(&mode_1, scale),
+                Self::CHAIN.at_scale(&mode_2, scale),
+                Self::CHAIN.at_scale(&mode_3, scale),
+                Self::CHAIN.at_scale(&mode_4, scale),
+                Self::CHAIN.at_scale(&mode_5, scale),
+            ];
             let [at_1, at_2, at_3, at_4, at_5] = &modes;
             let v_re = at_1.response.re * 0.028862994030694332
                 + at_2.response.re * 0.20769360695877911
@@ -575,8 +578,6 @@ const _: () = {
         }
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
         /// maximum.
-        ///
-        /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
             let excitation = Scalar::hypot(contact.v.re, contact.v.im);

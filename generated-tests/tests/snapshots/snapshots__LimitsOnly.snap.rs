@@ -33,8 +33,7 @@ const _: () = {
         pub const NATURAL_FREQUENCIES: [f32; 2] = [0.618034, 1.618034];
         /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
         pub const RESONANCES: [f32; 2] = [0.618034, 1.618034];
-        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
-        /// that is not negligible is positive.
+        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
         pub const MODE_SHAPES: [[f32; 2]; 2] = [
             [0.5257311, 0.8506508],
             [0.8506508, -0.5257311],
@@ -93,8 +92,7 @@ const _: () = {
         pub const fn frequency_ratio(omega: f32) -> f32 {
             omega
         }
-        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
-        /// base motion of amplitude Y the load is P = k₁Y.
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
@@ -187,7 +185,10 @@ const _: () = {
                 }
             };
             let scale = Scalar::min(mode_1.size, mode_2.size);
-            let modes = [mode_1, mode_2].map(|mode| Self::CHAIN.at_scale(&mode, scale));
+            let modes = [
+                Self::CHAIN.at_scale(&mode_1, scale),
+                Self::CHAIN.at_scale(&mode_2, scale),
+            ];
             let [at_1, at_2] = &modes;
             let v_re = at_1.response.re * 0.4472136 + at_2.response.re * -0.4472136;
             let h_re = at_1.response.re * 0.7236068 + at_2.response.re * 0.2763932;
@@ -209,8 +210,6 @@ const _: () = {
         }
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
         /// maximum.
-        ///
-        /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f32>, constraint: f32) -> f32 {
             let excitation = Scalar::abs(contact.v.re);

@@ -44,8 +44,7 @@ const _: () = {
             1.1955281061051313,
             1.7211477143385112,
         ];
-        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
-        /// that is not negligible is positive.
+        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
         pub const MODE_SHAPES: [[f64; 3]; 3] = [
             [0.18192304909860774, 0.590694937028388, 0.6199803993960765],
             [0.9784361822489328, -0.0716397579987311, -0.21513493245568865],
@@ -118,8 +117,7 @@ const _: () = {
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega
         }
-        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
-        /// base motion of amplitude Y the load is P = k₁Y.
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
@@ -313,8 +311,11 @@ const _: () = {
                 }
             };
             let scale = Scalar::min(Scalar::min(mode_1.size, mode_2.size), mode_3.size);
-            let modes = [mode_1, mode_2, mode_3]
-                .map(|mode| Self::CHAIN.at_scale(&mode, scale));
+            let modes = [
+                Self::CHAIN.at_scale(&mode_1, scale),
+                Self::CHAIN.at_scale(&mode_2, scale),
+                Self::CHAIN.at_scale(&mode_3, scale),
+            ];
             let [at_1, at_2, at_3] = &modes;
             let v_re = at_1.response.re * 0.10746102403131443
                 + at_2.response.re * -0.0700949313135159
@@ -353,8 +354,6 @@ const _: () = {
         }
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
         /// maximum.
-        ///
-        /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
             let excitation = Scalar::hypot(contact.v.re, contact.v.im);

@@ -39,8 +39,7 @@ const _: () = {
         ];
         /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
         pub const RESONANCES: [f64; 2] = [0.6180339887498949, 1.618033988749895];
-        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
-        /// that is not negligible is positive.
+        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
         pub const MODE_SHAPES: [[f64; 2]; 2] = [
             [0.5257311121191336, 0.8506508083520399],
             [0.8506508083520399, -0.5257311121191336],
@@ -99,8 +98,7 @@ const _: () = {
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega
         }
-        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
-        /// base motion of amplitude Y the load is P = k₁Y.
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
@@ -197,7 +195,10 @@ const _: () = {
                 }
             };
             let scale = Scalar::min(mode_1.size, mode_2.size);
-            let modes = [mode_1, mode_2].map(|mode| Self::CHAIN.at_scale(&mode, scale));
+            let modes = [
+                Self::CHAIN.at_scale(&mode_1, scale),
+                Self::CHAIN.at_scale(&mode_2, scale),
+            ];
             let [at_1, at_2] = &modes;
             let v_re = at_1.response.re * 0.4472135954999579
                 + at_2.response.re * -0.4472135954999579;
@@ -221,8 +222,6 @@ const _: () = {
         }
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
         /// maximum.
-        ///
-        /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
             let excitation = Scalar::abs(contact.v.re);

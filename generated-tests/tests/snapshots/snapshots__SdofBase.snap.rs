@@ -36,8 +36,7 @@ const _: () = {
         pub const NATURAL_FREQUENCIES: [f64; 1] = [5.0];
         /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
         pub const RESONANCES: [f64; 1] = [1.0];
-        /// φ, [mode][mass], with φᵀΓφ = 1 (non-dimensional); of each mode the first component
-        /// that is not negligible is positive.
+        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 1] = [
@@ -80,8 +79,7 @@ const _: () = {
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega / 5.0
         }
-        /// A kinetic friction force F and a load amplitude P as friction ratio β = F/P; for
-        /// base motion of amplitude Y the load is P = k₁Y.
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
@@ -174,8 +172,6 @@ const _: () = {
         }
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
         /// maximum.
-        ///
-        /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
             let excitation = Scalar::abs(contact.v.re);
