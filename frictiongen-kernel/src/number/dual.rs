@@ -12,7 +12,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// f and ∂f/∂p for one variable p.  Comparisons look at the value alone.
 ///
 /// ```
-/// use frictiongen_kernel::{Scalar, dual::Dual};
+/// use frictiongen_kernel::{Scalar, number::dual::Dual};
 ///
 /// let p = Dual::variable(4.0_f64);
 /// let root = p.sqrt();
