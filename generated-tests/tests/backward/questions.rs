@@ -148,15 +148,14 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             let own = modulus(self.judge.at().stuck_amplitude(mass));
             if own.to_f64() <= UNREACHED * largest.to_f64() {
                 // What is left of terms that cancel altogether.
-                let got = Complex::new((self.exact)(got.re), (self.exact)(got.im));
-                let left = modulus(got).to_f64() / largest.to_f64();
+                let exact = Complex::new((self.exact)(got.re), (self.exact)(got.im));
+                let left = modulus(exact).to_f64() / largest.to_f64();
                 let nothing = own.is_zero() && got.re.is_zero() && got.im.is_zero();
-                assert!(
-                    nothing || left <= S::EPSILON.sqrt(),
-                    "mass {mass} moves by {left:e}"
-                );
-                self.unreached += 1;
-                continue;
+                if nothing || left <= S::EPSILON.sqrt() {
+                    self.unreached += 1;
+                    continue;
+                }
+                // More than that is judged as any other answer is, against next to nothing.
             }
             self.plain(Asked::Stuck(mass), got, None, largest);
         }
