@@ -296,39 +296,6 @@ impl<S: Float> Chain<S> {
         let share = self.mass_coefficients(mode, at, residue, contact, friction, inverse_r, 0);
         mass_wave(at.x, decay, share)
     }
-
-    /// The waves of the contact's motion, for an array of modes.
-    pub fn contact_waves<D: Decay<S>, const N: usize>(
-        &self,
-        modes: &[Mode<S>; N],
-        at: &[ModeAt<S>; N],
-        contact: &ContactAt<S>,
-        friction: &Friction<S>,
-        inverse_r: S,
-    ) -> [Wave<S, D>; N] {
-        let mut waves = modes.map(|mode| Wave::idle(&mode));
-        for ((wave, mode), at) in waves.iter_mut().zip(modes).zip(at) {
-            *wave = self.contact_wave(mode, at, contact, friction, inverse_r);
-        }
-        waves
-    }
-
-    /// The waves of a mass's motion, whose mode shape components are `shape`.
-    pub fn mass_waves<D: Decay<S>, const N: usize>(
-        &self,
-        modes: &[Mode<S>; N],
-        shape: &[S; N],
-        at: &[ModeAt<S>; N],
-        contact: &ContactAt<S>,
-        friction: &Friction<S>,
-        inverse_r: S,
-    ) -> [Wave<S, D>; N] {
-        let mut waves = modes.map(|mode| Wave::idle(&mode));
-        for (((wave, mode), at), component) in waves.iter_mut().zip(modes).zip(at).zip(shape) {
-            *wave = self.mass_wave(mode, *component, at, contact, friction, inverse_r);
-        }
-        waves
-    }
 }
 
 #[cfg(test)]

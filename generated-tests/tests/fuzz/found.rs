@@ -304,7 +304,7 @@ friction_system! {
     }
 }
 
-/// On a moving base V grows as r², and times the inverse_mass of a light mass it was beyond `f32`.
+/// On a moving base V grows as r², and times the inverse effective mass of a light mass it was beyond `f32`.
 #[test]
 fn a_light_mass_on_a_fast_base() {
     let motion = Tiny::at(8.5e36).expect("a ratio").motion(4.4e-12);
