@@ -1,27 +1,17 @@
 //! One oscillator between two events: a mode while the contact slides, a held mode while it sticks.
 //!
-//! Displacement y and scaled velocity u = y′/x; free, they turn and decay together, with
-//! c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q, both entire in q².
+//! Displacement y and scaled velocity u = y′/x; free, they turn and decay together ([`Turn`]).
 
 use super::{HeldMode, rotated};
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
-use crate::oscillator::decay::{Damped, Decay, Instant};
+use crate::oscillator::decay::{Damped, Decay, Instant, Turn, multipliers, turn};
 use crate::oscillator::mode::{Kind, Mode};
 
 /// Nearer to a resonance than this, |D| < NEAR·x², the forced motion is formed from differences that
 /// vanish with D; elsewhere as the steady motion plus a free one, which loses at most 1/NEAR of the
 /// precision.
 const NEAR: f64 = 0.02;
-
-/// c and s at one instant.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Turn<S> {
-    pub c: S,
-    pub s: S,
-    /// e^{−ζxτ}, by which an oscillating part has decayed.
-    pub kept: S,
-}
 
 /// One oscillator.
 #[derive(Clone, Copy, Debug)]
@@ -134,55 +124,16 @@ impl<S: Float> Part<S> {
         };
     }
 
-    /// c and s after τ = πt.
+    /// Its free motion over τ = πt.
     #[inline]
     pub(crate) fn turn(&self, t: S, tau: S) -> Turn<S> {
-        let (one, half) = (S::constant(1.0), S::constant(0.5));
-        match self.kind {
-            Kind::Undamped => {
-                let (s, c) = (self.x * t).sin_cos_pi();
-                Turn { c, s, kept: one }
-            }
-            Kind::Light | Kind::Heavy => {
-                let kept = (-(self.zeta * self.x * tau)).exp();
-                let (s, c) = (self.q * self.x * t).sin_cos_pi();
-                Turn {
-                    c: kept * c,
-                    s: kept * s / self.q,
-                    kept,
-                }
-            }
-            Kind::Critical => {
-                let kept = (-(self.x * tau)).exp();
-                Turn {
-                    c: kept,
-                    s: kept * self.x * tau,
-                    kept: one,
-                }
-            }
-            Kind::Over => {
-                let time = self.x * tau;
-                let sum = self.zeta + self.q;
-                let slow = (-(time / sum)).exp();
-                let fast = (-(time * sum)).exp();
-                let spread = (self.q + self.q) * time;
-                Turn {
-                    c: (slow + fast) * half,
-                    s: -(-spread).exp_m1() * slow * half / self.q,
-                    kept: one,
-                }
-            }
-        }
+        turn(self.kind, self.zeta, self.q, self.x, (t, tau))
     }
 
     /// A free displacement and velocity after that.
     #[inline]
-    pub(crate) fn turned(&self, [y, u]: [S; 2], turn: &Turn<S>) -> [S; 2] {
-        let drag = self.zeta * turn.s;
-        [
-            y * (turn.c + drag) + u * turn.s,
-            u * (turn.c - drag) - y * turn.s,
-        ]
+    pub(crate) fn turned(&self, free: [S; 2], turn: &Turn<S>) -> [S; 2] {
+        turn.moved(self.zeta, free)
     }
 
     /// The steady part of y and u where the excitation's cosine and sine are these.
@@ -308,16 +259,8 @@ impl<S: Float> Part<S> {
 
     /// By what its free motion is multiplied in τ: e^{x(−ζ ± iq)τ}.
     pub(crate) fn multipliers(&self, tau: S) -> [Complex<S>; 2] {
-        let zero = S::constant(0.0);
         let turn = self.turn(tau * S::inverse_pi(), tau);
-        let im = self.q * turn.s;
-        if self.kind == Kind::Over {
-            [turn.c + im, turn.c - im].map(|re| Complex::new(re, zero))
-        } else if self.kind == Kind::Critical {
-            [Complex::new(turn.c, zero); 2]
-        } else {
-            [im, -im].map(|im| Complex::new(turn.c, im))
-        }
+        multipliers(self.kind, self.q, &turn)
     }
 
     /// What it adds to the fundamental component of the function sought: complex amplitude over e^{iτ_e}.

@@ -1,12 +1,13 @@
 //! One segment of the motion: from an event to the next.
 
-use super::part::{Part, Turn};
+use super::part::Part;
 use super::setting::Setting;
 use super::sum::Sum;
 use super::walk::{Start, Walk, first_reach, first_zero};
 use super::{Contact, Event, rotated};
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
+use crate::oscillator::decay::Turn;
 
 /// How the contact stands at an instant.
 #[derive(Clone, Copy, Debug)]

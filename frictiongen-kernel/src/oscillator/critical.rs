@@ -1,0 +1,58 @@
+//! ζ = 1.
+
+use super::values::{
+    Basis, Instant, ModeResponse, Turn, complement_and_factor, denominator, one_minus_d,
+};
+use crate::number::scalar::{Float, Scalar};
+
+/// ζ = 1: the limit q → 0 of both neighbours, to first order in q² = 1 − ζ²: its value is 0, but a
+/// derivative with respect to ζ moves it.
+#[inline]
+pub(super) fn response<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> ModeResponse<S> {
+    let one = S::constant(1.0);
+    let (denominator, size) = denominator(x, zeta, at);
+    let decay = (S::pi() * zeta * x).named("decay_exponent", at);
+    let (m, e) = complement_and_factor(decay, at);
+    // θ², θ = πqx.
+    let angle = S::pi() * x;
+    let square = angle * angle * ((one - zeta) * (one + zeta));
+    let sinc_defect = square / S::constant(6.0);
+    let k = (size / ((one + e) * (one + e) - e * square)).named("pole_weight", at);
+    let b_over_x = (S::pi() + S::pi()) * e * (k - k * sinc_defect);
+    let defect = decay.scaled_sinh_defect() + S::constant(2.0) * e * decay * sinc_defect;
+    ModeResponse {
+        x,
+        denominator,
+        size,
+        u: b_over_x.named("u", at),
+        g: (defect * k).named("g", at),
+        reversal: ((one + e) * m * k + zeta * b_over_x * x).named("reversal", at),
+    }
+}
+
+/// The functions at an instant, to first order in q² = 1 − ζ², whose value is 0, for derivatives with respect to ζ.
+pub(super) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
+    let one = S::constant(1.0);
+    let time = x * at.tau;
+    let decay = zeta * time;
+    let kept = (-decay).exp();
+    let square = time * time * ((one - zeta) * (one + zeta));
+    let versine = square * S::constant(0.5);
+    let sinc_defect = square / S::constant(6.0);
+    let (cosine, sinc) = (one - versine, one - sinc_defect);
+    let (free, slope) = (kept * (at.tau * sinc), kept * (cosine - decay * sinc));
+    let direct = one - kept * (cosine + decay * sinc);
+    let one_minus_d = one_minus_d(decay, kept, direct, versine, sinc_defect);
+    Basis::damped(x, zeta, free, slope, one_minus_d, at)
+}
+
+/// The free motion over τ.
+#[inline]
+pub(super) fn turn<S: Float>(x: S, tau: S) -> Turn<S> {
+    let kept = (-(x * tau)).exp();
+    Turn {
+        c: kept,
+        s: kept * x * tau,
+        kept: S::constant(1.0),
+    }
+}

@@ -1,0 +1,85 @@
+//! ζ > 1, with q = √(ζ² − 1): two decays, no oscillation.
+
+use super::values::{Basis, Instant, ModeResponse, Turn, denominator};
+use crate::number::scalar::{Float, Scalar};
+use crate::number::special::exp_m1_minus;
+
+/// ζ > 1: two real decays, e^{−πx(ζ∓q)}, combined before they can overflow.
+#[inline]
+pub(super) fn response<S: Scalar>(x: S, zeta: S, q: S, at: Option<usize>) -> ModeResponse<S> {
+    let one = S::constant(1.0);
+    let pi = S::pi();
+    let (denominator, size) = denominator(x, zeta, at);
+    let fast = (pi * (zeta + q) * x).named("fast_decay", at);
+    let slow = (pi / (zeta + q) * x).named("slow_decay", at);
+    let fading = (-slow).named("slow_exponent", at);
+    let spread = (S::constant(2.0) * pi * q * x).named("spread", at);
+    let (e_slow, e_fast) = (fading.exp().named("slow_decay_factor", at), (-fast).exp());
+    let k = (size / ((one + e_slow) * (one + e_fast))).named("pole_weight", at);
+    let b = (-(-spread).exp_m1() * e_slow / q * k).named("swing", at);
+    let a = -(-(S::constant(2.0) * pi * zeta * x)).exp_m1() * k;
+    // 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}) from parts of the third order in x, of which
+    // the one subtracted is never more than two thirds of the others.
+    let half = S::constant(0.5);
+    let lost = (-(fast * half)).exp_m1().named("decay_minus_one", at);
+    let both = lost * lost * -fading.exp_m1();
+    let small = S::constant(2.0) * (one + lost) * (slow * half).scaled_sinh_defect();
+    let excess = e_slow * (pi * q * x).scaled_sinh_defect();
+    let defect = both + small - excess / ((zeta + q) * q);
+    ModeResponse {
+        x,
+        denominator,
+        size,
+        u: (b / x).named("u", at),
+        g: (defect * k).named("g", at),
+        reversal: (a + zeta * b).named("reversal", at),
+    }
+}
+
+/// The functions at an instant.
+pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> {
+    let (one, half) = (S::constant(1.0), S::constant(0.5));
+    let sum = zeta + q;
+    let time = x * at.tau;
+    let slow = (-(time / sum)).exp();
+    let fast = (-(time * sum)).exp();
+    let spread = (q + q) * time;
+    let sinh = -(-spread).exp_m1() * slow * half / q;
+    let cosh = (slow + fast) * half;
+    let (free, slope) = (sinh / x, cosh - zeta * sinh);
+    let decay = zeta * time;
+    let one_minus_d = if S::constant(2.0) < sum && time < sum {
+        // Both decays from their second order on; the parts below would cancel to 1/ζ².
+        let (slow, fast) = (exp_m1_minus(-(time / sum)), exp_m1_minus(-(time * sum)));
+        (fast / sum - slow * sum) * half / q
+    } else if decay < half {
+        // e^a − cosh b − (a/b) sinh b, by parts that start at the second order.
+        let b = q * time;
+        let (plus, minus) = (exp_m1_minus(b), exp_m1_minus(-b));
+        let sinh_ratio = if b > S::constant(0.0) {
+            (plus - minus) * half / b
+        } else {
+            b
+        };
+        (-decay).exp() * (exp_m1_minus(decay) - (plus + minus) * half - decay * sinh_ratio)
+    } else {
+        one - cosh - zeta * sinh
+    };
+    Basis::damped(x, zeta, free, slope, one_minus_d, at)
+}
+
+/// The free motion over τ.
+#[inline]
+pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, tau: S) -> Turn<S> {
+    let half = S::constant(0.5);
+    let time = x * tau;
+    let sum = zeta + q;
+    let slow = (-(time / sum)).exp();
+    let fast = (-(time * sum)).exp();
+    let spread = (q + q) * time;
+    Turn {
+        c: (slow + fast) * half,
+        s: -(-spread).exp_m1() * slow * half / q,
+        kept: S::constant(1.0),
+    }
+}

@@ -1,0 +1,53 @@
+//! ζ = 0.
+
+use super::values::{Basis, Instant, ModeResponse, Turn, differences};
+use crate::number::complex;
+use crate::number::scalar::{Float, Scalar};
+use crate::number::special::versine_beside;
+
+/// ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0.  The exact zeros of both divisors (x = 1, where v and u share the
+/// pole, and the odd x, where u has one of its own) are replaced, so that no quotient is 0/0.
+#[inline]
+pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
+    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    let (s, c) = (x * S::constant(0.5)).sin_cos_pi();
+    let s = s.named("sine", at);
+    let re = ((x - one) * (x + one))
+        .detuning_off_pole()
+        .named("detuning", at);
+    let c = c.named("plain_cosine", at);
+    let c = c.cosine_off_pole().named("cosine", at);
+    let size = re.abs().named("size", at);
+    ModeResponse {
+        x,
+        denominator: complex::real(re),
+        size,
+        u: (s * size / (x * c)).named("u", at),
+        g: zero,
+        reversal: zero,
+    }
+}
+
+/// The functions at an instant.
+#[inline]
+pub(super) fn basis<S: Float>(x: S, at: &Instant<S>) -> Basis<S> {
+    let half_turns = x * at.t;
+    let (sine, cosine) = half_turns.sin_cos_pi();
+    let versine = versine_beside(half_turns, cosine);
+    let (swing, swing_slope) = differences(x, sine, versine, at);
+    Basis {
+        free: sine / x,
+        slope: cosine,
+        swing: swing / x,
+        swing_slope,
+        rise: versine / (x * x),
+    }
+}
+
+/// The free motion over τ = πt.
+#[inline]
+pub(super) fn turn<S: Float>(x: S, t: S) -> Turn<S> {
+    let (s, c) = (x * t).sin_cos_pi();
+    let kept = S::constant(1.0);
+    Turn { c, s, kept }
+}

@@ -1,0 +1,108 @@
+//! 0 < ζ < 1, with q = √(1 − ζ²): an oscillation that decays.
+
+use super::values::{
+    Basis, Instant, ModeResponse, Turn, complement_and_factor, denominator, differences,
+    one_minus_d,
+};
+use crate::number::scalar::{Float, Scalar};
+use crate::number::special::versine_beside;
+
+/// 0 < ζ < 1, section 3 of `docs/derivation.md` with 1 + e^{−πx(ζ−iq)} written about its zeros:
+/// (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2) − i m sin(θ/2), θ = πqx.
+#[inline]
+pub(super) fn response<S: Scalar>(
+    x: S,
+    zeta: S,
+    q: S,
+    near: Option<S>,
+    at: Option<usize>,
+) -> ModeResponse<S> {
+    let (one, half) = (S::constant(1.0), S::constant(0.5));
+    let (denominator, size) = denominator(x, zeta, at);
+    let decay = (S::pi() * zeta * x).named("decay_exponent", at);
+    let (m, e) = complement_and_factor(decay, at);
+    let turns = (q * x).named("half_turns", at);
+    let (s, c) = if let Some(q_defect) = near {
+        (x * half).sin_cos_pi_minus(x * (q_defect * half))
+    } else {
+        (turns * half).sin_cos_pi()
+    };
+    let (s, c) = (s.named("sine", at), c.named("cosine", at));
+    let re = ((one + e).named("one_plus_factor", at) * c).named("nearness_re", at);
+    let im = (m * s).named("nearness_im", at);
+    let inverse = (one / (re.abs() + im.abs())).named("inverse_nearness", at);
+    let re = (re * inverse).named("unit_nearness_re", at);
+    let im = (im * inverse).named("unit_nearness_im", at);
+    let k = (size * inverse / (re * re + im * im)).named("pole_weight", at);
+    let b = (S::constant(4.0) * e * (s / q) * (c * inverse) * k).named("swing", at);
+    let a = (one + e) * (m * inverse) * k;
+    let defect =
+        decay.scaled_sinh_defect() + S::constant(2.0) * e * decay * turns.one_minus_sinc_pi();
+    ModeResponse {
+        x,
+        denominator,
+        size,
+        u: (b / x).named("u", at),
+        g: (defect * inverse * k).named("g", at),
+        reversal: (a + zeta * b).named("reversal", at),
+    }
+}
+
+/// The functions at an instant for ζ < 1/2.
+pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>) -> Basis<S> {
+    let (one, half) = (S::constant(1.0), S::constant(0.5));
+    let decay = zeta * x * at.tau;
+    let lost = -(-decay).exp_m1();
+    let kept = one - lost;
+    let turns = x * at.t;
+    let defect = turns * q_defect;
+    let (s, c) = turns.sin_cos_pi_minus(defect);
+    let (sq, zq) = (s / q, zeta / q * s);
+    let damped_turns = turns * q;
+    let direct = one - kept * (c + zq);
+    let (free, slope) = (kept * sq / x, kept * (c - zq));
+    let versine = versine_beside(damped_turns, c);
+    let sinc_defect = damped_turns.one_minus_sinc_pi();
+    let one_minus_d = one_minus_d(decay, kept, direct, versine, sinc_defect);
+    let mut basis = Basis::damped(x, zeta, free, slope, one_minus_d, at);
+    if (x - one).abs() < half {
+        // The undamped differences plus what damping changes, each without cancellation.
+        let (s0, c0) = turns.sin_cos_pi();
+        let (swing, swing_slope) = differences(x, s0, versine_beside(turns, c0), at);
+        let (half_s, _) = (defect * half).sin_cos_pi();
+        let (mid_s, mid_c) = turns.sin_cos_pi_minus(defect * half);
+        let two = S::constant(2.0);
+        let sine_change = (two * mid_c * half_s - q_defect * s0) / q;
+        let cosine_change = -(two * mid_s * half_s);
+        basis.swing = (swing + lost * s0 + kept * sine_change) / x;
+        basis.swing_slope = swing_slope + lost * c0 + kept * (cosine_change + zq);
+    }
+    basis
+}
+
+/// The functions at an instant for 1/2 ≤ ζ.
+pub(super) fn heavy<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> {
+    let one = S::constant(1.0);
+    let decay = zeta * x * at.tau;
+    let kept = (-decay).exp();
+    let turns = q * x * at.t;
+    let (s, c) = turns.sin_cos_pi();
+    let (sq, zq) = (s / q, zeta / q * s);
+    let (free, slope) = (kept * sq / x, kept * (c - zq));
+    let direct = one - kept * (c + zq);
+    let (versine, sinc_defect) = (versine_beside(turns, c), turns.one_minus_sinc_pi());
+    let one_minus_d = one_minus_d(decay, kept, direct, versine, sinc_defect);
+    Basis::damped(x, zeta, free, slope, one_minus_d, at)
+}
+
+/// The free motion over τ = πt.
+#[inline]
+pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, t: S, tau: S) -> Turn<S> {
+    let kept = (-(zeta * x * tau)).exp();
+    let (s, c) = (q * x * t).sin_cos_pi();
+    Turn {
+        c: kept * c,
+        s: kept * s / q,
+        kept,
+    }
+}

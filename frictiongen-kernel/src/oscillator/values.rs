@@ -1,0 +1,143 @@
+//! What the kinds of damping have in common: the values that each of them gives, and the steps that more than
+//! one of them takes.
+
+use crate::number::complex::Complex;
+use crate::number::scalar::{Float, Scalar};
+use crate::number::special::exp_m1_minus;
+
+/// The functions of one mode at one frequency, each free of the pole at x = 1.
+#[derive(Clone, Copy, Debug)]
+pub struct ModeResponse<S> {
+    /// x = √λ/r = 1/R.
+    pub x: S,
+    /// x² − 1 + 2iζx = x²/v.
+    pub denominator: Complex<S>,
+    /// |Re| + |Im| of the denominator.
+    pub size: S,
+    /// (u R²) times `size`.
+    pub u: S,
+    /// g times `size`; 0 without damping.
+    pub g: S,
+    /// (g + 2ζRu) times `size`; 0 without damping.
+    pub reversal: S,
+}
+
+/// An instant of the half period: τ = πt.
+#[derive(Clone, Copy, Debug)]
+pub struct Instant<S> {
+    /// t = τ/π.
+    pub t: S,
+    /// τ.
+    pub tau: S,
+    /// sin τ.
+    pub sine: S,
+    /// cos τ.
+    pub cosine: S,
+    /// 1 − cos τ.
+    pub versine: S,
+}
+
+/// One mode's functions at one instant.
+#[derive(Clone, Copy, Debug)]
+pub struct Basis<S> {
+    /// p = e^{−ζxτ} sin(qxτ)/(qx).
+    pub free: S,
+    /// p′.
+    pub slope: S,
+    /// sin τ − p.
+    pub swing: S,
+    /// cos τ − p′.
+    pub swing_slope: S,
+    /// (1 − d)/x², d = p′ + 2ζx·p: the return from rest at distance 1.
+    pub rise: S,
+}
+
+impl<S: Float> Basis<S> {
+    /// All functions from p, p′ and 1 − d = 1 − p′ − 2ζx·p.  cos τ − p′ comes from 1 − d, whose
+    /// digits it keeps at τ → 0, where the velocity constraint divides by sin τ.
+    #[inline]
+    pub(super) fn damped(
+        x: S,
+        zeta: S,
+        free: S,
+        slope: S,
+        one_minus_d: S,
+        at: &Instant<S>,
+    ) -> Self {
+        Self {
+            free,
+            slope,
+            swing: at.sine - free,
+            swing_slope: one_minus_d + (zeta + zeta) * x * free - at.versine,
+            rise: one_minus_d / (x * x),
+        }
+    }
+}
+
+/// The free motion over a time: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q, both entire in q².
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turn<S> {
+    pub c: S,
+    pub s: S,
+    /// e^{−ζxτ}, by which an oscillating part has decayed.
+    pub kept: S,
+}
+
+impl<S: Float> Turn<S> {
+    /// What a free displacement y and scaled velocity u = y′/x have become.
+    #[inline]
+    pub(crate) fn moved(&self, zeta: S, [y, u]: [S; 2]) -> [S; 2] {
+        let drag = zeta * self.s;
+        [
+            y * (self.c + drag) + u * self.s,
+            u * (self.c - drag) - y * self.s,
+        ]
+    }
+}
+
+/// x² − 1 + 2iζx and its size.
+#[inline]
+pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Complex<S>, S) {
+    let one = S::constant(1.0);
+    let re = ((x - one) * (x + one)).named("detuning", at);
+    let im = (S::constant(2.0) * zeta * x).named("loss", at);
+    (Complex::new(re, im), (re.abs() + im).named("size", at))
+}
+
+/// 1 − e^{−decay} and e^{−decay}, each to its own digits: the second is not what rounding leaves of the first.
+#[inline]
+pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (S, S) {
+    let lost = (decay * S::constant(-0.5)).exp_m1();
+    let lost = lost.named("half_decay_minus_one", at);
+    let kept = (S::constant(1.0) + lost).named("half_decay_factor", at);
+    let (m, e) = (-(lost * (S::constant(1.0) + kept)), kept * kept);
+    (m.named("decay_complement", at), e.named("decay_factor", at))
+}
+
+/// x·sin τ − sin xτ and cos τ − cos xτ.  Beside x = 1 both are differences of nearly equal terms,
+/// multiplied by the large damping functions of a resonance: there they are written as products.
+/// The second is divided by sin τ in the velocity constraint, so it keeps its digits at τ → 0.
+#[inline]
+pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<S>) -> (S, S) {
+    let one = S::constant(1.0);
+    let half = S::constant(0.5);
+    let y = x - one;
+    if y.abs() < half {
+        let (s, _) = (y * at.t * half).sin_cos_pi();
+        let (sum_sine, sum_cosine) = ((x + one) * half * at.t).sin_cos_pi();
+        let two_s = s + s;
+        (y * at.sine - two_s * sum_cosine, two_s * sum_sine)
+    } else {
+        (x * at.sine - sine_x, versine_x - at.versine)
+    }
+}
+
+/// 1 − d from its parts, all of one sign: e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)].
+#[inline]
+pub(super) fn one_minus_d<S: Float>(decay: S, kept: S, direct: S, versine: S, sinc_defect: S) -> S {
+    if decay < S::constant(1.0) {
+        kept * (exp_m1_minus(decay) + versine + decay * sinc_defect)
+    } else {
+        direct
+    }
+}
