@@ -6,7 +6,7 @@
 
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::special::{exp_m1_minus, versine_pi};
-use frictiongen_kernel::number::trig::{double, single};
+use frictiongen_kernel::number::trig::single;
 use frictiongen_kernel::{Float, Scalar};
 
 const TABLE: &str = include_str!("data/scalar_reference.csv");
@@ -278,22 +278,18 @@ fn f32_meets_double_double() {
 /// A stride through all bit patterns, so through every exponent and both signs.
 #[test]
 fn f32_trigonometry_on_all_exponents() {
-    let (mut pair, mut tangent, mut sinc) = (Worst::default(), Worst::default(), Worst::default());
+    let (mut pair, mut sinc) = (Worst::default(), Worst::default());
     for bits in (0..=u32::MAX).step_by(20_011) {
         let h = f32::from_bits(bits);
         let (sin, cos) = single::sin_cos_pi(h);
-        let tan = single::tan_pi(h);
         if !h.is_finite() {
-            assert!(sin.is_nan() && cos.is_nan() && tan.is_nan() && single::sin_pi(h).is_nan());
+            assert!(sin.is_nan() && cos.is_nan() && single::sin_pi(h).is_nan());
             continue;
         }
         let exact = Dd::from(f64::from(h));
         let (s, c) = exact.sin_cos_pi();
         pair.see(error_f32(sin, s), || format!("{h:e}"));
         pair.see(error_f32(cos, c), || format!("{h:e}"));
-        if !c.is_zero() {
-            tangent.see(error_f32(tan, s / c), || format!("{h:e}"));
-        }
         let want = exact.one_minus_sinc_pi();
         let off = error_f32(h.one_minus_sinc_pi(), want);
         // Among the subnormals every term of the sum is rounded to the same place.
@@ -305,21 +301,7 @@ fn f32_trigonometry_on_all_exponents() {
         sinc.see(off / terms, || format!("{h:e}"));
     }
     pair.check("sin_cos_pi", 1.1, 200_000);
-    tangent.check("tan_pi", 1.5, 200_000);
     sinc.check("one_minus_sinc_pi", 1.5, 200_000);
-}
-
-#[test]
-fn tangent_in_f64() {
-    let (mut worst, mut source) = (Worst::default(), Source(3));
-    for _ in 0..100_000 {
-        let (h, _) = source.arguments("sin_cos_pi", 300.0);
-        let (sin, cos) = Dd::from(h).sin_cos_pi();
-        if !cos.is_zero() {
-            worst.see(error(double::tan_pi(h), sin / cos), || format!("{h:e}"));
-        }
-    }
-    worst.check("tan_pi", 1.5, 90_000);
 }
 
 fn exact_points<T: Float>() {

@@ -3,7 +3,7 @@
 //! The argument counts half-turns: `sin_pi(h)` is sin(πh).  A multiple of a half is subtracted
 //! from h without any rounding before π comes in, so the results have full relative accuracy
 //! next to every zero and are exactly 0 or ±1 where the mathematical value is.  Only `+`, `-`
-//! and `*` are used (and `/` for the tangent): every host returns the same bits.  The polynomials
+//! and `*` are used: every host returns the same bits.  The polynomials
 //! are minimax, from `tools/coefficients.py constants`.
 
 /// A polynomial with the coefficients of the lowest power first, by Estrin's scheme: pairs of
@@ -32,7 +32,7 @@ macro_rules! half_turns {
         $module:ident: $float:ident as $bits:ident,
         to_halves: $to_halves:expr, to_fours: $to_fours:expr,
         exact: $exact:expr, even: $even:expr, near: $near:expr,
-        leading: $leading:expr, half: $half:expr,
+        leading: $leading:expr,
         pi: $pi:expr, half_pi_squared: $half_pi_squared:expr,
         sin: [$($sin:expr),+ $(,)?], cos: [$($cos:expr),+ $(,)?] $(,)?
     ) => {
@@ -43,8 +43,6 @@ macro_rules! half_turns {
             const HALF_PI_SQUARED: $float = $half_pi_squared;
             /// Clears all but the leading third of a significand.
             const LEADING: $bits = $leading;
-            /// Clears the lower half of a significand.
-            const HALF: $bits = $half;
             /// Added to a smaller number, it rounds that number to a multiple of a half, whose
             /// count of halves then stands in the lowest bits.
             const TO_HALVES: $float = $to_halves;
@@ -54,12 +52,7 @@ macro_rules! half_turns {
             /// The leading third of x's significand.
             #[inline(always)]
             pub(crate) fn leading(x: $float) -> $float {
-                masked(x, LEADING)
-            }
-
-            #[inline(always)]
-            fn masked(x: $float, mask: $bits) -> $float {
-                $float::from_bits(x.to_bits() & mask)
+                $float::from_bits(x.to_bits() & LEADING)
             }
 
             /// h minus a multiple of 4, exactly; NaN for what is not finite.
@@ -179,49 +172,6 @@ macro_rules! half_turns {
             pub fn sin_pi(h: $float) -> $float {
                 sin_cos_pi(h).0
             }
-
-            /// cos πh, h in half-turns, within 1.1 units in the last place.
-            ///
-            /// ```
-            #[doc = concat!("use frictiongen_kernel::number::trig::", stringify!($module), "::cos_pi;")]
-            ///
-            /// assert_eq!(cos_pi(2.5), 0.0);
-            /// assert_eq!(cos_pi(7.0), -1.0);
-            /// ```
-            #[inline]
-            #[must_use]
-            pub fn cos_pi(h: $float) -> $float {
-                sin_cos_pi(h).1
-            }
-
-            /// tan πh, h in half-turns, within 1.5 units in the last place; infinite where the
-            /// cosine is 0, NaN unless h is finite.
-            ///
-            /// ```
-            #[doc = concat!("use frictiongen_kernel::number::trig::", stringify!($module), "::tan_pi;")]
-            ///
-            /// assert_eq!(tan_pi(0.25), 1.0);
-            /// assert_eq!(tan_pi(3.0), 0.0);
-            /// assert!(tan_pi(0.5).is_infinite());
-            /// ```
-            #[inline]
-            #[must_use]
-            pub fn tan_pi(h: $float) -> $float {
-                let (q, r) = reduced_any(h);
-                let (sin, cos) = kernel(r);
-                let turned = (cos, [-sin[0], -sin[1]]);
-                let (above, below) = if q & 1 == 0 { (sin, cos) } else { turned };
-                let (n, d) = (above[0] + above[1], below[0] + below[1]);
-                let ratio = n / d;
-                // The first order of what the parts and the ratio lost to rounding: without it
-                // three roundings add up.
-                let (high, d_high) = (masked(ratio, HALF), masked(d, HALF));
-                let (low, d_low) = (ratio - high, d - d_high);
-                let remainder = (((n - high * d_high) - high * d_low) - low * d_high) - low * d_low;
-                let rests = (above[1] - (n - above[0])) - ratio * (below[1] - (d - below[0]));
-                // At a pole the correction is not a number.
-                if d == 0.0 { ratio } else { ratio + (remainder + rests) / d }
-            }
         }
     };
 }
@@ -231,7 +181,7 @@ half_turns! {
     double: f64 as u64,
     to_halves: 6_755_399_441_055_744.0 / 2.0, to_fours: 6_755_399_441_055_744.0 * 4.0,
     exact: 1_125_899_906_842_624.0, even: 9_007_199_254_740_992.0, near: 1_048_576.0,
-    leading: !0xf_ffff_ffff, half: !0x7ff_ffff,
+    leading: !0xf_ffff_ffff,
     pi: [3.1415926535846666, 5.126688303189038e-12],
     half_pi_squared: 4.934802200544679,
     sin: [
@@ -257,7 +207,7 @@ half_turns! {
     single: f32 as u32,
     to_halves: 12_582_912.0 / 2.0, to_fours: 12_582_912.0 * 4.0,
     exact: 2_097_152.0, even: 16_777_216.0, near: 64.0,
-    leading: !0xffff, half: !0xfff,
+    leading: !0xffff,
     pi: [3.1416016, -8.90891e-06],
     half_pi_squared: 4.934802,
     sin: [-5.167709, 2.5498047, -0.58941096],

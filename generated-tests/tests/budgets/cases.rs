@@ -103,9 +103,8 @@ macro_rules! cases {
 
 cases! {
     three SinCosPi "sin_cos_pi" ["sin", "cos"] in HALF_TURNS, counted;
-        ["number::trig::sin_cos_pi", "number::trig::sin_pi", "number::trig::cos_pi", "number::scalar::Scalar::sin_cos_pi",
+        ["number::trig::sin_cos_pi", "number::trig::sin_pi", "number::scalar::Scalar::sin_cos_pi",
          "number::scalar::Scalar::sin_pi", "number::scalar::Scalar::cos_pi"];
-    three TanPi "tan_pi" [""] in HALF_TURNS, counted; ["number::trig::tan_pi"];
     three SinCosPiMinus "sin_cos_pi_minus" ["sin", "cos"] in HALF_TURN_PAIRS;
         ["number::trig::sin_cos_pi_minus", "number::scalar::Scalar::sin_cos_pi_minus"];
     three Sqrt "sqrt" [""] in NOT_NEGATIVE, counted; ["number::scalar::Scalar::sqrt", "number::dd::Dd::sqrt"];

@@ -40,34 +40,20 @@ fn sin_cos<T: Real>(h: T) -> [T; 2] {
     let alone = [h.sin_pi(), h.cos_pi()];
     let same = |a: T, b: T| a == b || (a.to_f64().is_nan() && b.to_f64().is_nan());
     let nan = T::constant(f64::NAN);
-    if same(alone[0], sin) && same(alone[1], cos) && modules_agree(h, sin, cos) {
+    if same(alone[0], sin) && same(alone[1], cos) && module_agrees(h, sin) {
         [sin, cos]
     } else {
         [nan, nan]
     }
 }
 
-/// The functions of the modules give what the scalars' methods give.
-fn modules_agree<T: Real>(h: T, sin: T, cos: T) -> bool {
-    let (h, sin, cos) = (h.to_f64(), sin.to_f64(), cos.to_f64());
+/// The function of the module gives what the scalar's method gives.
+fn module_agrees<T: Real>(h: T, sin: T) -> bool {
+    let (h, sin) = (h.to_f64(), sin.to_f64());
     match T::FORMAT.0 {
-        53 => {
-            [double::sin_pi(h), double::cos_pi(h)].map(f64::to_bits) == [sin, cos].map(f64::to_bits)
-        }
-        24 => {
-            let h = h as f32;
-            let got = [single::sin_pi(h), single::cos_pi(h)].map(f32::to_bits);
-            got == [sin as f32, cos as f32].map(f32::to_bits)
-        }
+        53 => double::sin_pi(h).to_bits() == sin.to_bits(),
+        24 => single::sin_pi(h as f32).to_bits() == (sin as f32).to_bits(),
         _ => true,
-    }
-}
-
-fn tan<T: Real>(h: T) -> T {
-    match T::FORMAT.0 {
-        53 => T::constant(double::tan_pi(h.to_f64())),
-        24 => T::constant(f64::from(single::tan_pi(h.to_f64() as f32))),
-        _ => h.sin_pi() / h.cos_pi(),
     }
 }
 
@@ -96,10 +82,6 @@ fn angle(y: Big, x: Big) -> Option<Vec<Big>> {
 
 formulas! {
     SinCosPi Place: |h, b, c| sin_cos(h), { let (s, c) = h.sin_cos_pi(); Some(vec![s, c]) };
-    TanPi Place: |h, b, c| [tan(h)], {
-        let (s, c) = h.sin_cos_pi();
-        Some(vec![quotient(s, c)?])
-    };
     SinCosPiMinus Place: |h, d, c| <[T; 2]>::from(h.sin_cos_pi_minus(d)), {
         // A difference of numbers of very different sizes has more digits than a big number.
         if h.is_zero() || d.is_zero() || (h.order() - d.order()).abs() < 300 {
