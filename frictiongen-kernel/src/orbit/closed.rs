@@ -6,6 +6,7 @@ use super::cycle_map::CycleMap;
 use crate::contact::dominant::Partner;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::wave::Sum;
+use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Damped;
 use crate::oscillator::mode::Mode;
@@ -89,9 +90,7 @@ pub(super) fn set<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>) {
         let (y, slope) = sum.start();
         (part.y, part.u) = (y, slope / part.x);
     }
-    let turns = friction.phase * S::inverse_pi();
-    let two = S::constant(2.0);
-    let t = turns - (turns * S::constant(0.5)).floor() * two;
+    let t = within_cycle(friction.phase * S::inverse_pi());
     let force = cycle_map.setting.holding(cycle_map.modes, t.sin_cos_pi());
     let excess = force.abs() - cycle_map.setting.beta;
     cycle_map.contact_state = ContactState {

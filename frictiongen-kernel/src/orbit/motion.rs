@@ -4,6 +4,7 @@ use super::gauss::{PANEL, SIXTEEN};
 use super::segments::Segments;
 use super::{Orbit, SegmentStart};
 use crate::number::complex::{self, Complex};
+use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Part, Sum, rotated};
 
@@ -289,7 +290,7 @@ impl<S: Float> Best<S> {
             return;
         }
         let t = if value < S::constant(0.0) { t + one } else { t };
-        let t = t - (t * S::constant(0.5)).floor() * two;
+        let t = within_cycle(t);
         let lag = if one < t { t - two } else { t } * S::pi();
         let clear = self.value < size * near;
         self.value = self.value.max(size);

@@ -11,6 +11,7 @@ use crate::contact::dominant::{Apart, Parted, Partner};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
 use crate::number::complex::{self, Complex};
+use crate::number::phase::wrapped;
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
@@ -70,14 +71,6 @@ pub struct ModalCoefficients<S> {
 
 /// 2^24: the smallest `f32` times this has a finite reciprocal.
 const LIFT: f64 = (1_u32 << 24) as f64;
-
-/// The angle moved by a turn into (−π, π], from within a turn of it.
-#[inline]
-fn wrapped<S: Scalar>(angle: S) -> S {
-    let (pi, turn) = (S::pi(), (S::pi() + S::pi()));
-    let angle = S::select(pi.lt(angle), angle - turn, angle).named("phase", None);
-    S::select((-pi).lt(angle), angle, angle + turn)
-}
 
 /// A complex value under its names in emitted code.
 #[inline(always)]

@@ -6,6 +6,7 @@ use crate::modal_sum::mass_controlled::is_mass_controlled;
 use crate::modal_sum::search::{self, Effort, Peak, Problem, Weight};
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::complex::Complex;
+use crate::number::phase::wrapped;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 use crate::oscillator::mode::Mode;
@@ -176,7 +177,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
             } else {
                 S::constant(0.0)
             };
-            let lag = wrap(self.friction.phase + place.tau + shift);
+            let lag = wrapped(self.friction.phase + place.tau + shift);
             // Rounding must not decide between two lags that differ in sign alone.
             let near = S::constant(ALIKE * S::RESOLUTION);
             best = Some(match best {
@@ -240,18 +241,6 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 }
 
-/// An angle moved into (−π, π].
-fn wrap<S: Float>(mut angle: S) -> S {
-    let (pi, turn) = (S::pi(), (S::pi() + S::pi()));
-    while pi < angle {
-        angle = angle - turn;
-    }
-    while angle <= -pi {
-        angle = angle + turn;
-    }
-    angle
-}
-
 /// τ as an instant of the half period, and whether the motion has the opposite sign there.
 fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
     let half_turns = tau * S::inverse_pi();
@@ -295,27 +284,5 @@ impl<S: Float> Chain<S> {
         let residue = component * mode.contact;
         let share = self.mass_coefficients(mode, at, residue, contact, friction, inverse_r, 0);
         mass_wave(at.x, decay, share)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::wrap;
-    use core::f64::consts::PI;
-
-    #[test]
-    fn angles_end_within_half_a_turn() {
-        for (angle, expected) in [
-            (0.0, 0.0),
-            (PI, PI),
-            (-PI, PI),
-            (-3.0, -3.0),
-            (4.0, 4.0 - 2.0 * PI),
-            (-4.0, 2.0 * PI - 4.0),
-            (-20.0, 6.0 * PI - 20.0),
-            (20.0, 20.0 - 6.0 * PI),
-        ] {
-            assert!((wrap(angle) - expected).abs() < 1e-14, "{angle}");
-        }
     }
 }

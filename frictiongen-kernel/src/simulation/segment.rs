@@ -6,6 +6,7 @@ use super::sum::Sum;
 use super::walk::{Start, Walk, first_reach, first_zero};
 use super::{Contact, Event, rotated};
 use crate::number::complex::{self, Complex};
+use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Turn;
 
@@ -47,8 +48,7 @@ pub(crate) fn phase<S: Float>(t: S) -> (S, S) {
 /// A phase moved on by τ, in [0, 2).
 pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
     let two = S::constant(2.0);
-    let t = t + tau * S::inverse_pi();
-    let t = t - (t * S::constant(0.5)).floor() * two;
+    let t = within_cycle(t + tau * S::inverse_pi());
     if t < two { t } else { t - two }
 }
 

@@ -1,0 +1,52 @@
+//! Phases brought into one cycle.
+
+use super::scalar::{Float, Scalar};
+
+/// An angle moved by a turn into (−π, π], from within a turn of it.
+#[inline]
+pub(crate) fn wrapped<S: Scalar>(angle: S) -> S {
+    let (pi, turn) = (S::pi(), (S::pi() + S::pi()));
+    let angle = S::select(pi.lt(angle), angle - turn, angle).named("phase", None);
+    S::select((-pi).lt(angle), angle, angle + turn)
+}
+
+/// A phase in half-turns less all whole cycles: in [0, 2], of which 2 only by rounding.
+#[inline]
+pub(crate) fn within_cycle<S: Float>(t: S) -> S {
+    t - (t * S::constant(0.5)).floor() * S::constant(2.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{within_cycle, wrapped};
+    use core::f64::consts::PI;
+
+    #[test]
+    fn angles_end_within_half_a_turn() {
+        for (angle, expected) in [
+            (0.0, 0.0),
+            (PI, PI),
+            (-PI, PI),
+            (-3.0, -3.0),
+            (4.0, 4.0 - 2.0 * PI),
+            (-4.0, 2.0 * PI - 4.0),
+            (3.0 * PI, PI),
+            (-9.0, 2.0 * PI - 9.0),
+        ] {
+            assert!((wrapped(angle) - expected).abs() < 1e-14, "{angle}");
+        }
+    }
+
+    #[test]
+    fn phases_end_within_a_cycle() {
+        for (t, expected) in [
+            (0.0, 0.0),
+            (2.0, 0.0),
+            (-0.5, 1.5),
+            (7.25, 1.25),
+            (-1e-30, 2.0),
+        ] {
+            assert_eq!(within_cycle(t), expected, "{t}");
+        }
+    }
+}
