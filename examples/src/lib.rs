@@ -9,3 +9,4 @@ pub mod panels;
 pub mod scene;
 pub mod scenes;
 pub mod svg;
+pub mod two_stops;

@@ -16,7 +16,6 @@ pub mod response;
 pub mod simulation;
 #[cfg(test)]
 mod testing;
-pub mod two_stops;
 
 pub use num_complex::Complex;
 pub use number::scalar::{Float, Plain, Scalar};

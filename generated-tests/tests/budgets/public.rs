@@ -160,11 +160,6 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
             "orbit::numbers",
             "simulation::Contact::reversed",
             "simulation::Dynamics::in_contact",
-            "two_stops::TwoStops::amplitude",
-            "two_stops::TwoStops::new",
-            "two_stops::TwoStops::phase",
-            "two_stops::TwoStops::slide",
-            "two_stops::TwoStops::stuck_fraction",
         ],
     ),
     (

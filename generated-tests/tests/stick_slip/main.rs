@@ -12,4 +12,3 @@ mod multipliers;
 mod reference;
 mod runs;
 mod several;
-mod two_stops;

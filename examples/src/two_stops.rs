@@ -1,13 +1,14 @@
 //! Den Hartog's motion with two stops a cycle: one mass, undamped, rubbing on a fixed wall, μ = 1
-//! (2.5.1).  A special case of [`orbit`](crate::orbit), which it does not rest on.
+//! (2.5.1).  A special case of an orbit, found without the solver of orbits.
 //!
 //! From x̄(0) = X, x̄′(0) = 0, x̄(τ₀) = −X, x̄′(τ₀) = 0 and X = β + cos φ (2.32), with
 //! D = (sin τ₀ − r sin(τ₀/r))/(1 − r²) and E = (cos τ₀ − cos(τ₀/r))/(1 − r²), follows
 //! (cos φ, sin φ) = ∓(E, −D)/√(D² + E²) and 2β = ±[D² + E² + E(1 + cos(τ₀/r))]/√(D² + E²):
 //! β as a function of the sliding time τ₀, to be inverted.
 
-use crate::number::scalar::{Float, Plain};
-use crate::oscillator::decay::{Decay, Instant, Undamped};
+use frictiongen::kernel::Scalar;
+use frictiongen::kernel::oscillator::decay::{Decay, Instant, Undamped};
+use std::f64::consts::{FRAC_1_PI, PI};
 
 /// The finest division of the half period in the search for τ₀.
 const MOST_SAMPLES: u32 = 4096;
@@ -15,70 +16,65 @@ const MOST_SAMPLES: u32 = 4096;
 /// Den Hartog's two-stop motion: from τ = 0 the mass slides from X to −X within τ₀, sticks until
 /// τ = π, and goes back in the same way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TwoStops<S> {
-    r: S,
-    x: S,
-    amplitude: S,
+pub struct TwoStops {
+    r: f64,
+    x: f64,
+    amplitude: f64,
     /// (cos φ, sin φ).
-    phase: (S, S),
-    slide: S,
+    phase: (f64, f64),
+    slide: f64,
 }
 
 /// D, E and cos(τ/r) at τ.
-fn sides<S: Float>(r: S, x: S, tau: S) -> (S, S, S) {
-    let (one, half) = (S::constant(1.0), S::constant(0.5));
-    let at = Instant::new(tau * S::inverse_pi());
+fn sides(r: f64, x: f64, tau: f64) -> (f64, f64, f64) {
+    let at = Instant::new(tau * FRAC_1_PI);
     let basis = Undamped.basis(x, &at);
-    let detuning = (one - r) * (one + r);
-    if detuning.is_zero() {
+    let detuning = (1.0 - r) * (1.0 + r);
+    if detuning == 0.0 {
         // On the resonance both are the derivatives by r.
-        let d = (at.sine - tau * at.cosine) * half;
-        return (d, tau * at.sine * half, basis.slope);
+        let d = (at.sine - tau * at.cosine) * 0.5;
+        return (d, tau * at.sine * 0.5, basis.slope);
     }
     let d = basis.swing / detuning;
     (d, basis.swing_slope / detuning, basis.slope)
 }
 
 /// ±2β for a sliding time, and √(D² + E²).
-fn friction<S: Float>(r: S, x: S, tau: S) -> (S, S) {
+fn friction(r: f64, x: f64, tau: f64) -> (f64, f64) {
     let (d, e, slope) = sides(r, x, tau);
     let size = (d * d + e * e).sqrt();
-    (size + e / size * (S::constant(1.0) + slope), size)
+    (size + e / size * (1.0 + slope), size)
 }
 
-impl<S: Float> TwoStops<S> {
+impl TwoStops {
     /// The motion at r and β; none where the mass does not move in this way, or r is not positive
     /// and finite.  Below r = 1/100 it may be overlooked.
     ///
     /// ```
-    /// use frictiongen_kernel::two_stops::TwoStops;
+    /// use frictiongen_examples::two_stops::TwoStops;
     ///
-    /// let motion = TwoStops::new(0.3_f64, 0.4).expect("two stops");
+    /// let motion = TwoStops::new(0.3, 0.4).expect("two stops");
     /// assert!((motion.amplitude() - 0.8567297780578).abs() < 1e-12);
     /// assert!(TwoStops::new(0.9, 0.3).is_none(), "it never stops");
     /// ```
     #[must_use]
-    pub fn new(r: S, beta: S) -> Option<Self>
-    where
-        S: Plain,
-    {
-        let zero = S::constant(0.0);
-        if !(zero < r && r.is_finite() && zero < beta && beta.is_finite()) {
+    pub fn new(r: f64, beta: f64) -> Option<Self> {
+        if !(0.0 < r && r.is_finite() && 0.0 < beta && beta.is_finite()) {
             return None;
         }
-        let x = S::constant(1.0) / r;
-        let excess = |tau: S| friction(r, x, tau).0.abs() - beta - beta;
+        let x = 1.0 / r;
+        let excess = |tau: f64| friction(r, x, tau).0.abs() - beta - beta;
         let mut samples: u32 = 256;
-        while f64::from(samples) * r.to_f64() < 64.0 && samples < MOST_SAMPLES {
+        while f64::from(samples) * r < 64.0 && samples < MOST_SAMPLES {
             samples *= 2;
         }
-        let step = S::pi() / S::constant(f64::from(samples));
-        let mut before = excess(step * S::constant(0.5));
+        let step = PI / f64::from(samples);
+        let mut before = excess(step * 0.5);
         for index in 1..=samples {
-            let end = step * S::constant(f64::from(index));
+            let end = step * f64::from(index);
             let here = excess(end);
-            if (before < zero) != (here < zero) {
-                let slide = halved(excess, (end - step).max(step * S::constant(0.5)), end);
+            if (before < 0.0) != (here < 0.0) {
+                let slide = halved(excess, (end - step).max(step * 0.5), end);
                 let motion = Self::sliding_for(r, x, beta, slide);
                 if motion.holds(beta) {
                     return Some(motion);
@@ -89,10 +85,10 @@ impl<S: Float> TwoStops<S> {
         None
     }
 
-    fn sliding_for(r: S, x: S, beta: S, slide: S) -> Self {
+    fn sliding_for(r: f64, x: f64, beta: f64, slide: f64) -> Self {
         let (d, e, _) = sides(r, x, slide);
         let (twice, size) = friction(r, x, slide);
-        let sign = S::constant(-1.0).copysign(-twice) / size;
+        let sign = 1.0_f64.copysign(-twice) / size;
         let phase = (e * sign, -(d * sign));
         Self {
             r,
@@ -104,34 +100,32 @@ impl<S: Float> TwoStops<S> {
     }
 
     /// Whether the mass slides one way until τ₀, and is held from then on.
-    fn holds(&self, beta: S) -> bool {
-        let zero = S::constant(0.0);
+    fn holds(&self, beta: f64) -> bool {
         let samples = 256;
         let slides = (1..samples).all(|index| {
-            let share = S::constant(f64::from(index) / f64::from(samples));
-            self.velocity(self.slide * share) < zero
+            let share = f64::from(index) / f64::from(samples);
+            self.velocity(self.slide * share) < 0.0
         });
-        let grip = beta * S::constant(1.0 + 4096.0 * S::EPSILON);
-        let held = |force: S| force.abs() <= grip;
-        let force = |tau: S| self.amplitude + self.load(tau);
+        let grip = beta * (1.0 + 4096.0 * f64::EPSILON);
+        let held = |force: f64| force.abs() <= grip;
+        let force = |tau: f64| self.amplitude + self.load(tau);
         // Where the load is ±P within the stop.
-        let (cosine, sine) = self.phase;
-        let ahead = sine.atan2(cosine);
-        let inside = |tau: S| self.slide < tau && tau < S::pi();
+        let ahead = self.phase();
+        let inside = |tau: f64| self.slide < tau && tau < PI;
         let turns = (-1..=2).all(|turn| {
-            let tau = S::pi() * S::constant(f64::from(turn)) - ahead;
+            let tau = PI * f64::from(turn) - ahead;
             !inside(tau) || held(force(tau))
         });
-        slides && turns && held(force(self.slide)) && zero < self.amplitude
+        slides && turns && held(force(self.slide)) && 0.0 < self.amplitude
     }
 
-    fn load(&self, tau: S) -> S {
-        let (sine, cosine) = (tau * S::inverse_pi()).sin_cos_pi();
+    fn load(&self, tau: f64) -> f64 {
+        let (sine, cosine) = (tau * FRAC_1_PI).sin_cos_pi();
         let (cos_phi, sin_phi) = self.phase;
         cosine * cos_phi - sine * sin_phi
     }
 
-    fn velocity(&self, tau: S) -> S {
+    fn velocity(&self, tau: f64) -> f64 {
         let (d, e, _) = sides(self.r, self.x, tau);
         let (cosine, sine) = self.phase;
         -(cosine * d + sine * e)
@@ -139,44 +133,37 @@ impl<S: Float> TwoStops<S> {
 
     /// X = max|x̄|.
     #[must_use]
-    pub fn amplitude(&self) -> S {
+    pub fn amplitude(&self) -> f64 {
         self.amplitude
     }
 
     /// φ: the load is cos(τ + φ) where τ counts from the end of the upper stop.
     #[must_use]
-    pub fn phase(&self) -> S {
+    pub fn phase(&self) -> f64 {
         let (cosine, sine) = self.phase;
         sine.atan2(cosine)
     }
 
-    /// τ₀, for how long the mass slides in each half cycle.
-    #[must_use]
-    pub fn slide(&self) -> S {
-        self.slide
-    }
-
     /// The part of the cycle for which it sticks, 1 − τ₀/π.
     #[must_use]
-    pub fn stuck_fraction(&self) -> S {
-        S::constant(1.0) - self.slide * S::inverse_pi()
+    pub fn stuck_fraction(&self) -> f64 {
+        1.0 - self.slide * FRAC_1_PI
     }
 }
 
 /// The zero of a function between two places where its signs differ.
-fn halved<S: Float>(function: impl Fn(S) -> S, mut low: S, mut high: S) -> S {
-    let zero = S::constant(0.0);
-    let below = function(low) < zero;
+fn halved(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    let below = function(low) < 0.0;
     for _ in 0..128 {
-        let middle = (low + high) * S::constant(0.5);
+        let middle = (low + high) * 0.5;
         if !(low < middle && middle < high) {
             break;
         }
-        if (function(middle) < zero) == below {
+        if (function(middle) < 0.0) == below {
             low = middle;
         } else {
             high = middle;
         }
     }
-    (low + high) * S::constant(0.5)
+    (low + high) * 0.5
 }

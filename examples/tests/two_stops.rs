@@ -1,7 +1,7 @@
 //! Den Hartog's two-stop motion against the orbit.
 
 use frictiongen::System;
-use frictiongen_kernel::two_stops::TwoStops;
+use frictiongen_examples::two_stops::TwoStops;
 
 /// Both over a plane of r and β: where one has two stops so has the other, and they are the same.
 #[test]
