@@ -7,6 +7,7 @@
 )]
 
 use frictiongen_codegen::{Limits, parse_text, parse_tokens};
+use fuzzing::Random;
 
 const VALID: &str = "/// Doc.
 pub(crate) struct Frame {
@@ -28,19 +29,6 @@ const PIECES: [&str; 48] = [
     "9_f32", "r#", "r#type", "_", "struct", "base", "wall", "lower", "masses:", "modal", "é", "ⓐ",
     "§", "\\", "\n", "\u{0}",
 ];
-
-/// A linear congruential generator: the same mutations on every machine.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as usize % limit.max(1)
-    }
-}
 
 fn mutate(text: &mut Vec<char>, random: &mut Random) {
     let at = random.below(text.len() + 1);

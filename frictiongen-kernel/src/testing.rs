@@ -10,6 +10,8 @@ use crate::response::coefficients::ModalCoefficients;
 use crate::response::motion::motion_wave;
 use core::f64::consts::PI;
 
+pub use fuzzing::Random as Lcg;
+
 pub type TestWave = Wave<f64, Damped<f64>>;
 
 /// As many derivatives as a Taylor series of the search has, and what the waves need beyond.
@@ -19,29 +21,6 @@ pub const ORDERS: usize = 18;
 pub const ZETAS: [f64; 12] = [
     0.0, 1e-6, 0.01, 0.1, 0.3, 0.49, 0.6, 0.9, 1.0, 1.2, 3.0, 20.0,
 ];
-
-/// Knuth's 64-bit linear congruential generator: the same numbers on every machine.
-pub struct Lcg(pub u64);
-
-impl Lcg {
-    pub fn unit(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-    /// From −1 to 1.
-    pub fn signed(&mut self) -> f64 {
-        2.0 * self.unit() - 1.0
-    }
-    pub fn below(&mut self, n: usize) -> usize {
-        ((self.unit() * n as f64) as usize).min(n - 1)
-    }
-    pub fn log_uniform(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.unit())
-    }
-}
 
 pub fn damped(zeta: f64) -> Damped<f64> {
     let kind = match zeta {

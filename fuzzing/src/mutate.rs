@@ -31,7 +31,7 @@ impl Mutator {
         Self {
             corpus,
             words,
-            random: Random::new(seed),
+            random: Random(seed),
         }
     }
 

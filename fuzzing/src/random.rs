@@ -1,39 +1,56 @@
-//! A generator of random numbers (SplitMix64), the same everywhere.
+//! Random numbers for tests, the same on every machine.
 
-/// The state.
+/// Knuth's 64-bit linear congruential generator, from a seed.
 #[derive(Clone, Debug)]
-pub struct Random(u64);
+pub struct Random(pub u64);
 
 impl Random {
-    /// A sequence of its own for each seed.
-    #[must_use]
-    pub fn new(seed: u64) -> Self {
-        Self(seed)
+    fn next(&mut self) -> u64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        self.0
     }
 
-    /// The next 64 bits.
+    /// 64 bits: the upper halves of two states, as the lowest bits of a state have short periods.
     pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        (self.next() >> 32) << 32 | self.next() >> 32
+    }
+
+    /// In [0, 1).
+    pub fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// From −1 to 1.
+    pub fn signed(&mut self) -> f64 {
+        2.0 * self.unit() - 1.0
+    }
+
+    /// Between two numbers.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// A power of ten with an exponent between two numbers.
+    pub fn power(&mut self, low: f64, high: f64) -> f64 {
+        10_f64.powf(self.between(low, high))
+    }
+
+    /// Between two positive numbers, with its logarithm evenly spread.
+    pub fn log_uniform(&mut self, low: f64, high: f64) -> f64 {
+        low * (high / low).powf(self.unit())
     }
 
     /// A number below `end`, 0 where that is 0.
     pub fn below(&mut self, end: usize) -> usize {
-        // The remainder's bias is far below anything that matters here.
-        (self.bits() as usize).checked_rem(end).unwrap_or(0)
+        ((self.unit() * end as f64) as usize).min(end.saturating_sub(1))
     }
 
     /// True once in `times`.
     pub fn once_in(&mut self, times: usize) -> bool {
         self.below(times) == 0
-    }
-
-    /// In [0, 1).
-    pub fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// One of the items.

@@ -10,6 +10,7 @@ use frictiongen::{
     Simulates, Steady, SteadyState, StuckAt, System,
 };
 use frictiongen_kernel::Float;
+use fuzzing::Random;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
 
@@ -71,21 +72,9 @@ mod scenes {
 /// A row's values.
 type Rows = BTreeMap<String, Vec<f64>>;
 
-/// Points that look random and are the same in every run.
-struct Points(u64);
-
-impl Points {
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-    /// A frequency ratio from 0.02 to 20.
-    fn ratio(&mut self) -> f64 {
-        0.02 * 1000_f64.powf(self.next())
-    }
+/// A frequency ratio from 0.02 to 20.
+fn ratio(points: &mut Random) -> f64 {
+    0.02 * 1000_f64.powf(points.unit())
 }
 
 struct Digest<'a> {
@@ -108,10 +97,10 @@ fn parts<S: Float>(value: Complex<S>) -> [S; 2] {
 }
 
 fn limits<S: Float, F: FrictionSystem<Scalar = S>>(digest: &mut Digest<'_>, system: &F) {
-    let mut points = Points(1);
+    let mut points = Random(1);
     for _ in 0..2500 {
         let at = system
-            .at(S::constant(points.ratio()))
+            .at(S::constant(ratio(&mut points)))
             .expect("in the domain");
         add(
             digest.row("limits"),
@@ -120,7 +109,7 @@ fn limits<S: Float, F: FrictionSystem<Scalar = S>>(digest: &mut Digest<'_>, syst
                 at.continuous_limit_without_search(),
                 at.continuous_limit_per_mode(),
                 at.sliding_limit(),
-                at.margin(S::constant(points.next()))
+                at.margin(S::constant(points.unit()))
                     .expect("in the domain"),
             ],
         );
@@ -133,17 +122,17 @@ where
     F: FrictionSystem<Scalar = S>,
     for<'a> F::At<'a>: MotionAt<Scalar = S>,
 {
-    let mut points = Points(2);
+    let mut points = Random(2);
     for _ in 0..500 {
         let at = system
-            .at(S::constant(points.ratio()))
+            .at(S::constant(ratio(&mut points)))
             .expect("in the domain");
-        let beta = at.continuous_limit().min(at.sliding_limit()) * S::constant(points.next());
+        let beta = at.continuous_limit().min(at.sliding_limit()) * S::constant(points.unit());
         let Ok(motion) = at.motion(beta) else {
             digest.row("no motion").push(beta.to_f64());
             continue;
         };
-        let tau = S::constant(7.0 * points.next());
+        let tau = S::constant(7.0 * points.unit());
         let ask = |steady: &dyn Steady<Scalar = S>| {
             let ([a, b], [c, d]) = (parts(steady.harmonic(1)), parts(steady.harmonic(3)));
             let largest = steady.largest();
@@ -175,10 +164,10 @@ where
     F: FrictionSystem<Scalar = S>,
     for<'a> F::At<'a>: StuckAt<Scalar = S>,
 {
-    let mut points = Points(3);
+    let mut points = Random(3);
     for _ in 0..2000 {
         let at = system
-            .at(S::constant(points.ratio()))
+            .at(S::constant(ratio(&mut points)))
             .expect("in the domain");
         for mass in 0..system.masses() {
             let value = at.stuck_mass(mass).expect("no resonance").expect("a mass");
@@ -197,11 +186,11 @@ where
     F: FrictionSystem<Scalar = S>,
     for<'a> F::At<'a>: OrbitAt<Scalar = S>,
 {
-    let mut points = Points(4);
+    let mut points = Random(4);
     for _ in 0..400 {
-        let r = 0.1 + 2.4 * points.next();
+        let r = 0.1 + 2.4 * points.unit();
         let at = system.at(S::constant(r)).expect("in the domain");
-        let beta = at.sliding_limit() * S::constant(1.1 * points.next());
+        let beta = at.sliding_limit() * S::constant(1.1 * points.unit());
         let Ok(orbit) = at.orbit_or_last_cycles(beta) else {
             digest.row("no orbit").push(beta.to_f64());
             continue;
@@ -243,9 +232,9 @@ where
     S: Float,
     F: Simulates<Scalar = S>,
 {
-    let mut points = Points(5);
+    let mut points = Random(5);
     for _ in 0..20 {
-        let (r, beta) = (0.1 + 2.4 * points.next(), points.next());
+        let (r, beta) = (0.1 + 2.4 * points.unit(), points.unit());
         let mut run = system
             .simulation(S::constant(r), S::constant(beta))
             .expect("in the domain");

@@ -5,6 +5,7 @@
 
 use frictiongen::study::SystemAt;
 use frictiongen::{FrictionSystem, System};
+use fuzzing::Random;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -35,14 +36,6 @@ const SCENES: [(&str, &str); 4] = [
     ),
 ];
 
-/// A number in [0, 1), by xorshift.
-fn random(seed: &mut u64) -> f64 {
-    *seed ^= *seed << 13;
-    *seed ^= *seed >> 7;
-    *seed ^= *seed << 17;
-    (*seed >> 11) as f64 / (1_u64 << 53) as f64
-}
-
 /// µs.
 fn once(at: &SystemAt<'_>, beta: f64) -> f64 {
     let start = Instant::now();
@@ -55,13 +48,13 @@ fn main() {
     println!("|---|---|---|---|");
     for (name, text) in SCENES {
         let system: System = text.parse().expect("a scene");
-        let mut seed = 0x9e37_79b9_7f4a_7c15;
+        let mut random = Random(1);
         let (mut times, mut none) = (Vec::new(), 0);
         while times.len() < POINTS {
-            let r = 0.2 + 2.0 * random(&mut seed);
+            let r = 0.2 + 2.0 * random.unit();
             let at = FrictionSystem::at(&system, r).expect("in the domain");
             let (low, high) = (at.continuous_limit(), at.sliding_limit());
-            let beta = low + (high - low) * random(&mut seed);
+            let beta = low + (high - low) * random.unit();
             if !(low < high) {
                 continue;
             }

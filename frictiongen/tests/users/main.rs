@@ -10,7 +10,6 @@
 
 mod builder;
 mod limits;
-mod random;
 mod runs;
 mod slices;
 mod traits;

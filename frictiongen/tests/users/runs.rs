@@ -1,11 +1,11 @@
 //! A run in time does not depend on the steps in which it is passed.
 
-use crate::random::Random;
 use core::fmt::Debug;
 use frictiongen::kernel::Plain;
 use frictiongen::kernel::simulation::{Contact, Event};
 use frictiongen::study::SystemSimulation;
 use frictiongen::{System, friction_system};
+use fuzzing::Random;
 
 const BLOCK: &str = "struct Block {
     masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall, excitation: block }";

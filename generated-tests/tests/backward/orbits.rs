@@ -7,11 +7,12 @@
 use crate::fit::fit;
 use crate::judge::angle;
 use crate::property::BAR;
-use crate::random::{Random, scene};
+use crate::random::scene;
 use frictiongen::study::{System, SystemOrbit};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Float, Plain};
 use frictiongen_model::scene::{Damping, Scene};
+use fuzzing::Random;
 use std::collections::BTreeMap;
 
 /// Chains of more masses take long in double-double.

@@ -4,11 +4,12 @@ use crate::asked::{Asked, Of, Place, motion};
 use crate::inputs::Exact;
 use crate::judge::{Answer, Judge};
 use crate::questions::{Questions, first};
-use crate::random::{Random, scene};
+use crate::random::{nearness, scene};
 use crate::tally::Tally;
 use frictiongen::study::System;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
+use fuzzing::Random;
 use generated_tests::data::Data;
 
 /// In roundings of the inputs.
@@ -85,13 +86,13 @@ impl<S: Float> Subject<S> {
                 0 => 1.0,
                 _ => (1 + random.below(40)) as f64,
             };
-            pole / order * (1.0 + random.nearness(S::EPSILON))
+            pole / order * (1.0 + nearness(random, S::EPSILON))
         };
         let r = S::constant(r);
         (r, move |subject: &mut Self, limit: S| {
             let random = &mut subject.random;
             let share = match random.below(3) {
-                0 => 1.0 - random.nearness(S::EPSILON).abs(),
+                0 => 1.0 - nearness(random, S::EPSILON).abs(),
                 1 => random.unit(),
                 _ => random.power(-12.0, 0.0),
             };

@@ -1,35 +1,15 @@
 //! Random scenes, the same on every machine.
 
+use fuzzing::Random;
 use std::fmt::Write as _;
 
-/// Knuth's 64-bit linear congruential generator: the same scenes on every machine.
-pub struct Random(pub u64);
-
-impl Random {
-    pub fn unit(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-    pub fn below(&mut self, n: usize) -> usize {
-        ((self.unit() * n as f64) as usize).min(n - 1)
-    }
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-    pub fn power(&mut self, low: f64, high: f64) -> f64 {
-        10f64.powf(self.between(low, high))
-    }
-    /// 10⁻¹ to 10⁻¹⁵ of either sign, or to the scalar's own precision.
-    pub fn nearness(&mut self, epsilon: f64) -> f64 {
-        let distance = self.power(epsilon.log10(), -1.0);
-        if self.unit() < 0.5 {
-            distance
-        } else {
-            -distance
-        }
+/// 10⁻¹ to 10⁻¹⁵ of either sign, or to the scalar's own precision.
+pub fn nearness(random: &mut Random, epsilon: f64) -> f64 {
+    let distance = random.power(epsilon.log10(), -1.0);
+    if random.unit() < 0.5 {
+        distance
+    } else {
+        -distance
     }
 }
 
@@ -76,7 +56,7 @@ pub fn scene(random: &mut Random, decades: f64) -> String {
                 let zeta = match random.below(8) {
                     0 => 0.0,
                     1 => 1.0,
-                    2 => 1.0 + random.nearness(1e-15),
+                    2 => 1.0 + nearness(random, 1e-15),
                     _ => random.power(-9.0, 1.0),
                 };
                 write!(text, "{zeta:e}, ").unwrap();

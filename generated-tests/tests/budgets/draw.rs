@@ -4,26 +4,19 @@ mod modes;
 
 use crate::measure::{Arguments, Real};
 use frictiongen_kernel::number::dd::Dd;
+use fuzzing::Random;
 pub use modes::*;
 
-/// A generator of reproducible numbers (splitmix64).
-pub struct Source(pub u64);
+/// A generator of reproducible numbers.
+pub struct Source(pub Random);
 
 impl Source {
     pub fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// In [0, 1).
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / 2.0_f64.powi(53)
+        self.0.bits()
     }
 
     fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
+        self.0.between(low, high)
     }
 
     /// Positive, with an exponent evenly spread over the range and random bits.

@@ -26,6 +26,7 @@ mod table;
 
 use cases::Case;
 use draw::Source;
+use fuzzing::Random;
 use measure::Arguments;
 use std::sync::Mutex;
 use table::Row;
@@ -52,7 +53,7 @@ fn measured(case: &Case, points: impl Iterator<Item = Arguments>) -> Vec<(f64, A
 }
 
 fn random(case: &Case, seed: u64, count: usize) -> impl Iterator<Item = Arguments> {
-    let mut source = Source(seed);
+    let mut source = Source(Random(seed));
     (0..count).map(move |_| (case.draw)(&case.domain, &mut source))
 }
 

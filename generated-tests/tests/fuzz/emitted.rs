@@ -55,7 +55,7 @@ scenes! {
 }
 
 fn fuzz(count: u64, seed: u64) {
-    let mut random = Random::new(seed);
+    let mut random = Random(seed);
     let next = || {
         let scene = random.below(CHECKS.len());
         let single = scene % 2 == 1;

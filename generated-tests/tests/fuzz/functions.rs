@@ -295,7 +295,7 @@ fn fuzz(count: u64, seed: u64) {
     visit(&mut scenes);
     beside::visit(&mut scenes);
     let scenes = scenes.0;
-    let mut random = Random::new(seed);
+    let mut random = Random(seed);
     let next = || {
         let scene = random.below(scenes.len());
         let (_, resonances, single, _) = &scenes[scene];

@@ -124,7 +124,7 @@ fn dear<S: Plain>(system: &System<S>, asked: &Asked, seen: &Seen) -> Result<(), 
 }
 
 fn fuzz(count: u64, seed: u64, often: u64) {
-    let mut random = Random::new(seed);
+    let mut random = Random(seed);
     let mut number = 0_u64;
     let next = || {
         number += 1;

@@ -1,10 +1,11 @@
 //! Both searches against brute force, scene by scene.
 
 use crate::plain::{Plain, largest};
-use crate::random::{Lcg, random_scene};
+use crate::random::random_scene;
 use frictiongen::NotContinuous;
 use frictiongen::study::System;
 use frictiongen_kernel::modal_sum::search::MAX_EVALUATIONS;
+use fuzzing::Random;
 use std::f64::consts::PI;
 
 /// What a run over many scenes found.
@@ -27,7 +28,7 @@ pub struct Findings {
     pub worst_fall: f64,
 }
 
-pub fn compare(random: &mut Lcg, findings: &mut Findings, least: usize, most: usize) {
+pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most: usize) {
     let text = random_scene(random, most);
     let system: System = text
         .parse()

@@ -11,12 +11,12 @@ mod random;
 
 use findings::{Findings, compare, report, within};
 use frictiongen::study::System;
+use fuzzing::Random;
 use plain::Plain;
-use random::Lcg;
 
 /// Scenes of at most `most` masses against a grid of `least` points at least.
 fn run(seed: u64, scenes: usize, least: usize, most: usize, listed: usize) -> Findings {
-    let mut random = Lcg(seed);
+    let mut random = Random(seed);
     let mut findings = Findings::default();
     for _ in 0..scenes {
         compare(&mut random, &mut findings, least, most);

@@ -1,28 +1,10 @@
 //! Random scenes, the same on every machine.
 
+use fuzzing::Random;
 use std::fmt::Write as _;
 
-/// Knuth's 64-bit linear congruential generator: the same scenes on every machine.
-pub struct Lcg(pub u64);
-
-impl Lcg {
-    pub fn unit(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-    pub fn below(&mut self, n: usize) -> usize {
-        ((self.unit() * n as f64) as usize).min(n - 1)
-    }
-    pub fn log_uniform(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.unit())
-    }
-}
-
 /// A random description of at most so many masses; masses and springs spread over a decade.
-pub fn random_scene(random: &mut Lcg, most: usize) -> String {
+pub fn random_scene(random: &mut Random, most: usize) -> String {
     let n = 1 + random.below(most);
     let mut text = String::from("struct Random { masses: { ");
     for i in 0..n {

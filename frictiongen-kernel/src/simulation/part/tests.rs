@@ -2,7 +2,7 @@
 
 use super::super::sum::Sum;
 use super::*;
-use crate::testing::Lcg;
+use fuzzing::Random;
 
 fn part(zeta: f64, x: f64) -> Part<f64> {
     let mut part = Part::empty();
@@ -27,7 +27,7 @@ fn part(zeta: f64, x: f64) -> Part<f64> {
 
 #[test]
 fn third_derivatives_stay_within_their_bound() {
-    let mut random = Lcg(29);
+    let mut random = Random(29);
     let mut compared = 0;
     for zeta in [
         0.0, 1e-3, 0.3, 0.96, 0.98, 0.999, 1.0, 1.001, 1.5, 4.0, 30.0,
@@ -67,7 +67,7 @@ fn third_derivatives_stay_within_their_bound() {
 fn slope_and_curve_are_derivatives() {
     // Central differences: h² is lost to curvature, ε/h to rounding.
     const STEP: f64 = 1e-5;
-    let mut random = Lcg(31);
+    let mut random = Random(31);
     let (mut compared, mut beside) = (0, 0);
     for case in 0..300 {
         let zeta = [0.0, 1e-3, 5e-3, 0.2][case % 4];
@@ -119,7 +119,7 @@ fn slope_and_curve_are_derivatives() {
 /// Beside its resonance the answer to the load grows from 0: its Taylor series at the start is that of its closed form.
 #[test]
 fn the_series_of_what_grows() {
-    let mut random = Lcg(31);
+    let mut random = Random(31);
     let mut compared = 0;
     for zeta in [0.0, 1e-9, 1e-6] {
         for apart in [0.0, 1e-9, -1e-6] {
