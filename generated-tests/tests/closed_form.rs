@@ -191,7 +191,7 @@ fn one_mode_has_its_own_maximum() {
                 let (exact, per_mode) = (at.continuous_limit(), at.continuous_limit_per_mode());
                 worst = larger(worst, (exact - per_mode).abs() / exact);
                 compared += 1;
-                searched += usize::from(at.velocity_constraint().evaluations > 2);
+                searched += usize::from(at.velocity_constraint().places[0].is_some());
             }
         }
     }
@@ -199,5 +199,6 @@ fn one_mode_has_its_own_maximum() {
     // Both searches tell S apart to a few roundings, which U² + S² may double.
     assert!(worst < 1e-14);
     assert_eq!(compared, 6 * 2 * 199);
-    assert!(searched > 300, "{searched}");
+    // Where S exceeds its value at the start.
+    assert!(searched > 100, "{searched}");
 }

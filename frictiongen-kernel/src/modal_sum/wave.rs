@@ -138,6 +138,21 @@ pub(crate) struct Local<S> {
     pub third_bound: S,
 }
 
+/// A function about one instant: value and three derivatives.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Jet<S> {
+    /// sin τ there.
+    pub sine: S,
+    /// cos τ there.
+    pub cosine: S,
+    pub value: S,
+    pub slope: S,
+    pub curvature: S,
+    pub third: S,
+    /// The sum of the curvature's terms, of which rounding leaves a part.
+    pub terms: S,
+}
+
 /// The fast modes, for steps over several of their turns: what they amount to at most, and their
 /// parts that turn with the excitation.
 #[derive(Clone, Copy, Debug)]
@@ -172,6 +187,45 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
                 + wave.rise * basis.free;
         }
         sum
+    }
+
+    /// The value and three derivatives at an instant: from the second on by the equation that each mode obeys.
+    pub(crate) fn jet(&self, at: &Instant<S>) -> Jet<S> {
+        let one = S::constant(1.0);
+        let Instant { sine, cosine, .. } = *at;
+        let value = self.cosine * cosine + self.sine * sine;
+        let slope = self.sine * cosine - self.cosine * sine;
+        let mut jet = Jet {
+            sine,
+            cosine,
+            value,
+            slope,
+            curvature: -value,
+            third: -slope,
+            terms: value.abs(),
+        };
+        for wave in self.waves {
+            let basis = wave.basis(at);
+            let (x, loss) = (wave.x, (wave.decay.zeta() + wave.decay.zeta()) * wave.x);
+            let apart = (x - one) * (x + one);
+            let (b, c) = (wave.swing_slope, wave.swing);
+            let (of_cosine, of_sine) = (c * loss + b * apart, c * apart - b * loss);
+            let value = wave.value(&basis);
+            let slope = wave.free * basis.slope
+                + b * wave.swing_curve(&basis, at)
+                + c * basis.swing_slope
+                + wave.rise * basis.free;
+            let square = x * x;
+            let force = wave.rise + of_cosine * cosine + of_sine * sine;
+            let curvature = force - loss * slope - square * value;
+            let force_slope = of_sine * cosine - of_cosine * sine;
+            jet.terms = jet.terms + force.abs() + (square * value).abs();
+            jet.value = jet.value + value;
+            jet.slope = jet.slope + slope;
+            jet.curvature = jet.curvature + curvature;
+            jet.third = jet.third + (force_slope - loss * curvature - square * slope);
+        }
+        jet
     }
 
     /// The value and the derivative at τ = 0, where all waves are at rest but the mass-controlled.

@@ -37,6 +37,8 @@ pub trait Decay<S: Float>: Copy {
     fn zeta(&self) -> S;
     /// The mode's functions at one instant, with x = 1/R.
     fn basis(&self, x: S, at: &Instant<S>) -> Basis<S>;
+    /// p and p′ alone.
+    fn free(&self, x: S, at: &Instant<S>) -> (S, S);
 }
 
 /// No damping.
@@ -69,6 +71,11 @@ impl<S: Float> Decay<S> for Undamped {
     fn basis(&self, x: S, at: &Instant<S>) -> Basis<S> {
         undamped::basis(x, at)
     }
+    #[inline]
+    fn free(&self, x: S, at: &Instant<S>) -> (S, S) {
+        let turn = undamped::turn(x, at.t);
+        (turn.s / x, turn.c)
+    }
 }
 
 impl<S: Float> Decay<S> for Damped<S> {
@@ -98,6 +105,11 @@ impl<S: Float> Decay<S> for Damped<S> {
             Kind::Critical => critical::basis(x, self.zeta, at),
             Kind::Over => overdamped::basis(x, self.zeta, self.q, at),
         }
+    }
+    #[inline]
+    fn free(&self, x: S, at: &Instant<S>) -> (S, S) {
+        let turn = turn(self.kind, self.zeta, self.q, x, (at.t, at.tau));
+        (turn.s / x, turn.c - self.zeta * turn.s)
     }
 }
 

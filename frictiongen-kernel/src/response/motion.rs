@@ -142,10 +142,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     /// The search for the exact maximum of |x̄|.
     pub fn peak(&self) -> Peak<S> {
         let zero = S::constant(0.0);
-        let (c, s) = self.sum().start();
-        let guess = s.atan2(c);
-        let guess = if guess < zero { guess + S::pi() } else { guess };
-        search::largest_from(
+        search::largest(
             self.sum(),
             Problem {
                 weight: Weight::One,
@@ -155,7 +152,6 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
                 start: zero,
                 tolerance: S::constant(4.0 * S::RESOLUTION),
             },
-            guess,
         )
     }
 

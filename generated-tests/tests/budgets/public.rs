@@ -76,6 +76,7 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
         &[
             "contact::sums::ContactAt::zero",
             "contact::sums::ModeAt::zero",
+            "oscillator::decay::Decay::free",
             "oscillator::decay::Decay::kind",
             "response::coefficients::Fundamental::at_rest",
             "oscillator::decay::Decay::of",
@@ -133,7 +134,6 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
             "contact::constraint::Chain::stuck_admitted",
             "contact::constraint::Chain::velocity_constraint",
             "modal_sum::search::largest",
-            "modal_sum::search::largest_from",
             "response::motion::Motion::amplitude",
             "response::motion::Motion::largest",
             "response::motion::Motion::peak",

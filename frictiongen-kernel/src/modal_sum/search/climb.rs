@@ -65,15 +65,19 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             }
             last = step.abs();
         }
+        self.keep(best, kept, Maximiser { tau, negative });
+        self.choose_tail();
+    }
+
+    /// Keeps a maximum, if there is none larger: what it is compared by, what it is, and where.
+    pub(super) fn keep(&mut self, best: S, kept: S, place: Maximiser<S>) {
         let share = S::constant(1.0 - EQUAL * S::RESOLUTION);
-        let place = Maximiser { tau, negative };
         if self.peak.value < best {
             if self.peak.value < best * share {
                 self.peak.places = [None; 4];
             }
             self.peak.value = kept;
             self.note(place);
-            self.choose_tail();
         } else if self.peak.value * share <= best {
             self.note(place);
         }
@@ -81,7 +85,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// A climber's next place, and whether it is in a half period of the other sign: the motion
     /// goes on there, while the velocity constraint has no meaning beyond its ends.
-    fn moved(&self, tau: S) -> (S, bool) {
+    pub(super) fn moved(&self, tau: S) -> (S, bool) {
         let (zero, end) = (S::constant(0.0), self.question.end);
         match self.question.weight {
             Weight::One if tau < zero => (tau + end, true),
@@ -139,14 +143,18 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         (S::constant(0.0) < here) == (S::constant(0.0) < slope) || here.abs() <= slope.abs()
     }
 
-    /// The sum over its weight: as far as it is sure, by which places are compared, and as it is.
     fn quotient(&self, local: &Local<S>, negative: bool) -> (S, S) {
-        let value = if negative { -local.value } else { local.value };
+        self.quotient_at(local.value, local.sine, local.cosine, negative)
+    }
+
+    /// The sum over its weight: as far as it is sure, by which places are compared, and as it is.
+    pub(super) fn quotient_at(&self, value: S, sine: S, cosine: S, negative: bool) -> (S, S) {
+        let value = if negative { -value } else { value };
         match self.question.weight {
             Weight::One => (value, value),
-            Weight::Sine if S::constant(0.0) < local.sine => {
-                let quotient = value / local.sine - self.signed(S::constant(0.0), negative);
-                let doubt = self.noise(local.cosine) / local.sine;
+            Weight::Sine if S::constant(0.0) < sine => {
+                let quotient = value / sine - self.signed(S::constant(0.0), negative);
+                let doubt = self.noise(cosine) / sine;
                 (quotient - doubt, quotient)
             }
             Weight::Sine => (self.question.floor, self.question.floor),

@@ -2,7 +2,8 @@
 //! derivatives there decide.
 
 use super::series::Series;
-use super::{Search, Weight, safe_step};
+use super::walk::safe_step;
+use super::{Search, Weight};
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Decay, Instant};
 

@@ -6,14 +6,18 @@
 //! walks on from where it stood with the raised level: a climb may therefore be careless, the walk
 //! is not.  Nothing larger than the answer times 1 + tolerance remains anywhere.
 
+mod bounds;
+mod cells;
 mod climb;
 mod ends;
+mod grid;
 mod series;
+mod summit;
+mod walk;
 
 use crate::modal_sum::wave::{Local, Sum, Tail};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
-use series::Series;
 
 /// No search evaluates its sum more often than this.  The worst of 10⁴ random scenes at
 /// r from 0.01 to 100 needs 1,810, half of them 6, and 33 for an amplitude; a search that would need more ends with the best
@@ -111,21 +115,7 @@ struct Search<'a, S, D> {
 /// The largest value of `sum` over (0, end], divided by the weight.
 pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, question: Problem<S>) -> Peak<S> {
     let mut search = Search::new(sum, question);
-    search.walk();
-    search.peak
-}
-
-/// The same, knowing a place from which to climb first.
-pub fn largest_from<S: Float, D: Decay<S>>(
-    sum: Sum<'_, S, D>,
-    question: Problem<S>,
-    guess: S,
-) -> Peak<S> {
-    let mut search = Search::new(sum, question);
-    let guess = guess.held();
-    let local = search.local(guess).0;
-    search.climb(guess, local, local.value < S::constant(0.0));
-    search.walk();
+    search.whole();
     search.peak
 }
 
@@ -206,182 +196,38 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    fn walk(&mut self) {
-        let zero = S::constant(0.0);
-        let signs: &[bool] = if self.question.both_signs {
+    /// The signs that count.
+    fn signs(&self) -> &'static [bool] {
+        if self.question.both_signs {
             &[false, true]
         } else {
             &[false]
-        };
-        let mut end = self.question.end;
-        let mut tau = zero;
-        self.choose_tail();
+        }
+    }
+
+    /// The whole half period.
+    fn whole(&mut self) {
+        if !self.by_grids() {
+            self.by_walk();
+        }
+    }
+
+    /// The same by a walk.
+    fn by_walk(&mut self) {
+        let signs = self.signs();
+        let (mut tau, mut end) = (S::constant(0.0), self.question.end);
         if self.question.weight == Weight::Sine {
+            self.choose_tail();
             tau = self.start(signs);
             end = self.last(signs);
         }
-        let (mut skipped, mut by_series) = (false, false);
-        while tau < end && self.peak.evaluations < MAX_EVALUATIONS {
-            // How the walk's steps move would grow from step to step, without bound.
-            tau = tau.held();
-            if self.question.weight == Weight::Sine && !skipped {
-                // Away from the ends sin τ alone keeps the quotient below the level.
-                let level = self.question.start + self.level();
-                let edge = S::pi() * S::constant(0.5) * self.sum.bound_over_sine() / level;
-                if edge < tau {
-                    skipped = true;
-                    tau = tau.max(S::pi() - edge);
-                    continue;
-                }
-            }
-            let tail = self.tail;
-            let (local, slow) = self.local(tau);
-            for &negative in signs {
-                if zero < self.excess(&local, negative, self.level()).value {
-                    self.climb(tau, local, negative);
-                }
-            }
-            let mut step = end;
-            let mut ahead = None;
-            for &negative in signs {
-                let level = self.level();
-                let excess = self.excess(&local, negative, level);
-                let mut reach = safe_step(&excess);
-                if let (Some(slow), Some(tail)) = (slow, &tail) {
-                    let mut slow = self.excess(&slow, negative, level);
-                    slow.value = slow.value + tail.amplitude;
-                    if slow.value < zero {
-                        reach = reach.max(safe_step(&slow));
-                    }
-                }
-                if zero < excess.slope && excess.curvature < zero {
-                    let summit = -(excess.slope / excess.curvature);
-                    if reach < summit + summit {
-                        ahead = Some((summit, negative, excess.third_bound));
-                    }
-                }
-                step = step.min(reach);
-            }
-            if self.peak.evaluations > PLAIN_EVALUATIONS {
-                if !by_series {
-                    by_series = true;
-                    end = end.min(self.last_by_series(signs));
-                }
-                let reach = self.series_step(tau, signs);
-                if step < reach {
-                    tau = tau + reach;
-                    continue;
-                }
-            }
-            tau = match ahead {
-                Some((summit, negative, third)) => {
-                    self.over_summit(tau, summit, step, (negative, third), signs)
-                }
-                None => tau + step.max(tau * S::constant(S::RESOLUTION)),
-            };
-        }
-    }
-
-    /// A safe step by the sum's Taylor series.
-    fn series_step(&mut self, tau: S, signs: &[bool]) -> S {
-        self.peak.evaluations += 1;
-        let at = Instant::new(tau * S::inverse_pi());
-        let series = Series::of(&self.sum, &at);
-        let sine = self.question.weight == Weight::Sine;
-        signs.iter().fold(self.question.end, |step, &negative| {
-            let noise = self.noise(at.cosine);
-            // The series is good enough to pass over a maximum that is equal but for the tolerance.
-            let level = if sine {
-                self.signed(self.level(), negative)
-            } else {
-                let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
-                equal.max(self.rounding)
-            };
-            let excess = series.excess(negative, level, sine, &at).less(noise);
-            step.min(excess.reach())
-        })
-    }
-
-    /// A summit not far ahead would be approached by ever smaller steps: look at it instead.  If
-    /// the sum is concave about it, from here to as far beyond, it is settled in one evaluation.
-    fn over_summit(
-        &mut self,
-        tau: S,
-        summit: S,
-        step: S,
-        (negative, third): (bool, S),
-        signs: &[bool],
-    ) -> S {
-        let zero = S::constant(0.0);
-        let half = S::constant(0.5);
-        let stepped = tau + step.max(tau * S::constant(S::RESOLUTION));
-        let top = tau + summit;
-        if !(top < self.question.end) {
-            return stepped;
-        }
-        // `third` bounds the third derivative from `tau` on, so about the summit too.
-        let (local, _) = self.local(top);
-        for &negative in signs {
-            if zero < self.excess(&local, negative, self.level()).value {
-                self.climb(top, local, negative);
-                return tau;
-            }
-        }
-        self.note_tie(top, local, negative);
-        let excess = self.excess(&local, negative, self.level());
-        let radius = -(excess.curvature) / third * half;
-        let rise = excess.slope * (excess.slope / -excess.curvature);
-        let settled = zero < radius && excess.value + rise <= zero && summit <= radius;
-        // The other sign must be out of reach over the same stretch.
-        let other = signs.len() == 1 || {
-            let opposite = self.excess(&local, !negative, self.level());
-            let swing = opposite.slope.abs() * radius
-                + opposite.curvature_bound.max(third) * radius * radius;
-            opposite.value + swing < zero
-        };
-        if settled && other {
-            stepped.max(top + radius)
-        } else {
-            stepped
-        }
+        self.walk(tau, end);
     }
 
     fn choose_tail(&mut self) {
         let size = self.question.start + self.peak.value;
         self.tail = self.sum.tail(size * S::constant(0.125));
     }
-}
-
-/// How far value + slope·h + bound·h²/2 ≤ 0 holds, or the part of it over which the sum falls.
-fn safe_step<S: Float>(excess: &Local<S>) -> S {
-    let zero = S::constant(0.0);
-    let two = S::constant(2.0);
-    let Local {
-        value,
-        slope,
-        curvature,
-        curvature_bound,
-        third_bound,
-        ..
-    } = *excess;
-    let value = value.min(zero);
-    if !(zero < curvature_bound) {
-        return S::pi();
-    }
-    // Over the bounds: squares of the sum itself may be out of range.
-    let (value, fall) = (value / curvature_bound, slope / curvature_bound);
-    let root = (fall * fall - two * value).sqrt();
-    let step = if zero < slope {
-        -(two * value) / (fall + root)
-    } else {
-        root - fall
-    };
-    if slope <= zero && curvature < zero && zero < third_bound {
-        let (slope, curvature) = (slope / third_bound, curvature / third_bound);
-        let root = (curvature * curvature - two * slope).sqrt();
-        return step.max(root - curvature);
-    }
-    step
 }
 
 #[cfg(test)]

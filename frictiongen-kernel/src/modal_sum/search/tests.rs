@@ -1,11 +1,14 @@
 //! Steps, summits and whole searches against dense scans of sums written down anew.
 
+use super::walk::safe_step;
 use super::*;
 use crate::modal_sum::wave::Wave;
 use crate::oscillator::decay::Damped;
+use crate::oscillator::decay::Instant;
 use crate::testing::{Lcg, TestWave, random_constraint, random_motion, rest, sum_derivative};
 use core::f64::consts::{FRAC_PI_2, PI};
 
+mod grids;
 mod ties;
 mod whole;
 
@@ -30,6 +33,15 @@ pub fn search<'a>(sum: TestSum<'a>, question: Problem<f64>, known: f64) -> TestS
     let mut search = Search::new(sum, question);
     search.peak.value = known;
     search
+}
+
+/// The largest value by a walk alone, after a climb from a place.
+pub fn walked_from(sum: TestSum<'_>, question: Problem<f64>, guess: f64) -> Peak<f64> {
+    let mut search = search(sum, question, question.floor);
+    let (local, _) = search.local(guess);
+    search.climb(guess, local, local.value < 0.0);
+    search.by_walk();
+    search.peak
 }
 
 /// ±sum − level·weight at any time, by other formulas.

@@ -2,9 +2,6 @@
 
 use super::whole::scanned;
 use super::*;
-use crate::number::complex;
-use crate::response::coefficients::{Friction, Fundamental};
-use crate::response::motion::Motion;
 
 /// Of sinusoids with odd multiples of the excitation's frequency: Σ sines b·sin kτ + Σ cosines c·cos kτ.
 fn harmonics(sines: &[(f64, f64)], cosines: &[(f64, f64)]) -> (Vec<TestWave>, f64, f64) {
@@ -81,7 +78,7 @@ fn equal_maxima_are_all_found() {
             let want = scanned(&search(sum, motion_question(), 0.0));
             for guess in [None, Some(0.2), Some(1.0), Some(2.5), Some(3.1)] {
                 let peak = match guess {
-                    Some(guess) => largest_from(sum, motion_question(), guess),
+                    Some(guess) => walked_from(sum, motion_question(), guess),
                     None => largest(sum, motion_question()),
                 };
                 assert!((peak.value / want - 1.0).abs() < 1e-13, "{k}, {b}, {odd}");
@@ -130,7 +127,7 @@ fn a_peak_keeps_four_places() {
     };
     for guess in [0.0, 0.1, 3.0, PI] {
         assert_eq!(
-            places(&largest_from(sum, motion_question(), guess)).len(),
+            places(&walked_from(sum, motion_question(), guess)).len(),
             1,
             "{guess}"
         );
@@ -172,7 +169,7 @@ fn a_climb_leaves_a_minimum() {
         let want = scanned(&search(sum, motion_question(), 0.0));
         for peak in [
             largest(sum, motion_question()),
-            largest_from(sum, motion_question(), 0.0),
+            walked_from(sum, motion_question(), 0.0),
         ] {
             assert!(
                 (peak.value / want - 1.0).abs() < 1e-13,
@@ -181,45 +178,4 @@ fn a_climb_leaves_a_minimum() {
             assert!(peak.evaluations < 500, "{k}: {peak:?}");
         }
     }
-}
-
-/// A motion's search starts where a sinusoid with its value and slope at the start would be largest.
-#[test]
-fn the_guess_spares_evaluations() {
-    let mut random = Lcg(53);
-    let (mut guessed, mut plain, mut better) = (0, 0, 0);
-    for case in 0..400 {
-        let (waves, cosine, sine) = random_motion(&mut random, (0.05, 20.0), case % 2 == 0, 4);
-        let sum = Sum {
-            waves: &waves,
-            cosine,
-            sine,
-        };
-        let without = largest_from(sum, motion_question(), 0.0);
-        let fundamental = Fundamental {
-            cosine,
-            sine,
-            response: complex::real(0.0),
-        };
-        let friction = Friction {
-            beta: 1.0,
-            root: 1.0,
-            amplitude: 1.0,
-            phase: 0.0,
-            unscale: 1.0,
-        };
-        let with = Motion::of_mass(friction, fundamental, &waves[..]).peak();
-        assert!(
-            (with.value / without.value - 1.0).abs() < 1e-12,
-            "case {case}"
-        );
-        guessed += with.evaluations;
-        plain += without.evaluations;
-        better += u32::from(with.evaluations < without.evaluations);
-    }
-    println!(
-        "400 motions: {guessed} evaluations from the guess, {plain} from 0; {better} times fewer"
-    );
-    // Measured: 0.875.
-    assert!(f64::from(guessed) < 0.92 * f64::from(plain));
 }

@@ -64,10 +64,7 @@ fn no_maximum_of_a_random_sum_is_missed() {
             tolerance: 4.0 * f64::EPSILON,
             ..question
         };
-        let (found, guessed) = (
-            largest(sum, question),
-            largest_from(sum, question, 0.3 * PI),
-        );
+        let (found, guessed) = (largest(sum, question), walked_from(sum, question, 0.3 * PI));
         assert!(found.evaluations < MAX_EVALUATIONS, "case {case}");
         if found.places[0].is_none() {
             // The floor; both vanish at τ = 0, where a quotient may well be larger, but not by much.

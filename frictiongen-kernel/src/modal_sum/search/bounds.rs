@@ -1,0 +1,178 @@
+//! What the derivatives of a sum cannot exceed from an instant on, and each mode's part as what its equation carries on
+//! from there (section 9 of `docs/derivation.md`).
+
+use crate::modal_sum::wave::{Sum, Wave};
+use crate::number::scalar::Float;
+use crate::oscillator::decay::{Basis, Decay, Instant};
+
+/// Modes so near the excitation's frequency keep their forcing: their difference from it is small, and so must be what
+/// rounding leaves of it.
+const FORCED: f64 = 0.125;
+/// How many roundings of a mode's size its value at a node may be off, and sine and cosine of the excitation's angle as well: the matrix
+/// has
+/// three, its fourth power twelve, and that is applied seven times.
+const ROUNDINGS: f64 = 256.0;
+
+/// A mode's part from an instant on: y″ + 2ζx y′ + x²y = constant + cosine·cos τ + sine·sin τ.
+pub(super) struct Track<S> {
+    /// √λ/r.
+    pub x: S,
+    /// 2ζx.
+    pub loss: S,
+    pub value: S,
+    pub slope: S,
+    constant: S,
+    cosine: S,
+    sine: S,
+}
+
+/// What a mode's part is beside its free motion: it joins what all modes have in common.
+pub(super) struct Common<S> {
+    pub constant: S,
+    pub cosine: S,
+    pub sine: S,
+}
+
+impl<S: Float> Track<S> {
+    /// The part of a wave that its equation carries on from an instant, and what it leaves to the common.
+    #[inline]
+    pub fn of<D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> (Self, Common<S>) {
+        let zero = S::constant(0.0);
+        let x = wave.x;
+        let loss = (wave.decay.zeta() + wave.decay.zeta()) * x;
+        let basis = if at.t.is_zero() && !wave.mass_controlled {
+            Basis {
+                free: zero,
+                slope: S::constant(1.0),
+                swing: zero,
+                swing_slope: zero,
+                rise: zero,
+            }
+        } else {
+            wave.basis(at)
+        };
+        if is_forced(wave) {
+            let apart = (x - S::constant(1.0)) * (x + S::constant(1.0));
+            let slope = wave.free * basis.slope
+                + wave.swing_slope * wave.swing_curve(&basis, at)
+                + wave.swing * basis.swing_slope
+                + wave.rise * basis.free;
+            let track = Self {
+                x,
+                loss,
+                value: wave.value(&basis),
+                slope,
+                constant: wave.rise,
+                cosine: wave.swing * loss + wave.swing_slope * apart,
+                sine: wave.swing * apart - wave.swing_slope * loss,
+            };
+            let common = Common {
+                constant: zero,
+                cosine: zero,
+                sine: zero,
+            };
+            return (track, common);
+        }
+        // Free, with d = p′ + 2ζx·p in the return: of p and of p′.
+        let constant = wave.rise / (x * x);
+        let of_slope = -(wave.swing_slope + constant);
+        let of_free = wave.free - wave.swing - constant * loss;
+        let curve = -(x * x * basis.free + loss * basis.slope);
+        let track = Self {
+            x,
+            loss,
+            value: of_free * basis.free + of_slope * basis.slope,
+            slope: of_free * basis.slope + of_slope * curve,
+            constant: zero,
+            cosine: zero,
+            sine: zero,
+        };
+        let common = Common {
+            constant,
+            cosine: wave.swing_slope,
+            sine: wave.swing,
+        };
+        (track, common)
+    }
+}
+
+pub(super) fn is_forced<S: Float, D: Decay<S>>(wave: &Wave<S, D>) -> bool {
+    wave.mass_controlled || (wave.x - S::constant(1.0)).abs() < S::constant(FORCED)
+}
+
+/// What the derivatives of a sum cannot exceed from an instant on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds<S> {
+    /// The second and the third derivative there, which a sum over sin τ asks for: no mode of one is mass-controlled.
+    pub second: S,
+    pub third: S,
+    pub fourth: S,
+    pub fifth: S,
+    /// What rounding can do to a value at a node.
+    pub rounding: S,
+}
+
+impl<S: Float> Bounds<S> {
+    /// From an instant on, for a time.
+    ///
+    /// The energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of a derivative falls but for the forcing's nth derivative, which drives it.
+    pub fn of<D: Decay<S>>(sum: &Sum<'_, S, D>, at: &Instant<S>, time: S) -> Self {
+        let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
+        let (mut cosine, mut sine) = (sum.cosine, sum.sine);
+        let (mut second, mut third, mut fourth, mut fifth) = (zero, zero, zero, zero);
+        let mut rounding = zero;
+        for wave in sum.waves {
+            if wave.mass_controlled {
+                let [y, y4, y5] = mass_controlled_bounds(wave);
+                fourth = fourth + y4;
+                fifth = fifth + y5;
+                rounding = rounding + y;
+                continue;
+            }
+            let (track, common) = Track::of(wave, at);
+            let Track { x, loss, .. } = track;
+            (cosine, sine) = (cosine + common.cosine, sine + common.sine);
+            let turning = track.cosine * at.cosine + track.sine * at.sine;
+            let turned = track.sine * at.cosine - track.cosine * at.sine;
+            let y0 = track.value;
+            let y1 = track.slope;
+            let y2 = track.constant + turning - loss * y1 - x * x * y0;
+            let y3 = turned - loss * y2 - x * x * y1;
+            let y4 = -turning - loss * y3 - x * x * y2;
+            let push = track.cosine.abs() + track.sine.abs();
+            let xy3 = x * y3;
+            let energy = (xy3 * xy3 + y4 * y4).sqrt() + push * time;
+            second = second + y2;
+            third = third + y3;
+            fourth = fourth + energy;
+            fifth = fifth + (x + loss) * energy + push;
+            let drive = (push + track.constant.abs()) * time;
+            let swing = y1.abs() + x * y0.abs() + drive;
+            let size = y0.abs() + swing * (one / x).min(time);
+            rounding = rounding + size + common.constant.abs();
+        }
+        let turning = cosine * at.cosine + sine * at.sine;
+        let common = cosine.abs() + sine.abs();
+        Self {
+            second: second - turning,
+            third: third - (sine * at.cosine - cosine * at.sine),
+            fourth: fourth + common,
+            fifth: fifth + common,
+            rounding: (rounding + common) * S::constant(ROUNDINGS * S::EPSILON) * two,
+        }
+    }
+}
+
+/// What a mass-controlled mode, and its fourth and fifth derivative cannot exceed: its Fourier series has Σ 4/(πn(n² − x²))
+/// of sines in it, and x < 1/2.
+fn mass_controlled_bounds<S: Float, D: Decay<S>>(wave: &Wave<S, D>) -> [S; 3] {
+    let (y0, y1) = (S::constant(1.79), S::constant(2.1));
+    let x = wave.x;
+    let (square, loss) = (x * x, (wave.decay.zeta() + wave.decay.zeta()) * x);
+    let y2 = S::constant(1.0) + loss * y1 + square * y0;
+    let y3 = loss * y2 + square * y1;
+    let y4 = loss * y3 + square * y2;
+    let y5 = loss * y4 + square * y3;
+    let rise = wave.rise.abs();
+    [rise * (y0 + y1), rise * y4, rise * y5]
+}

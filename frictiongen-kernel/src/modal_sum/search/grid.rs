@@ -1,0 +1,336 @@
+//! A grid over a stretch of the half period, and what the sum cannot exceed between its nodes.
+//!
+//! From node to node a mode advances by a constant matrix, four nodes at a time: no sine and no exponential is
+//! evaluated on the way.  Between two nodes the cubic that meets values and slopes there is at most h⁴/384 times the
+//! fourth derivative away from the sum, and the cubic's Bernstein coefficients are the values and slopes themselves
+//! (section 9 of `docs/derivation.md`).
+
+use super::bounds::{Bounds, Track, is_forced};
+use crate::modal_sum::wave::{Sum, Wave};
+use crate::number::scalar::Float;
+use crate::oscillator::decay::{Basis, Decay, Instant};
+
+/// Nodes that advance together.
+const LANES: usize = 4;
+/// Rows of nodes at most.
+const ROWS: usize = 8;
+
+type Row<S> = [S; LANES];
+
+/// Where the nodes of a grid are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stretch<S> {
+    pub from: S,
+    /// The distance of two nodes.
+    pub width: S,
+    /// Nodes come in rows.
+    rows: usize,
+    /// The last node.
+    pub to: S,
+}
+
+impl<S: Float> Stretch<S> {
+    /// From an instant as far as `end` or as one grid goes, with cells of at most this width.
+    pub fn new(from: S, end: S, width: S) -> Self {
+        let (mut rows, mut cells) = (1, S::constant(LANES as f64 - 1.0));
+        let left = end - from;
+        while width * cells < left && rows < ROWS {
+            (rows, cells) = (rows + 1, cells + S::constant(LANES as f64));
+        }
+        let (width, to) = if width * cells < left {
+            (width, from + width * cells)
+        } else {
+            (left / cells, end)
+        };
+        Self {
+            from,
+            width,
+            rows,
+            to,
+        }
+    }
+
+    /// The most cells of one grid.
+    pub const MOST_CELLS: f64 = (LANES * ROWS - 1) as f64;
+
+    /// How many cells there are.
+    pub fn cells(&self) -> usize {
+        self.rows * LANES - 1
+    }
+}
+
+/// A sum at one node.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node<S> {
+    pub value: S,
+    pub slope: S,
+    /// sin τ there.
+    pub sine: S,
+    /// cos τ there.
+    pub cosine: S,
+}
+
+/// Value and slope of a sum at equidistant nodes, and what is known of its derivatives from the first on.
+pub(super) struct Grid<S> {
+    pub stretch: Stretch<S>,
+    pub bounds: Bounds<S>,
+    value: [Row<S>; ROWS],
+    slope: [Row<S>; ROWS],
+    sine: [Row<S>; ROWS],
+    cosine: [Row<S>; ROWS],
+}
+
+/// ( a b ; c d )
+#[derive(Clone, Copy)]
+struct Matrix<S> {
+    a: S,
+    b: S,
+    c: S,
+    d: S,
+}
+
+impl<S: Float> Matrix<S> {
+    /// By what a free mode advances in a time.
+    fn of(x: S, loss: S, (free, slope): (S, S)) -> Self {
+        Self {
+            a: slope + loss * free,
+            b: free,
+            c: -(x * x * free),
+            d: slope,
+        }
+    }
+
+    fn squared(self) -> Self {
+        let Self { a, b, c, d } = self;
+        let (bc, trace) = (b * c, a + d);
+        Self {
+            a: a * a + bc,
+            b: b * trace,
+            c: c * trace,
+            d: d * d + bc,
+        }
+    }
+
+    #[inline(always)]
+    fn times(&self, u: S, v: S) -> (S, S) {
+        (self.a * u + self.b * v, self.c * u + self.d * v)
+    }
+}
+
+/// What a forced mode gains in a step that starts from rest: of sine and cosine of the excitation's angle, and of
+/// the constant, in value and in slope.
+struct Gain<S> {
+    value: [S; 3],
+    slope: [S; 3],
+}
+
+impl<S: Float> Gain<S> {
+    fn of<D: Decay<S>>(wave: &Wave<S, D>, loss: S, basis: &Basis<S>) -> Self {
+        let x = wave.x;
+        let apart = (x - S::constant(1.0)) * (x + S::constant(1.0));
+        // cos h − d and sin h − p, and their derivatives.
+        let of_cosine = basis.swing_slope - loss * basis.free;
+        let of_sine = basis.swing;
+        let of_cosine_slope = apart * basis.free - basis.swing;
+        let of_sine_slope = basis.swing_slope;
+        let (b, c) = (wave.swing_slope, wave.swing);
+        Self {
+            value: [
+                c * of_cosine - b * of_sine,
+                b * of_cosine + c * of_sine,
+                wave.rise * basis.rise,
+            ],
+            slope: [
+                c * of_cosine_slope - b * of_sine_slope,
+                b * of_cosine_slope + c * of_sine_slope,
+                wave.rise * basis.free,
+            ],
+        }
+    }
+
+    #[inline(always)]
+    fn at(&self, sine: S, cosine: S) -> (S, S) {
+        let [s, c, one] = self.value;
+        let value = s * sine + c * cosine + one;
+        let [s, c, one] = self.slope;
+        (value, s * sine + c * cosine + one)
+    }
+}
+
+impl<S: Float> Grid<S> {
+    /// The sum from `at` on, at nodes of this distance.
+    pub fn of<D: Decay<S>>(sum: &Sum<'_, S, D>, stretch: &Stretch<S>, bounds: &Bounds<S>) -> Self {
+        let at = &Instant::new(stretch.from * S::inverse_pi());
+        let zero = S::constant(0.0);
+        let blank = [[zero; LANES]; ROWS];
+        let width = stretch.width;
+        let step = Instant::new(width * S::inverse_pi());
+        let mut grid = Self {
+            stretch: *stretch,
+            bounds: *bounds,
+            value: blank,
+            slope: blank,
+            sine: blank,
+            cosine: blank,
+        };
+        grid.turn(at, &step);
+        let four = Instant::new(width * S::constant(4.0) * S::inverse_pi());
+        let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
+        for wave in sum.waves {
+            let (track, common) = Track::of(wave, at);
+            let advance = |basis: &Basis<S>| {
+                let matrix = Matrix::of(track.x, track.loss, (basis.free, basis.slope));
+                (matrix, Gain::of(wave, track.loss, basis))
+            };
+            if is_forced(wave) {
+                let near = advance(&wave.decay.basis(wave.x, &step));
+                let far = advance(&wave.decay.basis(wave.x, &four));
+                grid.add_forced(&track, &near, &far);
+            } else {
+                let free = wave.decay.free(wave.x, &step);
+                grid.add_free(&track, &Matrix::of(track.x, track.loss, free));
+            }
+            constant = constant + common.constant;
+            cosine = cosine + common.cosine;
+            sine = sine + common.sine;
+        }
+        grid.add_common(constant, cosine, sine);
+        grid
+    }
+
+    /// Sine and cosine of the excitation's angle.
+    fn turn(&mut self, at: &Instant<S>, step: &Instant<S>) {
+        let matrix = Matrix {
+            a: step.cosine,
+            b: step.sine,
+            c: -step.sine,
+            d: step.cosine,
+        };
+        let (sine, cosine) = first_lanes((at.sine, at.cosine), |u, v, _| matrix.times(u, v));
+        let far = matrix.squared().squared();
+        let (mut sine, mut cosine) = (sine, cosine);
+        for (s, c) in self
+            .sine
+            .iter_mut()
+            .zip(&mut self.cosine)
+            .take(self.stretch.rows)
+        {
+            (*s, *c) = (sine, cosine);
+            (sine, cosine) = advanced(&far, &sine, &cosine);
+        }
+    }
+
+    fn add_free(&mut self, track: &Track<S>, matrix: &Matrix<S>) {
+        let start = (track.value, track.slope);
+        let (mut value, mut slope) = first_lanes(start, |u, v, _| matrix.times(u, v));
+        let far = matrix.squared().squared();
+        for (v, s) in self
+            .value
+            .iter_mut()
+            .zip(&mut self.slope)
+            .take(self.stretch.rows)
+        {
+            add(v, &value);
+            add(s, &slope);
+            (value, slope) = advanced(&far, &value, &slope);
+        }
+    }
+
+    fn add_forced(
+        &mut self,
+        track: &Track<S>,
+        near: &(Matrix<S>, Gain<S>),
+        far: &(Matrix<S>, Gain<S>),
+    ) {
+        let start = (track.value, track.slope);
+        let [sines, ..] = &self.sine;
+        let [cosines, ..] = &self.cosine;
+        let (mut value, mut slope) = first_lanes(start, |u, v, lane| {
+            let (value, slope) = near.0.times(u, v);
+            let angle = sines.iter().zip(cosines).nth(lane);
+            let (of_value, of_slope) = angle.map_or((u, v), |(s, c)| near.1.at(*s, *c));
+            (value + of_value, slope + of_slope)
+        });
+        let rows = self
+            .value
+            .iter_mut()
+            .zip(&mut self.slope)
+            .take(self.stretch.rows);
+        let angles = self.sine.iter().zip(&self.cosine);
+        for ((v, s), (sine, cosine)) in rows.zip(angles) {
+            add(v, &value);
+            add(s, &slope);
+            (value, slope) = advanced(&far.0, &value, &slope);
+            for lane in 0..LANES {
+                let (Some(value), Some(slope)) = (value.get_mut(lane), slope.get_mut(lane)) else {
+                    break;
+                };
+                let (Some(sine), Some(cosine)) = (sine.get(lane), cosine.get(lane)) else {
+                    break;
+                };
+                let (of_value, of_slope) = far.1.at(*sine, *cosine);
+                (*value, *slope) = (*value + of_value, *slope + of_slope);
+            }
+        }
+    }
+
+    /// Adds constant + cosine·cos τ + sine·sin τ.
+    fn add_common(&mut self, constant: S, cosine: S, sine: S) {
+        let rows = self
+            .value
+            .iter_mut()
+            .zip(&mut self.slope)
+            .take(self.stretch.rows);
+        let angles = self.sine.iter().zip(&self.cosine);
+        for ((values, slopes), (sines, cosines)) in rows.zip(angles) {
+            for (((v, w), s), c) in values.iter_mut().zip(slopes).zip(sines).zip(cosines) {
+                *v = *v + (constant + cosine * *c + sine * *s);
+                *w = *w + (sine * *c - cosine * *s);
+            }
+        }
+    }
+
+    /// Node after node, each with its τ.
+    pub fn nodes(&self) -> impl Iterator<Item = (S, Node<S>)> + '_ {
+        let values = self.value.iter().flatten().zip(self.slope.iter().flatten());
+        let angles = self.sine.iter().flatten().zip(self.cosine.iter().flatten());
+        let mut tau = self.stretch.from;
+        let nodes = values.zip(angles).take(self.stretch.rows * LANES);
+        nodes.map(move |((value, slope), (sine, cosine))| {
+            let node = Node {
+                value: *value,
+                slope: *slope,
+                sine: *sine,
+                cosine: *cosine,
+            };
+            let here = tau;
+            tau = tau + self.stretch.width;
+            (here, node)
+        })
+    }
+}
+
+/// The start and three steps from it; `step` gets the number of the lane that it steps from.
+#[inline(always)]
+fn first_lanes<S: Float>((u, v): (S, S), step: impl Fn(S, S, usize) -> (S, S)) -> (Row<S>, Row<S>) {
+    let one = step(u, v, 0);
+    let two = step(one.0, one.1, 1);
+    let three = step(two.0, two.1, 2);
+    ([u, one.0, two.0, three.0], [v, one.1, two.1, three.1])
+}
+
+#[inline(always)]
+fn advanced<S: Float>(matrix: &Matrix<S>, u: &Row<S>, v: &Row<S>) -> (Row<S>, Row<S>) {
+    let (mut value, mut slope) = (*u, *v);
+    for (value, slope) in value.iter_mut().zip(&mut slope) {
+        (*value, *slope) = matrix.times(*value, *slope);
+    }
+    (value, slope)
+}
+
+#[inline(always)]
+fn add<S: Float>(row: &mut Row<S>, other: &Row<S>) {
+    for (row, other) in row.iter_mut().zip(other) {
+        *row = *row + *other;
+    }
+}

@@ -1,0 +1,365 @@
+//! Summits of a grid: from the highest node to the top in two evaluations, and the cells about a top that it closes.
+
+use super::grid::{Grid, Node};
+use super::{Maximiser, Search, Weight};
+use crate::modal_sum::wave::Jet;
+use crate::number::scalar::Float;
+use crate::oscillator::decay::{Decay, Instant};
+
+/// So many evaluations a summit may take.
+const EVALUATIONS: u32 = 5;
+/// A step counts as the last if what it leaves out is small within so many times its length.
+const REACH: f64 = 7.0;
+
+/// A place to look at.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place<S> {
+    pub tau: S,
+    pub negative: bool,
+}
+
+/// A place from which one step leads to the top.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Summit<S> {
+    tau: S,
+    negative: bool,
+    jet: Jet<S>,
+    /// What the top is below.
+    level: S,
+}
+
+/// Value, slope, curvature and third derivative.
+#[derive(Clone, Copy, Debug)]
+struct Cubic<S> {
+    value: S,
+    slope: S,
+    curvature: S,
+    third: S,
+}
+
+impl<S: Float> Cubic<S> {
+    /// How far it is to the top.
+    fn step(&self) -> S {
+        let half = S::constant(0.5);
+        let newton = -(self.slope / self.curvature);
+        let bend = self.third * newton * half / self.curvature;
+        newton * (S::constant(1.0) - bend.max(-half).min(half))
+    }
+
+    /// By how much the top is higher.
+    fn rise(&self, step: S) -> S {
+        let bend = self.curvature * S::constant(0.5) + self.third * step * S::constant(1.0 / 6.0);
+        (self.slope + bend * step) * step
+    }
+
+    /// Whether it bends down by at least half of its curvature within the reach of a step.
+    fn is_concave(&self, step: S) -> bool {
+        (self.third * step).abs() * S::constant(2.0 * REACH) < -self.curvature
+    }
+
+    /// Whether a function of this value, slope and curvature, and with its top within the reach of a small step, stays
+    /// below 0 from there to a place of which value and slope are known.
+    fn stays_below(&self, there: (S, S), distance: S, fourth: S, rounding: S) -> bool {
+        let (value, slope) = (there.0 + rounding, there.1);
+        let square = distance * distance;
+        // Of the square of the distance, in the cubic that meets both.
+        let curve = S::constant(3.0) * (value - self.value)
+            - distance * (slope + self.slope + self.slope)
+            + rounding;
+        let bend = fourth * square * S::constant(1.0 / 24.0);
+        value <= S::constant(0.0)
+            && curve / square + bend <= self.curvature * S::constant(1.0 / 3.0)
+    }
+}
+
+/// What the fourth derivative can add within the reach of a step.
+fn beyond_cubic<S: Float>(fourth: S, step: S) -> S {
+    let square = step * step;
+    fourth * square * square * S::constant(REACH * REACH * REACH * REACH / 24.0)
+}
+
+impl<S: Float, D: Decay<S>> Search<'_, S, D> {
+    /// The quotient and its first derivative at a node.
+    fn quotient_node(&self, node: &Node<S>) -> (S, S) {
+        match self.question.weight {
+            Weight::One => (node.value, node.slope),
+            Weight::Sine => {
+                let value = node.value / node.sine;
+                (value, (node.slope - value * node.cosine) / node.sine)
+            }
+        }
+    }
+
+    /// Where to look for a summit: where the cubic beside the highest node of the open cells is largest.
+    pub(super) fn highest(&self, grid: &Grid<S>, open: [u32; 2]) -> Option<Place<S>> {
+        let zero = S::constant(0.0);
+        let over_sine = self.question.weight == Weight::Sine;
+        let starts = over_sine && grid.stretch.from.is_zero();
+        let mut best: Option<(S, bool, usize, S)> = None;
+        let mut bit = 1_u32;
+        for (index, (tau, node)) in grid.nodes().enumerate() {
+            let cells = bit | (bit >> 1);
+            bit <<= 1;
+            if over_sine && !(zero < node.sine && zero < tau) {
+                continue;
+            }
+            for (&negative, open) in self.signs().iter().zip(open) {
+                if open & cells == 0 {
+                    continue;
+                }
+                let (value, _) = self.quotient_node(&node);
+                let value = if negative {
+                    -value - self.signed(zero, true)
+                } else {
+                    value
+                };
+                if best.is_none_or(|(known, ..)| known < value) {
+                    best = Some((value, negative, index, tau));
+                }
+            }
+        }
+        let bounds = grid.bounds;
+        if starts && open[0] & 1 != 0 && zero < bounds.second && bounds.third < zero {
+            // For small τ the quotient is second·τ/2 + third·τ²/6.
+            let tau = -(bounds.second * S::constant(1.5)) / bounds.third;
+            let in_first = tau < grid.stretch.width * S::constant(0.5);
+            if in_first && best.is_none_or(|(known, ..)| known < zero) {
+                return Some(Place {
+                    tau,
+                    negative: false,
+                });
+            }
+        }
+        let (_, negative, index, tau) = best?;
+        let (_, node) = grid.nodes().nth(index)?;
+        let here = self.quotient_node(&node);
+        let rising = (zero < here.1) != negative;
+        if !over_sine {
+            // The motion goes on beyond the half period with the opposite sign.
+            let end = self.question.end;
+            let outside = if rising { !(tau < end) } else { tau.is_zero() };
+            if outside {
+                return Some(Place {
+                    tau: if rising { zero } else { end },
+                    negative: !negative,
+                });
+            }
+        }
+        let other = if rising {
+            Some(index + 1)
+        } else {
+            index.checked_sub(1)
+        };
+        let there = match other.and_then(|other| grid.nodes().nth(other)) {
+            Some((at, _)) if starts && at.is_zero() => {
+                Some((zero, bounds.second * S::constant(0.5)))
+            }
+            Some((_, node)) if !over_sine || zero < node.sine => Some(self.quotient_node(&node)),
+            _ => None,
+        };
+        let width = if rising {
+            grid.stretch.width
+        } else {
+            -grid.stretch.width
+        };
+        let sign = if negative { -width } else { width };
+        let share = there.map_or(zero, |there| {
+            let rise = if negative {
+                here.0 - there.0
+            } else {
+                there.0 - here.0
+            };
+            top_between(here.1 * sign, there.1 * sign, rise)
+        });
+        Some(Place {
+            tau: tau + width * share,
+            negative,
+        })
+    }
+
+    /// The summit near a place, its value kept if it is the largest; none if the place is not near enough to one.
+    pub(super) fn summit(&mut self, place: &Place<S>, fourth: S) -> Option<Summit<S>> {
+        // The value is exact to rounding, however little is asked of the search.
+        let four = S::constant(4.0 * S::EPSILON);
+        let Place {
+            mut tau,
+            mut negative,
+        } = *place;
+        for _ in 0..EVALUATIONS {
+            let (inside, flipped) = self.moved(tau);
+            if inside != tau && self.question.weight == Weight::Sine {
+                return None;
+            }
+            (tau, negative) = (inside, negative != flipped);
+            self.peak.evaluations += 1;
+            let jet = self.sum.jet(&Instant::new(tau * S::inverse_pi()));
+            let (best, quotient) = self.quotient_jet(&jet, negative);
+            if !(quotient.curvature < S::constant(0.0)) {
+                return None;
+            }
+            let step = quotient.step();
+            let size = self.question.start + self.peak.value.max(best);
+            let spare = four * size;
+            let weight = match self.question.weight {
+                Weight::One => S::constant(1.0),
+                Weight::Sine => jet.sine,
+            };
+            let left = beyond_cubic(fourth + self.level(), step);
+            // A motion's lag needs the place, of which the curvature must be sure.
+            let doubt = four * jet.terms * step.abs() + (fourth * step * step * step).abs();
+            let placed =
+                self.question.weight == Weight::Sine || doubt <= four * quotient.curvature.abs();
+            let (at_top, flipped) = self.moved(tau + step);
+            // In the next half period friction has the opposite sign, and the curvature is another.
+            let crossed = flipped && four < at_top.min(self.question.end - at_top);
+            if quotient.is_concave(step) && left <= spare * weight && placed && !crossed {
+                let rise = quotient.rise(step);
+                let top = Maximiser {
+                    tau: at_top,
+                    negative: negative != flipped,
+                };
+                self.keep(best + rise, quotient.value + rise, top);
+                return Some(Summit {
+                    tau,
+                    negative,
+                    jet,
+                    level: quotient.value + rise + self.question.tolerance.max(four) * size,
+                });
+            }
+            tau = tau + step;
+        }
+        None
+    }
+
+    /// The quotient about an instant, and its value as far as it is sure.
+    fn quotient_jet(&self, jet: &Jet<S>, negative: bool) -> (S, Cubic<S>) {
+        let Jet {
+            sine,
+            cosine,
+            value,
+            slope,
+            curvature,
+            third,
+            ..
+        } = *jet;
+        let (best, whole) = self.quotient_at(value, sine, cosine, negative);
+        let sign = S::constant(if negative { -1.0 } else { 1.0 });
+        let [slope, curvature, third] = match self.question.weight {
+            Weight::One => [slope, curvature, third],
+            Weight::Sine => {
+                // From F = Q sin τ, derived.
+                let over = |value: S| value / sine;
+                let q0 = over(value);
+                let q1 = over(slope - q0 * cosine);
+                let q2 = over(curvature + value - (q1 + q1) * cosine);
+                let three = S::constant(3.0);
+                let q3 = over(third + three * (q1 * sine - q2 * cosine) + q0 * cosine);
+                [q1, q2, q3]
+            }
+        };
+        let cubic = Cubic {
+            value: whole,
+            slope: slope * sign,
+            curvature: curvature * sign,
+            third: third * sign,
+        };
+        (best, cubic)
+    }
+
+    /// The cells about a summit in which the sum stays below its level: near the top by what is left to rise, and
+    /// further on by the cubic that meets value and slope of a node beyond.
+    pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>) -> u32 {
+        let zero = S::constant(0.0);
+        let over_sine = self.question.weight == Weight::Sine;
+        let (level, of_sine) = if over_sine {
+            let level = self.signed(summit.level, summit.negative);
+            (level, level)
+        } else {
+            (summit.level, zero)
+        };
+        let fourth = grid.bounds.fourth + of_sine;
+        let fifth = grid.bounds.fifth + of_sine;
+        let Jet {
+            sine,
+            cosine,
+            value,
+            slope,
+            curvature,
+            third,
+            ..
+        } = summit.jet;
+        let node = Node {
+            value,
+            slope,
+            sine,
+            cosine,
+        };
+        let (value, slope) = self.excess_at(&node, summit.negative, level);
+        let sign = S::constant(if summit.negative { -1.0 } else { 1.0 });
+        let here = Cubic {
+            value,
+            slope,
+            curvature: curvature * sign + of_sine * sine,
+            third: third * sign + of_sine * cosine,
+        };
+        let step = here.step();
+        let left = beyond_cubic(fourth, step);
+        if !(here.is_concave(step) && value + here.rise(step) + left <= zero) {
+            return 0;
+        }
+        // The same over τ, from a sum that vanishes at 0.
+        let starts = over_sine && grid.stretch.from.is_zero() && zero < summit.tau;
+        let over_tau = starts.then(|| {
+            let value = here.value / summit.tau;
+            let slope = (here.slope - value) / summit.tau;
+            Cubic {
+                value,
+                slope,
+                curvature: (here.curvature - slope - slope) / summit.tau,
+                third: zero,
+            }
+        });
+        let (mut closed, mut before, mut cell) = (0, false, 0_u32);
+        for (tau, node) in grid.nodes() {
+            let (value, slope) = self.excess_at(&node, summit.negative, level);
+            let distance = tau - summit.tau;
+            let below = distance.is_zero()
+                || if starts && tau.is_zero() {
+                    // Exactly 0 there.
+                    here.stays_below((zero, slope), distance, fourth, zero)
+                } else {
+                    let rounding = grid.bounds.rounding;
+                    here.stays_below((value, slope), distance, fourth, rounding)
+                        || over_tau.filter(|_| zero < distance).is_some_and(|over| {
+                            let value = value / tau;
+                            let there = (value, (slope - value) / tau);
+                            let fourth = fifth * S::constant(0.2);
+                            over.stays_below(there, distance, fourth, rounding / tau)
+                        })
+                };
+            let left = tau - grid.stretch.width;
+            let both = (before || !(left < summit.tau)) && (below || tau <= summit.tau);
+            if both {
+                closed |= cell;
+            }
+            (before, cell) = (below, if cell == 0 { 1 } else { cell << 1 });
+        }
+        closed
+    }
+}
+
+/// Where between 0 and 1 a cubic is largest: of its slope at 0, which is positive, its slope at 1, and its rise.
+fn top_between<S: Float>(up: S, down: S, rise: S) -> S {
+    let zero = S::constant(0.0);
+    if !(zero < up && down < zero) {
+        return zero;
+    }
+    // The derivative's Bernstein coefficients are up, mean and down.
+    let mean = rise * S::constant(3.0) - up - down;
+    let root = (mean * mean - up * down).sqrt();
+    if zero < mean {
+        (mean + root) / (mean + root - down)
+    } else {
+        up / (up + root - mean)
+    }
+}
