@@ -16,6 +16,9 @@ const CLEAR: f64 = 32.0;
 /// By less than this fraction of a half turn must the rounding of r turn every mode for two searches to agree.
 const UNTURNED: f64 = 1e-4;
 
+/// However little U leaves of S in a limit, of the amplitude there S decides.
+const MOST_TOLERANCE: f64 = 1.0 / 4096.0;
+
 impl<S: Float> Chain<S> {
     /// r²E·max(S, H_c + μm*/r²): the velocity constraint by a guaranteed search over the half
     /// period (5.54, 7.36, with the maximum of the sum), started at the break-away term.
@@ -94,7 +97,7 @@ impl<S: Float> Chain<S> {
                 },
                 floor: above,
                 start,
-                tolerance: tolerance.min(S::constant(0.125)),
+                tolerance: tolerance.min(S::constant(MOST_TOLERANCE)),
             },
         )
     }

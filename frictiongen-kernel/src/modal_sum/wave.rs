@@ -1,7 +1,7 @@
 //! A sum of modal motions over the half period, with bounds on what it can still do.
 
 use crate::modal_sum::mass_controlled;
-use crate::number::scalar::{Float, Scalar};
+use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 use crate::oscillator::mode::Mode;
 
@@ -67,11 +67,6 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         Self::rest(S::constant(0.0), D::of(mode))
     }
 
-    /// By how much a derivative of the wave can exceed the one before.
-    pub(crate) fn rate(&self) -> S {
-        self.x * (S::constant(1.0) + S::constant(2.0) * self.decay.zeta())
-    }
-
     /// Whether the rounding of x alone can turn the wave by a radian before it has died out, or it is at
     /// rest.
     pub(crate) fn turns_unknown(&self) -> bool {
@@ -123,21 +118,6 @@ pub struct Sum<'a, S, D> {
     pub sine: S,
 }
 
-/// A function about one instant: value, two derivatives, and what the second and the third cannot
-/// exceed from there to the end of the half period.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Local<S> {
-    /// sin τ there.
-    pub sine: S,
-    /// cos τ there.
-    pub cosine: S,
-    pub value: S,
-    pub slope: S,
-    pub curvature: S,
-    pub curvature_bound: S,
-    pub third_bound: S,
-}
-
 /// A function about one instant: value and three derivatives.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jet<S> {
@@ -149,19 +129,6 @@ pub(crate) struct Jet<S> {
     pub slope: S,
     pub curvature: S,
     pub third: S,
-    /// The sum of the curvature's terms, of which rounding leaves a part.
-    pub terms: S,
-}
-
-/// The fast modes, for steps over several of their turns: what they amount to at most, and their
-/// parts that turn with the excitation.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Tail<S> {
-    pub from: usize,
-    pub amplitude: S,
-    constant: S,
-    cosine: S,
-    sine: S,
 }
 
 impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
@@ -202,7 +169,6 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
             slope,
             curvature: -value,
             third: -slope,
-            terms: value.abs(),
         };
         for wave in self.waves {
             let basis = wave.basis(at);
@@ -219,7 +185,6 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
             let force = wave.rise + of_cosine * cosine + of_sine * sine;
             let curvature = force - loss * slope - square * value;
             let force_slope = of_sine * cosine - of_cosine * sine;
-            jet.terms = jet.terms + force.abs() + (square * value).abs();
             jet.value = jet.value + value;
             jet.slope = jet.slope + slope;
             jet.curvature = jet.curvature + curvature;
@@ -240,13 +205,6 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         (value, slope)
     }
 
-    /// The time in which the fastest wave, or the excitation, turns by about a radian.
-    pub(crate) fn unit(&self) -> S {
-        let one = S::constant(1.0);
-        let rates = self.waves.iter().map(Wave::rate);
-        one / rates.fold(one, Scalar::max)
-    }
-
     /// What rounding leaves of the sum at most: waves beside the excitation's frequency, whose
     /// differences from it are small, do not count.
     pub(crate) fn rounding(&self) -> S {
@@ -258,11 +216,6 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
             }
         }
         sum * S::constant(S::RESOLUTION)
-    }
-
-    /// The largest that the sum can be, but for what is in proportion to sin τ.
-    pub(crate) fn bound_over_sine(&self) -> S {
-        self.over_sine(|x| ((S::constant(1.0) / x).min(S::pi()), S::constant(2.0)))
     }
 
     /// What rounding leaves of the same: the angle xτ is off by as many roundings as it has turns.
@@ -282,91 +235,6 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
             sum + wave.swing.abs() * p + wave.swing_slope.abs() * q
         };
         self.waves.iter().fold(S::constant(0.0), add)
-    }
-
-    /// The largest tail of fast modes that stays below `amplitude`, if there is one worth it.
-    pub(crate) fn tail(&self, amplitude: S) -> Option<Tail<S>> {
-        let zero = S::constant(0.0);
-        let one = S::constant(1.0);
-        let two = S::constant(2.0);
-        let mut tail = Tail {
-            from: self.waves.len(),
-            amplitude: zero,
-            constant: zero,
-            cosine: zero,
-            sine: zero,
-        };
-        for (index, wave) in self.waves.iter().enumerate().rev() {
-            let Wave {
-                x,
-                free,
-                swing_slope,
-                swing,
-                rise,
-                ..
-            } = *wave;
-            let turn = (one + two * wave.decay.zeta()) * rise.abs() / (x * x);
-            let total = tail.amplitude + (free.abs() + swing.abs()) / x + swing_slope.abs() + turn;
-            if x < two || amplitude < total {
-                break;
-            }
-            tail = Tail {
-                from: index,
-                amplitude: total,
-                constant: tail.constant + rise / (x * x),
-                cosine: tail.cosine + swing_slope,
-                sine: tail.sine + swing,
-            };
-        }
-        (tail.from < self.waves.len()).then_some(tail)
-    }
-
-    /// Everything a guaranteed step needs: the whole sum, and the sum with its tail reduced to
-    /// what turns with the excitation.
-    pub(crate) fn local(
-        &self,
-        at: &Instant<S>,
-        tail: Option<&Tail<S>>,
-    ) -> (Local<S>, Option<Local<S>>) {
-        let Instant { sine, cosine, .. } = *at;
-        let mut local = fundamental(S::constant(0.0), self.cosine, self.sine, sine, cosine);
-        let mut slow = None;
-        for (index, wave) in self.waves.iter().enumerate() {
-            if let Some(tail) = tail.filter(|tail| tail.from == index) {
-                slow = Some(plus(
-                    &local,
-                    &fundamental(tail.constant, tail.cosine, tail.sine, sine, cosine),
-                ));
-            }
-            local = plus(&local, &wave_local(wave, at));
-        }
-        (local, slow)
-    }
-}
-
-fn plus<S: Float>(a: &Local<S>, b: &Local<S>) -> Local<S> {
-    Local {
-        sine: a.sine,
-        cosine: a.cosine,
-        value: a.value + b.value,
-        slope: a.slope + b.slope,
-        curvature: a.curvature + b.curvature,
-        curvature_bound: a.curvature_bound + b.curvature_bound,
-        third_bound: a.third_bound + b.third_bound,
-    }
-}
-
-fn fundamental<S: Float>(constant: S, c: S, s: S, sine: S, cosine: S) -> Local<S> {
-    let turning = c * cosine + s * sine;
-    let bound = c.abs() + s.abs();
-    Local {
-        sine,
-        cosine,
-        value: constant + turning,
-        slope: s * cosine - c * sine,
-        curvature: -turning,
-        curvature_bound: bound,
-        third_bound: bound,
     }
 }
 
@@ -397,49 +265,6 @@ fn differences<S: Float, D: Decay<S>>(
     let second = wave.swing_curve(basis, at);
     let third = apart * at.cosine - loss * (at.sine + second) - x * x * basis.swing_slope;
     (second, third)
-}
-
-/// A wave about an instant.  Its bounds rest on the energy (xp)² + p′², which never grows.
-fn wave_local<S: Float, D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> Local<S> {
-    let one = S::constant(1.0);
-    let two = S::constant(2.0);
-    let Wave {
-        x,
-        free,
-        swing_slope,
-        swing,
-        rise,
-        ..
-    } = *wave;
-    let zeta = wave.decay.zeta();
-    let basis = wave.basis(at);
-    let (p2, p3) = curves(wave, &basis);
-    let (y2, y3) = differences(wave, &basis, (p2, p3), at);
-    let xp = x * basis.free;
-    let energy = (xp * xp + basis.slope * basis.slope).sqrt();
-    let rate = x * (one + two * zeta);
-    // Beside x = 1 the differences from sin τ and cos τ move far less than their terms do.
-    let apart = (x - one).abs();
-    let away = (S::pi() * (apart + S::constant(3.0) * zeta * x)).min(two);
-    let (n1, n2) = (energy * rate, energy * rate * rate);
-    let drift = away + apart + two * zeta * x;
-    let pull = (x * x - one).abs() * energy + two * zeta * x * n1;
-    let d1 = (one + n1).min(drift);
-    let d2 = (one + n2).min(away + pull);
-    let d3 = (one + n2 * rate).min(drift + pull * rate);
-    let (a, b, c, e) = (free.abs(), swing_slope.abs(), swing.abs(), rise.abs());
-    Local {
-        sine: at.sine,
-        cosine: at.cosine,
-        value: wave.value(&basis),
-        slope: free * basis.slope
-            + swing_slope * y2
-            + swing * basis.swing_slope
-            + rise * basis.free,
-        curvature: free * p2 + swing_slope * y3 + swing * y2 + rise * basis.slope,
-        curvature_bound: a * n1 + b * d2 + c * d1 + e * energy,
-        third_bound: a * n2 + b * d3 + c * d2 + e * n1,
-    }
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ const FORCED: f64 = 0.125;
 /// How many roundings of a mode's size its value at a node may be off, and sine and cosine of the excitation's angle as well: the matrix
 /// has
 /// three, its fourth power twelve, and that is applied seven times.
-const ROUNDINGS: f64 = 256.0;
+const ROUNDINGS: f64 = 64.0;
 
 /// A mode's part from an instant on: y″ + 2ζx y′ + x²y = constant + cosine·cos τ + sine·sin τ.
 pub(super) struct Track<S> {
@@ -36,7 +36,7 @@ pub(super) struct Common<S> {
 impl<S: Float> Track<S> {
     /// The part of a wave that its equation carries on from an instant, and what it leaves to the common.
     #[inline]
-    pub fn of<D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>) -> (Self, Common<S>) {
+    pub fn of<D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>, all: bool) -> (Self, Common<S>) {
         let zero = S::constant(0.0);
         let x = wave.x;
         let loss = (wave.decay.zeta() + wave.decay.zeta()) * x;
@@ -51,7 +51,7 @@ impl<S: Float> Track<S> {
         } else {
             wave.basis(at)
         };
-        if is_forced(wave) {
+        if is_forced(wave, all) {
             let apart = (x - S::constant(1.0)) * (x + S::constant(1.0));
             let slope = wave.free * basis.slope
                 + wave.swing_slope * wave.swing_curve(&basis, at)
@@ -96,8 +96,11 @@ impl<S: Float> Track<S> {
     }
 }
 
-pub(super) fn is_forced<S: Float, D: Decay<S>>(wave: &Wave<S, D>) -> bool {
-    wave.mass_controlled || (wave.x - S::constant(1.0)).abs() < S::constant(FORCED)
+/// Whether a mode keeps its forcing: beside the excitation's frequency, and far below it, where 1/x² of the return
+/// would outweigh what it moves.
+pub(super) fn is_forced<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool) -> bool {
+    let slow = wave.x < S::constant(0.5) && !wave.rise.is_zero();
+    all || wave.mass_controlled || slow || (wave.x - S::constant(1.0)).abs() < S::constant(FORCED)
 }
 
 /// What the derivatives of a sum cannot exceed from an instant on.
@@ -108,8 +111,12 @@ pub(super) struct Bounds<S> {
     pub third: S,
     pub fourth: S,
     pub fifth: S,
+    /// The sum of the modes' sizes.
+    pub size: S,
     /// What rounding can do to a value at a node.
     pub rounding: S,
+    /// The same over the time since then, if all modes were at rest and keep their forcing.
+    pub drift: S,
 }
 
 impl<S: Float> Bounds<S> {
@@ -120,7 +127,7 @@ impl<S: Float> Bounds<S> {
         let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
         let (mut cosine, mut sine) = (sum.cosine, sum.sine);
         let (mut second, mut third, mut fourth, mut fifth) = (zero, zero, zero, zero);
-        let mut rounding = zero;
+        let (mut rounding, mut drift) = (zero, zero);
         for wave in sum.waves {
             if wave.mass_controlled {
                 let [y, y4, y5] = mass_controlled_bounds(wave);
@@ -129,7 +136,7 @@ impl<S: Float> Bounds<S> {
                 rounding = rounding + y;
                 continue;
             }
-            let (track, common) = Track::of(wave, at);
+            let (track, common) = Track::of(wave, at, false);
             let Track { x, loss, .. } = track;
             (cosine, sine) = (cosine + common.cosine, sine + common.sine);
             let turning = track.cosine * at.cosine + track.sine * at.sine;
@@ -140,8 +147,9 @@ impl<S: Float> Bounds<S> {
             let y3 = turned - loss * y2 - x * x * y1;
             let y4 = -turning - loss * y3 - x * x * y2;
             let push = track.cosine.abs() + track.sine.abs();
-            let xy3 = x * y3;
-            let energy = (xy3 * xy3 + y4 * y4).sqrt() + push * time;
+            // √(a² + b²) ≤ max + (√2 − 1) min, without a square that may overflow.
+            let (a, b) = ((x * y3).abs(), y4.abs());
+            let energy = a.max(b) + a.min(b) * S::constant(0.414_213_6) + push * time;
             second = second + y2;
             third = third + y3;
             fourth = fourth + energy;
@@ -150,15 +158,19 @@ impl<S: Float> Bounds<S> {
             let swing = y1.abs() + x * y0.abs() + drive;
             let size = y0.abs() + swing * (one / x).min(time);
             rounding = rounding + size + common.constant.abs();
+            drift = drift + two * wave.swing.abs() + wave.swing_slope.abs() * (one + x + loss);
         }
         let turning = cosine * at.cosine + sine * at.sine;
         let common = cosine.abs() + sine.abs();
+        let unit = S::constant(2.0 * ROUNDINGS * S::EPSILON);
         Self {
             second: second - turning,
             third: third - (sine * at.cosine - cosine * at.sine),
             fourth: fourth + common,
             fifth: fifth + common,
-            rounding: (rounding + common) * S::constant(ROUNDINGS * S::EPSILON) * two,
+            size: rounding + common,
+            rounding: (rounding + common) * unit,
+            drift: (drift + sum.sine.abs()) * unit,
         }
     }
 }

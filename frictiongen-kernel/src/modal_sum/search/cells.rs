@@ -2,7 +2,7 @@
 //!
 //! In a cell, between two nodes, the sum exceeds the largest Bernstein coefficient of its cubic by no more than the fourth
 //! derivative allows.  Summits are looked at from the highest open cell on; what is open still is divided by a finer
-//! grid, and walked over in the end (section 9 of `docs/derivation.md`).
+//! grid, until rounding alone keeps it open (section 9 of `docs/derivation.md`).
 
 use super::bounds::Bounds;
 use super::grid::{Grid, Node, Stretch};
@@ -12,16 +12,14 @@ use crate::oscillator::decay::{Decay, Instant};
 
 /// By so much of the largest value may a cubic be off: less takes more nodes, more leaves more cells open.
 const SLACK: f64 = 2e-3;
-/// A half period of more grids is walked over.
-const MOST_GRIDS: f64 = 64.0;
+/// A first grid is not so fine that it would show a largest value of less than this share of the modes' own.
+const CANCELLED: f64 = 1e-3;
 /// A grid costs about as much as so many evaluations.
 const COST: u32 = 2;
 /// So many summits of a grid are looked at.
 const SUMMITS: u32 = 6;
-/// So often are open cells divided before they are walked over.
-const DIVISIONS: u32 = 2;
-/// Into so many cells.
-const FINER: f64 = 11.0;
+/// Into so many each of a few open cells is divided.
+const FINER: f64 = 10.0;
 
 /// The open cells of a grid, one bit for each, for the sum and for its negative.
 type Open = [u32; 2];
@@ -29,85 +27,67 @@ type Open = [u32; 2];
 const NONE: Open = [0, 0];
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// The whole half period by grids; false if that would take too many.
-    pub(super) fn by_grids(&mut self) -> bool {
+    /// The whole half period, as far as [`MAX_EVALUATIONS`] go.
+    pub(super) fn by_grids(&mut self) {
         let end = self.question.end;
         let mut from = S::constant(0.0);
         while from < end && self.peak.evaluations < MAX_EVALUATIONS {
             let bounds = Bounds::of(&self.sum, &Instant::new(from * S::inverse_pi()), end - from);
             // From h⁴/384 times the fourth derivative.
             let fourth = bounds.fourth + self.level();
-            let width = (S::constant(384.0 * SLACK) * self.size() / fourth)
+            let width = (S::constant(384.0 * SLACK) * self.size(&bounds) / fourth)
                 .sqrt()
                 .sqrt();
-            let most = width * S::constant(Stretch::<S>::MOST_CELLS * MOST_GRIDS);
-            if !(end - from <= most) {
-                if from.is_zero() {
-                    return false;
-                }
-                self.walk_cells(from, end);
-                return true;
-            }
-            let stretch = Stretch::new(from, end, width.held());
-            self.settle(&stretch, &bounds, DIVISIONS);
+            let stretch = Stretch::new(from, end, width.held(), false);
+            self.settle(&stretch, &bounds);
             from = stretch.to;
         }
-        true
     }
 
-    /// About how large the largest value is.
-    fn size(&self) -> S {
-        let known = self.question.start + self.peak.value;
+    /// About how large the largest value is: not far below the modes' own, unless they cancel.
+    fn size(&self, bounds: &Bounds<S>) -> S {
+        let mut known = self.question.start + self.peak.value;
         if self.question.weight == Weight::One && known.is_zero() {
             let (cosine, sine) = self.sum.start();
-            return cosine.abs() + sine.abs();
+            known = cosine.abs() + sine.abs();
         }
-        known
+        known.max(bounds.size * S::constant(CANCELLED))
     }
 
-    /// A stretch by one grid, and what that leaves open by finer ones or a walk.
-    fn settle(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>, divisions: u32) {
+    /// A stretch by one grid, and what that leaves open by finer ones, as far as they can tell more.
+    fn settle(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) {
         let [plus, minus] = self.open_cells(stretch, bounds);
         let mut open = plus | minus;
-        let mut left = stretch.from;
-        let mut run: Option<S> = None;
+        let square = stretch.width * stretch.width;
+        if square * square * bounds.fourth * S::constant(1.0 / 384.0) <= bounds.rounding {
+            return;
+        }
+        let (mut left, mut run) = (stretch.from, None);
         while open != 0 {
             if open & 1 == 1 {
                 run = run.or(Some(left));
             } else if let Some(from) = run.take() {
-                self.divide(from, left, bounds, divisions);
+                self.divide(from, left, stretch.width, bounds);
             }
             open >>= 1;
             left = left + stretch.width;
         }
         if let Some(from) = run {
-            self.divide(from, left.min(stretch.to), bounds, divisions);
+            self.divide(from, left.min(stretch.to), stretch.width, bounds);
         }
     }
 
-    /// Open cells side by side.
-    fn divide(&mut self, from: S, to: S, bounds: &Bounds<S>, divisions: u32) {
-        match divisions.checked_sub(1) {
-            Some(left) if self.peak.evaluations < MAX_EVALUATIONS => {
-                let stretch = Stretch::new(from, to, (to - from) * S::constant(1.0 / FINER));
-                self.settle(&stretch, bounds, left);
-            }
-            _ => self.walk_cells(from, to),
+    /// Open cells side by side: the fewer, the finer.
+    fn divide(&mut self, from: S, to: S, width: S, bounds: &Bounds<S>) {
+        let few = to - from < width * S::constant(3.5);
+        let share = S::constant(if few { 1.0 / FINER } else { 0.25 });
+        let starts = self.question.weight == Weight::Sine && from.is_zero();
+        let mut from = from;
+        while from < to && self.peak.evaluations < MAX_EVALUATIONS {
+            let stretch = Stretch::new(from, to, width * share, starts && from.is_zero());
+            self.settle(&stretch, bounds);
+            from = stretch.to;
         }
-    }
-
-    fn walk_cells(&mut self, from: S, to: S) {
-        let signs = self.signs();
-        let (mut from, mut to) = (from, to);
-        if self.question.weight == Weight::Sine {
-            if from.is_zero() {
-                from = self.start(signs);
-            }
-            if self.ends_at_pi(to) {
-                to = self.last(signs);
-            }
-        }
-        self.walk(from, to);
     }
 
     /// Whether sum and sine both vanish here, at the end of the half period.
@@ -129,7 +109,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let Some(place) = self.highest(&grid, open) else {
                 return open;
             };
-            let Some(summit) = self.summit(&place, bounds.fourth) else {
+            let Some(summit) = self.summit(&place, &grid) else {
                 break;
             };
             let [plus, minus] = &mut closed;
@@ -154,6 +134,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// The level that a cell must stay below: of a motion all maxima count that are equal.
     fn bar(&self, negative: bool) -> S {
         match self.question.weight {
+            // What rounding leaves of a sum is still the largest that is known of it.
+            Weight::One if self.peak.places[0].is_none() => self.peak.value,
             Weight::One => {
                 let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
                 equal.max(self.rounding)
@@ -182,20 +164,21 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     }
 
     /// The cells in which a Bernstein coefficient, value or value ± slope·h/3, leaves room for more.
-    fn open_of(&self, grid: &Grid<S>, negative: bool) -> u32 {
+    pub(super) fn open_of(&self, grid: &Grid<S>, negative: bool) -> u32 {
         let zero = S::constant(0.0);
         let Stretch {
             from, to, width, ..
         } = grid.stretch;
         let bar = self.bar(negative);
         let over_sine = self.question.weight == Weight::Sine;
-        let fourth = grid.bounds.fourth + if over_sine { bar } else { zero };
+        let fourth = grid.bounds.fourth + if over_sine { bar.abs() } else { zero };
         let third = width * S::constant(1.0 / 3.0);
         let quartic = width * width * (width * width) * fourth;
-        let slack = quartic * S::constant(1.0 / 384.0) + grid.bounds.rounding;
+        let slack = quartic * S::constant(1.0 / 384.0);
         let (mut open, mut bit) = (0_u32, 1_u32);
-        for (_, node) in grid.nodes() {
+        grid.each(|tau, node| {
             let (value, slope) = self.excess_at(&node, negative, bar);
+            let slack = slack + grid.rounding(tau + width);
             if !(value + third * slope.abs() + slack <= zero) {
                 open |= if !(value + slack <= zero) {
                     bit | (bit >> 1)
@@ -206,7 +189,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 };
             }
             bit <<= 1;
-        }
+        });
         let cells = grid.stretch.cells();
         open &= !(u32::MAX << cells);
         if over_sine && from.is_zero() {
@@ -225,14 +208,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// the end.
     fn ends_below(&self, grid: &Grid<S>, negative: bool, bar: S, slack: S) -> bool {
         let width = grid.stretch.width;
-        let mut nodes = grid.nodes().skip(grid.stretch.cells() - 1);
-        let mut next = || {
-            let (_, node) = nodes.next()?;
-            Some(self.excess_at(&node, negative, bar))
-        };
-        let Some(((value, slope), (_, last))) = next().zip(next()) else {
+        let cells = grid.stretch.cells();
+        let (Some(before), Some(last)) = (grid.node(cells - 1), grid.node(cells)) else {
             return false;
         };
+        let (value, slope) = self.excess_at(&before, negative, bar);
+        let (_, last) = self.excess_at(&last, negative, bar);
         let middle = (value + width * slope * S::constant(1.0 / 3.0)) * S::constant(1.5);
         let most = value.max(middle).max(-(width * last));
         most + slack <= S::constant(0.0)
@@ -244,7 +225,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
         let third = S::constant(1.0 / 3.0);
         let (width, bounds) = (grid.stretch.width, grid.bounds);
-        let Some((_, node)) = grid.nodes().nth(1) else {
+        let Some(node) = grid.node(1) else {
             return false;
         };
         let second = if negative {
@@ -254,7 +235,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         };
         let (value, slope) = self.excess_at(&node, negative, zero);
         let square = width * width;
-        let rounding = bounds.rounding / square;
+        let error = grid.rounding(width);
+        let rounding = error / square;
         let at_node = value / square + rounding;
         let between = (value + value) / square - slope * half / width
             + bounds.fifth * (square * width * S::constant(1.0 / 240.0))
@@ -266,7 +248,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         // The fourth derivative of a function over τ is at most a fifth of its fifth.
         let (value, slope) = self.excess_at(&node, negative, bar);
         let slack = (bounds.fifth + bar) * (square * square * S::constant(1.0 / (5.0 * 384.0)))
-            + bounds.rounding / width;
+            + error / width;
         let at_node = value / width;
         let most = (second * half * width * third - bar)
             .max(-bar)

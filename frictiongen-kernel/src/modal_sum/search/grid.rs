@@ -25,13 +25,15 @@ pub(super) struct Stretch<S> {
     pub width: S,
     /// Nodes come in rows.
     rows: usize,
+    /// Whether every mode keeps its forcing: from where all are at rest, rounding grows with the time alone.
+    pub forced: bool,
     /// The last node.
     pub to: S,
 }
 
 impl<S: Float> Stretch<S> {
     /// From an instant as far as `end` or as one grid goes, with cells of at most this width.
-    pub fn new(from: S, end: S, width: S) -> Self {
+    pub fn new(from: S, end: S, width: S, forced: bool) -> Self {
         let (mut rows, mut cells) = (1, S::constant(LANES as f64 - 1.0));
         let left = end - from;
         while width * cells < left && rows < ROWS {
@@ -46,12 +48,10 @@ impl<S: Float> Stretch<S> {
             from,
             width,
             rows,
+            forced,
             to,
         }
     }
-
-    /// The most cells of one grid.
-    pub const MOST_CELLS: f64 = (LANES * ROWS - 1) as f64;
 
     /// How many cells there are.
     pub fn cells(&self) -> usize {
@@ -177,12 +177,12 @@ impl<S: Float> Grid<S> {
         let four = Instant::new(width * S::constant(4.0) * S::inverse_pi());
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {
-            let (track, common) = Track::of(wave, at);
+            let (track, common) = Track::of(wave, at, stretch.forced);
             let advance = |basis: &Basis<S>| {
                 let matrix = Matrix::of(track.x, track.loss, (basis.free, basis.slope));
                 (matrix, Gain::of(wave, track.loss, basis))
             };
-            if is_forced(wave) {
+            if is_forced(wave, stretch.forced) {
                 let near = advance(&wave.decay.basis(wave.x, &step));
                 let far = advance(&wave.decay.basis(wave.x, &four));
                 grid.add_forced(&track, &near, &far);
@@ -290,22 +290,49 @@ impl<S: Float> Grid<S> {
         }
     }
 
+    /// What rounding can do to the value at a node.
+    pub fn rounding(&self, tau: S) -> S {
+        let Bounds {
+            rounding, drift, ..
+        } = self.bounds;
+        if self.stretch.forced && self.stretch.from.is_zero() {
+            rounding.min(drift * tau)
+        } else {
+            rounding
+        }
+    }
+
     /// Node after node, each with its τ.
-    pub fn nodes(&self) -> impl Iterator<Item = (S, Node<S>)> + '_ {
-        let values = self.value.iter().flatten().zip(self.slope.iter().flatten());
-        let angles = self.sine.iter().flatten().zip(self.cosine.iter().flatten());
+    pub fn each(&self, mut visit: impl FnMut(S, Node<S>)) {
+        let values = self.value.iter().zip(&self.slope);
+        let angles = self.sine.iter().zip(&self.cosine);
         let mut tau = self.stretch.from;
-        let nodes = values.zip(angles).take(self.stretch.rows * LANES);
-        nodes.map(move |((value, slope), (sine, cosine))| {
-            let node = Node {
-                value: *value,
-                slope: *slope,
-                sine: *sine,
-                cosine: *cosine,
-            };
-            let here = tau;
-            tau = tau + self.stretch.width;
-            (here, node)
+        for ((values, slopes), (sines, cosines)) in values.zip(angles).take(self.stretch.rows) {
+            let lanes = values.iter().zip(slopes).zip(sines.iter().zip(cosines));
+            for ((value, slope), (sine, cosine)) in lanes {
+                let node = Node {
+                    value: *value,
+                    slope: *slope,
+                    sine: *sine,
+                    cosine: *cosine,
+                };
+                visit(tau, node);
+                tau = tau + self.stretch.width;
+            }
+        }
+    }
+
+    /// One node.
+    pub fn node(&self, index: usize) -> Option<Node<S>> {
+        if index > self.stretch.cells() {
+            return None;
+        }
+        let of = |rows: &[Row<S>; ROWS]| rows.get(index / LANES)?.get(index % LANES).copied();
+        Some(Node {
+            value: of(&self.value)?,
+            slope: of(&self.slope)?,
+            sine: of(&self.sine)?,
+            cosine: of(&self.cosine)?,
         })
     }
 }

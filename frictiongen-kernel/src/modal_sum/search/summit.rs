@@ -37,6 +37,14 @@ struct Cubic<S> {
     third: S,
 }
 
+#[cfg(test)]
+impl<S: Float> Summit<S> {
+    /// Its level, and whether it is one of the sum's negative.
+    pub fn height(&self) -> (S, bool) {
+        (self.level, self.negative)
+    }
+}
+
 impl<S: Float> Cubic<S> {
     /// How far it is to the top.
     fn step(&self) -> S {
@@ -96,12 +104,13 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let over_sine = self.question.weight == Weight::Sine;
         let starts = over_sine && grid.stretch.from.is_zero();
         let mut best: Option<(S, bool, usize, S)> = None;
-        let mut bit = 1_u32;
-        for (index, (tau, node)) in grid.nodes().enumerate() {
+        let (mut bit, mut index) = (1_u32, 0);
+        grid.each(|tau, node| {
             let cells = bit | (bit >> 1);
-            bit <<= 1;
+            let number = index;
+            (bit, index) = (bit << 1, index + 1);
             if over_sine && !(zero < node.sine && zero < tau) {
-                continue;
+                return;
             }
             for (&negative, open) in self.signs().iter().zip(open) {
                 if open & cells == 0 {
@@ -114,10 +123,10 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                     value
                 };
                 if best.is_none_or(|(known, ..)| known < value) {
-                    best = Some((value, negative, index, tau));
+                    best = Some((value, negative, number, tau));
                 }
             }
-        }
+        });
         let bounds = grid.bounds;
         if starts && open[0] & 1 != 0 && zero < bounds.second && bounds.third < zero {
             // For small τ the quotient is second·τ/2 + third·τ²/6.
@@ -131,7 +140,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             }
         }
         let (_, negative, index, tau) = best?;
-        let (_, node) = grid.nodes().nth(index)?;
+        let node = grid.node(index)?;
         let here = self.quotient_node(&node);
         let rising = (zero < here.1) != negative;
         if !over_sine {
@@ -150,11 +159,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         } else {
             index.checked_sub(1)
         };
-        let there = match other.and_then(|other| grid.nodes().nth(other)) {
-            Some((at, _)) if starts && at.is_zero() => {
-                Some((zero, bounds.second * S::constant(0.5)))
-            }
-            Some((_, node)) if !over_sine || zero < node.sine => Some(self.quotient_node(&node)),
+        let there = match other.and_then(|other| grid.node(other)) {
+            Some(_) if starts && other == Some(0) => Some((zero, bounds.second * S::constant(0.5))),
+            Some(node) if !over_sine || zero < node.sine => Some(self.quotient_node(&node)),
             _ => None,
         };
         let width = if rising {
@@ -178,14 +185,16 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     }
 
     /// The summit near a place, its value kept if it is the largest; none if the place is not near enough to one.
-    pub(super) fn summit(&mut self, place: &Place<S>, fourth: S) -> Option<Summit<S>> {
+    pub(super) fn summit(&mut self, place: &Place<S>, grid: &Grid<S>) -> Option<Summit<S>> {
+        let (fourth, width) = (grid.bounds.fourth, grid.stretch.width);
         // The value is exact to rounding, however little is asked of the search.
         let four = S::constant(4.0 * S::EPSILON);
         let Place {
             mut tau,
             mut negative,
         } = *place;
-        for _ in 0..EVALUATIONS {
+        let mut seen = None;
+        for evaluation in 1..=EVALUATIONS {
             let (inside, flipped) = self.moved(tau);
             if inside != tau && self.question.weight == Weight::Sine {
                 return None;
@@ -194,10 +203,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             self.peak.evaluations += 1;
             let jet = self.sum.jet(&Instant::new(tau * S::inverse_pi()));
             let (best, quotient) = self.quotient_jet(&jet, negative);
-            if !(quotient.curvature < S::constant(0.0)) {
-                return None;
-            }
             let step = quotient.step();
+            let near = step.abs() < width + width;
+            seen = Some((best, quotient.value, Maximiser { tau, negative }));
+            if !(quotient.curvature < S::constant(0.0) && near) {
+                break;
+            }
             let size = self.question.start + self.peak.value.max(best);
             let spare = four * size;
             let weight = match self.question.weight {
@@ -205,10 +216,10 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 Weight::Sine => jet.sine,
             };
             let left = beyond_cubic(fourth + self.level(), step);
-            // A motion's lag needs the place, of which the curvature must be sure.
-            let doubt = four * jet.terms * step.abs() + (fourth * step * step * step).abs();
-            let placed =
-                self.question.weight == Weight::Sine || doubt <= four * quotient.curvature.abs();
+            // A motion's lag needs the place itself.
+            let placed = self.question.weight == Weight::Sine
+                || (fourth * step * step * step).abs() <= four * quotient.curvature.abs()
+                || evaluation == EVALUATIONS;
             let (at_top, flipped) = self.moved(tau + step);
             // In the next half period friction has the opposite sign, and the curvature is another.
             let crossed = flipped && four < at_top.min(self.question.end - at_top);
@@ -228,6 +239,10 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             }
             tau = tau + step;
         }
+        let (best, value, place) = seen?;
+        if self.peak.value < best {
+            self.keep(best, value, place);
+        }
         None
     }
 
@@ -240,7 +255,6 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             slope,
             curvature,
             third,
-            ..
         } = *jet;
         let (best, whole) = self.quotient_at(value, sine, cosine, negative);
         let sign = S::constant(if negative { -1.0 } else { 1.0 });
@@ -286,7 +300,6 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             slope,
             curvature,
             third,
-            ..
         } = summit.jet;
         let node = Node {
             value,
@@ -320,7 +333,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             }
         });
         let (mut closed, mut before, mut cell) = (0, false, 0_u32);
-        for (tau, node) in grid.nodes() {
+        grid.each(|tau, node| {
             let (value, slope) = self.excess_at(&node, summit.negative, level);
             let distance = tau - summit.tau;
             let below = distance.is_zero()
@@ -328,7 +341,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                     // Exactly 0 there.
                     here.stays_below((zero, slope), distance, fourth, zero)
                 } else {
-                    let rounding = grid.bounds.rounding;
+                    let rounding = grid.rounding(tau);
                     here.stays_below((value, slope), distance, fourth, rounding)
                         || over_tau.filter(|_| zero < distance).is_some_and(|over| {
                             let value = value / tau;
@@ -343,7 +356,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 closed |= cell;
             }
             (before, cell) = (below, if cell == 0 { 1 } else { cell << 1 });
-        }
+        });
         closed
     }
 }

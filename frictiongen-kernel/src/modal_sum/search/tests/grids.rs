@@ -4,11 +4,13 @@ use super::whole::scanned;
 use super::*;
 use crate::modal_sum::search::bounds::Bounds;
 use crate::modal_sum::search::grid::{Grid, Stretch};
+use crate::modal_sum::search::summit::Place;
+use crate::testing::{ZETAS, derivative, parts};
 
 fn grid_of(sum: &TestSum<'_>, from: f64, to: f64, width: f64) -> Grid<f64> {
     let at = Instant::new(from / PI);
     let bounds = Bounds::of(sum, &at, to - from);
-    Grid::of(sum, &Stretch::new(from, to, width), &bounds)
+    Grid::of(sum, &Stretch::new(from, to, width, false), &bounds)
 }
 
 /// Value and slope at every node, as far as rounding is said to reach.
@@ -23,7 +25,7 @@ fn nodes_are_on_the_sum() {
         let grid = grid_of(&sum, from, drawn.question.end.max(from + 0.5), 0.02);
         let rounding = grid.bounds.rounding;
         let fastest = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
-        for (tau, node) in grid.nodes() {
+        grid.each(|tau, node| {
             // The sum's own angles are known to a rounding of τ.
             let own = 1e-15 * size_of(&sum) * (1.0 + fastest * tau);
             let value = (node.value - sum_derivative(&sum, tau, 0)).abs();
@@ -38,7 +40,7 @@ fn nodes_are_on_the_sum() {
             );
             worst = worst.max(value / (rounding + own));
             compared += 1;
-        }
+        });
     }
     println!("{compared} nodes, off by at most {worst} of what is allowed");
     assert!(compared > 15_000);
@@ -79,6 +81,49 @@ fn no_derivative_exceeds_its_bound() {
     assert!(compared == 600 * 51 && nearest > 0.5);
 }
 
+/// The same of each part of a wave by itself, for every kind of damping: and no bound is far too large.
+#[test]
+fn bounds_hold_for_every_part() {
+    let (mut compared, mut least, mut most) = (0, 9.0_f64, 0.0_f64);
+    for zeta in ZETAS {
+        for x in [
+            1e-3, 0.05, 0.3, 0.7, 0.999, 1.0, 1.0001, 1.2, 2.0, 5.0, 30.0, 300.0,
+        ] {
+            for (name, wave) in parts(x, zeta) {
+                let sum = Sum {
+                    waves: core::slice::from_ref(&wave),
+                    cosine: 0.0,
+                    sine: 0.0,
+                };
+                for from in [0.0, 0.2 / x.max(1.0), 0.5, 2.4] {
+                    let bounds = Bounds::of(&sum, &Instant::new(from / PI), PI - from);
+                    let start = Bounds::of(&sum, &Instant::new(0.0), PI);
+                    // What rounding leaves of a decay is a unit of the start.
+                    let fourth = bounds.fourth * (1.0 + 1e-9) + f64::EPSILON * start.fourth;
+                    let fifth = bounds.fifth * (1.0 + 1e-9) + f64::EPSILON * start.fifth;
+                    let near = (0..64).map(|k| from + 0.11 * f64::from(k) / x.max(1.0));
+                    let far = (0..=64).map(|k| from + (PI - from) * f64::from(k) / 64.0);
+                    let mut share = 0.0_f64;
+                    for tau in near.chain(far).filter(|tau| *tau <= PI) {
+                        let here = derivative(&wave, tau, 4).abs();
+                        assert!(here <= fourth, "{name}, ζ {zeta}, x {x}, τ {tau}: {here}");
+                        let next = derivative(&wave, tau, 5).abs();
+                        assert!(next <= fifth, "{name}, ζ {zeta}, x {x}, τ {tau}: {next}");
+                        share = share.max(here / bounds.fourth);
+                        compared += 2;
+                    }
+                    most = most.max(share);
+                    if from == 0.0 && x >= 2.0 && zeta <= 0.1 && !wave.mass_controlled {
+                        least = least.min(share);
+                    }
+                }
+            }
+        }
+    }
+    println!("{compared} derivatives; shares of the bound from {least} to {most}");
+    assert!(compared > 100_000 && most > 0.99 && least > 0.3);
+}
+
 fn size_of(sum: &TestSum<'_>) -> f64 {
     size(&search(*sum, asked(Weight::One, true, 0.0), 0.0))
 }
@@ -109,7 +154,8 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
             0.2 * random.unit()
         };
         let width = random.log_uniform(0.01, 0.5);
-        let stretch = Stretch::new(from, question.end, width);
+        let forced = over_sine && case % 3 == 1;
+        let stretch = Stretch::new(from, question.end, width, forced);
         let bounds = Bounds::of(&sum, &Instant::new(from / PI), question.end - from);
         let bits = search.open_cells(&stretch, &bounds);
         let bar = 1e-11 * size(&search);
@@ -135,4 +181,101 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
     }
     println!("{closed} cells closed, {open} left open, {beside} places near the level");
     assert!(closed > 50_000 && open > 500 && beside > 10_000);
+}
+
+/// With the level just below what the sum reaches in a cell, that cell must not be closed: first, last and any other,
+/// without a look at summits.
+#[test]
+fn a_cell_that_exceeds_the_level_is_open() {
+    let mut random = Lcg(71);
+    let mut held = [0_usize; 3];
+    for case in 0..12_000 {
+        let over_sine = case % 4 != 0;
+        let drawn = Drawn::new(&mut random, (0.05, 30.0), case % 3 == 0, over_sine);
+        let (sum, question) = (drawn.sum(), drawn.question);
+        let mut search = search(sum, question, 0.0);
+        let width = random.log_uniform(0.02, 1.0);
+        let stretch = Stretch::new(0.0, question.end, width, case % 5 == 0);
+        let bounds = Bounds::of(&sum, &Instant::new(0.0), question.end);
+        let grid = Grid::of(&sum, &stretch, &bounds);
+        let cell = [0, stretch.cells() - 1, random.below(stretch.cells())][case % 3];
+        // The largest quotient in the cell, at its thirty-second parts.
+        let at = |i: usize| (cell as f64 + i as f64 / 32.0) * stretch.width;
+        let quotient = |tau: f64| {
+            let weight = if over_sine { tau.sin() } else { 1.0 };
+            excess(&search, false, tau) / weight
+        };
+        let most = (1..32).map(|i| quotient(at(i))).fold(f64::MIN, f64::max);
+        let gap = random.log_uniform(1e-7, 1e-2) * size(&search);
+        search.peak.value = most - gap;
+        // The whole of what is above must be worth more than rounding.
+        let above = (1..32)
+            .map(|i| excess(&search, false, at(i)))
+            .fold(f64::MIN, f64::max);
+        // Levels are positive; but only a negative one is met before π.
+        let low = search.peak.value <= 0.0 && (!over_sine || case % 3 != 1);
+        if above < 1e-9 * size(&search) || low {
+            continue;
+        }
+        search.peak.places[0] = Some(Maximiser {
+            tau: 0.0,
+            negative: false,
+        });
+        let open = search.open_of(&grid, false);
+        assert!(
+            open & (1 << cell) != 0,
+            "case {case}, cell {cell} of {}: {above:e} above {}",
+            stretch.cells(),
+            search.peak.value
+        );
+        held[case % 3] += 1;
+    }
+    println!("first, last and other cells: {held:?}");
+    assert!(held.iter().all(|held| *held > 300));
+}
+
+/// About a maximum of its own, of whatever height, a summit closes only cells in which the sum is not higher.
+#[test]
+fn a_summit_closes_nothing_that_is_higher() {
+    let mut random = Lcg(73);
+    let (mut summits, mut closed) = (0, 0);
+    for case in 0..6000 {
+        let over_sine = case % 2 == 0;
+        let drawn = Drawn::new(&mut random, (0.3, 30.0), case % 3 == 0, over_sine);
+        let (sum, question) = (drawn.sum(), drawn.question);
+        let mut search = search(sum, question, 0.0);
+        let rate = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
+        // Wide enough that the fourth derivative decides.
+        let width = random.log_uniform(0.3, 6.0) / rate;
+        let from = if case % 4 < 2 {
+            0.0
+        } else {
+            0.2 * random.unit()
+        };
+        let stretch = Stretch::new(from, question.end, width, false);
+        let bounds = Bounds::of(&sum, &Instant::new(from / PI), question.end - from);
+        let grid = Grid::of(&sum, &stretch, &bounds);
+        let place = Place {
+            tau: from + (stretch.to - from) * random.unit(),
+            negative: false,
+        };
+        let Some(summit) = search.summit(&place, &grid) else {
+            continue;
+        };
+        summits += 1;
+        let (level, negative) = summit.height();
+        search.peak.value = level;
+        let cells = search.about(&summit, &grid);
+        let bar = 1e-11 * size(&search);
+        for cell in (0..stretch.cells()).filter(|cell| cells & (1 << cell) != 0) {
+            closed += 1;
+            for i in 0..=16 {
+                let tau = from + (cell as f64 + f64::from(i) / 16.0) * stretch.width;
+                let above = excess(&search, negative, tau.min(question.end));
+                assert!(above <= bar, "case {case}, cell {cell}, τ {tau}: {above:e}");
+            }
+        }
+    }
+    println!("{summits} summits closed {closed} cells");
+    assert!(summits > 900 && closed > 2000);
 }

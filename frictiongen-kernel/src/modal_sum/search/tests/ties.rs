@@ -76,16 +76,13 @@ fn equal_maxima_are_all_found() {
                 sine,
             };
             let want = scanned(&search(sum, motion_question(), 0.0));
-            for guess in [None, Some(0.2), Some(1.0), Some(2.5), Some(3.1)] {
-                let peak = match guess {
-                    Some(guess) => walked_from(sum, motion_question(), guess),
-                    None => largest(sum, motion_question()),
-                };
+            {
+                let peak = largest(sum, motion_question());
                 assert!((peak.value / want - 1.0).abs() < 1e-13, "{k}, {b}, {odd}");
                 let places = places(&peak);
                 // No b here makes the middle itself the largest of a sum that is even about it.
                 let [(first, sign), (second, other)] = places[..] else {
-                    panic!("{k}, {b}, odd {odd}, from {guess:?}: {places:?}");
+                    panic!("{k}, {b}, odd {odd}: {places:?}");
                 };
                 assert!(
                     (first + second - PI).abs() < 1e-7,
@@ -97,7 +94,7 @@ fn equal_maxima_are_all_found() {
         }
     }
     println!("{compared} searches for pairs");
-    assert_eq!(compared, 90);
+    assert_eq!(compared, 18);
 }
 
 /// Seven of one height, of which a peak keeps four; and the ends of the half period, which are one maximum.
@@ -125,13 +122,7 @@ fn a_peak_keeps_four_places() {
         cosine,
         sine,
     };
-    for guess in [0.0, 0.1, 3.0, PI] {
-        assert_eq!(
-            places(&walked_from(sum, motion_question(), guess)).len(),
-            1,
-            "{guess}"
-        );
-    }
+    assert_eq!(places(&largest(sum, motion_question())).len(), 1);
 }
 
 /// A mode so fast that every one of its 5·10⁴ turns must be looked at: the search gives up with the best of
@@ -155,9 +146,9 @@ fn a_search_that_takes_too_long_ends_with_the_best_so_far() {
     assert!(peak.places[0].is_some());
 }
 
-/// From where the sum is smallest, with a slope of exactly 0, which is no maximum though nothing pulls away.
+/// Where the sum is smallest the slope is exactly 0, which is no maximum though nothing pulls away.
 #[test]
-fn a_climb_leaves_a_minimum() {
+fn a_minimum_at_the_start_is_left() {
     for (k, b) in [(3.0, 0.3), (5.0, 0.1), (9.0, 0.02)] {
         let (waves, cosine, sine) = harmonics(&[], &[(1.0, 1.0), (k, -b)]);
         let sum = Sum {
@@ -165,17 +156,13 @@ fn a_climb_leaves_a_minimum() {
             cosine,
             sine,
         };
-        assert!(sum.local(&Instant::new(0.0), None).0.slope == 0.0);
+        assert!(sum.slope(&Instant::new(0.0)) == 0.0);
         let want = scanned(&search(sum, motion_question(), 0.0));
-        for peak in [
-            largest(sum, motion_question()),
-            walked_from(sum, motion_question(), 0.0),
-        ] {
-            assert!(
-                (peak.value / want - 1.0).abs() < 1e-13,
-                "{k}: {peak:?}, not {want}"
-            );
-            assert!(peak.evaluations < 500, "{k}: {peak:?}");
-        }
+        let peak = largest(sum, motion_question());
+        assert!(
+            (peak.value / want - 1.0).abs() < 1e-13,
+            "{k}: {peak:?}, not {want}"
+        );
+        assert!(peak.evaluations < 500, "{k}: {peak:?}");
     }
 }

@@ -64,7 +64,7 @@ fn no_maximum_of_a_random_sum_is_missed() {
             tolerance: 4.0 * f64::EPSILON,
             ..question
         };
-        let (found, guessed) = (largest(sum, question), walked_from(sum, question, 0.3 * PI));
+        let found = largest(sum, question);
         assert!(found.evaluations < MAX_EVALUATIONS, "case {case}");
         if found.places[0].is_none() {
             // The floor; both vanish at τ = 0, where a quotient may well be larger, but not by much.
@@ -73,26 +73,14 @@ fn no_maximum_of_a_random_sum_is_missed() {
             continue;
         }
         let scale = want.abs() + question.start;
-        for peak in if sine {
-            [found, found]
-        } else {
-            [found, guessed]
-        } {
-            // What rounding leaves of the sum, sin τ below it, in a scan that stops 10⁻⁵ before π.
-            let bar = 1e-9 * scale;
-            assert!(
-                peak.value >= want - bar,
-                "case {case}: {} below {want}",
-                peak.value
-            );
-            if !sine {
-                assert!(
-                    peak.value <= want + bar,
-                    "case {case}: {} above {want}",
-                    peak.value
-                );
-            }
-        }
+        // What rounding leaves of the sum, sin τ below it, in a scan that stops 10⁻⁵ before π.
+        let bar = 1e-9 * scale;
+        let value = found.value;
+        assert!(value >= want - bar, "case {case}: {value} below {want}");
+        assert!(
+            sine || value <= want + bar,
+            "case {case}: {value} above {want}"
+        );
         counts[usize::from(sine)].push(found.evaluations);
     }
     // Measured: median 170 and 73, nine in ten below 425 and 107, worst 980 and 784; a quarter more may be needed.
