@@ -2,7 +2,7 @@
 
 use crate::clock::{Job, Time, interleaved};
 use crate::methods::{Fill, Method, Pair, filler};
-use crate::operations;
+use crate::operations::{self, Operations};
 use crate::peers::{Modal, balance, textbook};
 #[cfg(with_c)]
 use crate::peers::{by_hand, stepper};
@@ -64,7 +64,7 @@ pub struct Row {
     /// Against the exact answer, all points.
     pub error: Errors,
     /// Operations a call, emitted scenes only, without those of a search.
-    pub operations: Option<usize>,
+    pub operations: Option<Operations>,
 }
 
 /// Measures the scenes that it is shown.

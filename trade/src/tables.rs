@@ -22,7 +22,7 @@ pub fn csv(rows: &[Row]) -> Result<String, std::fmt::Error> {
             row.time.median,
             row.time.least,
             row.operations
-                .map_or(String::new(), |count| count.to_string()),
+                .map_or(String::new(), |count| count.total.to_string()),
             row.rounding.percentile(),
             row.rounding.worst(),
             row.usual.percentile(),
@@ -68,7 +68,7 @@ pub fn pools(rows: &[Row]) -> Vec<Pool> {
             usual.and(&row.usual);
             error.and(&row.error);
         }
-        let counts = || same.iter().filter_map(|row| row.operations);
+        let counts = || same.iter().filter_map(|row| Some(row.operations?.total));
         Pool {
             masses: wanted.0,
             method: wanted.1,
