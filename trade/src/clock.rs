@@ -8,9 +8,9 @@ const SHORTEST: f64 = 2e-4;
 const LONGEST: f64 = 0.05;
 const FEWEST_POINTS: usize = 8;
 
-/// Something to time: calls itself at the first points, as many as it is told.
+/// Something to time: calls itself at the first points, as many and as often as it is told.
 pub struct Job<'a> {
-    run: Box<dyn FnMut(usize) + 'a>,
+    seconds: Box<dyn FnMut(usize, usize) -> f64 + 'a>,
     points: usize,
     passes: usize,
     times: Vec<f64>,
@@ -27,9 +27,20 @@ pub struct Time {
 
 impl<'a> Job<'a> {
     /// A job of at most `points` calls a pass.
-    pub fn new(points: usize, run: impl FnMut(usize) + 'a) -> Self {
+    pub fn new(points: usize, mut run: impl FnMut(usize) + 'a) -> Self {
+        Self::timed_by(points, move |count, passes| {
+            let start = Instant::now();
+            for _ in 0..passes {
+                run(count);
+            }
+            start.elapsed().as_secs_f64()
+        })
+    }
+
+    /// A job that knows itself how many seconds it took, for so many points and passes.
+    pub fn timed_by(points: usize, seconds: impl FnMut(usize, usize) -> f64 + 'a) -> Self {
         Self {
-            run: Box::new(run),
+            seconds: Box::new(seconds),
             points,
             passes: 1,
             times: Vec::new(),
@@ -37,15 +48,11 @@ impl<'a> Job<'a> {
     }
 
     fn pass(&mut self) -> f64 {
-        let start = Instant::now();
-        for _ in 0..self.passes {
-            (self.run)(self.points);
-        }
-        start.elapsed().as_secs_f64()
+        (self.seconds)(self.points, self.passes)
     }
 
     fn fit(&mut self) {
-        (self.run)(self.points.min(FEWEST_POINTS));
+        (self.seconds)(self.points.min(FEWEST_POINTS), 1);
         let all = self.points;
         self.points = all.min(FEWEST_POINTS);
         let one = self.pass() / self.points as f64;

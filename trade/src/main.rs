@@ -1,8 +1,10 @@
 //! Speed against accuracy: every way to an answer, ours and others', in the same run.
 //!
 //! `scripts/trade` runs it: `trade FOLDER` writes `trade.csv`, `trade.md` and `trade.svg` there;
-//! `trade --quick FOLDER` measures less, up to two masses, in seconds.
+//! `trade --quick FOLDER` measures less, up to two masses, in seconds.  `--before PROGRAM` names the
+//! program of the searches before (`before/`).
 
+mod before;
 mod clock;
 mod measure;
 mod methods;
@@ -14,9 +16,10 @@ mod points;
 mod scenes;
 mod tables;
 
+use before::Before;
 use measure::Measure;
 use points::Extent;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 const FULL: Extent = Extent {
     timed: 128,
@@ -41,8 +44,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     if quick {
         arguments.remove(0);
     }
-    let [folder] = arguments.as_slice() else {
-        return Err("trade [--quick] FOLDER".into());
+    let (before, folder) = match arguments.as_slice() {
+        [folder] => (None, folder),
+        [word, program, folder] if word == "--before" => {
+            (Some(Before::start(Path::new(program))?), folder)
+        }
+        _ => return Err("trade [--quick] [--before PROGRAM] FOLDER".into()),
     };
     let folder = PathBuf::from(folder);
     if cfg!(not(with_c)) {
@@ -51,6 +58,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let extent = if quick { QUICK } else { FULL };
     let mut measure = Measure {
         extent,
+        before,
         rows: Vec::new(),
     };
     scenes::visit(&mut measure);

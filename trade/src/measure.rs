@@ -1,5 +1,6 @@
 //! Measures every way in every scene.
 
+use crate::before::{self, Before};
 use crate::clock::{Job, Time, interleaved};
 use crate::methods::{Fill, Method, Pair, filler};
 use crate::operations::{self, Operations};
@@ -29,6 +30,8 @@ pub enum By {
     Balance(usize),
     /// The event stepper in C.
     Stepper,
+    /// Emitted, double precision, by the searches before.
+    Before,
 }
 
 impl By {
@@ -42,6 +45,7 @@ impl By {
             Self::Textbook => "eigenproblem at each r".into(),
             Self::Balance(order) => format!("harmonic balance {order}"),
             Self::Stepper => "C event stepper".into(),
+            Self::Before => "emitted f64 before".into(),
         }
     }
 }
@@ -71,6 +75,8 @@ pub struct Row {
 pub struct Measure {
     /// How much.
     pub extent: Extent,
+    /// The searches before, if they could be built.
+    pub before: Option<Before>,
     /// What came out.
     pub rows: Vec<Row>,
 }
@@ -133,6 +139,12 @@ struct Entry<'a, S> {
     fill: &'a Fill<S>,
 }
 
+impl<'a, S> Entry<'a, S> {
+    fn new(by: By, method: Method, fill: &'a Fill<S>) -> Self {
+        Self { by, method, fill }
+    }
+}
+
 fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Time) -> Row {
     let (method, exact) = (entry.method, entry.method.exact());
     let errors = |set: &Set<S>, truth| set.errors(&asked(entry.fill, method, &set.points), truth);
@@ -154,6 +166,20 @@ fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Ti
         usual,
         error,
         operations: emitted.then(|| operations::of(&label, method)).flatten(),
+    }
+}
+
+/// A row without errors.
+fn only_timed(label: Label, by: By, method: Method, time: Time) -> Row {
+    Row {
+        label,
+        by,
+        method,
+        time,
+        rounding: Errors::default(),
+        usual: Errors::default(),
+        error: Errors::default(),
+        operations: None,
     }
 }
 
@@ -202,51 +228,38 @@ impl Visitor for Measure {
         #[cfg(with_c)]
         let by_hand = by_hand::filler(&modal);
 
-        let entry = |by, method, fill| Entry { by, method, fill };
         let mut entries = Vec::new();
         let mut entries_single = Vec::new();
         for method in Method::CLOSED {
-            entries.push(Entry {
-                by: By::Double,
-                method,
-                fill: &doubles,
-            });
-            entries.push(Entry {
-                by: By::RunTime,
-                method,
-                fill: &run_time,
-            });
-            entries_single.push(Entry {
-                by: By::Single,
-                method,
-                fill: &singles,
-            });
+            entries.push(Entry::new(By::Double, method, &doubles));
+            entries.push(Entry::new(By::RunTime, method, &run_time));
+            entries_single.push(Entry::new(By::Single, method, &singles));
             #[cfg(with_c)]
             if by_hand::METHODS.contains(&method) {
-                entries.push(Entry {
-                    by: By::Hand,
-                    method,
-                    fill: &by_hand,
-                });
+                entries.push(Entry::new(By::Hand, method, &by_hand));
             }
         }
         if orbit.is_some() && !wide.stops.points.is_empty() && !narrow.stops.points.is_empty() {
-            entries.push(entry(By::Double, Method::Orbit, &doubles));
-            entries_single.push(Entry {
-                by: By::Single,
-                method: Method::Orbit,
-                fill: &singles,
-            });
+            entries.push(Entry::new(By::Double, Method::Orbit, &doubles));
+            entries_single.push(Entry::new(By::Single, Method::Orbit, &singles));
         }
-        entries.extend(textbook::METHODS.map(|method| entry(By::Textbook, method, &textbook)));
+        for method in textbook::METHODS {
+            entries.push(Entry::new(By::Textbook, method, &textbook));
+        }
         for (order, fill) in &balances {
-            entries.push(entry(By::Balance(*order), Method::Amplitude, fill));
+            entries.push(Entry::new(By::Balance(*order), Method::Amplitude, fill));
         }
 
         let mut jobs: Vec<Job<'_>> = entries.iter().map(|entry| job(entry, &wide)).collect();
         jobs.extend(entries_single.iter().map(|entry| job(entry, &narrow)));
+        if let Some(before) = &self.before {
+            let others = before.jobs(&label, &wide.timed.points);
+            jobs.extend(others.expect("the searches before answer"));
+        }
         let times = interleaved(&mut jobs, self.extent.rounds);
-        let (times, times_single) = times.split_at(entries.len());
+        drop(jobs);
+        let (times, others) = times.split_at(entries.len());
+        let (times_single, times_before) = others.split_at(entries_single.len());
         let rows = entries
             .iter()
             .zip(times)
@@ -257,6 +270,9 @@ impl Visitor for Measure {
             .zip(times_single)
             .map(|(e, t)| judged(label, e, &narrow, *t));
         self.rows.extend(rows);
+        let rows = before::METHODS.iter().zip(times_before);
+        self.rows
+            .extend(rows.map(|(method, t)| only_timed(label, By::Before, *method, *t)));
         #[cfg(with_c)]
         {
             // In the contact's amplitude, which is what it gives.

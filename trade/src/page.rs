@@ -17,6 +17,7 @@ const STEPPER: [f64; 2] = [1e4, 1e3];
 pub fn page(rows: &[Row], firmware: &str) -> Result<String, std::fmt::Error> {
     let mut text = String::from(include_str!("page_head.md"));
     against_hand(rows, &mut text)?;
+    ours::before(rows, &mut text)?;
     ours::floor(rows, &mut text)?;
     ours::run_time(rows, &mut text)?;
     against_stepper(rows, &mut text)?;

@@ -39,6 +39,7 @@ fn colour(by: By) -> RGBColor {
         By::Balance(9) => RGBColor(210, 110, 10),
         By::Balance(_) => RGBColor(150, 75, 0),
         By::Stepper => RGBColor(130, 60, 160),
+        By::Before => RGBColor(128, 128, 128),
     }
 }
 

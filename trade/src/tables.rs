@@ -13,7 +13,7 @@ pub fn csv(rows: &[Row]) -> Result<String, std::fmt::Error> {
     for row in rows {
         writeln!(
             text,
-            "{},{},{},{},\"{}\",{:.1},{:.1},{},{:.2e},{:.2e},{:.2e},{:.2e},{:.2e},{},{}",
+            "{},{},{},{},\"{}\",{:.1},{:.1},{},{},{},{},{},{},{},{}",
             row.label.name,
             row.label.masses,
             row.label.zeta,
@@ -23,16 +23,25 @@ pub fn csv(rows: &[Row]) -> Result<String, std::fmt::Error> {
             row.time.least,
             row.operations
                 .map_or(String::new(), |count| count.total.to_string()),
-            row.rounding.percentile(),
-            row.rounding.worst(),
-            row.usual.percentile(),
-            row.error.percentile(),
-            row.error.worst(),
+            figure(row.rounding.percentile()),
+            figure(row.rounding.worst()),
+            figure(row.usual.percentile()),
+            figure(row.error.percentile()),
+            figure(row.error.worst()),
             row.error.sorted.len() + row.error.none,
             row.error.none,
         )?;
     }
     Ok(text)
+}
+
+/// An error; nothing where none was taken.
+fn figure(error: f64) -> String {
+    if error.is_nan() {
+        String::new()
+    } else {
+        format!("{error:.2e}")
+    }
 }
 
 /// Rows of the same way to the same answer with the same number of masses, taken together.
@@ -53,10 +62,11 @@ pub struct Pool {
     pub operations: Option<(usize, usize)>,
 }
 
-/// All pools, in order.
+/// All pools, in order, without the rows that have times alone.
 pub fn pools(rows: &[Row]) -> Vec<Pool> {
     let key = |row: &Row| (row.label.masses, row.method, row.by);
-    let mut keys: Vec<_> = rows.iter().map(key).collect();
+    let judged = rows.iter().filter(|row| row.by != By::Before);
+    let mut keys: Vec<_> = judged.map(key).collect();
     keys.sort();
     keys.dedup();
     let pool = |wanted: (usize, Method, By)| {

@@ -1,12 +1,59 @@
-//! Ours against ours: the run-time `System`, and what a call must cost at least.
+//! Ours against ours: the searches before, the run-time `System`, and what a call must cost at least.
 
-use super::{of, shown};
+use super::{of, shown, verdict};
 use crate::measure::{By, Row};
 use crate::methods::Method;
 use std::fmt::{Result as Written, Write};
 
 /// What a run-time system's time may be of the emitted scene's.
 const RUN_TIME: f64 = 1.2;
+
+/// By what exact limits are to be faster than before, by the number of masses.
+fn aim_against_before(masses: usize, method: Method) -> Option<f64> {
+    match (method, masses) {
+        (Method::Limits, 1) => Some(4.0),
+        (Method::Limits, 5) => Some(6.0),
+        (Method::Limits, 10) => Some(8.0),
+        _ => None,
+    }
+}
+
+/// The searches before over those of now.
+pub fn before(rows: &[Row], text: &mut String) -> Written {
+    text.push_str("## Against the searches before\n\n");
+    if !rows.iter().any(|row| row.by == By::Before) {
+        text.push_str("SKIPPED: the code of that commit was not there.\n\n");
+        return Ok(());
+    }
+    let (mut all, mut missed) = (0, 0);
+    let mut table = String::from(
+        "| scene | ζ | answer | before | now | ratio of medians | of minima | aim | reached |\n|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for before in rows.iter().filter(|row| row.by == By::Before) {
+        let Some(now) = of(rows, before, By::Double, before.method) else {
+            continue;
+        };
+        let ratio = before.time.median / now.time.median;
+        let aim = aim_against_before(before.label.masses, before.method);
+        if let Some(aim) = aim {
+            all += 1;
+            missed += usize::from(!(ratio >= aim));
+        }
+        writeln!(
+            table,
+            "| {} | {} | {} | {} | {} | {ratio:.2} | {:.2} | {} | {} |",
+            before.label.name,
+            before.label.zeta,
+            before.method.name(),
+            shown(before.time.median),
+            shown(now.time.median),
+            before.time.least / now.time.least,
+            aim.map_or(String::new(), |aim| aim.to_string()),
+            aim.map_or("", |aim| verdict(ratio, aim)),
+        )?;
+    }
+    writeln!(text, "{missed} of {all} ratios are missed.\n\n{table}")
+}
 
 /// The run-time `System` over emitted scenes.
 pub fn run_time(rows: &[Row], text: &mut String) -> Written {

@@ -1,0 +1,76 @@
+//! The searches before: another program, built against the code of that commit, that answers how
+//! long its passes took, in turns with the rounds here.
+
+use crate::clock::Job;
+use crate::methods::{Method, Pair};
+use crate::scenes::Label;
+use std::cell::RefCell;
+use std::fmt::Write as _;
+use std::io::{self, BufRead, BufReader, Write};
+use std::path::Path;
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+
+/// What it answers.
+pub const METHODS: [Method; 2] = [Method::Limits, Method::Amplitude];
+
+/// The other program, as it runs.
+pub struct Before {
+    child: Child,
+    pipes: RefCell<(ChildStdin, BufReader<ChildStdout>)>,
+}
+
+impl Before {
+    /// Starts the program.
+    pub fn start(program: &Path) -> io::Result<Self> {
+        let mut child = Command::new(program)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()?;
+        let (Some(input), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
+            return Err(io::ErrorKind::BrokenPipe.into());
+        };
+        Ok(Self {
+            child,
+            pipes: RefCell::new((input, BufReader::new(output))),
+        })
+    }
+
+    fn ask(&self, request: &str) -> io::Result<f64> {
+        let (input, output) = &mut *self.pipes.borrow_mut();
+        writeln!(input, "{request}")?;
+        input.flush()?;
+        let mut line = String::new();
+        output.read_line(&mut line)?;
+        line.trim().parse().map_err(io::Error::other)
+    }
+
+    /// Jobs at the same points of the same scene, each with its question.
+    pub fn jobs<'a>(&'a self, label: &Label, points: &[Pair<f64>]) -> io::Result<Vec<Job<'a>>> {
+        let mut request = format!("scene {} {}", label.name, label.zeta);
+        for [r, beta] in points {
+            let _ = write!(request, " {r:e},{beta:e}");
+        }
+        if self.ask(&request)? != points.len() as f64 {
+            return Err(io::Error::other("the searches before took other points"));
+        }
+        let job = |method| {
+            let word = if method == Method::Limits {
+                "limits"
+            } else {
+                "amplitude"
+            };
+            Job::timed_by(points.len(), move |count, passes| {
+                self.ask(&format!("pass {word} {count} {passes}"))
+                    .unwrap_or(f64::NAN)
+            })
+        };
+        Ok(METHODS.map(job).into())
+    }
+}
+
+impl Drop for Before {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
