@@ -15,6 +15,7 @@ mod picture;
 mod points;
 mod scenes;
 mod tables;
+mod tails;
 
 use before::Before;
 use measure::Measure;
@@ -27,6 +28,7 @@ const FULL: Extent = Extent {
     rounds: 11,
     orbits: 9,
     stepped: 1,
+    tail: 100_000,
     masses: 10,
 };
 const QUICK: Extent = Extent {
@@ -35,6 +37,7 @@ const QUICK: Extent = Extent {
     rounds: 3,
     orbits: 2,
     stepped: 1,
+    tail: 10_000,
     masses: 2,
 };
 
@@ -60,6 +63,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         extent,
         before,
         rows: Vec::new(),
+        tails: Vec::new(),
     };
     scenes::visit(&mut measure);
     std::fs::write(folder.join("trade.csv"), tables::csv(&measure.rows)?)?;
@@ -67,10 +71,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         env!("CARGO_MANIFEST_DIR"),
         "/../firmware/figures.txt"
     ))?;
-    std::fs::write(
-        folder.join("trade.md"),
-        page::page(&measure.rows, &figures)?,
-    )?;
+    std::fs::write(folder.join("trade.md"), page::page(&measure, &figures)?)?;
     picture::draw(&measure.rows, &folder.join("trade.svg"))?;
     Ok(())
 }

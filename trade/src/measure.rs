@@ -9,6 +9,7 @@ use crate::peers::{Modal, balance, textbook};
 use crate::peers::{by_hand, stepper};
 use crate::points::{EXTREME, Errors, Extent, Set, USUAL, asked, edges, usual};
 use crate::scenes::{Label, Orbit, Visitor};
+use crate::tails::{self, Tail};
 use frictiongen::kernel::Float;
 use frictiongen::kernel::number::dd::Dd;
 use frictiongen::{FrictionSystem, MotionAt, System};
@@ -79,6 +80,8 @@ pub struct Measure {
     pub before: Option<Before>,
     /// What came out.
     pub rows: Vec<Row>,
+    /// What single calls took.
+    pub tails: Vec<Tail>,
 }
 
 /// The points of a scalar: for the clock, for the errors usual and at the edges, and with stops.
@@ -222,7 +225,7 @@ impl Visitor for Measure {
 
         let doubles = filler(double, label.watched, orbit);
         let singles = filler(single, label.watched, orbit_single);
-        let run_time = filler(system, label.watched, None);
+        let run_time = filler(system.clone(), label.watched, None);
         let textbook = textbook::filler(label);
         let balances = balance::ORDERS.map(|order| (order, balance::filler(modal.clone(), order)));
         #[cfg(with_c)]
@@ -258,6 +261,8 @@ impl Visitor for Measure {
         }
         let times = interleaved(&mut jobs, self.extent.rounds);
         drop(jobs);
+        self.tails
+            .push(tails::of(label, &doubles, &system, self.extent.tail));
         let (times, others) = times.split_at(entries.len());
         let (times_single, times_before) = others.split_at(entries_single.len());
         let rows = entries

@@ -2,7 +2,7 @@
 
 mod ours;
 
-use crate::measure::{By, Row};
+use crate::measure::{By, Measure, Row};
 use crate::methods::Method;
 use crate::scenes::Label;
 use crate::tables::pools;
@@ -14,10 +14,12 @@ const EVEN: f64 = 1.0;
 const STEPPER: [f64; 2] = [1e4, 1e3];
 
 /// The page: what was measured, with the texts around it.
-pub fn page(rows: &[Row], firmware: &str) -> Result<String, std::fmt::Error> {
+pub fn page(measure: &Measure, firmware: &str) -> Result<String, std::fmt::Error> {
+    let rows = &measure.rows;
     let mut text = String::from(include_str!("page_head.md"));
     against_hand(rows, &mut text)?;
     ours::before(rows, &mut text)?;
+    ours::tails(&measure.tails, &mut text)?;
     ours::floor(rows, &mut text)?;
     ours::run_time(rows, &mut text)?;
     against_stepper(rows, &mut text)?;

@@ -19,6 +19,8 @@ pub struct Extent {
     pub orbits: usize,
     /// Points that the event stepper runs.
     pub stepped: usize,
+    /// Points whose times are taken one by one.
+    pub tail: usize,
     /// Scenes of at most so many masses.
     pub masses: usize,
 }
@@ -37,6 +39,12 @@ fn spread(index: usize) -> f64 {
 /// Usual frequency ratios: even over 0.2 to 2.5.
 pub fn usual(count: usize) -> Vec<f64> {
     (0..count).map(|i| 0.2 + 2.3 * spread(i)).collect()
+}
+
+/// Frequency ratios of even logarithms.
+pub fn logarithmic(count: usize, [low, high]: [f64; 2]) -> Vec<f64> {
+    let ratio = |i| low * (high / low).powf(spread(i));
+    (0..count).map(ratio).collect()
 }
 
 /// Frequency ratios of the edges: beside every resonance and its sub-harmonics, and far out.

@@ -1,12 +1,20 @@
-//! Ours against ours: the searches before, the run-time `System`, and what a call must cost at least.
+//! Ours against ours: the searches before, the slowest calls, the run-time `System`, and what a call
+//! must cost at least.
 
 use super::{of, shown, verdict};
 use crate::measure::{By, Row};
 use crate::methods::Method;
+use crate::tails::{RANGE, Tail};
 use std::fmt::{Result as Written, Write};
 
 /// What a run-time system's time may be of the emitted scene's.
 const RUN_TIME: f64 = 1.2;
+/// What all but a thousandth of the calls, and what all may take of the median.
+const TAILS: [f64; 2] = [10.0, 40.0];
+
+fn at_most(ratio: f64, aim: f64) -> &'static str {
+    if ratio <= aim { "yes" } else { "**missed**" }
+}
 
 /// By what exact limits are to be faster than before, by the number of masses.
 fn aim_against_before(masses: usize, method: Method) -> Option<f64> {
@@ -72,9 +80,8 @@ pub fn run_time(rows: &[Row], text: &mut String) -> Written {
             continue;
         };
         let ratio = system.time.median / emitted.time.median;
-        let reached = ratio <= RUN_TIME;
         all += 1;
-        missed += usize::from(!reached);
+        missed += usize::from(!(ratio <= RUN_TIME));
         writeln!(
             table,
             "| {} | {} | {} | {} | {} | {ratio:.2} | {:.2} | {RUN_TIME} | {} |",
@@ -84,13 +91,45 @@ pub fn run_time(rows: &[Row], text: &mut String) -> Written {
             shown(emitted.time.median),
             shown(system.time.median),
             system.time.least / emitted.time.least,
-            if reached { "yes" } else { "**missed**" },
+            at_most(ratio, RUN_TIME),
         )?;
     }
     writeln!(
         text,
         "## The run-time `System` over emitted scenes\n\n{missed} of {all} ratios are missed.\n\n{table}"
     )
+}
+
+/// How long the slowest calls of exact limits take.
+pub fn tails(tails: &[Tail], text: &mut String) -> Written {
+    let points = tails.first().map_or(0, |tail| tail.points);
+    let [low, high] = RANGE;
+    writeln!(
+        text,
+        "## The slowest calls of exact limits\n\nEach of {points} points, log-uniform over r = {low} to {high}, by itself: the least of 3 calls, of 20 for the slowest 100, without the clock's own time.  The ratios are to the median, with aims of at most {} and {}.  Evaluations: the most that a search of these took, as `limits_searched` tells; in brackets how many gave up.\n",
+        TAILS[0], TAILS[1],
+    )?;
+    text.push_str("| scene | ζ | median | 99 of 100 | 999 of 1000 | slowest | at r | ratio of 999 | reached | of slowest | reached | evaluations |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for tail in tails {
+        let [thousandth, slowest] = [tail.thousandth, tail.slowest].map(|t| t / tail.median);
+        writeln!(
+            text,
+            "| {} | {} | {} | {} | {} | {} | {:.4} | {thousandth:.1} | {} | {slowest:.1} | {} | {} ({}) |",
+            tail.label.name,
+            tail.label.zeta,
+            shown(tail.median),
+            shown(tail.hundredth),
+            shown(tail.thousandth),
+            shown(tail.slowest),
+            tail.r,
+            at_most(thousandth, TAILS[0]),
+            at_most(slowest, TAILS[1]),
+            tail.evaluations,
+            tail.exceeded,
+        )?;
+    }
+    text.push('\n');
+    Ok(())
 }
 
 /// What limits without search cost, and the operations that they cannot do without.

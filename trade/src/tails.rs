@@ -1,0 +1,121 @@
+//! How much longer than most the slowest calls of exact limits take.
+
+use crate::methods::{Fill, Method, Pair};
+use crate::points::logarithmic;
+use crate::scenes::Label;
+use frictiongen::{Effort, System};
+use std::hint::black_box;
+use std::time::Instant;
+
+/// Frequency ratios from and to.
+pub const RANGE: [f64; 2] = [0.02, 10.0];
+/// A point's time is the least of so many calls.
+const CALLS: usize = 3;
+/// The slowest points, timed anew because what interrupted them is no part of them.
+const SLOWEST: usize = 100;
+const CALLS_OF_SLOWEST: usize = 20;
+/// How often at most other points become the slowest by that.
+const TIMES_ANEW: usize = 10;
+
+/// Of the times of a scene's points, ns.
+#[derive(Clone, Copy, Debug)]
+pub struct Tail {
+    /// The scene.
+    pub label: Label,
+    /// How many points.
+    pub points: usize,
+    /// The middle one.
+    pub median: f64,
+    /// What 99 of 100 do not exceed.
+    pub hundredth: f64,
+    /// What 999 of 1000 do not exceed.
+    pub thousandth: f64,
+    /// The longest.
+    pub slowest: f64,
+    /// Where that is.
+    pub r: f64,
+    /// The most evaluations of a search that came to its end.
+    pub evaluations: u32,
+    /// How many searches did not.
+    pub exceeded: usize,
+}
+
+struct Timed {
+    r: f64,
+    time: f64,
+    anew: bool,
+}
+
+/// The least of so many times around one call each, without the clock's own.
+fn least(calls: usize, clock: f64, mut call: impl FnMut()) -> f64 {
+    let one = |_| {
+        let start = Instant::now();
+        call();
+        start.elapsed().as_secs_f64() * 1e9
+    };
+    let least = (0..calls).map(one).fold(f64::INFINITY, f64::min);
+    (least - clock).max(0.0)
+}
+
+/// The median time between two looks at the clock.
+fn clock() -> f64 {
+    let mut times: Vec<f64> = (0..10_001).map(|_| least(1, 0.0, || ())).collect();
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+fn sort(timed: &mut [Timed]) {
+    timed.sort_by(|a, b| b.time.total_cmp(&a.time));
+}
+
+/// Times exact limits at so many points, each by itself.
+pub fn of(label: Label, fill: &Fill<f64>, system: &System, points: usize) -> Tail {
+    let clock = clock();
+    let time = |r: f64, calls| {
+        let point: Pair<f64> = [r, 0.0];
+        let mut out = [[0.0; 2]];
+        let time = least(calls, clock, || {
+            fill(Method::Limits, black_box(&[point]), &mut out);
+            black_box(&mut out);
+        });
+        Timed {
+            r,
+            time,
+            anew: calls == CALLS_OF_SLOWEST,
+        }
+    };
+    let ratios = logarithmic(points, RANGE);
+    let mut timed: Vec<Timed> = ratios.iter().map(|r| time(*r, CALLS)).collect();
+    for _ in 0..TIMES_ANEW {
+        sort(&mut timed);
+        let slowest = timed.iter_mut().take(SLOWEST);
+        let mut changed = false;
+        for point in slowest.filter(|point| !point.anew) {
+            *point = time(point.r, CALLS_OF_SLOWEST);
+            changed = true;
+        }
+        if !changed {
+            break;
+        }
+    }
+    sort(&mut timed);
+    let beyond = |part: usize| timed[points / part].time;
+    let (mut evaluations, mut exceeded) = (0, 0);
+    for at in ratios.iter().filter_map(|r| system.at(*r).ok()) {
+        match at.limits_searched().1 {
+            Effort::Bounded(count) => evaluations = evaluations.max(count),
+            Effort::Exceeded => exceeded += 1,
+        }
+    }
+    Tail {
+        label,
+        points,
+        median: beyond(2),
+        hundredth: beyond(100),
+        thousandth: beyond(1000),
+        slowest: timed[0].time,
+        r: timed[0].r,
+        evaluations,
+        exceeded,
+    }
+}
