@@ -98,7 +98,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// The cells of a grid that may hold more than is known, once its summits are.
     #[inline(never)]
     pub(super) fn open_cells(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) -> Open {
-        let grid = Grid::of(&self.sum, stretch, bounds);
+        let mut grid = Grid::blank(stretch, bounds);
+        grid.fill(&self.sum);
         self.peak.evaluations += COST;
         let mut closed = NONE;
         for _ in 0..SUMMITS {

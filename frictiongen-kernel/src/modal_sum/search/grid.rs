@@ -158,22 +158,27 @@ impl<S: Float> Gain<S> {
 }
 
 impl<S: Float> Grid<S> {
-    /// The sum from `at` on, at nodes of this distance.
-    pub fn of<D: Decay<S>>(sum: &Sum<'_, S, D>, stretch: &Stretch<S>, bounds: &Bounds<S>) -> Self {
-        let at = &Instant::new(stretch.from * S::inverse_pi());
-        let zero = S::constant(0.0);
-        let blank = [[zero; LANES]; ROWS];
-        let width = stretch.width;
-        let step = Instant::new(width * S::inverse_pi());
-        let mut grid = Self {
+    /// A grid without a sum yet.
+    #[inline(always)]
+    pub fn blank(stretch: &Stretch<S>, bounds: &Bounds<S>) -> Self {
+        let blank = [[S::constant(0.0); LANES]; ROWS];
+        Self {
             stretch: *stretch,
             bounds: *bounds,
             value: blank,
             slope: blank,
             sine: blank,
             cosine: blank,
-        };
-        grid.turn(at, &step);
+        }
+    }
+
+    /// The sum at the nodes.  In place: a grid that is handed on would stand on the stack twice.
+    pub fn fill<D: Decay<S>>(&mut self, sum: &Sum<'_, S, D>) {
+        let (zero, stretch) = (S::constant(0.0), self.stretch);
+        let at = &Instant::new(stretch.from * S::inverse_pi());
+        let width = stretch.width;
+        let step = Instant::new(width * S::inverse_pi());
+        self.turn(at, &step);
         let four = Instant::new(width * S::constant(4.0) * S::inverse_pi());
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {
@@ -185,17 +190,16 @@ impl<S: Float> Grid<S> {
             if is_forced(wave, stretch.forced) {
                 let near = advance(&wave.decay.basis(wave.x, &step));
                 let far = advance(&wave.decay.basis(wave.x, &four));
-                grid.add_forced(&track, &near, &far);
+                self.add_forced(&track, &near, &far);
             } else {
                 let free = wave.decay.free(wave.x, &step);
-                grid.add_free(&track, &Matrix::of(track.x, track.loss, free));
+                self.add_free(&track, &Matrix::of(track.x, track.loss, free));
             }
             constant = constant + common.constant;
             cosine = cosine + common.cosine;
             sine = sine + common.sine;
         }
-        grid.add_common(constant, cosine, sine);
-        grid
+        self.add_common(constant, cosine, sine);
     }
 
     /// Sine and cosine of the excitation's angle.

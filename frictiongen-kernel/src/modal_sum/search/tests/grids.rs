@@ -7,10 +7,16 @@ use crate::modal_sum::search::grid::{Grid, Stretch};
 use crate::modal_sum::search::summit::Place;
 use crate::testing::{ZETAS, derivative, parts};
 
+fn filled(sum: &TestSum<'_>, stretch: &Stretch<f64>, bounds: &Bounds<f64>) -> Grid<f64> {
+    let mut grid = Grid::blank(stretch, bounds);
+    grid.fill(sum);
+    grid
+}
+
 fn grid_of(sum: &TestSum<'_>, from: f64, to: f64, width: f64) -> Grid<f64> {
     let at = Instant::new(from / PI);
     let bounds = Bounds::of(sum, &at, to - from);
-    Grid::of(sum, &Stretch::new(from, to, width, false), &bounds)
+    filled(sum, &Stretch::new(from, to, width, false), &bounds)
 }
 
 /// Value and slope at every node, as far as rounding is said to reach.
@@ -197,7 +203,7 @@ fn a_cell_that_exceeds_the_level_is_open() {
         let width = random.log_uniform(0.02, 1.0);
         let stretch = Stretch::new(0.0, question.end, width, case % 5 == 0);
         let bounds = Bounds::of(&sum, &Instant::new(0.0), question.end);
-        let grid = Grid::of(&sum, &stretch, &bounds);
+        let grid = filled(&sum, &stretch, &bounds);
         let cell = [0, stretch.cells() - 1, random.below(stretch.cells())][case % 3];
         // The largest quotient in the cell, at its thirty-second parts.
         let at = |i: usize| (cell as f64 + i as f64 / 32.0) * stretch.width;
@@ -254,7 +260,7 @@ fn a_summit_closes_nothing_that_is_higher() {
         };
         let stretch = Stretch::new(from, question.end, width, false);
         let bounds = Bounds::of(&sum, &Instant::new(from / PI), question.end - from);
-        let grid = Grid::of(&sum, &stretch, &bounds);
+        let grid = filled(&sum, &stretch, &bounds);
         let place = Place {
             tau: from + (stretch.to - from) * random.unit(),
             negative: false,
