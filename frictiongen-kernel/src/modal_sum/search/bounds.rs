@@ -162,7 +162,7 @@ impl<S: Float> Bounds<S> {
         }
         let turning = cosine * at.cosine + sine * at.sine;
         let common = cosine.abs() + sine.abs();
-        let unit = S::constant(2.0 * ROUNDINGS * S::EPSILON);
+        let unit = S::constant(2.0 * ROUNDINGS * S::RESOLUTION);
         Self {
             second: second - turning,
             third: third - (sine * at.cosine - cosine * at.sine),

@@ -15,8 +15,8 @@ use crate::modal_sum::wave::Sum;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// No search takes more than about this; a grid of up to 32 nodes counts as two evaluations.  Of chains of 1 to 10 masses
-/// at r from 0.02 to 10, a velocity constraint takes 2 to 16.  A search that would need more ends with the best value it has found.
+/// No search takes more than about this; a grid of up to 32 nodes counts as two evaluations.  The worst of 10⁴ random
+/// scenes at r from 0.01 to 100 takes 35, half of them 4, and 8 for an amplitude.  A search that would need more ends with the best value it has found.
 pub const MAX_EVALUATIONS: u32 = 20_000;
 
 /// Maxima closer than this many roundings count as equal.
