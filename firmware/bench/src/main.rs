@@ -86,6 +86,9 @@ fn main() -> ! {
         for call in &DOUBLE {
             cost(timer, call, &INPUTS);
         }
+        for call in SINGLE.iter().filter(|call| call.question == "limits") {
+            sweep(timer, call);
+        }
     }
     loop {
         debug::exit(debug::EXIT_SUCCESS);
@@ -105,6 +108,35 @@ fn cost<S: Copy>(timer: &mut SYST, call: &Call<S>, inputs: &[Input<S>]) {
         "cost|{}|{}|{}|{}",
         call.scene,
         call.question,
+        slowest,
+        deepest
+    );
+}
+
+/// How many frequencies a sweep has: from r = 0.05 to 5, each so many times the one before.
+const FREQUENCIES: u32 = 1000;
+const RATIO: f32 = 1.004_615_8;
+
+/// The largest figures over a sweep: beside sub-harmonics and resonances a search takes longer than elsewhere.
+fn sweep(timer: &mut SYST, call: &Call<f32>) {
+    let (mut slowest, mut deepest) = (0, 0);
+    let mut input = Input {
+        r: 0.05,
+        beta: 0.0,
+        tau: 0.0,
+    };
+    for _ in 0..FREQUENCIES {
+        slowest = slowest.max(instructions(timer, call, &input));
+        deepest = deepest.max(stack::depth(|| {
+            black_box((call.run)(black_box(&input)));
+        }));
+        input.r *= RATIO;
+    }
+    hprintln!(
+        "cost|{}|{}, the worst of {} frequencies|{}|{}",
+        call.scene,
+        call.question,
+        FREQUENCIES,
         slowest,
         deepest
     );
