@@ -22,7 +22,7 @@ const SUMMITS: u32 = 6;
 const FINER: f64 = 10.0;
 
 /// The open cells of a grid, one bit for each, for the sum and for its negative.
-type Open = [u32; 2];
+pub(super) type Open = [u32; 2];
 
 const NONE: Open = [0, 0];
 
@@ -113,13 +113,14 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let Some(summit) = self.summit(&place, &grid) else {
                 break;
             };
-            let [plus, minus] = &mut closed;
-            let known = if place.negative { minus } else { plus };
             let about = self.about(&summit, &grid);
-            if about & !*known == 0 {
+            let before = closed;
+            for (closed, about) in closed.iter_mut().zip(about) {
+                *closed |= about;
+            }
+            if closed == before {
                 break;
             }
-            *known |= about;
         }
         self.open(&grid, closed)
     }

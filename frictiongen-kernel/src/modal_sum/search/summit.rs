@@ -1,5 +1,6 @@
 //! Summits of a grid: from the highest node to the top in two evaluations, and the cells about a top that it closes.
 
+use super::cells::Open;
 use super::grid::{Grid, Node};
 use super::{Maximiser, Search, Weight};
 use crate::modal_sum::wave::Jet;
@@ -99,7 +100,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     }
 
     /// Where to look for a summit: where the cubic beside the highest node of the open cells is largest.
-    pub(super) fn highest(&self, grid: &Grid<S>, open: [u32; 2]) -> Option<Place<S>> {
+    pub(super) fn highest(&self, grid: &Grid<S>, open: Open) -> Option<Place<S>> {
         let zero = S::constant(0.0);
         let over_sine = self.question.weight == Weight::Sine;
         let starts = over_sine && grid.stretch.from.is_zero();
@@ -281,8 +282,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     }
 
     /// The cells about a summit in which the sum stays below its level: near the top by what is left to rise, and
-    /// further on by the cubic that meets value and slope of a node beyond.
-    pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>) -> u32 {
+    /// further on by the cubic that meets value and slope of a node beyond.  They are closed for the summit's own sign,
+    /// which a step across the half period's end may have changed.
+    pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>) -> Open {
         let zero = S::constant(0.0);
         let over_sine = self.question.weight == Weight::Sine;
         let (level, of_sine) = if over_sine {
@@ -318,7 +320,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let step = here.step();
         let left = beyond_cubic(fourth, step);
         if !(here.is_concave(step) && value + here.rise(step) + left <= zero) {
-            return 0;
+            return [0, 0];
         }
         // The same over τ, from a sum that vanishes at 0.
         let starts = over_sine && grid.stretch.from.is_zero() && zero < summit.tau;
@@ -357,7 +359,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             }
             (before, cell) = (below, if cell == 0 { 1 } else { cell << 1 });
         });
-        closed
+        if summit.negative {
+            [0, closed]
+        } else {
+            [closed, 0]
+        }
     }
 }
 

@@ -271,7 +271,7 @@ fn a_summit_closes_nothing_that_is_higher() {
         summits += 1;
         let (level, negative) = summit.height();
         search.peak.value = level;
-        let cells = search.about(&summit, &grid);
+        let cells = search.about(&summit, &grid)[usize::from(negative)];
         let bar = 1e-11 * size(&search);
         for cell in (0..stretch.cells()).filter(|cell| cells & (1 << cell) != 0) {
             closed += 1;
@@ -284,4 +284,26 @@ fn a_summit_closes_nothing_that_is_higher() {
     }
     println!("{summits} summits closed {closed} cells");
     assert!(summits > 900 && closed > 2000);
+}
+
+/// A step across the half period's end: the cells about the summit are closed for the sign that it has there.
+#[test]
+fn a_summit_across_the_end_closes_cells_of_its_own_sign() {
+    let waves = [];
+    let phase = 0.02_f64;
+    let sum = Sum {
+        waves: &waves,
+        cosine: phase.cos(),
+        sine: phase.sin(),
+    };
+    let mut search = search(sum, asked(Weight::One, true, 0.0), 0.0);
+    let stretch = Stretch::new(0.0, PI, 0.3, false);
+    let grid = filled(&sum, &stretch, &Bounds::of(&sum, &Instant::new(0.0), PI));
+    let before_the_end = Place {
+        tau: PI,
+        negative: true,
+    };
+    let summit = search.summit(&before_the_end, &grid).expect("a summit");
+    let [plus, minus] = search.about(&summit, &grid);
+    assert!(plus & 1 != 0 && minus == 0, "{plus:b} {minus:b}");
 }
