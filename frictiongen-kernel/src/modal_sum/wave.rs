@@ -97,6 +97,24 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             + rise.abs() * r
     }
 
+    /// What moves the wave beside `rise`: of cos τ and of sin τ.
+    pub(crate) fn forcing(&self) -> (S, S) {
+        let (one, x) = (S::constant(1.0), self.x);
+        let loss = (self.decay.zeta() + self.decay.zeta()) * x;
+        let apart = (x - one) * (x + one);
+        let (b, c) = (self.swing_slope, self.swing);
+        (c * loss + b * apart, c * apart - b * loss)
+    }
+
+    /// The slope at an instant, from the mode's functions there.
+    #[inline]
+    pub(crate) fn slope(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
+        self.free * basis.slope
+            + self.swing_slope * self.swing_curve(basis, at)
+            + self.swing * basis.swing_slope
+            + self.rise * basis.free
+    }
+
     /// The value at an instant, from the mode's functions there.
     #[inline]
     pub fn value(&self, basis: &Basis<S>) -> S {
@@ -158,7 +176,6 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
 
     /// The value and three derivatives at an instant: from the second on by the equation that each mode obeys.
     pub(crate) fn jet(&self, at: &Instant<S>) -> Jet<S> {
-        let one = S::constant(1.0);
         let Instant { sine, cosine, .. } = *at;
         let value = self.cosine * cosine + self.sine * sine;
         let slope = self.sine * cosine - self.cosine * sine;
@@ -173,14 +190,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         for wave in self.waves {
             let basis = wave.basis(at);
             let (x, loss) = (wave.x, (wave.decay.zeta() + wave.decay.zeta()) * wave.x);
-            let apart = (x - one) * (x + one);
-            let (b, c) = (wave.swing_slope, wave.swing);
-            let (of_cosine, of_sine) = (c * loss + b * apart, c * apart - b * loss);
-            let value = wave.value(&basis);
-            let slope = wave.free * basis.slope
-                + b * wave.swing_curve(&basis, at)
-                + c * basis.swing_slope
-                + wave.rise * basis.free;
+            let (of_cosine, of_sine) = wave.forcing();
+            let (value, slope) = (wave.value(&basis), wave.slope(&basis, at));
             let square = x * x;
             let force = wave.rise + of_cosine * cosine + of_sine * sine;
             let curvature = force - loss * slope - square * value;

@@ -8,9 +8,8 @@ use crate::oscillator::decay::{Basis, Decay, Instant};
 /// Modes so near the excitation's frequency keep their forcing: their difference from it is small, and so must be what
 /// rounding leaves of it.
 const FORCED: f64 = 0.125;
-/// How many roundings of a mode's size its value at a node may be off, and sine and cosine of the excitation's angle as well: the matrix
-/// has
-/// three, its fourth power twelve, and that is applied seven times.
+/// How many roundings of a mode's size its value at a node may be off, and sine and cosine of the excitation's angle as
+/// well: the matrix has three, its fourth power twelve, and that is applied seven times, where signs do not all agree.
 const ROUNDINGS: f64 = 64.0;
 
 /// A mode's part from an instant on: y″ + 2ζx y′ + x²y = constant + cosine·cos τ + sine·sin τ.
@@ -52,19 +51,15 @@ impl<S: Float> Track<S> {
             wave.basis(at)
         };
         if is_forced(wave, all) {
-            let apart = (x - S::constant(1.0)) * (x + S::constant(1.0));
-            let slope = wave.free * basis.slope
-                + wave.swing_slope * wave.swing_curve(&basis, at)
-                + wave.swing * basis.swing_slope
-                + wave.rise * basis.free;
+            let (cosine, sine) = wave.forcing();
             let track = Self {
                 x,
                 loss,
                 value: wave.value(&basis),
-                slope,
+                slope: wave.slope(&basis, at),
                 constant: wave.rise,
-                cosine: wave.swing * loss + wave.swing_slope * apart,
-                sine: wave.swing * apart - wave.swing_slope * loss,
+                cosine,
+                sine,
             };
             let common = Common {
                 constant: zero,
