@@ -1,6 +1,6 @@
 //! What can be typed.
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 const GRIDS: &str = "\
@@ -85,6 +85,18 @@ Grids:
 Exit status:
   0, or 2 with one line on standard error for each thing that is wrong.";
 
+const TABLES: &str = "\
+What the description declares (accuracy, range, side, budget) holds where no option says otherwise.
+
+Without --format the figures of the tables are printed: accuracy, pieces, bytes, the largest errors
+and where, operations. With it, the code or the data:
+  rust  a file without dependencies: limits(r), and contact(r, beta) if the scene provides a motion
+  c     the same in C99; with -o name.c the header name.h beside it
+  json  the tables as data
+
+Exit status:
+  0, or 2 with one line on standard error for each thing that is wrong.";
+
 /// Exact solutions of mass-spring chains with one Coulomb friction contact.
 #[derive(Debug, Parser)]
 #[command(name = "frictiongen", version)]
@@ -106,6 +118,9 @@ pub enum Command {
     /// The steady state from rest over frequency and friction, stops included
     #[command(after_help = format!("{ORBITS}{GRIDS_IN_TIME}"))]
     Orbit(OrbitArguments),
+    /// Tables of the limits and of the contact's motion, to a declared accuracy
+    #[command(after_help = TABLES)]
+    Compile(CompileArguments),
     /// The Rust that the macro emits for a description
     Expand(ExpandArguments),
 }
@@ -187,6 +202,48 @@ pub struct OrbitArguments {
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,
+}
+
+/// In which form tables are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TableFormat {
+    /// Rust.
+    Rust,
+    /// C99.
+    C,
+    /// Data.
+    Json,
+}
+
+/// Of `frictiongen compile`.
+#[derive(Debug, Args)]
+pub struct CompileArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// The largest relative error of an answer; of a phase in radians
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    pub accuracy: Option<String>,
+    /// In place of an accuracy, bytes: the best accuracy that fits
+    #[arg(
+        long,
+        value_name = "BYTES",
+        allow_hyphen_values = true,
+        conflicts_with = "accuracy"
+    )]
+    pub budget: Option<String>,
+    /// Frequency ratios from a to b
+    #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
+    pub r: Option<String>,
+    /// beta_lim never above, beta*_lim never below the exact one
+    #[arg(long)]
+    pub safe: bool,
+    /// Print code or data instead of the figures
+    #[arg(long, value_enum)]
+    pub format: Option<TableFormat>,
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
 }
 
 /// Of `frictiongen expand`.

@@ -26,7 +26,7 @@ pub fn run(arguments: &ExpandArguments, out: &mut dyn Write) -> Result<(), Failu
 }
 
 /// Writes the source to a file, which must not be the description.
-fn write_file(path: &Path, description: Option<&Path>, source: &str) -> Result<(), Failure> {
+pub fn write_file(path: &Path, description: Option<&Path>, source: &str) -> Result<(), Failure> {
     let shown = path.display();
     if description.is_some_and(|description| is_same(description, path)) {
         return Err(Failure::new(format_args!(

@@ -5,6 +5,7 @@
 
 mod args;
 mod asked;
+mod compile;
 mod csv;
 mod decimal;
 mod expand;
@@ -60,6 +61,7 @@ pub fn run(
         Command::Limits(arguments) => limits::run(arguments, out),
         Command::Response(arguments) => response::run(arguments, out),
         Command::Orbit(arguments) => orbit::run(arguments, out),
+        Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
     }?)
 }

@@ -5,7 +5,7 @@ use crate::diagnostics::{Failure, Partial};
 use crate::lower::{Description, Limits, parse_text, parse_tokens};
 use crate::{Diagnostics, emit};
 use frictiongen_model::scene::{
-    Accuracy, Contact, Damping, Excitation, Mass, Node, Provide, Scene, Spring,
+    Contact, Damping, Declared, Excitation, Mass, Node, Provide, Scene, Spring,
 };
 use proc_macro2::{Ident, Span, TokenStream};
 use std::path::{Path, PathBuf};
@@ -137,8 +137,7 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
             Provide::Orbit,
             Provide::Simulation,
         ],
-        accuracy: Accuracy::Exact,
-        range: None,
+        declared: Declared::default(),
     };
     Some(emit(&Description {
         attributes,
@@ -147,5 +146,6 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
         facade,
         scene,
         mass_names,
+        tables: None,
     }))
 }

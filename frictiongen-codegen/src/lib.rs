@@ -16,11 +16,12 @@ mod expand;
 pub mod graph;
 mod lower;
 mod parse;
+pub mod standalone;
 
 pub use diagnostics::{Diagnostic, Diagnostics, Failure, Partial};
 pub use emit::{PASSES_FROM, emit, emit_in_passes, traces};
 pub use expand::expand;
-pub use lower::{Description, Limits, parse_text, parse_tokens};
+pub use lower::{Description, Limits, SceneTables, parse_text, parse_tokens};
 
 #[cfg(feature = "pretty")]
 /// The solver of a description as formatted source text.

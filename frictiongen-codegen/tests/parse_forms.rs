@@ -78,8 +78,8 @@ fn what_is_left_out_has_its_default() {
     assert_eq!(scene.stiction, 1.0);
     assert_eq!(scene.precision, Precision::F64);
     assert_eq!(scene.provide, [Provide::Limits, Provide::Motion(None)]);
-    assert_eq!(scene.accuracy, Accuracy::Exact);
-    assert_eq!(scene.range, None);
+    assert_eq!(scene.declared.accuracy, Accuracy::Exact);
+    assert_eq!(scene.declared.range, None);
 }
 
 #[test]
@@ -99,7 +99,7 @@ fn every_form_of_every_field() {
     };
     assert_eq!(scene("damping: rayleigh(0.1, 0.2)").damping, rayleigh);
     assert_eq!(scene("scalar: f32").precision, Precision::F32);
-    assert_eq!(scene("accuracy: exact").accuracy, Accuracy::Exact);
+    assert_eq!(scene("accuracy: exact").declared.accuracy, Accuracy::Exact);
     assert_eq!(
         scene("provide: [motion(b, a), stuck, orbit, simulation, limits]").provide,
         [

@@ -68,8 +68,7 @@ told! {
         "8:22: there is no mass `middle`; the masses are lower, upper",
     ]
     a_range: [("stiction: 1.2", "range: { r: 0..1 }, accuracy: 1e-6")] => [
-        "8:12: `range` belongs to an accuracy, and none is built yet but `exact`, which holds everywhere: leave the field out",
-        "8:35: no accuracy is built yet but `exact`: write `accuracy: exact`, or leave the field out",
+        "8:17: frequency ratios range over 0 < a < b, both finite, not 0.0..1.0; write, for example, `r: 0.2..2.5`",
     ]
     a_literal_too_small: [("3.27", "1e-400")] => [
         "3:22: this is smaller than the smallest number of double precision, about 5e-324; write 0 or choose other units",

@@ -79,10 +79,10 @@ fn an_unreadable_part_gives_no_second_error() {
         ("b - wall", "b"),
         ("b - wall", "x - wall"),
         ("excitation: a", "excitation: x"),
-        // What is not built is told once, whatever it is.
+        // What is declared by halves, and what is not built, is told once.
         ("stiction: 1", "range: 0"),
-        ("stiction: 1", "range: { r: 0..1, beta: 0..1 }"),
-        ("stiction: 1", "accuracy: 1 e-6 / 2"),
+        ("stiction: 1", "range: { r: 0.1..1, beta: 0..1 }"),
+        ("stiction: 1", "range: { r: 0..1 }, accuracy: 1e-4"),
         ("stiction: 1", "provide: [stepper]"),
         // Unreadable items leave the list empty, which is no error of its own.
         ("stiction: 1", "provide: [limit]"),

@@ -4,8 +4,10 @@
 pub mod jacobi;
 pub mod modal;
 pub mod reduced;
+mod roots;
 pub mod scene;
 pub mod sensitivity;
 mod special;
+pub mod table;
 pub mod transient;
 pub mod validate;

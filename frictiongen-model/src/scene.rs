@@ -114,6 +114,28 @@ pub enum Accuracy {
     Relative(f64),
 }
 
+/// On which side of the exact limits approximate ones may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Side {
+    /// On either.
+    #[default]
+    Near,
+    /// β_lim never above and β*_lim never below the exact one.
+    Safe,
+}
+
+/// What happens outside the range for which an accuracy is declared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Beyond {
+    /// Nothing is answered.
+    #[default]
+    Error,
+    /// The exact formulas answer.
+    Exact,
+}
+
 /// The values of r and β for which an accuracy is asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -122,6 +144,30 @@ pub struct Range {
     pub r: (f64, f64),
     /// Smallest and largest friction ratio.
     pub beta: (f64, f64),
+}
+
+/// How exact the emitted code has to be, and where.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Declared {
+    /// The accuracy.
+    pub accuracy: Accuracy,
+    /// Where it holds, if it is not exact.
+    pub range: Option<Range>,
+    /// On which side of the exact limits the emitted ones may be.
+    pub side: Side,
+    /// In place of an accuracy, so many bytes: the best accuracy that fits is taken.
+    pub budget: Option<f64>,
+    /// What happens outside the range.
+    pub beyond: Beyond,
+}
+
+impl Declared {
+    /// Whether tables are asked for.
+    #[must_use]
+    pub fn is_tabled(&self) -> bool {
+        self.accuracy != Accuracy::Exact || self.budget.is_some()
+    }
 }
 
 /// A whole description.
@@ -147,9 +193,7 @@ pub struct Scene {
     /// What to emit.
     pub provide: Vec<Provide>,
     /// How exact.
-    pub accuracy: Accuracy,
-    /// Over which range, if it is not exact.
-    pub range: Option<Range>,
+    pub declared: Declared,
 }
 
 impl Scene {

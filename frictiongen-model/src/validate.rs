@@ -60,8 +60,18 @@ pub enum Path {
     Provide(Option<usize>),
     /// The accuracy.
     Accuracy,
-    /// The range of the frequency and the friction ratio.
+    /// The range over which it is declared.
     Range,
+    /// The range of the frequency ratio.
+    RangeOfRatio,
+    /// The range of the friction ratio.
+    RangeOfFriction,
+    /// The side of the exact limits.
+    Side,
+    /// The bytes in place of an accuracy.
+    Budget,
+    /// What happens outside the range.
+    Beyond,
 }
 
 /// What the checks may rely on.

@@ -1,10 +1,10 @@
 //! Steady states and runs in time, of emitted solvers and of the run-time `System` alike.
 
+use crate::targets::Settles;
 use crate::{Complex, FrictionSystem, LimitsAt, NoOrbit, Of, OutOfDomain};
 use core::ops::{Deref, DerefMut};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::orbit::{Orbit, OrbitMotion, ProvidesOrbit};
-use frictiongen_kernel::response::At;
+use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 use frictiongen_kernel::simulation::{Contact, Moment, Part, Segment, Simulation};
 
 /// A scene at one frequency ratio that also gives steady states in any regime.
@@ -198,20 +198,23 @@ impl<O: Deref<Target: Kept>> SteadyState for O {
     }
 }
 
-impl<T: ProvidesOrbit, A: Deref<Target = At<T>>> OrbitAt for A
+impl<A: Deref<Target: Settles>> OrbitAt for A
 where
-    T::Orbit: SteadyState<Scalar = T::Scalar>,
+    <A::Target as Settles>::Orbit: SteadyState<Scalar = Self::Scalar>,
 {
     type Orbit<'o>
-        = T::Orbit
+        = <A::Target as Settles>::Orbit
     where
         Self: 'o;
 
-    fn orbit(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
-        At::orbit(self, beta)
+    fn orbit(&self, beta: Self::Scalar) -> Result<<A::Target as Settles>::Orbit, NoOrbit> {
+        Settles::orbit(&**self, beta)
     }
-    fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
-        At::orbit_or_last_cycles(self, beta)
+    fn orbit_or_last_cycles(
+        &self,
+        beta: Self::Scalar,
+    ) -> Result<<A::Target as Settles>::Orbit, NoOrbit> {
+        Settles::orbit_or_last_cycles(&**self, beta)
     }
 }
 

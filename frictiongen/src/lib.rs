@@ -90,6 +90,7 @@
 mod in_time;
 pub mod sweep;
 pub mod system;
+mod targets;
 
 #[cfg(feature = "study")]
 pub mod study;

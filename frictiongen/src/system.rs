@@ -1,6 +1,7 @@
 //! What emitted solvers and the run-time `System` have in common, so that a sweep, a map or a fit
 //! is written once.
 
+use crate::targets::{HeldStill, InParts, Limited, Moved};
 use crate::{Complex, NotContinuous, OutOfDomain, Regime, StuckResonance};
 use core::ops::Deref;
 use frictiongen_kernel::Float;
@@ -8,7 +9,7 @@ use frictiongen_kernel::contact::regime::Limits;
 use frictiongen_kernel::modal_sum::wave::Wave;
 use frictiongen_kernel::oscillator::decay::Decay;
 use frictiongen_kernel::response::motion::{Largest, Motion};
-use frictiongen_kernel::response::{At, Continuous, ProvidesMotion, ProvidesStuck, Scene, Stuck};
+use frictiongen_kernel::table::{SteadyContact, TabledMotion};
 
 /// A scene that answers at any frequency ratio.
 ///
@@ -117,29 +118,29 @@ pub trait LimitsAt {
 }
 
 /// Emitted scenes at one frequency ratio and those of a `System` hold the kernel's.
-impl<T: Scene, A: Deref<Target = At<T>>> LimitsAt for A {
-    type Scalar = T::Scalar;
+impl<A: Deref<Target: Limited>> LimitsAt for A {
+    type Scalar = <A::Target as Limited>::Scalar;
 
-    fn continuous_limit(&self) -> T::Scalar {
-        At::continuous_limit(self)
+    fn continuous_limit(&self) -> Self::Scalar {
+        Limited::continuous_limit(&**self)
     }
-    fn continuous_limit_without_search(&self) -> T::Scalar {
-        At::continuous_limit_without_search(self)
+    fn continuous_limit_without_search(&self) -> Self::Scalar {
+        Limited::continuous_limit_without_search(&**self)
     }
-    fn continuous_limit_per_mode(&self) -> T::Scalar {
-        At::continuous_limit_per_mode(self)
+    fn continuous_limit_per_mode(&self) -> Self::Scalar {
+        Limited::continuous_limit_per_mode(&**self)
     }
-    fn sliding_limit(&self) -> T::Scalar {
-        At::sliding_limit(self)
+    fn sliding_limit(&self) -> Self::Scalar {
+        Limited::sliding_limit(&**self)
     }
-    fn limits(&self) -> Limits<T::Scalar> {
-        At::limits(self)
+    fn limits(&self) -> Limits<Self::Scalar> {
+        Limited::limits(&**self)
     }
-    fn regime(&self, beta: T::Scalar) -> Result<Regime, OutOfDomain> {
-        At::regime(self, beta)
+    fn regime(&self, beta: Self::Scalar) -> Result<Regime, OutOfDomain> {
+        Limited::regime(&**self, beta)
     }
-    fn margin(&self, beta: T::Scalar) -> Result<T::Scalar, OutOfDomain> {
-        At::margin(self, beta)
+    fn margin(&self, beta: Self::Scalar) -> Result<Self::Scalar, OutOfDomain> {
+        Limited::margin(&**self, beta)
     }
 }
 
@@ -159,14 +160,14 @@ pub trait MotionAt: LimitsAt {
     fn motion(&self, beta: Self::Scalar) -> Result<Self::Motion, NotContinuous>;
 }
 
-impl<T: ProvidesMotion, A: Deref<Target = At<T>>> MotionAt for A
+impl<A: Deref<Target: Moved>> MotionAt for A
 where
-    T::Motion: ContinuousMotion<Scalar = T::Scalar>,
+    <A::Target as Moved>::Motion: ContinuousMotion<Scalar = Self::Scalar>,
 {
-    type Motion = T::Motion;
+    type Motion = <A::Target as Moved>::Motion;
 
-    fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous> {
-        At::motion(self, beta)
+    fn motion(&self, beta: Self::Scalar) -> Result<Self::Motion, NotContinuous> {
+        Moved::motion(&**self, beta)
     }
 }
 
@@ -184,12 +185,9 @@ pub trait StuckAt: LimitsAt {
     fn stuck_mass(&self, index: usize) -> Result<Option<Complex<Self::Scalar>>, StuckResonance>;
 }
 
-impl<T: ProvidesStuck, A: Deref<Target = At<T>>> StuckAt for A
-where
-    T::Stuck: Deref<Target = Stuck<T>>,
-{
-    fn stuck_mass(&self, index: usize) -> Result<Option<Complex<T::Scalar>>, StuckResonance> {
-        Ok(At::stuck(self)?.mass_at(index))
+impl<A: Deref<Target: HeldStill>> StuckAt for A {
+    fn stuck_mass(&self, index: usize) -> Result<Option<Complex<Self::Scalar>>, StuckResonance> {
+        HeldStill::stuck_mass(&**self, index)
     }
 }
 
@@ -218,19 +216,15 @@ pub trait ContinuousMotion {
 }
 
 /// Emitted motions and those of a `System` hold the kernel's.
-impl<T: ProvidesMotion, M: Deref<Target = Continuous<T>>> ContinuousMotion for M {
-    type Scalar = T::Scalar;
+impl<M: Deref<Target: InParts>> ContinuousMotion for M {
+    type Scalar = <M::Target as InParts>::Scalar;
 
     fn ask<A>(
         &self,
         of: Of,
-        question: impl FnOnce(&dyn Steady<Scalar = T::Scalar>) -> A,
+        question: impl FnOnce(&dyn Steady<Scalar = Self::Scalar>) -> A,
     ) -> Option<A> {
-        let motion = match of {
-            Of::Contact => self.contact(),
-            Of::Mass(index) => self.mass_at(index)?,
-        };
-        Some(question(&motion))
+        InParts::ask(&**self, of, question)
     }
 }
 
@@ -255,28 +249,35 @@ pub trait Steady {
     fn harmonic(&self, n: u32) -> Complex<Self::Scalar>;
 }
 
-impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Steady for Motion<S, D, W> {
-    type Scalar = S;
+macro_rules! steady {
+    ($type:ident<$($of:ident),+>, $scalar:ty, [$($bounds:tt)+]) => {
+        impl<$($bounds)+> Steady for $type<$($of),+> {
+            type Scalar = $scalar;
 
-    fn largest(&self) -> Largest<S> {
-        Motion::largest(self)
-    }
-    fn amplitude(&self) -> S {
-        Motion::amplitude(self)
-    }
-    fn amplitude_monoharmonic(&self) -> S {
-        Motion::amplitude_monoharmonic(self)
-    }
-    fn phase(&self) -> S {
-        Motion::phase(self)
-    }
-    fn displacement(&self, tau: S) -> S {
-        Motion::displacement(self, tau)
-    }
-    fn velocity(&self, tau: S) -> S {
-        Motion::velocity(self, tau)
-    }
-    fn harmonic(&self, n: u32) -> Complex<S> {
-        Motion::harmonic(self, n)
-    }
+            fn largest(&self) -> Largest<$scalar> {
+                $type::largest(self)
+            }
+            fn amplitude(&self) -> $scalar {
+                $type::amplitude(self)
+            }
+            fn amplitude_monoharmonic(&self) -> $scalar {
+                $type::amplitude_monoharmonic(self)
+            }
+            fn phase(&self) -> $scalar {
+                $type::phase(self)
+            }
+            fn displacement(&self, tau: $scalar) -> $scalar {
+                $type::displacement(self, tau)
+            }
+            fn velocity(&self, tau: $scalar) -> $scalar {
+                $type::velocity(self, tau)
+            }
+            fn harmonic(&self, n: u32) -> Complex<$scalar> {
+                $type::harmonic(self, n)
+            }
+        }
+    };
 }
+
+steady!(Motion<S, D, W>, S, [S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>]);
+steady!(SteadyContact<T>, T::Scalar, [T: TabledMotion]);

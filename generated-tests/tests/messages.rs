@@ -23,7 +23,7 @@ use case::{Case, Door, cases};
 use frictiongen::System;
 use frictiongen_codegen::{Limits, expand, parse_text};
 use frictiongen_model::scene::{
-    Accuracy, Contact, Damping, Excitation, Mass, Node, Precision, Provide, Scene, Spring,
+    Contact, Damping, Declared, Excitation, Mass, Node, Precision, Provide, Scene, Spring,
 };
 use frictiongen_model::validate::validate;
 use proc_macro2::{Literal, TokenTree};
@@ -157,8 +157,7 @@ fn frame() -> Scene {
         stiction: 1.0,
         precision: Precision::F64,
         provide: vec![Provide::Limits],
-        accuracy: Accuracy::Exact,
-        range: None,
+        declared: Declared::default(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Emission, Part, limits, rounded};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
-use frictiongen_model::scene::Scene;
+use frictiongen_model::scene::{Beyond, Declared, Scene};
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
@@ -27,6 +27,11 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         format!(" [`{name}`] at one frequency ratio: limits, regime, and the way to motions.");
     let at = &emission.at;
     let slices = limits::slices(emission);
+    let inner = if emission.is_tabled() {
+        code!(table::Compiled)
+    } else {
+        code!(response::At)
+    };
     let types = code! {
         #(#attributes)*
         #[doc = ""]
@@ -43,7 +48,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         #visibility struct #name;
         #[doc = #at_about]
         #[allow(deprecated, non_camel_case_types)]
-        #visibility struct #at(#facade::kernel::response::At<#name>);
+        #visibility struct #at(#facade::kernel::#inner<#name>);
     };
 
     let masses = Literal::usize_unsuffixed(scene.masses.len());
@@ -77,6 +82,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     let continuous_at_infinity = emission.literal(ends.continuous_at_infinity);
     let sliding_at_infinity = emission.literal(ends.sliding_at_infinity);
     let names = scene.masses.iter().map(|mass| mass.name.as_str());
+    let constructor = constructor(emission);
     let items = code! {
         impl #name {
             /// ω_i, the natural frequencies, rad/s in the units given, ascending.
@@ -117,6 +123,21 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
                 friction / load
             }
 
+            #constructor
+
+            #slices
+                }
+
+        #facade::emitted_system!(#name, #at, #scalar, [#(#names),*]);
+    };
+    Part { types, items }
+}
+
+/// The way to a frequency ratio.
+fn constructor(emission: &Emission<'_>) -> TokenStream {
+    let Emission { at, scalar, .. } = emission;
+    if !emission.is_tabled() {
+        return code! {
             /// The scene at the frequency ratio r = ω√(m₁/k₁).
             ///
             /// # Errors
@@ -125,13 +146,24 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             pub fn at(r: #scalar) -> Result<#at, OutOfDomain> {
                 At::new(Self, r).map(From::from)
             }
-
-            #slices
-                }
-
-        #facade::emitted_system!(#name, #at, #scalar, [#(#names),*]);
+        };
+    }
+    let errors = match emission.scene.declared.beyond {
+        Beyond::Error => " `OutOfDomain` beyond the declared range, and for NaN.",
+        Beyond::Exact => {
+            " `OutOfDomain` for NaN and negative r; beyond the declared range the exact formulas answer."
+        }
     };
-    Part { types, items }
+    code! {
+        /// The scene at the frequency ratio r = ω√(m₁/k₁), to the declared accuracy.
+        ///
+        /// # Errors
+        #[doc = #errors]
+        #[inline]
+        pub fn at(r: #scalar) -> Result<#at, OutOfDomain> {
+            Compiled::new(Self, r).map(From::from)
+        }
+    }
 }
 
 /// The mass that rubs on a support, as a constant.
@@ -208,8 +240,11 @@ fn chain(emission: &Emission<'_>) -> TokenStream {
 
 /// FNV-1a over the scene as it was understood: the same text, however laid out, has the same one.
 fn fingerprint(scene: &Scene) -> u64 {
+    // What declares nothing keeps the fingerprint that it had before anything could be declared.
+    let exact = format!("declared: {:?}", Declared::default());
+    let text = format!("{scene:?}").replace(&exact, "accuracy: Exact, range: None");
     let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
-    for byte in format!("{scene:?}").bytes() {
+    for byte in text.bytes() {
         hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
     }
     hash

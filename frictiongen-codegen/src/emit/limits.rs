@@ -54,6 +54,11 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
 /// Both limits over a slice.
 pub(super) fn slices(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
+    let of = if emission.is_tabled() {
+        code!(Compiled)
+    } else {
+        code!(At)
+    };
     code! {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
@@ -64,7 +69,7 @@ pub(super) fn slices(emission: &Emission<'_>) -> TokenStream {
             continuous: &mut [#scalar],
             sliding: &mut [#scalar],
         ) -> Result<(), OutOfDomain> {
-            At::limits_into(Self, rs, continuous, sliding)
+            #of::limits_into(Self, rs, continuous, sliding)
         }
     }
 }

@@ -12,6 +12,7 @@ mod scene;
 mod shield;
 mod simulation;
 mod stuck;
+mod table;
 mod trace;
 
 use crate::Description;
@@ -100,6 +101,11 @@ impl Emission<'_> {
     /// Whether a mass's sums over modes are emitted as calls.
     fn in_sums(&self) -> bool {
         self.modes() >= SUMS_FROM.min(self.passes_from)
+    }
+
+    /// Whether tables answer, of a declared accuracy.
+    fn is_tabled(&self) -> bool {
+        self.description.tables.is_some()
     }
 
     fn damped(&self) -> bool {
@@ -290,6 +296,7 @@ fn parts(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
         .map(|masses| motion::emit(emission, masses));
     let stuck = wanted.stuck.then(|| stuck::emit(emission));
     items.extend(scene::emit(emission, &wanted));
+    items.extend(table::emit(emission, wanted.motion.is_some()));
     items.extend(missing::emit(emission, &wanted));
     let in_time = wanted.simulation || wanted.orbit;
     let dynamics = in_time.then(|| dynamics::emit(emission));

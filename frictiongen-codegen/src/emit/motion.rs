@@ -31,10 +31,16 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     let about = format!(
         " The exact continuous motion of [`{name}`] at one frequency and one friction ratio."
     );
+    let tabled = emission.is_tabled();
+    let inner = if tabled {
+        code!(table::Moving)
+    } else {
+        code!(response::Continuous)
+    };
     let types = code! {
         #[doc = #about]
         #[allow(deprecated, non_camel_case_types)]
-        #visibility struct #motion(#facade::kernel::response::Continuous<#name>);
+        #visibility struct #motion(#facade::kernel::#inner<#name>);
     };
     let methods = masses.iter().map(|(mass, method)| {
         let about = format!(" The motion of mass `{method}` (5.50 and its exact form, 7.29).");
@@ -44,6 +50,11 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
         } else {
             let mass = Literal::usize_unsuffixed(*mass);
             code!(self.mass(#mass))
+        };
+        let answer = if rests && tabled {
+            code!(SteadyContact)
+        } else {
+            code!(MotionOf)
         };
         let why = rests.then(|| {
             code! {
@@ -55,20 +66,27 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
             #[doc = #about]
             #why
             #[must_use]
-            pub fn #method(&self) -> MotionOf<#name> {
+            pub fn #method(&self) -> #answer<#name> {
                 #motion
             }
         }
     });
+    let (by_formulas, wraps) = if tabled {
+        let wraps = code!(#facade::kernel::wraps!(#motion, Moving of tabled #name, Copy););
+        (code!(Continuous<Self>), wraps)
+    } else {
+        let wraps = code!(#facade::kernel::wraps!(#motion, Continuous of #name, Copy););
+        (code!(#motion), wraps)
+    };
     let in_lines = (!emission.in_sums()).then(|| in_lines(emission, masses));
     let items = code! {
         impl ProvidesMotion for #name {
-            type Motion = #motion;
+            type Motion = #by_formulas;
 
             #in_lines
         }
 
-        #facade::kernel::wraps!(#motion, Continuous of #name, Copy);
+        #wraps
 
         impl #motion {
             #(#methods)*

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
 /// What emitted code imports: a scene may have the same name.
-pub(super) const IMPORTED: [&str; 54] = [
+pub(super) const IMPORTED: [&str; 65] = [
     "Complex",
     "Scalar",
     "Chain",
@@ -46,6 +46,17 @@ pub(super) const IMPORTED: [&str; 54] = [
     "motion_wave",
     "Motion",
     "Wave",
+    "Compiled",
+    "ContactTable",
+    "Domain",
+    "Factor",
+    "Moving",
+    "Piece",
+    "Quotient",
+    "SteadyContact",
+    "Table",
+    "Tabled",
+    "TabledMotion",
     "From",
     "IntoIterator",
     "Iterator",

@@ -21,8 +21,13 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
     let frequency = frequency::emit(emission);
     let formulas = limits::formulas(emission);
     let shapes = shapes(emission, wanted);
+    let wraps = if emission.is_tabled() {
+        code!(#facade::kernel::wraps!(#at, Compiled of tabled #name, Copy);)
+    } else {
+        code!(#facade::kernel::wraps!(#at, At of #name, Copy);)
+    };
     code! {
-        #facade::kernel::wraps!(#at, At of #name, Copy);
+        #wraps
 
         impl Scene for #name {
             type Scalar = #scalar;

@@ -8,26 +8,33 @@ use core::fmt;
 use std::collections::HashSet;
 
 use frictiongen_model::scene::{Precision, Scene};
+use frictiongen_model::table::{TableError, Tables};
 use frictiongen_model::validate::{MOST_MASSES, may_name};
 use proc_macro2::{Ident, Span, TokenStream};
 
 use crate::diagnostics::{Diagnostics, Failure, Partial, Problems};
 use crate::parse;
-use crate::parse::syntax::Syntax;
+use crate::parse::syntax::{AccuracyEntry, Syntax};
 
 /// How large a scene may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// The most masses.
     pub masses: usize,
+    /// Whether the tables of a declared accuracy are built.
+    pub tables: bool,
 }
 
 impl Limits {
     /// What a macro expands: each mass becomes a method and a stretch of code.
-    pub const MACRO: Self = Self { masses: 64 };
+    pub const MACRO: Self = Self {
+        masses: 64,
+        tables: true,
+    };
     /// What is computed at run time.
     pub const RUN_TIME: Self = Self {
         masses: MOST_MASSES,
+        tables: false,
     };
 }
 
@@ -45,6 +52,30 @@ pub struct Description {
     pub scene: Scene,
     /// The names of the masses with the user's spans, in the order of [`Scene::masses`].
     pub mass_names: Vec<Ident>,
+    /// The tables of a declared accuracy.
+    pub tables: Option<SceneTables>,
+}
+
+/// Tables in the scene's scalar.
+#[derive(Clone, Debug)]
+pub enum SceneTables {
+    /// In double precision.
+    Double(Tables<f64>),
+    /// In single precision.
+    Single(Tables<f32>),
+}
+
+impl SceneTables {
+    /// What a scene declares; none if it is exact.
+    ///
+    /// # Errors
+    /// Every [`TableError`].
+    pub fn of(scene: &Scene) -> Result<Option<Self>, TableError> {
+        Ok(match scene.precision {
+            Precision::F64 => Tables::of(scene)?.map(Self::Double),
+            Precision::F32 => Tables::of(scene)?.map(Self::Single),
+        })
+    }
 }
 
 impl fmt::Debug for Description {
@@ -98,14 +129,32 @@ fn lower(
         None
     };
     let facade = syntax.fields.facade.take().unwrap_or_else(default_facade);
+    let fields = &syntax.fields;
     let entries = syntax
         .fields
         .masses
         .given()
         .map_or(&[][..], |masses| &masses.list.entries);
     let names = entries.iter().map(|entry| &entry.name);
+    let mut tables = None;
+    if let Some(scene) = scene
+        .as_ref()
+        .filter(|_| limits.tables && problems.is_empty())
+    {
+        match SceneTables::of(scene) {
+            Ok(built) => tables = built,
+            Err(error) => {
+                let number = match fields.accuracy.given() {
+                    Some(AccuracyEntry::Relative(number)) => Some(number.place),
+                    _ => fields.budget.given().map(|number| number.place),
+                };
+                problems.report(number.unwrap_or(syntax.place), error.to_string());
+            }
+        }
+    }
     match (scene, syntax.name) {
         (Some(scene), Some(name)) if problems.is_empty() => Ok(Description {
+            tables,
             attributes: syntax.attributes,
             visibility: syntax.visibility,
             name: name.ident,

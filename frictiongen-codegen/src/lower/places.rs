@@ -48,10 +48,21 @@ impl Places<'_> {
             Path::Provide(None) => fields.provide.given().map(|provide| provide.place),
             Path::Provide(Some(index)) => self.provide.get(index).map(|entry| entry.place),
             Path::Accuracy => match fields.accuracy.given() {
-                Some(AccuracyEntry::Other(place)) => Some(*place),
+                Some(AccuracyEntry::Relative(number)) => Some(number.place),
                 _ => None,
             },
-            Path::Range => fields.range.given().copied(),
+            Path::Range => fields.range.given().map(|range| range.place),
+            Path::RangeOfRatio => {
+                let range = fields.range.given().and_then(|range| range.ratio);
+                range.map(|span| span.low.place)
+            }
+            Path::RangeOfFriction => {
+                let range = fields.range.given().and_then(|range| range.friction);
+                range.map(|span| span.low.place)
+            }
+            Path::Side => fields.side.given().map(|choice| choice.place),
+            Path::Budget => fields.budget.given().map(|number| number.place),
+            Path::Beyond => fields.beyond.given().map(|choice| choice.place),
         }
     }
 

@@ -2,14 +2,14 @@
 
 use std::collections::{HashMap, HashSet};
 
-use frictiongen_model::scene::{Accuracy, Contact, Excitation, Mass, Node, Range, Scene, Spring};
+use frictiongen_model::scene::{Contact, Excitation, Mass, Node, Scene, Spring};
 use frictiongen_model::validate::{Checks, Path, validate_known};
 
 use super::Limits;
 use super::places::Places;
 use crate::diagnostics::{Problems, Reported};
 use crate::parse::suggest;
-use crate::parse::syntax::{AccuracyEntry, Fields, SpringEntry, Syntax};
+use crate::parse::syntax::{Fields, SpringEntry, Syntax};
 use crate::parse::{Name, Number};
 
 /// The scene of a description; whatever is wrong with it is reported.
@@ -36,15 +36,7 @@ pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems)
         None => 1.0,
     };
     let (provide, provide_entries) = lowering.provide(fields);
-    let accuracy = match fields.accuracy.given() {
-        Some(AccuracyEntry::Other(_)) => Accuracy::Relative(f64::NAN),
-        Some(AccuracyEntry::Exact) | None => Accuracy::Exact,
-    };
-    // Refused whatever it is.
-    let range = fields.range.given().map(|_| Range {
-        r: (0.0, f64::INFINITY),
-        beta: (0.0, f64::INFINITY),
-    });
+    let declared = lowering.declared(fields);
     let scene = Scene {
         name: syntax
             .name
@@ -59,8 +51,7 @@ pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems)
         stiction,
         precision: fields.scalar.given().copied().unwrap_or_default(),
         provide,
-        accuracy,
-        range,
+        declared,
     };
     let Lowering {
         problems,

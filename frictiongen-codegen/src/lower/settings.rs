@@ -2,12 +2,14 @@
 
 use std::collections::HashSet;
 
-use frictiongen_model::scene::{Damping, Provide};
+use frictiongen_model::scene::{Accuracy, Damping, Declared, Provide, Range};
 use frictiongen_model::validate::Path;
 
 use super::resolve::Lowering;
 use crate::diagnostics::Reported;
-use crate::parse::syntax::{DampingKind, Fields, Placed, ProvideEntry, ProvideKind, Slot};
+use crate::parse::syntax::{
+    AccuracyEntry, DampingKind, Fields, Placed, ProvideEntry, ProvideKind, Slot, Span,
+};
 use crate::parse::{List, Name};
 
 impl<'s> Lowering<'s, '_> {
@@ -31,6 +33,52 @@ impl<'s> Lowering<'s, '_> {
                 mass: self.number(*mass, Path::Damping(Some(0))),
                 stiffness: self.number(*stiffness, Path::Damping(Some(1))),
             },
+        }
+    }
+
+    pub(super) fn declared(&mut self, fields: &Fields) -> Declared {
+        let broken = matches!(fields.accuracy, Slot::Broken)
+            || matches!(fields.range, Slot::Broken)
+            || matches!(fields.side, Slot::Broken)
+            || matches!(fields.budget, Slot::Broken)
+            || matches!(fields.beyond, Slot::Broken);
+        if broken {
+            // Reported; without it nothing can be said of the rest.
+            return Declared::default();
+        }
+        let accuracy = match fields.accuracy.given() {
+            Some(AccuracyEntry::Relative(value)) => {
+                Accuracy::Relative(self.number(*value, Path::Accuracy))
+            }
+            Some(AccuracyEntry::Exact) | None => Accuracy::Exact,
+        };
+        let budget = fields.budget.given();
+        let budget = budget.map(|bytes| self.number(*bytes, Path::Budget));
+        let range = fields.range.given().map(|range| {
+            let mut ends = |span: Option<Span>, path, default| match span {
+                Some(Span { low, high }) => (self.number(low, path), self.number(high, path)),
+                None => default,
+            };
+            let any = (0.0, f64::INFINITY);
+            Range {
+                r: ends(range.ratio, Path::RangeOfRatio, any),
+                beta: ends(range.friction, Path::RangeOfFriction, any),
+            }
+        });
+        Declared {
+            accuracy,
+            range,
+            side: fields
+                .side
+                .given()
+                .map(|side| side.value)
+                .unwrap_or_default(),
+            budget,
+            beyond: fields
+                .beyond
+                .given()
+                .map(|beyond| beyond.value)
+                .unwrap_or_default(),
         }
     }
 

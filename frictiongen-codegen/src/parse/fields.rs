@@ -3,6 +3,7 @@
 use frictiongen_model::scene::Precision;
 use frictiongen_model::validate::is_keyword;
 
+use super::declared;
 use super::forms;
 use super::graph;
 use super::reader::{Name, Read, Reader};
@@ -24,10 +25,13 @@ enum Field {
     Provide,
     Accuracy,
     Range,
+    Side,
+    Budget,
+    Beyond,
     Crate,
 }
 
-const FIELDS: [(&str, Field); 11] = [
+const FIELDS: [(&str, Field); 14] = [
     ("masses", Field::Masses),
     ("springs", Field::Springs),
     ("contact", Field::Contact),
@@ -38,6 +42,9 @@ const FIELDS: [(&str, Field); 11] = [
     ("provide", Field::Provide),
     ("accuracy", Field::Accuracy),
     ("range", Field::Range),
+    ("side", Field::Side),
+    ("budget", Field::Budget),
+    ("beyond", Field::Beyond),
     ("crate", Field::Crate),
 ];
 
@@ -48,10 +55,9 @@ fn known(word: &str) -> Option<Field> {
         .map(|&(_, field)| field)
 }
 
-/// The fields that are advised; the range, of which nothing is built yet, is not.
+/// The names of the fields.
 fn names() -> impl Iterator<Item = &'static str> {
-    let built = FIELDS.iter().filter(|(_, field)| *field != Field::Range);
-    built.map(|&(name, _)| name)
+    FIELDS.iter().map(|&(name, _)| name)
 }
 
 /// Whether a field that exists begins here: `crate:` and `crate: ::path`, but not `crate::path`.
@@ -122,9 +128,24 @@ fn field(
             &word,
             reader,
             problems,
-            forms::accuracy,
+            declared::accuracy,
         ),
-        Field::Range => store(&mut fields.range, &word, reader, problems, forms::range),
+        Field::Range => store(&mut fields.range, &word, reader, problems, declared::range),
+        Field::Side => store(&mut fields.side, &word, reader, problems, declared::side),
+        Field::Budget => store(
+            &mut fields.budget,
+            &word,
+            reader,
+            problems,
+            super::number::number,
+        ),
+        Field::Beyond => store(
+            &mut fields.beyond,
+            &word,
+            reader,
+            problems,
+            declared::beyond,
+        ),
         Field::Crate => store(&mut fields.facade, &word, reader, problems, facade),
     }
 }

@@ -1,11 +1,11 @@
-//! The fields that set the scene up: damping, what to provide, how exact.
+//! The fields that set the scene up: damping, and what to provide.
 
 use proc_macro2::Delimiter;
 
 use super::number::{Number, number};
 use super::reader::{Inside, List, Name, Read, Reader};
 use super::suggest;
-use super::syntax::{AccuracyEntry, DampingEntry, DampingKind, Placed, ProvideEntry, ProvideKind};
+use super::syntax::{DampingEntry, DampingKind, Placed, ProvideEntry, ProvideKind};
 use crate::diagnostics::{Place, Problems, Reported};
 
 const DAMPING: [&str; 3] = ["none", "modal", "rayleigh"];
@@ -192,24 +192,4 @@ fn mass_names(reader: &mut Reader<'_>, problems: &mut Problems) -> List<Name> {
                 .into()
         },
     )
-}
-
-/// `exact`; whatever else there is is kept as such.
-pub(crate) fn accuracy(reader: &mut Reader<'_>, _: &mut Problems) -> Read<AccuracyEntry> {
-    let place = reader.place();
-    if reader.take_word().is_some_and(|word| word.text == "exact") {
-        return Read::clean(AccuracyEntry::Exact);
-    }
-    Read {
-        value: Some(AccuracyEntry::Other(place)),
-        clean: false,
-    }
-}
-
-/// A range, of which only the place is kept.
-pub(crate) fn range(reader: &mut Reader<'_>, _: &mut Problems) -> Read<Place> {
-    Read {
-        value: Some(reader.place()),
-        clean: false,
-    }
 }

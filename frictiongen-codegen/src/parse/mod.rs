@@ -3,6 +3,7 @@
 //! Every error is reported and reading goes on: inside a list with its next entry, otherwise with
 //! the next field.
 
+mod declared;
 mod fields;
 mod forms;
 mod graph;

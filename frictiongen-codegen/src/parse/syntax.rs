@@ -1,6 +1,6 @@
 //! What was written, with the place of each word; nothing is resolved yet.
 
-use frictiongen_model::scene::Precision;
+use frictiongen_model::scene::{Beyond, Precision, Side};
 
 use super::number::Number;
 use super::reader::{List, Name};
@@ -91,8 +91,27 @@ pub(crate) enum ProvideKind {
 
 pub(crate) enum AccuracyEntry {
     Exact,
-    /// Anything else, and where.
-    Other(Place),
+    Relative(Number),
+}
+
+/// Two numbers, `a..b`.
+#[derive(Clone, Copy)]
+pub(crate) struct Span {
+    pub(crate) low: Number,
+    pub(crate) high: Number,
+}
+
+/// The ranges over which an accuracy is declared.
+pub(crate) struct RangeEntry {
+    pub(crate) place: Place,
+    pub(crate) ratio: Option<Span>,
+    pub(crate) friction: Option<Span>,
+}
+
+/// One of a few words, with its place.
+pub(crate) struct Choice<T> {
+    pub(crate) value: T,
+    pub(crate) place: Place,
 }
 
 /// A whole description, as far as it could be read.
@@ -118,7 +137,9 @@ pub(crate) struct Fields {
     pub(crate) scalar: Slot<Precision>,
     pub(crate) provide: Slot<Placed<ProvideEntry>>,
     pub(crate) accuracy: Slot<AccuracyEntry>,
-    /// Where its value begins.
-    pub(crate) range: Slot<Place>,
+    pub(crate) range: Slot<RangeEntry>,
+    pub(crate) side: Slot<Choice<Side>>,
+    pub(crate) budget: Slot<Number>,
+    pub(crate) beyond: Slot<Choice<Beyond>>,
     pub(crate) facade: Slot<syn::Path>,
 }

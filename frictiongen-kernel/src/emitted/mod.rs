@@ -20,6 +20,10 @@ pub use crate::response::{
 pub use crate::simulation::{
     Dynamics, FixedSimulation, HeldMode, Moment, Part, Segment, Simulation,
 };
+pub use crate::table::{
+    Compiled, ContactTable, Domain, Factor, Moving, Piece, Quotient, SteadyContact, Table, Tabled,
+    TabledMotion,
+};
 pub use core::convert::From;
 pub use core::iter::{IntoIterator, Iterator};
 pub use core::option::Option::{self, None, Some};
@@ -34,6 +38,10 @@ macro_rules! wraps {
     ($type:ident, $target:ident of $scene:ident, Copy) => {
         impl ::core::marker::Copy for $type {}
         $crate::wraps!(@ $type, $crate::response::$target<$scene>);
+    };
+    ($type:ident, $target:ident of tabled $scene:ident, Copy) => {
+        impl ::core::marker::Copy for $type {}
+        $crate::wraps!(@ $type, $crate::table::$target<$scene>);
     };
     ($type:ident, $target:ident of $scalar:ident, $($size:literal),*) => {
         $crate::wraps!(@ $type, $crate::emitted::$target<$scalar, $($size),*>);

@@ -160,6 +160,15 @@ macro_rules! real {
             }
 
             #[inline(always)]
+            #[allow(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "what is meant: the cast saturates"
+            )]
+            fn to_index(self) -> usize {
+                self as usize
+            }
+            #[inline(always)]
             fn to_f64(self) -> f64 {
                 self.into()
             }

@@ -136,6 +136,17 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
     /// The largest integer that is not larger.
     #[must_use]
     fn floor(self) -> Self;
+    /// The whole part as the index of a table; 0 for negative numbers and NaN.
+    #[must_use]
+    #[inline]
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "what is meant: the cast saturates"
+    )]
+    fn to_index(self) -> usize {
+        self.to_f64() as usize
+    }
     /// Whether it is 0 and stays so when the variable of a derivative moves.
     fn vanishes(self) -> bool {
         self.is_zero()

@@ -2,6 +2,7 @@
 
 use crate::errors::NoOrbit;
 use crate::response::{At, Scene};
+use crate::table::{Compiled, Tabled};
 
 /// Displacements, then velocities, of every mass.
 pub type Start<'s, S> = (&'s [S], &'s [S]);
@@ -63,5 +64,36 @@ impl<T: ProvidesOrbit> At<T> {
             Some((state.0.as_ref(), state.1.as_ref())),
             false,
         )
+    }
+}
+
+/// Steady states of a scene with tables are those of the exact formulas.
+impl<T: Tabled + ProvidesOrbit> Compiled<T> {
+    /// The steady state at β = F/P that is reached from rest, in any regime.
+    ///
+    /// # Errors
+    /// [`NoOrbit`] says why there is none.
+    pub fn orbit(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
+        self.exact().orbit(beta)
+    }
+
+    /// The same, or the last 64 cycles where the motion does not settle, as [`At::orbit_or_last_cycles`] gives it.
+    ///
+    /// # Errors
+    /// [`NoOrbit`], as there.
+    pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
+        self.exact().orbit_or_last_cycles(beta)
+    }
+
+    /// The steady state that is reached from another state, as [`At::orbit_from`] gives it.
+    ///
+    /// # Errors
+    /// [`NoOrbit`], as there.
+    pub fn orbit_from(
+        &self,
+        beta: T::Scalar,
+        state: (&T::State, &T::State),
+    ) -> Result<T::Orbit, NoOrbit> {
+        self.exact().orbit_from(beta, state)
     }
 }

@@ -26,17 +26,22 @@ impl<T: Scene> At<T> {
     /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
     #[inline]
     pub fn new(scene: T, r: T::Scalar) -> Result<Self, OutOfDomain> {
-        let r = regime::check_ratio(r, "r")?;
+        Ok(Self::known(scene, regime::check_ratio(r, "r")?))
+    }
+
+    /// The same at an r that is known to be neither NaN nor negative.
+    #[inline]
+    pub(crate) fn known(scene: T, r: T::Scalar) -> Self {
         let (low, high) = scene.inverse_ratio_range();
         let inverse_r = Scalar::min(Scalar::max(T::Scalar::constant(1.0) / r, low), high);
         let (contact, modes) = scene.frequency_stage(inverse_r);
-        Ok(Self {
+        Self {
             scene,
             r,
             inverse_r,
             contact,
             modes,
-        })
+        }
     }
 
     /// Both limits over a slice of frequency ratios, into slices of the same length.

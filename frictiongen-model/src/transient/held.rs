@@ -5,8 +5,8 @@
 //! g_i + (h_i/ω)s modulo the pair's polynomial.  Real throughout, also at a double root.
 
 use super::Plain;
-use super::roots::{Driven, pairs};
 use crate::modal::{Modal, kind};
+use crate::roots::{Driven, pairs};
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::simulation::HeldMode;

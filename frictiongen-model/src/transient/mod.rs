@@ -2,7 +2,6 @@
 //! contact held.  None of it depends on the frequency.
 
 mod held;
-mod roots;
 
 use crate::modal::{self, Modal};
 use crate::scene::Scene;

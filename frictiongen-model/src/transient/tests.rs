@@ -25,8 +25,7 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
         stiction: 1.0,
         precision: Precision::F64,
         provide: Vec::new(),
-        accuracy: crate::scene::Accuracy::Exact,
-        range: None,
+        declared: crate::scene::Declared::default(),
     }
 }
 

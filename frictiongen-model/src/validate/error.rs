@@ -170,13 +170,31 @@ pub enum SceneError {
     #[error("`stepper` is not built yet: leave it out; the other items are there")]
     StepperNotBuilt { path: Path },
     #[error(
-        "no accuracy is built yet but `exact`: write `accuracy: exact`, or leave the field out"
+        "an accuracy is a relative error from {finest:?} to 0.1, not {value:?}; write, for example, `accuracy: 1e-4`, or `exact`"
     )]
-    AccuracyNotBuilt { path: Path },
+    AccuracyOutside { path: Path, value: f64, finest: f64 },
     #[error(
-        "`range` belongs to an accuracy, and none is built yet but `exact`, which holds everywhere: leave the field out"
+        "what is declared holds over a range of frequency ratios; add, for example, `range: {{ r: 0.2..2.5 }}`"
     )]
-    RangeNotBuilt { path: Path },
+    AccuracyWithoutRange { path: Path },
+    #[error("`accuracy` and `budget` exclude each other: keep one of the two")]
+    AccuracyAndBudget { path: Path },
+    #[error(
+        "a budget is a whole number of bytes from 1 on, not {value:?}; write, for example, `budget: 4096`"
+    )]
+    BudgetOutside { path: Path, value: f64 },
+    #[error(
+        "`{field}` belongs to an accuracy, and `exact` holds everywhere: add, for example, `accuracy: 1e-4`, or leave the field out"
+    )]
+    WithoutAccuracy { path: Path, field: String },
+    #[error(
+        "frequency ratios range over 0 < a < b, both finite, not {low:?}..{high:?}; write, for example, `r: 0.2..2.5`"
+    )]
+    RangeOfRatio { path: Path, low: f64, high: f64 },
+    #[error(
+        "friction ratios range over 0 ≤ a < b, not {low:?}..{high:?}; write, for example, `beta: 0..1.5`"
+    )]
+    RangeOfFriction { path: Path, low: f64, high: f64 },
 }
 
 impl SceneError {
@@ -216,8 +234,13 @@ impl SceneError {
             | Self::ProvidedTwice { path, .. }
             | Self::MotionOfNothing { path }
             | Self::StepperNotBuilt { path }
-            | Self::AccuracyNotBuilt { path }
-            | Self::RangeNotBuilt { path } => *path,
+            | Self::AccuracyOutside { path, .. }
+            | Self::AccuracyWithoutRange { path }
+            | Self::AccuracyAndBudget { path }
+            | Self::BudgetOutside { path, .. }
+            | Self::WithoutAccuracy { path, .. }
+            | Self::RangeOfRatio { path, .. }
+            | Self::RangeOfFriction { path, .. } => *path,
         }
     }
 }

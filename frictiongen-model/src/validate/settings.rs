@@ -3,14 +3,18 @@
 use std::collections::HashSet;
 
 use super::{Checks, LARGEST, Path, SceneError, check_node};
-use crate::scene::{Accuracy, Damping, Node, Provide, Scene};
+use crate::scene::{Accuracy, Beyond, Damping, Node, Precision, Provide, Range, Scene, Side};
+use crate::table::{COARSEST, FINEST, FINEST_SINGLE};
+
+/// No budget is larger.
+const MOST_BYTES: f64 = (1_u64 << 40) as f64;
 
 /// Checks everything that is neither mass, spring, contact nor excitation.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     check_damping(scene, checks, errors);
     check_stiction(scene.stiction, errors);
     check_provide(scene, errors);
-    check_accuracy(scene, errors);
+    check_declared(scene, errors);
 }
 
 fn check_damping(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
@@ -110,14 +114,67 @@ fn item_name(item: &Provide) -> &'static str {
     }
 }
 
-/// Neither is built yet: whoever asks for it must not believe to have got it.
-fn check_accuracy(scene: &Scene, errors: &mut Vec<SceneError>) {
-    if scene.accuracy != Accuracy::Exact {
-        errors.push(SceneError::AccuracyNotBuilt {
-            path: Path::Accuracy,
-        });
+fn check_declared(scene: &Scene, errors: &mut Vec<SceneError>) {
+    let declared = &scene.declared;
+    let finest = match scene.precision {
+        Precision::F64 => FINEST,
+        Precision::F32 => FINEST_SINGLE,
+    };
+    if let Accuracy::Relative(value) = declared.accuracy {
+        let path = Path::Accuracy;
+        if !(finest <= value && value <= COARSEST) {
+            errors.push(SceneError::AccuracyOutside {
+                path,
+                value,
+                finest,
+            });
+        }
+        if declared.budget.is_some() {
+            errors.push(SceneError::AccuracyAndBudget { path: Path::Budget });
+        }
+        if declared.range.is_none() {
+            errors.push(SceneError::AccuracyWithoutRange { path });
+        }
     }
-    if scene.range.is_some() {
-        errors.push(SceneError::RangeNotBuilt { path: Path::Range });
+    if let Some(value) = declared.budget {
+        let path = Path::Budget;
+        if !(value >= 1.0 && value.fract() == 0.0 && value <= MOST_BYTES) {
+            errors.push(SceneError::BudgetOutside { path, value });
+        }
+        if declared.range.is_none() {
+            errors.push(SceneError::AccuracyWithoutRange { path });
+        }
+    }
+    let belongs = [
+        (declared.range.is_some(), Path::Range, "range"),
+        (declared.side != Side::Near, Path::Side, "side"),
+        (declared.beyond != Beyond::Error, Path::Beyond, "beyond"),
+    ];
+    for (given, path, field) in belongs {
+        if given && !declared.is_tabled() {
+            let field = field.to_owned();
+            errors.push(SceneError::WithoutAccuracy { path, field });
+        }
+    }
+    if let Some(range) = declared.range {
+        check_range(&range, scene.precision, errors);
+    }
+}
+
+fn check_range(range: &Range, precision: Precision, errors: &mut Vec<SceneError>) {
+    let (low, high) = range.r;
+    // What a scalar cannot hold is 0 or infinite in it.
+    let (least, most) = match precision {
+        Precision::F64 => (f64::MIN_POSITIVE, f64::MAX),
+        Precision::F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)),
+    };
+    if !(least <= low && low < high && high <= most) {
+        let path = Path::RangeOfRatio;
+        errors.push(SceneError::RangeOfRatio { path, low, high });
+    }
+    let (low, high) = range.beta;
+    if !(0.0 <= low && low < high) {
+        let path = Path::RangeOfFriction;
+        errors.push(SceneError::RangeOfFriction { path, low, high });
     }
 }

@@ -2,7 +2,7 @@
 //! where each has a line and a column.
 
 use super::*;
-use crate::scene::{Accuracy, Contact, Damping, Mass, Precision, Provide, Range, Spring};
+use crate::scene::{Accuracy, Contact, Damping, Declared, Mass, Precision, Provide, Range, Spring};
 
 fn mass(name: &str, value: f64) -> Mass {
     Mass {
@@ -37,8 +37,7 @@ fn chain(count: usize) -> Scene {
         stiction: 1.0,
         precision: Precision::F64,
         provide: vec![Provide::Limits],
-        accuracy: Accuracy::Exact,
-        range: None,
+        declared: Declared::default(),
     }
 }
 
@@ -109,8 +108,8 @@ fn numbers_that_are_not_finite_are_told_wherever_they_stand() {
         stiffness: f64::NEG_INFINITY,
     };
     scene.stiction = f64::NAN;
-    scene.accuracy = Accuracy::Relative(f64::NAN);
-    scene.range = Some(Range {
+    scene.declared.accuracy = Accuracy::Relative(f64::NAN);
+    scene.declared.range = Some(Range {
         r: (0.0, f64::INFINITY),
         beta: (f64::NAN, 1.0),
     });
@@ -125,7 +124,8 @@ fn numbers_that_are_not_finite_are_told_wherever_they_stand() {
             Path::Damping(Some(1)),
             Path::Stiction,
             Path::Accuracy,
-            Path::Range
+            Path::RangeOfRatio,
+            Path::RangeOfFriction
         ]
     );
     assert_eq!(

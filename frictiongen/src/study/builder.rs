@@ -4,7 +4,7 @@ use super::error::InvalidScene;
 use super::system::System;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{
-    Accuracy, Contact, Damping, Excitation, Mass, Node, Precision, Provide, Scene, Spring,
+    Contact, Damping, Declared, Excitation, Mass, Node, Precision, Provide, Scene, Spring,
 };
 use frictiongen_model::validate::{Checks, validate_known};
 
@@ -195,8 +195,7 @@ impl Builder {
             stiction: self.stiction,
             precision: Precision::F64,
             provide: vec![Provide::Limits, Provide::Motion(None)],
-            accuracy: Accuracy::Exact,
-            range: None,
+            declared: Declared::default(),
         };
         if unknown.is_empty() {
             return System::try_from(scene);

@@ -2,6 +2,7 @@
 
 mod at;
 mod builder;
+mod compiled;
 mod error;
 mod large;
 mod motion;
@@ -12,6 +13,7 @@ mod system;
 
 pub use at::SystemAt;
 pub use builder::Builder;
+pub use compiled::{CompiledAt, CompiledContact, CompiledMotion, CompiledSystem};
 pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
@@ -23,4 +25,6 @@ pub use system::System;
 /// What a description says: masses, springs, contact, excitation, damping.
 pub use frictiongen_model::scene::{self, Damping};
 pub use frictiongen_model::sensitivity::Quantity;
+/// Tables of declared accuracy.
+pub use frictiongen_model::table;
 pub use frictiongen_model::validate::SceneError;

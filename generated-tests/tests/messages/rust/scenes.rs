@@ -449,4 +449,134 @@ struct Towers {
 }
 }
 
+mod case_743_accuracy_of_zero {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 0, range: { r: 0.2..2.5 },
+}
+}
+}
+
+mod case_744_accuracy_too_fine {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-20, range: { r: 0.2..2.5 },
+}
+}
+}
+
+mod case_745_accuracy_without_a_range {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-4,
+}
+}
+}
+
+mod case_746_range_without_an_accuracy {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    range: { r: 0.2..2.5 },
+}
+}
+}
+
+mod case_747_accuracy_and_budget {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-4, budget: 4096, range: { r: 0.2..2.5 },
+}
+}
+}
+
+mod case_748_budget_of_half_a_byte {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    budget: 0.5, range: { r: 0.2..2.5 },
+}
+}
+}
+
+mod case_749_range_from_zero {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-4, range: { r: 0..2.5 },
+}
+}
+}
+
+mod case_750_range_reversed {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-4, range: { r: 2.5..0.2 },
+}
+}
+}
+
+mod case_751_friction_range_reversed {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-4, range: { r: 0.2..2.5, beta: 1..0 },
+}
+}
+}
+
+mod case_752_too_few_bytes {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    budget: 100, range: { r: 0.2..2.5 },
+}
+}
+}
+
 fn main() {}

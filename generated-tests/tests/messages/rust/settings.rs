@@ -176,7 +176,7 @@ struct Frame {
 }
 }
 
-mod case_515_unknown_accuracy {
+mod case_515_accuracy_that_is_a_word {
 frictiongen::friction_system! {
 struct Frame {
     masses: { lower: 3.27, upper: 3.25 },
@@ -184,12 +184,12 @@ struct Frame {
     contact: upper - wall,
     excitation: base,
     damping: modal[0.010, 0.012],
-    accuracy: 1e-6,
+    accuracy: good, range: { r: 0.2..2.5 },
 }
 }
 }
 
-mod case_516_range {
+mod case_516_range_without_braces {
 frictiongen::friction_system! {
 struct Frame {
     masses: { lower: 3.27, upper: 3.25 },
@@ -197,7 +197,72 @@ struct Frame {
     contact: upper - wall,
     excitation: base,
     damping: modal[0.010, 0.012],
-    accuracy: exact, range: { r: 0.1..2.5, beta: 0..1 },
+    accuracy: 1e-4, range: 0.2..2.5,
+}
+}
+}
+
+mod case_517_range_of_something_else {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-4, range: { frequency: 0.2..2.5 },
+}
+}
+}
+
+mod case_518_range_with_a_colon {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-4, range: { r: 0.2:2.5 },
+}
+}
+}
+
+mod case_519_range_without_ratios {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-4, range: { beta: 0..1 },
+}
+}
+}
+
+mod case_520_misspelt_side {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-4, range: { r: 0.2..2.5 }, side: save,
+}
+}
+}
+
+mod case_521_beyond_by_a_number {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-4, range: { r: 0.2..2.5 }, beyond: 1,
 }
 }
 }

@@ -10,7 +10,7 @@ use frictiongen_kernel::number::dd::Dd;
 
 /// A mode that the contact drives: σ = √λ, ζ, and its share c of the inverse effective mass of the contact.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Driven {
+pub(crate) struct Driven {
     pub sigma: Dd,
     pub zeta: Dd,
     pub inverse_mass: Dd,
@@ -18,7 +18,7 @@ pub(super) struct Driven {
 
 /// Two roots as s² + 2αs + ω².
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pair {
+pub(crate) struct Pair {
     /// ω.
     pub omega: Dd,
     /// α/ω.
@@ -26,7 +26,7 @@ pub(super) struct Pair {
 }
 
 /// The roots, in pairs, ascending by ω.  `modes` ascend and differ.
-pub(super) fn pairs(modes: &[Driven]) -> Vec<Pair> {
+pub(crate) fn pairs(modes: &[Driven]) -> Vec<Pair> {
     let zero = Dd::ZERO;
     let undamped: Vec<Dd> = modes
         .windows(2)
@@ -40,8 +40,7 @@ pub(super) fn pairs(modes: &[Driven]) -> Vec<Pair> {
         return undamped.into_iter().map(pair).collect();
     }
     let mut roots = start(modes, &undamped);
-    iterate::<f64>(modes, &mut roots, 100, 1e-14);
-    iterate::<Dd>(modes, &mut roots, 30, 1e-29);
+    converge(modes, zero, &mut roots, 0);
     paired(roots)
 }
 
@@ -142,13 +141,26 @@ fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
     roots
 }
 
+/// The zeros of `direct` + Σ c_i/(s² + 2ζ_iσ_i s + λ_i), as many as there are guesses; the first `known` stay.
+pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], known: usize) {
+    iterate::<f64>(modes, direct, roots, known, (100, 1e-14));
+    iterate::<Dd>(modes, direct, roots, known, (60, 1e-29));
+}
+
 /// Simultaneous corrections of all roots, each by Newton's method without the others.
-fn iterate<S: Float>(modes: &[Driven], roots: &mut [Complex<Dd>], steps: usize, tolerance: f64) {
+fn iterate<S: Float>(
+    modes: &[Driven],
+    direct: Dd,
+    roots: &mut [Complex<Dd>],
+    known: usize,
+    (steps, tolerance): (usize, f64),
+) {
     let to = |value: Dd| S::constant(value.hi) + S::constant(value.lo);
     let of = |value: S| {
         let high = value.to_f64();
         Dd::from(high) + Dd::from((value - S::constant(high)).to_f64())
     };
+    let direct = to(direct);
     let modes: Vec<(S, S, S)> = modes
         .iter()
         .map(|mode| (to(mode.sigma), to(mode.zeta), to(mode.inverse_mass)))
@@ -159,9 +171,9 @@ fn iterate<S: Float>(modes: &[Driven], roots: &mut [Complex<Dd>], steps: usize, 
         .collect();
     for _ in 0..steps {
         let mut largest = 0.0_f64;
-        for index in 0..own.len() {
+        for index in known..own.len() {
             let Some(&s) = own.get(index) else { continue };
-            let mut newton = slope_over_value(&modes, s);
+            let mut newton = slope_over_value(&modes, direct, s);
             for (other, root) in own.iter().enumerate() {
                 let apart = complex::add(s, complex::scale(*root, S::constant(-1.0)));
                 if other != index && !(apart.re.is_zero() && apart.im.is_zero()) {
@@ -188,10 +200,10 @@ fn iterate<S: Float>(modes: &[Driven], roots: &mut [Complex<Dd>], steps: usize, 
     }
 }
 
-/// P′/P of the polynomial P = Σ c_i Π_{j≠i} d_j, with d = s² + 2ζσs + σ².
-fn slope_over_value<S: Float>(modes: &[(S, S, S)], s: Complex<S>) -> Complex<S> {
+/// P′/P of the polynomial P = (direct + Σ c_i/d_i) Π d_i, with d = s² + 2ζσs + σ².
+fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> Complex<S> {
     let zero = complex::real(S::constant(0.0));
-    let (mut value, mut slope, mut others) = (zero, zero, zero);
+    let (mut value, mut slope, mut others) = (complex::real(direct), zero, zero);
     let two = S::constant(2.0);
     for (sigma, zeta, inverse_mass) in modes {
         let rate = two * *zeta * *sigma;

@@ -1,0 +1,272 @@
+//! The tables of a declared accuracy.
+
+use super::Emission;
+use crate::lower::SceneTables;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::table::Factor;
+use frictiongen_model::scene::{Beyond, Range, Side};
+use frictiongen_model::table::{FRICTION_SHARES, Product, Report, Tables};
+use proc_macro2::{Literal, TokenStream};
+
+/// The tables as constants, and what answers from them; nothing for an exact scene.
+pub(super) fn emit(emission: &Emission<'_>, motion: bool) -> TokenStream {
+    match &emission.description.tables {
+        None => TokenStream::new(),
+        Some(SceneTables::Double(tables)) => tabled(emission, tables, motion),
+        Some(SceneTables::Single(tables)) => tabled(emission, tables, motion),
+    }
+}
+
+fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -> TokenStream {
+    let Emission { name, scalar, .. } = emission;
+    let number = |value: S| emission.literal(value.to_f64());
+    let functions = Literal::usize_unsuffixed(tables.functions);
+    let terms = Literal::usize_unsuffixed(tables.terms);
+    let index = &tables.index;
+    let narrow = tables.pieces.len() <= 256;
+    let bucket = if narrow { code!(u8) } else { code!(u16) };
+    let (low, density) = (number(index.low), number(index.density));
+    let halvings = Literal::u32_unsuffixed(index.halvings);
+    let buckets = index
+        .buckets
+        .iter()
+        .map(|place| Literal::usize_unsuffixed(*place));
+    let pieces = tables.pieces.iter().map(|piece| {
+        let (from, origin) = (number(piece.from), number(piece.origin));
+        let coefficients = piece.coefficients.iter().map(|of| {
+            let of = of.iter().map(|coefficient| number(*coefficient));
+            code!([#(#of),*])
+        });
+        code!(Piece { from: #from, origin: #origin, coefficients: [#(#coefficients),*] })
+    });
+    let quotient = |product: &Product<S>| quotient(emission, product);
+    let sliding = tables.sliding.as_ref().map(|product| {
+        let quotient = quotient(product);
+        code! {
+            /// β*_lim by its zeros and poles.
+            const SLIDING_LIMIT: Quotient<'static, #scalar> = #quotient;
+        }
+    });
+    let excitation = tables.excitation.as_ref().map(|product| {
+        let quotient = quotient(product);
+        code! {
+            /// |V| by its zeros and poles.
+            const EXCITATION: Quotient<'static, #scalar> = #quotient;
+        }
+    });
+    let about = about(tables);
+    let (limit_about, sliding_about) = (limit_about(tables), sliding_about(tables));
+    let domain = domain(emission, tables);
+    let sliding_limit = if tables.sliding.is_some() {
+        code!(Some(Self::SLIDING_LIMIT.size(r)))
+    } else {
+        code!({
+            let _ = r;
+            None
+        })
+    };
+    let contact = motion.then(|| contact(emission, tables));
+    code! {
+        impl #name {
+            #(#[doc = #about])*
+            const TABLE: Table<'static, #scalar, ::core::primitive::#bucket, #functions, #terms> = Table {
+                low: #low,
+                density: #density,
+                halvings: #halvings,
+                buckets: &[#(#buckets),*],
+                pieces: &[#(#pieces),*],
+            };
+            #sliding
+            #excitation
+        }
+
+        impl Tabled for #name {
+            #domain
+
+            #(#[doc = #limit_about])*
+            #[inline]
+            fn tabled_limit(&self, r: #scalar) -> #scalar {
+                Self::TABLE.first(r)
+            }
+
+            #(#[doc = #sliding_about])*
+            #[inline]
+            fn tabled_sliding_limit(&self, r: #scalar) -> Option<#scalar> {
+                #sliding_limit
+            }
+        }
+
+        #contact
+    }
+}
+
+/// The contact's motion.
+fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream {
+    let Emission {
+        name,
+        motion,
+        scalar,
+        ..
+    } = emission;
+    let table = match tables.functions {
+        4 => code!(Some(ContactTable::damped(
+            Self::TABLE.values(r),
+            Self::EXCITATION.value(r)
+        ))),
+        2 => code!(Some(ContactTable::undamped(
+            Self::TABLE.values(r),
+            Self::EXCITATION.value(r)
+        ))),
+        _ => code!({
+            let _ = r;
+            None
+        }),
+    };
+    let most = FRICTION_SHARES.iter().copied().fold(0.0, f64::max);
+    let accuracy = tables.request.accuracy;
+    let about = format!(
+        " What amplitude and phase of the contact follow from: to {accuracy:e} up to β = {most}·β_lim; nearer to it the \
+         error grows as 1/(1 − (β/β_lim)²)."
+    );
+    code! {
+        impl TabledMotion for #name {
+            type Moving = #motion;
+
+            #[doc = #about]
+            #[inline]
+            fn tabled_contact(&self, r: #scalar) -> Option<ContactTable<#scalar>> {
+                #table
+            }
+        }
+    }
+}
+
+fn domain<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream {
+    let scalar = &emission.scalar;
+    let declared = &emission.scene.declared;
+    let (low, high) = tables.request.r;
+    let ends = [low, high].map(|end| emission.literal(S::constant(end).to_f64()));
+    let [low, high] = ends;
+    let (least, most) = declared
+        .range
+        .map_or((0.0, f64::INFINITY), |Range { beta, .. }| beta);
+    let least = emission.literal(S::constant(least).to_f64());
+    let most = if S::constant(most).is_finite() {
+        emission.literal(S::constant(most).to_f64())
+    } else {
+        code!(::core::#scalar::INFINITY)
+    };
+    let exact_beyond = declared.beyond == Beyond::Exact;
+    code! {
+        #[inline]
+        fn domain(&self) -> Domain<#scalar> {
+            Domain {
+                r: (#low, #high),
+                beta: (#least, #most),
+                exact_beyond: #exact_beyond,
+            }
+        }
+    }
+}
+
+fn quotient<S: Float>(emission: &Emission<'_>, product: &Product<S>) -> TokenStream {
+    let number = |value: S| emission.literal(value.to_f64());
+    let factors = |factors: &[Factor<S>]| -> Vec<TokenStream> {
+        let factor = |factor: &Factor<S>| match *factor {
+            Factor::Zero { at, rest } => {
+                let (at, rest) = (number(at), number(rest));
+                code!(Factor::Zero { at: #at, rest: #rest })
+            }
+            Factor::Pair {
+                at,
+                rest,
+                off,
+                least,
+            } => {
+                let (at, rest) = (number(at), number(rest));
+                let (off, least) = (number(off), number(least));
+                code!(Factor::Pair { at: #at, rest: #rest, off: #off, least: #least })
+            }
+            Factor::Real { off } => {
+                let off = number(off);
+                code!(Factor::Real { off: #off })
+            }
+        };
+        factors.iter().map(factor).collect()
+    };
+    let gain = number(product.gain);
+    let squared = product.squared;
+    let (numerator, denominator) = (factors(&product.numerator), factors(&product.denominator));
+    code! {
+        Quotient {
+            gain: #gain,
+            squared: #squared,
+            numerator: &[#(#numerator),*],
+            denominator: &[#(#denominator),*],
+        }
+    }
+}
+
+/// What the table holds, and how far it is from the exact values.
+fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
+    let (low, high) = tables.request.r;
+    let functions = match tables.functions {
+        4 => "β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V",
+        2 => "β_lim and a·sgn V = β_lim·U/V",
+        _ => "β_lim",
+    };
+    let Report {
+        worst,
+        points,
+        bytes,
+        ..
+    } = tables.report;
+    let accuracy = tables.request.accuracy;
+    let side = match tables.request.side {
+        Side::Near => "",
+        Side::Safe => ", never above it",
+    };
+    vec![
+        format!(" {functions} over r from {low} to {high}, to {accuracy:e}{side}:"),
+        format!(
+            " {} pieces of degree {} and {} buckets, with β*_lim {bytes} bytes.",
+            tables.pieces.len(),
+            tables.terms - 1,
+            tables.index.buckets.len(),
+        ),
+        format!(
+            " Largest error {:.1e}, at r = {}: checked at {points} points that the fit did not see.",
+            worst.error, worst.at
+        ),
+    ]
+}
+
+fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
+    vec![
+        " β_lim (5.65, 5.80, 5.96, 7.49) from the table.".to_owned(),
+        String::new(),
+        format!(
+            " Operations at every r: a lookup of {} comparisons, {} additions and multiplications.",
+            tables.index.halvings,
+            tables.additions_and_multiplications(),
+        ),
+    ]
+}
+
+fn sliding_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
+    let mut about = vec![" β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).".to_owned()];
+    match &tables.sliding {
+        Some(product) => {
+            let (plain, divisions, roots) = product.operations();
+            about.push(String::new());
+            about.push(format!(
+                " Largest error {:.1e}.  Operations: {plain} additions and multiplications, {divisions} divisions, {roots} roots.",
+                tables.report.sliding.error,
+            ));
+        }
+        None => {
+            about.push(" The exact formulas answer: its zeros cannot be told apart.".to_owned())
+        }
+    }
+    about
+}

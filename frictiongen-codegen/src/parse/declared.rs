@@ -1,0 +1,168 @@
+//! The fields that say how exact the emitted code has to be, and where.
+
+use frictiongen_model::scene::{Beyond, Side};
+use proc_macro2::Delimiter;
+
+use super::number::number;
+use super::reader::{Read, Reader};
+use super::suggest;
+use super::syntax::{AccuracyEntry, Choice, RangeEntry, Span};
+use crate::diagnostics::{Problems, Reported};
+
+/// `exact`, or a number.
+pub(crate) fn accuracy(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<AccuracyEntry> {
+    let place = reader.place();
+    if !reader.is_word(0) {
+        let Read { value, clean } = number(reader, problems);
+        return Read {
+            value: value.map(AccuracyEntry::Relative),
+            clean,
+        };
+    }
+    if reader.take_word().is_some_and(|word| word.text == "exact") {
+        return Read::clean(AccuracyEntry::Exact);
+    }
+    problems.report(
+        place,
+        "an accuracy is `exact` or a relative error, for example `accuracy: 1e-4`",
+    );
+    Read {
+        value: None,
+        clean: true,
+    }
+}
+
+/// `{ r: a..b, beta: a..b }`
+pub(crate) fn range(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<RangeEntry> {
+    let place = reader.place();
+    let Some(mut inside) = reader.take_group(Delimiter::Brace) else {
+        let message = format!(
+            "a range stands in braces, but here is {}; write, for example, `{{ r: 0.2..2.5 }}`",
+            reader.found()
+        );
+        problems.report(place, message);
+        return Read::lost();
+    };
+    let mut entry = RangeEntry {
+        place,
+        ratio: None,
+        friction: None,
+    };
+    let mut sound = true;
+    let list = inside.reader.list(
+        problems,
+        |reader| reader.is_word(0) && reader.is_punct(1, ':'),
+        |_| false,
+        |reader, problems| part(reader, problems, &mut entry).into(),
+    );
+    sound &= list.complete;
+    if sound && entry.ratio.is_none() {
+        problems.report(
+            place,
+            "a range holds frequency ratios; write, for example, `{ r: 0.2..2.5 }`",
+        );
+        sound = false;
+    }
+    Read {
+        value: sound.then_some(entry),
+        clean: true,
+    }
+}
+
+/// `r: a..b` or `beta: a..b`
+fn part(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+    entry: &mut RangeEntry,
+) -> Result<(), Reported> {
+    let place = reader.place();
+    let Some(word) = reader.take_word() else {
+        let message = format!(
+            "a range is of `r` or `beta`, not {}; write, for example, `r: 0.2..2.5`",
+            reader.found()
+        );
+        return Err(problems.report(place, message));
+    };
+    let slot = match word.text.as_str() {
+        "r" => &mut entry.ratio,
+        "beta" => &mut entry.friction,
+        text => {
+            let hint = suggest::hint(text, ["r", "beta"], || {
+                "the ranges are of `r` and `beta`".to_owned()
+            });
+            return Err(problems.report(place, format!("there is no range of `{text}`{hint}")));
+        }
+    };
+    if slot.is_some() {
+        let message = format!("`{}` is there twice; keep one of the two", word.text);
+        return Err(problems.report(place, message));
+    }
+    reader.take_colon(problems, "the name of a range and its ends")?;
+    let low = number(reader, problems);
+    let dots = reader.place();
+    if !(low.clean && reader.take_punct('.') && reader.take_punct('.')) {
+        if !low.clean {
+            return Err(Reported);
+        }
+        let message = format!(
+            "two points join the ends of a range, not {}; write, for example, `0.2..2.5`",
+            reader.found()
+        );
+        return Err(problems.report(dots, message));
+    }
+    // `..=` means the same: both ends belong to the range.
+    let _ = reader.take_punct('=');
+    let high = number(reader, problems);
+    if !high.clean {
+        return Err(Reported);
+    }
+    if let (Some(low), Some(high)) = (low.value, high.value) {
+        *slot = Some(Span { low, high });
+    }
+    Ok(())
+}
+
+/// `near` or `safe`
+pub(crate) fn side(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<Side>> {
+    choice(
+        reader,
+        problems,
+        "side",
+        [("near", Side::Near), ("safe", Side::Safe)],
+    )
+}
+
+/// `error` or `exact`
+pub(crate) fn beyond(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<Beyond>> {
+    let choices = [("error", Beyond::Error), ("exact", Beyond::Exact)];
+    choice(reader, problems, "beyond", choices)
+}
+
+fn choice<T: Copy>(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+    field: &str,
+    choices: [(&'static str, T); 2],
+) -> Read<Choice<T>> {
+    let place = reader.place();
+    let [(first, _), (second, _)] = choices;
+    let all = || format!("write `{first}` or `{second}`");
+    let Some(word) = reader.take_word() else {
+        let message = format!("`{field}` is a word, not {}; {}", reader.found(), all());
+        problems.report(place, message);
+        return Read::lost();
+    };
+    let known = choices.iter().find(|(name, _)| *name == word.text);
+    if let Some((_, value)) = known {
+        return Read::clean(Choice {
+            value: *value,
+            place,
+        });
+    }
+    let hint = suggest::hint(&word.text, [first, second], all);
+    problems.report(place, format!("`{field}` cannot be `{}`{hint}", word.text));
+    Read {
+        value: None,
+        clean: true,
+    }
+}

@@ -1,0 +1,136 @@
+//! Tables as code that needs nothing else: a Rust file, or C99.
+//!
+//! Both compute what the kernel computes, operation by operation, so that all three agree to the last bit; but for
+//! the arc tangent of a phase, which is the platform's.
+
+mod c;
+mod rust;
+
+pub use c::{c_header, c_source};
+pub use rust::rust_source;
+
+use frictiongen_kernel::Float;
+use frictiongen_kernel::table::Factor;
+use frictiongen_model::table::{Product, Tables};
+
+/// Numbers as a language writes them.
+#[derive(Clone, Copy)]
+struct Numbers {
+    /// Whether they are `f32`.
+    single: bool,
+    /// What follows each.
+    suffix: &'static str,
+}
+
+impl Numbers {
+    #[allow(clippy::cast_possible_truncation, reason = "it is an f32")]
+    fn write(self, value: f64) -> String {
+        if self.single {
+            format!("{:?}{}", value as f32, self.suffix)
+        } else {
+            format!("{value:?}{}", self.suffix)
+        }
+    }
+
+    fn list(self, values: impl IntoIterator<Item = f64>) -> String {
+        let values: Vec<String> = values.into_iter().map(|value| self.write(value)).collect();
+        values.join(", ")
+    }
+}
+
+/// Places of a list, in lines of a page's width.
+fn wrapped(places: &[usize]) -> String {
+    let mut lines = vec![String::new()];
+    for place in places {
+        let word = format!("{place}, ");
+        if lines
+            .last()
+            .is_some_and(|line| line.len() + word.len() > 96)
+        {
+            lines.push(String::new());
+        }
+        if let Some(line) = lines.last_mut() {
+            line.push_str(&word);
+        }
+    }
+    let lines: Vec<&str> = lines.iter().map(|line| line.trim_end()).collect();
+    lines.join("\n    ")
+}
+
+/// What the tables hold, and how far they are from the exact values.
+fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
+    let (low, high) = tables.request.r;
+    let report = &tables.report;
+    vec![
+        format!(
+            "r from {low} to {high}, relative accuracy {:e}; {} pieces of degree {}, {} bytes.",
+            tables.request.accuracy,
+            tables.pieces.len(),
+            tables.terms - 1,
+            report.bytes,
+        ),
+        format!(
+            "Largest error {:.1e}, at r = {}: checked at {} points that the fit did not see.",
+            report.worst.error, report.worst.at, report.points,
+        ),
+    ]
+}
+
+/// A factor as an expression in r.
+fn factor<S: Float>(numbers: Numbers, factor: &Factor<S>) -> String {
+    let write = |value: S| numbers.write(value.to_f64());
+    match *factor {
+        Factor::Zero { at, rest } => {
+            let (at, rest) = (write(at), write(rest));
+            format!("zero(r, {at}, {rest})")
+        }
+        Factor::Pair {
+            at,
+            rest,
+            off,
+            least,
+        } => {
+            let (at, rest, off, least) = (write(at), write(rest), write(off), write(least));
+            format!("pair(r, {at}, {rest}, {off}, {least})")
+        }
+        Factor::Real { off } => format!("(r * r + {})", write(off)),
+    }
+}
+
+/// A product as an expression in r.
+fn quotient<S: Float>(numbers: Numbers, product: &Product<S>, root: &str) -> String {
+    let gain = numbers.write(product.gain.to_f64());
+    let one = numbers.write(1.0);
+    let times = |factors: &[Factor<S>]| {
+        let factors = factors.iter().map(|each| factor(numbers, each));
+        let mut all = vec![one.clone()];
+        all.extend(factors);
+        all.join("\n        * ")
+    };
+    let above = times(&product.numerator);
+    if product.numerator.is_empty() && product.denominator.is_empty() {
+        return gain;
+    }
+    let value = if product.denominator.is_empty() {
+        format!("({above})")
+    } else {
+        format!("({above})\n        / ({})", times(&product.denominator))
+    };
+    if product.squared {
+        format!("{gain} * {root}({value})")
+    } else {
+        format!("{gain} * ({value})")
+    }
+}
+
+/// A name in the style of a function: `TwoStorey` becomes `two_storey`.
+fn snake(name: &str) -> String {
+    let mut snake = String::new();
+    for letter in name.chars() {
+        if letter.is_uppercase() && !snake.is_empty() && !snake.ends_with('_') {
+            snake.push('_');
+        }
+        snake.extend(letter.to_lowercase());
+    }
+    snake
+}

@@ -1,0 +1,123 @@
+//! Tables as a Rust file without dependencies.
+
+use super::{Numbers, about, quotient, wrapped};
+use frictiongen_kernel::Float;
+use frictiongen_model::scene::Scene;
+use frictiongen_model::table::Tables;
+
+/// The file.  None where β*_lim has no form of its own: only the exact formulas keep the accuracy then.
+#[must_use]
+pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String> {
+    let single = S::EPSILON > 1e-10;
+    let numbers = Numbers { single, suffix: "" };
+    let real = if single { "f32" } else { "f64" };
+    let write = |value: S| numbers.write(value.to_f64());
+    let (low, high) = tables.request.r;
+    let ends = [low, high].map(|end| write(S::constant(end)));
+    let [low, high] = ends;
+    let index = &tables.index;
+    let (functions, terms) = (tables.functions, tables.terms);
+    let narrow = if tables.pieces.len() <= 256 {
+        "u8"
+    } else {
+        "u16"
+    };
+    let mut pieces = String::new();
+    for piece in &tables.pieces {
+        let (from, origin) = (write(piece.from), write(piece.origin));
+        let of = piece.coefficients.iter().map(|of| {
+            let list = numbers.list(of.iter().map(|coefficient| coefficient.to_f64()));
+            format!("[{list}]")
+        });
+        let of: Vec<String> = of.collect();
+        let of = of.join(",\n            ");
+        pieces.push_str(&format!(
+            "    Piece {{\n        from: {from},\n        origin: {origin},\n        of: [\n            {of},\n        ],\n    }},\n"
+        ));
+    }
+    let root = format!("{real}::sqrt");
+    let sliding = quotient(numbers, tables.sliding.as_ref()?, &root);
+    let contact = tables.excitation.as_ref().map(|product| {
+        let excitation = quotient(numbers, product, &root);
+        let (shares, displacement, direction) = if functions == 4 {
+            (
+                "    let [_, quadrature, displacement, direction] = piece.of.map(|of| polynomial(&of, t));\n"
+                    .to_owned(),
+                "displacement",
+                "direction",
+            )
+        } else {
+            (
+                "    let [_, quadrature] = piece.of.map(|of| polynomial(&of, t));\n    \
+                 let negative = excitation < 0.0;\n    \
+                 let quadrature = if negative { -quadrature } else { quadrature };\n    \
+                 let direction = if negative { PI } else { 0.0 };\n"
+                    .to_owned(),
+                "0.0",
+                "direction",
+            )
+        };
+        format!(
+            "\n/// Why there is no continuous motion.\n#[derive(Clone, Copy, Debug, PartialEq, Eq)]\npub enum NotContinuous {{\n    \
+             /// r or β is out of the domain.\n    OutOfDomain,\n    /// The contact stops and slides in turn.\n    StickSlip,\n    \
+             /// The contact never slides.\n    Stuck,\n}}\n\n\
+             /// Amplitude (x̄ k₁/P; for base motion over Y) and phase (lag of the maximum behind the excitation's, rad) of the\n\
+             /// contact's relative motion at the friction ratio β = F/P.\n///\n/// # Errors\n/// [`NotContinuous`] says which regime it is instead.\n\
+             pub fn contact(r: {real}, beta: {real}) -> Result<({real}, {real}), NotContinuous> {{\n    \
+             let (continuous, sliding) = limits(r).ok_or(NotContinuous::OutOfDomain)?;\n    \
+             if !(0.0 <= beta) {{\n        return Err(NotContinuous::OutOfDomain);\n    }}\n    \
+             if !(beta < sliding) {{\n        return Err(NotContinuous::Stuck);\n    }}\n    \
+             if !(beta < continuous) {{\n        return Err(NotContinuous::StickSlip);\n    }}\n    \
+             let piece = found(r);\n    let t = r - piece.origin;\n    \
+             let excitation = {excitation};\n{shares}    \
+             let share = beta / continuous;\n    let turned = share * quadrature;\n    \
+             let product = (1.0 - turned) * (1.0 + turned);\n    \
+             let in_phase = if product < 0.0 {{ 0.0 }} else {{ product }}.sqrt();\n    \
+             let amplitude = excitation.abs() * (in_phase - share * {displacement});\n    \
+             let lag = {real}::atan2(-turned + 0.0, in_phase + 0.0) - {direction};\n    \
+             Ok((amplitude, wrapped(wrapped(lag))))\n}}\n\n\
+             const PI: {real} = std::{real}::consts::PI;\n\n\
+             /// An angle moved by a turn into (−π, π].\n\
+             fn wrapped(angle: {real}) -> {real} {{\n    \
+             let angle = if PI < angle {{ angle - (PI + PI) }} else {{ angle }};\n    \
+             if -PI < angle {{ angle }} else {{ angle + (PI + PI) }}\n}}\n"
+        )
+    });
+    let contact = contact.unwrap_or_default();
+    let about = about(tables).join("\n//! ");
+    Some(format!(
+        "//! Emitted by frictiongen {version} for the scene {scene}.\n//!\n//! {about}\n\
+         #![allow(clippy::all, clippy::pedantic, dead_code)]\n\n\
+         /// Both limits (β_lim, β*_lim) at the frequency ratio r = ω√(m₁/k₁); none beyond the range.  Below the first the\n\
+         /// contact slides all the time, from the second on it never does.\n\
+         pub fn limits(r: {real}) -> Option<({real}, {real})> {{\n    \
+         if !({low} <= r && r <= {high}) {{\n        return None;\n    }}\n    \
+         let piece = found(r);\n    let continuous = polynomial(&piece.of[0], r - piece.origin);\n    \
+         let sliding = ({sliding}).abs();\n    Some((continuous, sliding))\n}}\n{contact}\n\
+         struct Piece {{\n    from: {real},\n    origin: {real},\n    of: [[{real}; {terms}]; {functions}],\n}}\n\n\
+         fn found(r: {real}) -> &'static Piece {{\n    \
+         let bucket = ((r - {index_low}) * {density}) as usize;\n    \
+         let mut index = BUCKETS[bucket.min(BUCKETS.len() - 1)] as usize;\n    \
+         let mut step = 1 << {halvings} >> 1;\n    while step > 0 {{\n        \
+         let further = index + step;\n        \
+         if further < PIECES.len() && PIECES[further].from <= r {{\n            index = further;\n        }}\n        \
+         step >>= 1;\n    }}\n    &PIECES[index]\n}}\n\n\
+         fn polynomial(of: &[{real}; {terms}], t: {real}) -> {real} {{\n    \
+         let square = t * t;\n    let mut k = {terms} - 2;\n    let mut sum = of[k] + of[k + 1] * t;\n    \
+         while k > 0 {{\n        k -= 2;\n        sum = (of[k] + of[k + 1] * t) + sum * square;\n    }}\n    sum\n}}\n\n\
+         /// (r − y)(r + y), y in two parts.\nfn zero(r: {real}, at: {real}, rest: {real}) -> {real} {{\n    ((r - at) - rest) * (r + at)\n}}\n\n\
+         /// Of a pair of zeros x + iy beside the axis: off = x², least = 4x²y².\n\
+         fn pair(r: {real}, at: {real}, rest: {real}, off: {real}, least: {real}) -> {real} {{\n    \
+         let beside = ((r - at) - rest) * (r + at) + off;\n    beside * beside + least\n}}\n\n\
+         /// The piece in which each bucket begins.\nstatic BUCKETS: [{narrow}; {count}] = [\n    {buckets}\n];\n\n\
+         static PIECES: [Piece; {pieces_count}] = [\n{pieces}];\n",
+        version = env!("CARGO_PKG_VERSION"),
+        scene = scene.name,
+        count = index.buckets.len(),
+        buckets = wrapped(&index.buckets),
+        pieces_count = tables.pieces.len(),
+        index_low = write(index.low),
+        density = write(index.density),
+        halvings = index.halvings,
+    ))
+}

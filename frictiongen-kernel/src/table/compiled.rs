@@ -1,0 +1,199 @@
+//! A scene at one frequency ratio, from its tables.
+
+use crate::contact::regime::{self, Limits};
+use crate::errors::StuckResonance;
+use crate::errors::{OutOfDomain, Regime};
+use crate::number::scalar::Scalar;
+use crate::response::{At, ProvidesStuck, Scene};
+
+/// Where the tables of a scene hold, and what happens beyond.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Domain<S> {
+    /// Smallest and largest frequency ratio.
+    pub r: (S, S),
+    /// Smallest and largest friction ratio that may be asked for.
+    pub beta: (S, S),
+    /// Whether the exact formulas answer beyond; else nothing does.
+    pub exact_beyond: bool,
+}
+
+/// A scene with tables of its limits.
+pub trait Tabled: Scene {
+    /// Where they hold.
+    fn domain(&self) -> Domain<Self::Scalar>;
+    /// β_lim within the domain.
+    fn tabled_limit(&self, r: Self::Scalar) -> Self::Scalar;
+    /// β*_lim within the domain; none where only the exact formulas keep the accuracy.
+    fn tabled_sliding_limit(&self, r: Self::Scalar) -> Option<Self::Scalar>;
+}
+
+/// A scene at one frequency ratio, whose limits come from tables.
+#[derive(Clone, Copy, Debug)]
+pub struct Compiled<T: Scene> {
+    scene: T,
+    /// Neither NaN nor negative.
+    r: T::Scalar,
+    /// Whether the tables hold at this r.
+    within: bool,
+}
+
+impl<T: Tabled> Compiled<T> {
+    /// The scene at the frequency ratio r = ω√(m₁/k₁).
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, and beyond the tables' range unless the exact formulas answer there.
+    #[inline]
+    pub fn new(scene: T, r: T::Scalar) -> Result<Self, OutOfDomain> {
+        let Domain {
+            r: (low, high),
+            exact_beyond,
+            ..
+        } = scene.domain();
+        let within = low <= r && r <= high;
+        if !within {
+            let allowed = exact_beyond && r >= T::Scalar::constant(0.0);
+            if !allowed {
+                return Err(OutOfDomain { argument: "r" });
+            }
+        }
+        Ok(Self { scene, r, within })
+    }
+
+    /// Both limits over a slice of frequency ratios, into slices of the same length.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first r out of the
+    /// domain; what came before it is filled in.
+    pub fn limits_into(
+        scene: T,
+        rs: &[T::Scalar],
+        continuous: &mut [T::Scalar],
+        sliding: &mut [T::Scalar],
+    ) -> Result<(), OutOfDomain> {
+        for (room, argument) in [(continuous.len(), "continuous"), (sliding.len(), "sliding")] {
+            if room != rs.len() {
+                return Err(OutOfDomain { argument });
+            }
+        }
+        for ((r, continuous), sliding) in rs.iter().zip(continuous).zip(sliding) {
+            let limits = Self::new(scene.clone(), *r)?.limits();
+            (*continuous, *sliding) = (limits.continuous, limits.sliding);
+        }
+        Ok(())
+    }
+
+    /// The scene.
+    #[inline]
+    #[must_use]
+    pub fn scene(&self) -> &T {
+        &self.scene
+    }
+
+    /// r.
+    #[inline]
+    #[must_use]
+    pub fn frequency_ratio(&self) -> T::Scalar {
+        self.r
+    }
+
+    /// Whether the tables hold at this r; beyond them the exact formulas answer.
+    #[inline]
+    #[must_use]
+    pub fn is_within(&self) -> bool {
+        self.within
+    }
+
+    /// The same by the exact formulas.
+    #[must_use]
+    pub fn exact(&self) -> At<T> {
+        At::known(self.scene.clone(), self.r)
+    }
+
+    /// β_lim, the boundary of continuous motion (5.65, 5.80, 5.96, 7.49), to the declared accuracy.
+    #[inline]
+    #[must_use]
+    pub fn continuous_limit(&self) -> T::Scalar {
+        if self.within {
+            self.scene.tabled_limit(self.r)
+        } else {
+            self.exact().continuous_limit()
+        }
+    }
+
+    /// β*_lim = |V|/(μ|H|), from which on the contact never slides (6.11, 6.27, 6.33), to the declared accuracy.
+    #[inline]
+    #[must_use]
+    pub fn sliding_limit(&self) -> T::Scalar {
+        let tabled = if self.within {
+            self.scene.tabled_sliding_limit(self.r)
+        } else {
+            None
+        };
+        match tabled {
+            Some(limit) => limit,
+            None => self.exact().sliding_limit(),
+        }
+    }
+
+    /// Both limits.
+    #[inline]
+    #[must_use]
+    pub fn limits(&self) -> Limits<T::Scalar> {
+        Limits {
+            continuous: self.continuous_limit(),
+            sliding: self.sliding_limit(),
+        }
+    }
+
+    /// β_lim with S replaced by its limit for τ → 0 (5.64), by the exact formulas.
+    #[must_use]
+    pub fn continuous_limit_without_search(&self) -> T::Scalar {
+        self.exact().continuous_limit_without_search()
+    }
+
+    /// β_lim with S as the sum of each mode's own maximum (5.55, 7.37), by the exact formulas.
+    #[must_use]
+    pub fn continuous_limit_per_mode(&self) -> T::Scalar {
+        self.exact().continuous_limit_per_mode()
+    }
+
+    /// β, if it is one that may be asked for.
+    pub(super) fn checked(&self, beta: T::Scalar) -> Result<T::Scalar, OutOfDomain> {
+        let beta = regime::check_beta(beta)?;
+        let domain = self.scene.domain();
+        let (low, high) = domain.beta;
+        if domain.exact_beyond || (low <= beta && beta <= high) {
+            Ok(beta)
+        } else {
+            Err(OutOfDomain { argument: "beta" })
+        }
+    }
+
+    /// The regime at β = F/P: right except within the declared accuracy of a limit.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β, and beyond the declared range.
+    pub fn regime(&self, beta: T::Scalar) -> Result<Regime, OutOfDomain> {
+        let beta = self.checked(beta)?;
+        self.limits().regime(beta)
+    }
+
+    /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime.
+    ///
+    /// # Errors
+    /// As of [`regime`](Self::regime).
+    pub fn margin(&self, beta: T::Scalar) -> Result<T::Scalar, OutOfDomain> {
+        let beta = self.checked(beta)?;
+        self.limits().margin(beta)
+    }
+}
+
+impl<T: Tabled + ProvidesStuck> Compiled<T> {
+    /// The response while the contact is stuck, by the exact formulas, which search nothing.
+    ///
+    /// # Errors
+    /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
+    pub fn stuck(&self) -> Result<T::Stuck, StuckResonance> {
+        self.exact().stuck()
+    }
+}

@@ -1,0 +1,99 @@
+//! Tables compared with the exact values, at points that the fit did not look at.
+
+use super::cover::Cover;
+use super::fit::Fitted;
+use super::kinks;
+use super::quotients::Product;
+use super::split::Landmarks;
+use super::tables::Worst;
+use frictiongen_kernel::Float;
+
+/// Points in each piece.
+const POINTS: usize = 24;
+/// How close to a zero a piece is compared: 10^−13 of its length.
+const DECADES: f64 = 13.0;
+/// Points at which a product is compared, besides those of interest.
+const PRODUCT_POINTS: usize = 256;
+/// Roundings of r by which an exact value may be off.
+const ROUNDINGS: f64 = 8.0;
+/// The golden section, by whose multiples points are spread.
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+
+/// The largest error of a piece over what is allowed, and where; how many points were looked at.
+pub(super) fn piece<S: Float>(
+    cover: &mut Cover<'_, '_, S>,
+    piece: &Fitted<S>,
+    (from, to): (f64, f64),
+) -> (Worst, usize) {
+    let zero = cover.zero_of(piece);
+    let mut worst = Worst {
+        error: 0.0,
+        at: from,
+    };
+    let spread = (0..POINTS).map(|k| from + (GOLDEN * (k + 1) as f64).fract() * (to - from));
+    let mut places: Vec<f64> = spread.collect();
+    if let Some(zero) = zero {
+        // Towards a zero accuracy is relative: as many points in every decade of the distance.
+        let length = if zero.at > from { from - to } else { to - from };
+        let towards = (0..POINTS).map(|k| (GOLDEN * (k + 1) as f64).fract() * DECADES);
+        places.extend(towards.map(|decades| zero.at + length * 10_f64.powf(-decades)));
+    }
+    // Kinks within the piece, between neighbouring points that do not see the same maximum.
+    places.sort_by(f64::total_cmp);
+    let mut kinks = Vec::new();
+    for neighbours in places.windows(2) {
+        if let [low, high] = neighbours {
+            kinks::between(cover.exact, *low, *high, &mut kinks);
+        }
+    }
+    places.extend(kinks);
+    let mut points = 0;
+    for place in places {
+        let r = S::constant(place).to_f64();
+        if !(from <= r && r < to) {
+            continue;
+        }
+        let error = cover.error_at(piece, r, zero);
+        points += 1;
+        if !(error <= worst.error) {
+            worst = Worst { error, at: r };
+        }
+    }
+    (worst, points)
+}
+
+/// The largest relative error of a product over zeros and poles, and where; how many points were looked at.
+pub(super) fn product<S: Float>(
+    product: &Product<S>,
+    (low, high): (f64, f64),
+    landmarks: &Landmarks,
+    exact: impl Fn(f64) -> f64,
+) -> (Worst, usize) {
+    let mut worst = Worst {
+        error: 0.0,
+        at: low,
+    };
+    let spread = (0..PRODUCT_POINTS).map(|k| {
+        let share = (GOLDEN * (k + 1) as f64).fract();
+        low + share * (high - low)
+    });
+    let mut points = 0;
+    for r in spread.chain(landmarks.closely.iter().copied()) {
+        let own = S::constant(r);
+        let expected = exact(own.to_f64());
+        // On a zero or a pole nothing is left to compare.
+        if !(0.0 < expected && expected.is_finite()) {
+            continue;
+        }
+        let off = (product.quotient().value(own).abs().to_f64() - expected).abs();
+        // Beside a zero or a pole what is exact is so up to some roundings of r.
+        let moved = own.to_f64() * (1.0 + ROUNDINGS * f64::EPSILON);
+        let off = (off - (exact(moved) - expected).abs()).max(0.0);
+        points += 1;
+        if !(off <= worst.error * expected) {
+            let error = off / expected;
+            worst = Worst { error, at: r };
+        }
+    }
+    (worst, points)
+}

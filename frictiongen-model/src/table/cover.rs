@@ -1,0 +1,362 @@
+//! A range covered by pieces, each as long as the accuracy allows.
+
+use super::check;
+use super::digits::{above, to_decimals};
+use super::exact::Exact;
+use super::fit::{ANGLE, Fitted, Form, fit};
+use super::split::{Edge, Landmarks};
+use super::tables::Worst;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::table::{ContactTable, Quotient};
+use std::f64::consts::PI;
+
+/// The friction ratios over β_lim at which the contact's motion is compared.
+pub const FRICTION_SHARES: [f64; 7] = [0.05, 0.3, 0.6, 0.8, 0.9, 0.95, 0.98];
+/// A piece counts as the longest when one longer by this share is too long.
+const LONGEST: f64 = 1.1;
+/// Where nothing else ends a piece, its end is rounded to this share of it.
+const END: f64 = 0.02;
+/// What is too long by this much is so for a kink, whose place is then sought.
+const KINK: f64 = 30.0;
+/// A kink is found to this share of a piece.
+const KINK_FOUND: f64 = 1.0 + 1e-3;
+/// So many pieces may be covered anew.
+const MOST_AGAIN: usize = 1000;
+/// No piece is shorter than this share of r.
+const SHORTEST: f64 = 1e-13;
+/// Roundings of r by which an exact value beside a zero of β_lim may be off.
+const ROUNDINGS: f64 = 4.0;
+
+/// How far an answer of a piece may be off.
+pub(super) struct Cover<'a, 'm, S> {
+    pub exact: &'a mut Exact<'m>,
+    pub landmarks: Landmarks,
+    /// Where β_lim bends, ascending.
+    pub kinks: Vec<f64>,
+    pub form: Form,
+    /// The most that β_lim may be off lift·β_lim, relative to β_lim.
+    pub limit: f64,
+    /// The most that amplitude (relative) and phase (rad) may be off.
+    pub motion: f64,
+    /// What the check allows of both.
+    pub whole: (f64, f64),
+    /// |V|, or V with its sign, where the motion is asked for.
+    pub excitation: Option<Quotient<'a, S>>,
+    /// No more pieces than this.
+    pub most_pieces: usize,
+    /// The length of the last piece.
+    pub last: f64,
+}
+
+/// Why a range could not be covered: where.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stuck {
+    pub at: f64,
+}
+
+impl<S: Float> Cover<'_, '_, S> {
+    /// Pieces from one end of the range to the other, checked at points that their fits did not see; and the largest
+    /// error, over what is allowed.
+    ///
+    /// Where the check finds more than is allowed, the place is looked at from then on, and the piece is covered anew.
+    pub fn checked(
+        &mut self,
+        low: f64,
+        high: f64,
+    ) -> Result<(Vec<Fitted<S>>, Worst, usize), Stuck> {
+        let (limit, motion) = (self.limit, self.motion);
+        let mut waiting = self.range(low, high)?;
+        waiting.reverse();
+        let (mut pieces, mut points, mut again) = (Vec::new(), 0, 0);
+        let mut worst = Worst {
+            error: 0.0,
+            at: low,
+        };
+        while let Some(piece) = waiting.pop() {
+            let from = piece.from.to_f64().max(low);
+            let to = waiting
+                .last()
+                .map_or(high, |next: &Fitted<S>| next.from.to_f64());
+            (self.limit, self.motion) = (self.whole.0, self.whole.1);
+            let (seen, looked) = check::piece(self, &piece, (from, to));
+            (self.limit, self.motion) = (limit, motion);
+            points += looked;
+            if seen.error <= 1.0 {
+                if seen.error > worst.error {
+                    worst = seen;
+                }
+                // Of pieces that round to one place the last one holds.
+                if pieces
+                    .last()
+                    .is_some_and(|last: &Fitted<S>| last.from == piece.from)
+                {
+                    pieces.pop();
+                }
+                pieces.push(piece);
+                continue;
+            }
+            again += 1;
+            if again > MOST_AGAIN {
+                return Err(Stuck { at: seen.at });
+            }
+            self.landmarks.look_at(seen.at);
+            let zero = self.zero_of(&piece);
+            let left = zero.filter(|zero| zero.at <= from);
+            let right = zero.filter(|zero| zero.at > from);
+            self.last = to - from;
+            let mut anew = Vec::new();
+            self.between((from, to), left, right, &mut anew)?;
+            waiting.extend(anew.into_iter().rev());
+        }
+        Ok((pieces, worst, points))
+    }
+
+    /// The zero that a piece counts from, if it is one.
+    pub fn zero_of(&self, piece: &Fitted<S>) -> Option<Edge> {
+        let to = |at: f64| S::constant(at).to_f64();
+        self.landmarks.zero_at(piece.origin.to_f64(), to)
+    }
+
+    /// Pieces from one end of the range to the other.
+    fn range(&mut self, low: f64, high: f64) -> Result<Vec<Fitted<S>>, Stuck> {
+        let mut pieces = Vec::new();
+        let zeros = self.landmarks.zeros.clone();
+        let mut from = low;
+        let mut left: Option<Edge> = None;
+        for zero in zeros {
+            let to = zero.at.min(high);
+            if from < to {
+                self.between((from, to), left, Some(zero), &mut pieces)?;
+            }
+            from = zero.at.max(low);
+            left = Some(zero);
+        }
+        if from < high {
+            self.between((from, high), left, None, &mut pieces)?;
+        }
+        Ok(pieces)
+    }
+
+    /// Pieces between two zeros, or a zero and an end.
+    fn between(
+        &mut self,
+        (low, high): (f64, f64),
+        left: Option<Edge>,
+        right: Option<Edge>,
+        pieces: &mut Vec<Fitted<S>>,
+    ) -> Result<(), Stuck> {
+        let (mut from, mut to) = (low, high);
+        let middle = 0.5 * (low + high);
+        if left.is_some() {
+            let reach = if right.is_some() { middle } else { high };
+            let (piece, end) = self.longest(low, reach, left)?;
+            pieces.push(piece);
+            from = end;
+        }
+        let mut last = None;
+        if right.is_some() {
+            let (piece, end) = self.longest(high, from, right)?;
+            last = Some(piece);
+            to = end;
+        }
+        while from < to {
+            let (piece, end) = self.longest(from, to, None)?;
+            pieces.push(piece);
+            from = end;
+            if pieces.len() > self.most_pieces {
+                return Err(Stuck { at: from });
+            }
+        }
+        pieces.extend(last);
+        Ok(())
+    }
+
+    /// The longest piece from `start` towards `limit`, and where it ends.
+    fn longest(
+        &mut self,
+        start: f64,
+        limit: f64,
+        zero: Option<Edge>,
+    ) -> Result<(Fitted<S>, f64), Stuck> {
+        let most = (limit - start).abs();
+        let forwards = start < limit;
+        // The kinks ahead, at which a piece had better end.
+        let ahead = self
+            .kinks
+            .iter()
+            .map(|kink| if forwards { kink - start } else { start - kink });
+        let mut stops: Vec<f64> = ahead
+            .filter(|ahead| 0.0 < *ahead && *ahead < most)
+            .collect();
+        stops.sort_by(f64::total_cmp);
+        stops.push(most);
+        let end_of = |length: f64| {
+            if length >= most {
+                limit
+            } else {
+                let end = if forwards {
+                    start + length
+                } else {
+                    start - length
+                };
+                let rounded = to_decimals(end, END * length);
+                // A kink keeps its digits.
+                let kink = stops.iter().any(|stop| *stop == length);
+                if kink { end } else { rounded }
+            }
+        };
+        let mut next = stops.iter().copied();
+        let mut stop = next.next().unwrap_or(most);
+        let mut length = (1.5 * self.last).min(stop);
+        let (mut known, mut good, mut too_long, mut excess) = (None, 0.0, f64::INFINITY, 0.0);
+        let order = 1.0 / self.form.terms as f64;
+        for _ in 0..200 {
+            let end = end_of(length);
+            let between = if forwards { (start, end) } else { (end, start) };
+            // A zero farther off than the piece is long would make powers of its distance all alike.
+            let zero = zero.filter(|zero| zero.distance(start).abs() <= length);
+            let piece = fit(self.exact, between, zero, self.form).ok_or(Stuck { at: start })?;
+            let error = self.error(&piece, between, zero);
+            if error <= 1.0 {
+                (good, known) = (length, Some((piece, end)));
+                if length >= most {
+                    break;
+                }
+                if length >= stop {
+                    // Beyond a kink, if it is a weak one.
+                    stop = next.next().unwrap_or(most);
+                }
+                let guess = length * (0.8 / error.max(1e-6)).powf(order).clamp(1.05, 2.0);
+                length = guess.min(stop);
+            } else {
+                let at_kink = stops.contains(&good);
+                (too_long, excess) = (length, error);
+                if good > 0.0 && at_kink {
+                    break;
+                }
+                let guess = length * (0.7 / error).powf(order).clamp(0.2, 0.95);
+                length = if good < guess {
+                    guess
+                } else {
+                    0.5 * (good + too_long)
+                };
+            }
+            if length >= too_long {
+                length = 0.5 * (good + too_long);
+            }
+            let enough = if excess > KINK { KINK_FOUND } else { LONGEST };
+            if good > 0.0 && too_long <= good * enough {
+                break;
+            }
+            if length <= SHORTEST * start {
+                return Err(Stuck { at: start });
+            }
+        }
+        self.last = good;
+        known.ok_or(Stuck { at: start })
+    }
+
+    /// The largest error of a piece over what is allowed.
+    fn error(&mut self, piece: &Fitted<S>, (low, high): (f64, f64), zero: Option<Edge>) -> f64 {
+        let points = 2 * self.form.terms + 3;
+        let step = (high - low) / (points - 1) as f64;
+        let mut worst = 0.0_f64;
+        for k in 0..points {
+            let r = if k + 1 < points {
+                low + step * k as f64
+            } else {
+                high
+            };
+            worst = worst.max(self.error_within(piece, r, (low, high), zero));
+        }
+        if worst > 1.0 {
+            return worst;
+        }
+        let mut place = self.landmarks.closely.partition_point(|r| *r < low);
+        while let Some(r) = self
+            .landmarks
+            .closely
+            .get(place)
+            .copied()
+            .filter(|r| *r <= high)
+        {
+            worst = worst.max(self.error_within(piece, r, (low, high), zero));
+            place += 1;
+        }
+        worst
+    }
+
+    /// The same at the number of the scalar next to r, if there is one within the piece.
+    fn error_within(
+        &mut self,
+        piece: &Fitted<S>,
+        r: f64,
+        (low, high): (f64, f64),
+        zero: Option<Edge>,
+    ) -> f64 {
+        // The nearest number of the scalar that is within.
+        let rounded = |r: f64| S::constant(r).to_f64();
+        let own = match rounded(r) {
+            own if own < low => above::<S>(low).to_f64(),
+            own if own > high => -above::<S>(-high).to_f64(),
+            own => own,
+        };
+        let beyond = zero.is_some_and(|zero| {
+            let side = zero.distance(0.5 * (low + high));
+            side * zero.distance(own) < 0.0
+        });
+        if beyond || own < low || high < own {
+            0.0
+        } else {
+            self.error_at(piece, own, zero)
+        }
+    }
+
+    /// The error of a piece at r over what is allowed.
+    pub fn error_at(&mut self, piece: &Fitted<S>, r: f64, zero: Option<Edge>) -> f64 {
+        let own = S::constant(r);
+        let r = own.to_f64();
+        let Some(sample) = self.exact.at(r) else {
+            return f64::INFINITY;
+        };
+        let limit = sample.limit;
+        // Beside a zero what is exact is so up to a rounding of r.
+        let noise = zero.map_or(0.0, |_| {
+            piece.steepness() * ROUNDINGS * f64::EPSILON * r / limit
+        });
+        let off = (piece.value(0, own).to_f64() - self.form.lift * limit).abs();
+        // On a zero nothing is left to compare.
+        if limit <= 0.0 {
+            let vanishes = off <= piece.steepness() * ROUNDINGS * f64::EPSILON * r;
+            return if vanishes { 0.0 } else { f64::INFINITY };
+        }
+        let of_limit = off / ((self.limit + noise) * limit);
+        let Some(excitation) = self.excitation else {
+            return of_limit;
+        };
+        let values = [0, 1, 2, ANGLE].map(|function| piece.value(function, own));
+        let [own_limit, quadrature, displacement, direction] = values;
+        let excitation = excitation.value(own);
+        let table = if self.form.functions > ANGLE {
+            ContactTable::damped([own_limit, quadrature, displacement, direction], excitation)
+        } else {
+            ContactTable::undamped([own_limit, quadrature], excitation)
+        };
+        let exact = self.exact.contact(&sample, r);
+        // On an undamped resonance the motion is unbounded.
+        if !exact.excitation.is_finite() {
+            return of_limit;
+        }
+        let mut worst = of_limit;
+        for share in FRICTION_SHARES {
+            let beta = S::constant(share * limit);
+            let expected = exact.amplitude(beta.to_f64());
+            let allowed = (self.motion + noise) * expected;
+            worst = worst.max((table.amplitude(beta).to_f64() - expected).abs() / allowed);
+            let turned = table.phase(beta).to_f64() - exact.phase(beta.to_f64());
+            let turned = (turned - (turned / (2.0 * PI)).round() * 2.0 * PI).abs();
+            worst = worst.max(turned / (self.motion + noise));
+        }
+        worst
+    }
+}

@@ -1,0 +1,29 @@
+//! Numbers with no more digits than count, as tables are read by people; and neighbours of a number.
+
+use frictiongen_kernel::Float;
+
+/// The smallest number of a scalar above one that it need not hold.
+pub(super) fn above<S: Float>(value: f64) -> S {
+    let next = S::constant(value.next_up());
+    if next.to_f64() > value {
+        return next;
+    }
+    // Half a rounding further lies between the next two numbers, or on the next.
+    S::constant(value + value.abs() * 0.5 * S::EPSILON)
+}
+
+/// The nearest number whose last decimal is no larger than `least`.
+pub(super) fn to_decimals(value: f64, least: f64) -> f64 {
+    let decimals = -least.log10().floor();
+    if decimals < 0.0 {
+        let unit = 10_f64.powf(-decimals);
+        let rounded = (value / unit).round() * unit;
+        return if rounded.is_finite() { rounded } else { value };
+    }
+    // Beyond this a double has no decimals to lose.
+    if !(decimals <= 40.0) {
+        return value;
+    }
+    let text = format!("{value:.*}", decimals as usize);
+    text.parse().unwrap_or(value)
+}

@@ -1,0 +1,175 @@
+//! The exact values that tables are made from and compared with.
+
+use super::zeros::{Share, shares};
+use crate::modal::Modal;
+use crate::reduced::Reduced;
+use frictiongen_kernel::Complex;
+use frictiongen_kernel::number::complex;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::response::At;
+use frictiongen_kernel::table::ContactTable;
+use std::collections::HashMap;
+
+/// Below this share of its terms a sum has lost digits that count.
+const CANCELS: f64 = 1e-2;
+
+/// The functions of r at one r: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V.  Of an undamped chain a is times
+/// sgn V, with which it is smooth across a resonance, and arg V is 0.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample {
+    pub limit: f64,
+    quadrature: f64,
+    displacement: f64,
+    direction: f64,
+    /// Where in the half period the velocity constraint is largest; none where its start decides.
+    pub tau: Option<f64>,
+}
+
+impl Sample {
+    /// A function by its place in a table.
+    pub fn function(&self, place: usize) -> Option<f64> {
+        let functions = [
+            self.limit,
+            self.quadrature,
+            self.displacement,
+            self.direction,
+        ];
+        functions.get(place).copied()
+    }
+}
+
+/// A scene that answers exactly, and remembers its answers.
+pub(super) struct Exact<'a> {
+    pub modal: &'a Modal,
+    pub reduced: Reduced<f64>,
+    shares: Vec<Share>,
+    seen: HashMap<u64, Sample>,
+}
+
+impl<'a> Exact<'a> {
+    pub fn new(modal: &'a Modal) -> Self {
+        Self {
+            modal,
+            reduced: modal.reduced(|value| value.to_f64()),
+            shares: shares(modal),
+            seen: HashMap::new(),
+        }
+    }
+
+    pub fn damped(&self) -> bool {
+        self.reduced.chain.damped
+    }
+
+    /// How many points have been looked at.
+    pub fn looked_at(&self) -> usize {
+        self.seen.len()
+    }
+
+    /// The functions at r, a number in the domain.
+    pub fn at(&mut self, r: f64) -> Option<Sample> {
+        if let Some(sample) = self.seen.get(&r.to_bits()) {
+            return Some(*sample);
+        }
+        let at = At::new(&self.reduced, r).ok()?;
+        let contact = at.contact_sums();
+        let peak = at.velocity_constraint();
+        let [place, ..] = peak.places;
+        let constraint = peak.value;
+        let mut limit = self.reduced.chain.continuous_limit(contact, constraint);
+        if self.cancels(&at) {
+            // V by its own digits, which the sums over modes have lost.
+            let square = at.inverse_ratio() * at.inverse_ratio();
+            let own = complex::modulus(contact.v, self.damped());
+            limit *= self.excitation(r).abs() * contact.scale / square / own;
+        }
+        let all = (contact.u * contact.u + constraint * constraint).sqrt();
+        let (mut quadrature, mut direction) = (contact.u / all, 0.0);
+        if self.damped() {
+            direction = contact.v.im.atan2(contact.v.re);
+        } else if contact.v.re < 0.0 {
+            quadrature = -quadrature;
+        }
+        let sample = Sample {
+            limit,
+            quadrature,
+            displacement: contact.g / all,
+            direction,
+            tau: place.map(|place| place.tau),
+        };
+        self.seen.insert(r.to_bits(), sample);
+        Some(sample)
+    }
+
+    /// Whether little is left of the sum V: beside its zeros.
+    fn cancels(&self, at: &At<&Reduced<f64>>) -> bool {
+        let chain = &self.reduced.chain;
+        let contact = at.contact_sums();
+        let at_rest = chain.on_moving_base.map(f64::abs);
+        let terms = self.reduced.modes.iter().zip(at.modes()).map(|(mode, at)| {
+            let residue = if at_rest.is_some() {
+                mode.static_residue
+            } else {
+                mode.residue
+            };
+            residue.abs() * complex::modulus(at.response, chain.damped)
+        });
+        let terms = terms.sum::<f64>() + at_rest.unwrap_or(0.0) * contact.scale;
+        let left = complex::modulus(contact.v, chain.damped);
+        let left = if at_rest.is_some() {
+            left * at.inverse_ratio() * at.inverse_ratio()
+        } else {
+            left
+        };
+        0.0 < left && left < CANCELS * terms
+    }
+
+    /// V and H at r in double-double, by their sums over modes.
+    pub fn receptances(&self, r: f64) -> [Complex<Dd>; 2] {
+        let (r, two) = (Dd::from(r), Dd::from(2.0));
+        let direct = if self.modal.on_moving_base { -1.0 } else { 0.0 };
+        let mut excitation = complex::real(Dd::from(direct));
+        let mut receptance = complex::real(Dd::ZERO);
+        for Share { driven, residue } in &self.shares {
+            let re = (driven.sigma - r) * (driven.sigma + r);
+            let im = two * driven.zeta * driven.sigma * r;
+            let inverse = complex::reciprocal(Complex::new(re, im), true);
+            excitation = complex::add(excitation, complex::scale(inverse, *residue));
+            receptance = complex::add(receptance, complex::scale(inverse, driven.inverse_mass));
+        }
+        [excitation, receptance]
+    }
+
+    /// What the contact's motion follows from, with |V| to the last digits.
+    pub fn contact(&self, sample: &Sample, r: f64) -> ContactTable<f64> {
+        let excitation = self.excitation(r);
+        if self.damped() {
+            let Sample {
+                limit,
+                quadrature,
+                displacement,
+                direction,
+                ..
+            } = *sample;
+            ContactTable::damped([limit, quadrature, displacement, direction], excitation)
+        } else {
+            ContactTable::undamped([sample.limit, sample.quadrature], excitation)
+        }
+    }
+
+    /// β*_lim at r, to the last digits.
+    pub fn sliding_limit(&self, r: f64) -> f64 {
+        let [excitation, receptance] = self.receptances(r);
+        let ratio = complex::modulus(excitation, true) / complex::modulus(receptance, true);
+        (ratio / self.modal.stiction).to_f64()
+    }
+
+    /// |V| at r, to the last digits; of an undamped chain V with its sign.
+    pub fn excitation(&self, r: f64) -> f64 {
+        let [excitation, _] = self.receptances(r);
+        if self.damped() {
+            complex::modulus(excitation, true).to_f64()
+        } else {
+            excitation.re.to_f64()
+        }
+    }
+}

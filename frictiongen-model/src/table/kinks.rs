@@ -1,0 +1,73 @@
+//! Where the maximum of the velocity constraint moves to another place of the half period: β_lim bends there.
+
+use super::exact::Exact;
+
+/// Steps of the fastest mode's √λ/r in which a range is gone through.
+const STEP: f64 = 0.005;
+/// Places of the maximum farther apart than this belong to different maxima.
+const JUMP: f64 = 0.1;
+/// No more steps than this.
+const MOST: usize = 20_000;
+
+/// The kinks of β_lim within a range, ascending, to the last digits.
+pub(super) fn kinks(exact: &mut Exact<'_>, (low, high): (f64, f64)) -> Vec<f64> {
+    let fastest = exact
+        .modal
+        .resonances
+        .iter()
+        .fold(0.0, |most: f64, r| most.max(r.to_f64()));
+    let (first, last) = (1.0 / high, 1.0 / low);
+    let steps = ((fastest * (last - first) / STEP).ceil() as usize).clamp(64, MOST);
+    let mut kinks = Vec::new();
+    let mut before = low;
+    for step in 1..=steps {
+        let share = step as f64 / steps as f64;
+        let r = if step < steps {
+            1.0 / (last + (first - last) * share)
+        } else {
+            high
+        };
+        between(exact, before, r, &mut kinks);
+        before = r;
+    }
+    kinks
+}
+
+/// Whether the maximum is at another place, not the same one moved.
+fn differ(a: Option<f64>, b: Option<f64>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => (a - b).abs() > JUMP,
+        (None, None) => false,
+        _ => true,
+    }
+}
+
+/// The kink between two r, if there is one, by bisection.
+pub(super) fn between(exact: &mut Exact<'_>, mut low: f64, mut high: f64, kinks: &mut Vec<f64>) {
+    loop {
+        let (Some(at_low), Some(at_high)) = (exact.at(low), exact.at(high)) else {
+            return;
+        };
+        if !differ(at_low.tau, at_high.tau) {
+            return;
+        }
+        let middle = 0.5 * (low + high);
+        if !(low < middle && middle < high) {
+            kinks.push(high);
+            return;
+        }
+        let Some(at_middle) = exact.at(middle) else {
+            return;
+        };
+        let distance = |a: Option<f64>, b: Option<f64>| match (a, b) {
+            (Some(a), Some(b)) => (a - b).abs(),
+            (None, None) => 0.0,
+            _ => f64::INFINITY,
+        };
+        if distance(at_middle.tau, at_low.tau) < distance(at_middle.tau, at_high.tau) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! Tables of declared accuracy, built from the exact functions of a scene.
+//!
+//! β_lim is fitted by pieces that are as long as the accuracy allows; beside its zeros, which are known, by what it is over
+//! the distance from them.  β*_lim and |V| are products over their zeros and poles.  What is built is compared with the
+//! exact values in the arithmetic of the table, at points that the fit did not see.
+
+mod check;
+mod cover;
+mod digits;
+mod exact;
+mod fit;
+mod index;
+mod kinks;
+mod quotients;
+mod request;
+mod split;
+mod tables;
+mod zeros;
+
+pub use cover::FRICTION_SHARES;
+pub use fit::Fitted;
+pub use index::Index;
+pub use quotients::Product;
+pub use request::{COARSEST, FINEST, FINEST_SINGLE, Request, TableError};
+pub use tables::{Report, Tables, Worst};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,152 @@
+//! β*_lim and |V| as quotients of products, compared with the sums over modes.
+
+use super::exact::Exact;
+use super::zeros::{Zero, Zeros};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::table::{Factor, Quotient};
+
+/// The kernel's [`Quotient`], with its vectors.
+#[derive(Clone, Debug)]
+pub struct Product<S> {
+    /// What stands before it.
+    pub gain: S,
+    /// The factors are those of the squares of what is meant.
+    pub squared: bool,
+    /// The zeros.
+    pub numerator: Vec<Factor<S>>,
+    /// The poles.
+    pub denominator: Vec<Factor<S>>,
+}
+
+impl<S: Float> Product<S> {
+    /// The same as the kernel reads it.
+    #[must_use]
+    pub fn quotient(&self) -> Quotient<'_, S> {
+        Quotient {
+            gain: self.gain,
+            squared: self.squared,
+            numerator: &self.numerator,
+            denominator: &self.denominator,
+        }
+    }
+
+    /// Additions and multiplications, divisions and roots of one evaluation.
+    #[must_use]
+    pub fn operations(&self) -> (usize, usize, usize) {
+        let factors = self.numerator.iter().chain(&self.denominator);
+        // Of each factor its own, and the product with the others.
+        let plain = factors.map(|factor| match factor {
+            Factor::Zero { .. } => 5,
+            Factor::Pair { .. } => 8,
+            Factor::Real { .. } => 3,
+        });
+        let divisions = usize::from(!self.denominator.is_empty());
+        (
+            1 + plain.sum::<usize>(),
+            divisions,
+            usize::from(self.squared),
+        )
+    }
+
+    /// How many numbers it holds.
+    #[must_use]
+    pub fn numbers(&self) -> usize {
+        let factors = self.numerator.iter().chain(&self.denominator);
+        1 + factors
+            .map(|factor| match factor {
+                Factor::Zero { .. } => 2,
+                Factor::Pair { .. } => 4,
+                Factor::Real { .. } => 1,
+            })
+            .sum::<usize>()
+    }
+}
+
+/// A product over zeros and poles, with the gain that makes it equal to `value` in double-double where it is
+/// farthest from its zeros and poles within the range.
+fn product<S: Float>(
+    squared: bool,
+    numerator: [&[Zero]; 2],
+    denominator: [&[Zero]; 2],
+    (low, high): (f64, f64),
+    lift: f64,
+    value: impl Fn(f64) -> f64,
+    to: &impl Fn(Dd) -> S,
+) -> Option<Product<S>> {
+    const PLACES: usize = 33;
+    fn factors<T: Float>(zeros: [&[Zero]; 2], to: &impl Fn(Dd) -> T) -> Vec<Factor<T>> {
+        zeros
+            .iter()
+            .flat_map(|zeros| zeros.iter())
+            .map(|zero| zero.factor(to))
+            .collect()
+    }
+    let wide = |value: Dd| value;
+    let unit = Product {
+        gain: Dd::ONE,
+        squared,
+        numerator: factors(numerator, &wide),
+        denominator: factors(denominator, &wide),
+    };
+    let away = |r: f64| {
+        let zeros = numerator
+            .iter()
+            .chain(&denominator)
+            .flat_map(|zeros| zeros.iter());
+        let off = |zero: &Zero| {
+            let (x, y) = (zero.x.to_f64(), zero.y.to_f64());
+            x.hypot(r - y) / r
+        };
+        zeros.map(off).fold(f64::INFINITY, f64::min)
+    };
+    let places = (0..PLACES).map(|k| low + (high - low) * (k as f64 + 0.5) / PLACES as f64);
+    let place = places.max_by(|a, b| away(*a).total_cmp(&away(*b)))?;
+    let gain = Dd::from(value(place) * lift) / unit.quotient().value(Dd::from(place));
+    let plain = unit.numerator.is_empty() && unit.denominator.is_empty();
+    Some(Product {
+        gain: to(gain),
+        squared: squared && !plain,
+        numerator: factors(numerator, to),
+        denominator: factors(denominator, to),
+    })
+}
+
+/// β*_lim, times `lift`.
+pub(super) fn sliding<S: Float>(
+    exact: &Exact<'_>,
+    zeros: &Zeros,
+    range: (f64, f64),
+    lift: f64,
+    to: &impl Fn(Dd) -> S,
+) -> Option<Product<S>> {
+    let mut product = product(
+        zeros.damped,
+        [&zeros.excitation, &zeros.unloaded],
+        [&zeros.receptance, &[]],
+        range,
+        lift,
+        |r| exact.sliding_limit(r),
+        to,
+    )?;
+    product.gain = product.gain.abs();
+    Some(product)
+}
+
+/// |V|, or V with its sign for an undamped chain.
+pub(super) fn excitation<S: Float>(
+    exact: &Exact<'_>,
+    zeros: &Zeros,
+    range: (f64, f64),
+    to: &impl Fn(Dd) -> S,
+) -> Option<Product<S>> {
+    product(
+        zeros.damped,
+        [&zeros.excitation, &zeros.common],
+        [&zeros.loaded, &[]],
+        range,
+        1.0,
+        |r| exact.excitation(r),
+        to,
+    )
+}

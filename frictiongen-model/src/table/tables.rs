@@ -1,0 +1,362 @@
+//! Tables of a scene, from the request to the report.
+
+use super::check;
+use super::cover::{Cover, Stuck};
+use super::exact::Exact;
+use super::fit::{Fitted, Form};
+use super::index::Index;
+use super::kinks;
+use super::quotients::{self, Product};
+use super::request::{COARSEST, Request, TableError};
+use super::split::Landmarks;
+use super::zeros::Zeros;
+use crate::modal::Modal;
+use crate::scene::{Accuracy, Provide, Scene, Side};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::table::Quotient;
+
+/// Of the accuracy the fit takes this share: the rest is for the points between those that it looks at.
+const SHARE: f64 = 0.75;
+/// With `side: safe` a table lies half the accuracy off, and strays by less than this share.
+const SAFE_SHARE: f64 = 0.4;
+/// Of the accuracy the decimals of a coefficient may take this share.
+const ROUNDING: f64 = 1e-3;
+/// β*_lim and |V| may take this share of the accuracy.
+const EXACT_SHARE: f64 = 0.5;
+/// No table has more pieces.
+const MOST_PIECES: usize = 20_000;
+
+/// An error and where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Worst {
+    /// The error.
+    pub error: f64,
+    /// The frequency ratio.
+    pub at: f64,
+}
+
+/// What was built, and how it compares with the exact values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Report {
+    /// The largest relative error of β_lim seen by the check; with a motion, the larger of it and of amplitude and phase.
+    pub worst: Worst,
+    /// The largest relative error of β*_lim seen.
+    pub sliding: Worst,
+    /// At how many points the check looked.
+    pub points: usize,
+    /// How many exact values the whole took.
+    pub evaluations: usize,
+    /// Pieces and index, in bytes.
+    pub bytes: usize,
+}
+
+/// Tables of a scene in the scalar `S`.
+#[derive(Clone, Debug)]
+pub struct Tables<S> {
+    /// What was asked.
+    pub request: Request,
+    /// How many functions share the pieces: β_lim; with a motion a, and with damping g and arg V.
+    pub functions: usize,
+    /// Coefficients of each polynomial.
+    pub terms: usize,
+    /// The pieces, ascending.
+    pub pieces: Vec<Fitted<S>>,
+    /// By which they are found.
+    pub index: Index<S>,
+    /// β*_lim; none where only the sums over modes keep the accuracy.
+    pub sliding: Option<Product<S>>,
+    /// |V|, for a motion.
+    pub excitation: Option<Product<S>>,
+    /// What was built.
+    pub report: Report,
+}
+
+/// A double-double rounded once to a scalar.
+fn rounded<S: Float>(value: Dd) -> S {
+    S::constant(value.to_f64())
+}
+
+/// Coefficients of the polynomials that need least for an accuracy.
+fn terms(accuracy: f64) -> usize {
+    if accuracy >= 3e-3 {
+        4
+    } else if accuracy >= 1e-7 {
+        6
+    } else if accuracy >= 1e-10 {
+        8
+    } else {
+        10
+    }
+}
+
+impl<S: Float> Tables<S> {
+    /// The tables of a scene.
+    ///
+    /// # Errors
+    /// Every [`TableError`] but `TooFewBytes`.
+    pub fn build(modal: &Modal, request: Request) -> Result<Self, TableError> {
+        request.check::<S>()?;
+        let mut exact = Exact::new(modal);
+        Self::built(&mut exact, request).map_err(|error| match error {
+            TableError::NotMet { at, accuracy, .. } => TableError::NotMet {
+                accuracy,
+                reached: Self::reached(&mut exact, request),
+                at,
+            },
+            other => other,
+        })
+    }
+
+    /// Additions and multiplications of one polynomial and its lookup.
+    #[must_use]
+    pub fn additions_and_multiplications(&self) -> usize {
+        // r − low times the density; r − origin and its square; two for each pair, two to join all but one.
+        let pairs = self.terms.div_ceil(2);
+        2 + 2 + 2 * pairs + 2 * (pairs - 1)
+    }
+
+    /// What a scene declares; none if it is exact.
+    ///
+    /// # Errors
+    /// Every [`TableError`].
+    pub fn of(scene: &Scene) -> Result<Option<Self>, TableError> {
+        let declared = &scene.declared;
+        let Some(range) = declared.range.filter(|_| declared.is_tabled()) else {
+            return Ok(None);
+        };
+        let moves = |item: &Provide| matches!(item, Provide::Motion(_));
+        let mut request = Request {
+            r: range.r,
+            accuracy: COARSEST,
+            side: declared.side,
+            motion: scene.provide.iter().any(moves),
+        };
+        let modal = Modal::of(scene);
+        let tables = match (declared.accuracy, declared.budget) {
+            (Accuracy::Relative(accuracy), _) => {
+                request.accuracy = accuracy;
+                Self::build(&modal, request)
+            }
+            (Accuracy::Exact, bytes) => {
+                Self::within(&modal, request, bytes.unwrap_or(0.0) as usize)
+            }
+        };
+        tables.map(Some)
+    }
+
+    /// The finest tables that fit into so many bytes.
+    ///
+    /// # Errors
+    /// [`TableError::TooFewBytes`], and what [`build`](Self::build) answers.
+    pub fn within(modal: &Modal, request: Request, bytes: usize) -> Result<Self, TableError> {
+        let coarsest = Request {
+            accuracy: COARSEST,
+            ..request
+        };
+        coarsest.check::<S>()?;
+        let mut exact = Exact::new(modal);
+        let mut best = Self::built(&mut exact, coarsest)?;
+        let least = best.report.bytes;
+        if least > bytes {
+            return Err(TableError::TooFewBytes { bytes, least });
+        }
+        // Accuracies 1, 2, 5, 10, … times 10^−k: the first that does not fit ends the search.
+        for step in 0_u32.. {
+            let unit = [5.0, 2.0, 1.0]
+                .get((step % 3) as usize)
+                .copied()
+                .unwrap_or(1.0);
+            let accuracy = unit / 10_f64.powf(2.0 + f64::from(step / 3));
+            let finer = Request {
+                accuracy,
+                ..request
+            };
+            if finer.check::<S>().is_err() {
+                break;
+            }
+            match Self::built(&mut exact, finer) {
+                Ok(tables) if tables.report.bytes <= bytes => best = tables,
+                _ => break,
+            }
+        }
+        Ok(best)
+    }
+
+    /// The finest of accuracies ten times as coarse, and so on, that can be met.
+    fn reached(exact: &mut Exact<'_>, request: Request) -> Option<f64> {
+        let mut accuracy = request.accuracy;
+        while accuracy < COARSEST {
+            accuracy = (10.0 * accuracy).min(COARSEST);
+            let coarser = Request {
+                accuracy,
+                ..request
+            };
+            if Self::built(exact, coarser).is_ok() {
+                return Some(accuracy);
+            }
+        }
+        None
+    }
+
+    fn built(exact: &mut Exact<'_>, request: Request) -> Result<Self, TableError> {
+        let modal = exact.modal;
+        // The ends that a lookup sees.
+        let ends = (S::constant(request.r.0), S::constant(request.r.1));
+        let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
+        let zeros = Zeros::of(modal);
+        let landmarks = Landmarks::of(modal, zeros.as_ref(), (low, high));
+        let sliding_lift = match request.side {
+            Side::Near => 1.0,
+            Side::Safe => 1.0 + SAFE_ROUNDINGS * S::EPSILON,
+        };
+        let to = rounded::<S>;
+        let sliding = zeros
+            .as_ref()
+            .and_then(|zeros| quotients::sliding(exact, zeros, (low, high), sliding_lift, &to));
+        // Of both, what is not as exact as the tables themselves is left to the exact formulas.
+        let (mut points, mut off) = (
+            0,
+            Worst {
+                error: 0.0,
+                at: low,
+            },
+        );
+        let within = |product: &Product<S>, exact: &dyn Fn(f64) -> f64| {
+            check::product(product, (low, high), &landmarks, exact)
+        };
+        let sliding = sliding.filter(|product| {
+            let looked;
+            (off, looked) = within(product, &|r| sliding_lift * exact.sliding_limit(r));
+            points += looked;
+            off.error <= EXACT_SHARE * request.accuracy
+        });
+        let excitation = zeros.as_ref().filter(|_| request.motion);
+        let excitation =
+            excitation.and_then(|zeros| quotients::excitation(exact, zeros, (low, high), &to));
+        let excitation = excitation.filter(|product| {
+            let (seen, looked) = within(product, &|r| exact.excitation(r).abs());
+            points += looked;
+            seen.error <= EXACT_SHARE * request.accuracy
+        });
+        let functions = match (&excitation, exact.damped()) {
+            (None, _) => 1,
+            (Some(_), false) => 2,
+            (Some(_), true) => 4,
+        };
+        let terms = terms(request.accuracy);
+        let kinks = kinks::kinks(exact, (low, high));
+        let quotient = excitation.as_ref().map(Product::quotient);
+        let mut cover = cover(
+            exact,
+            landmarks.clone(),
+            &request,
+            (functions, terms),
+            quotient,
+        );
+        cover.kinks = kinks;
+        cover.last = (high - low) / 16.0;
+        let not_met = |Stuck { at }| TableError::NotMet {
+            accuracy: request.accuracy,
+            reached: None,
+            at,
+        };
+        let (pieces, worst, looked) = cover.checked(low, high).map_err(not_met)?;
+        points += looked;
+        let worst = relative(worst, &request);
+        let index = Index::of(&pieces, ends);
+        let numbers: usize = pieces.iter().map(Fitted::numbers).sum();
+        let narrow = if pieces.len() <= 256 { 1 } else { 2 };
+        let products = sliding.iter().chain(&excitation).map(Product::numbers);
+        let size = core::mem::size_of::<S>();
+        let bytes = numbers * size + index.buckets.len() * narrow;
+        let bytes = bytes + products.sum::<usize>() * size;
+        Ok(Self {
+            request,
+            functions,
+            terms,
+            pieces,
+            index,
+            sliding,
+            excitation,
+            report: Report {
+                worst,
+                sliding: off,
+                points,
+                evaluations: exact.looked_at(),
+                bytes,
+            },
+        })
+    }
+
+    /// The largest error of these tables, looked for anew: as of [`Report::worst`], were they others than were built.
+    #[must_use]
+    pub fn verify(&self, modal: &Modal) -> Worst {
+        let mut exact = Exact::new(modal);
+        let ends = (S::constant(self.request.r.0), S::constant(self.request.r.1));
+        let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
+        let landmarks = Landmarks::of(modal, Zeros::of(modal).as_ref(), (low, high));
+        let shape = (self.functions, self.terms);
+        let quotient = self.excitation.as_ref().map(Product::quotient);
+        let mut cover = cover(&mut exact, landmarks, &self.request, shape, quotient);
+        (cover.limit, cover.motion) = cover.whole;
+        let mut worst = Worst {
+            error: 0.0,
+            at: low,
+        };
+        for (place, piece) in self.pieces.iter().enumerate() {
+            let next = self.pieces.get(place + 1);
+            let to = next.map_or(high, |next| next.from.to_f64());
+            let (seen, _) = check::piece(&mut cover, piece, (piece.from.to_f64(), to));
+            if !(seen.error <= worst.error) {
+                worst = seen;
+            }
+        }
+        relative(worst, &self.request)
+    }
+}
+
+/// A cover before its first piece.
+fn cover<'a, 'm, S: Float>(
+    exact: &'a mut Exact<'m>,
+    landmarks: Landmarks,
+    request: &Request,
+    (functions, terms): (usize, usize),
+    excitation: Option<Quotient<'a, S>>,
+) -> Cover<'a, 'm, S> {
+    let accuracy = request.accuracy;
+    // Safe: β_lim from below, half the accuracy off.
+    let (lift, share, whole) = match request.side {
+        Side::Near => (1.0, SHARE, accuracy),
+        Side::Safe => (1.0 - 0.5 * accuracy, SAFE_SHARE, 0.5 * accuracy),
+    };
+    Cover {
+        exact,
+        landmarks,
+        kinks: Vec::new(),
+        form: Form {
+            functions,
+            terms,
+            lift,
+            rounding: ROUNDING * accuracy,
+        },
+        limit: share * accuracy,
+        motion: SHARE * accuracy,
+        whole: (whole, accuracy),
+        excitation,
+        most_pieces: MOST_PIECES,
+        last: 0.0,
+    }
+}
+
+/// An error over what the check allows, as a relative error.
+fn relative(worst: Worst, request: &Request) -> Worst {
+    let error = match request.side {
+        Side::Near => worst.error * request.accuracy,
+        Side::Safe => 0.5 * request.accuracy * (1.0 + worst.error),
+    };
+    Worst { error, ..worst }
+}
+
+/// With `side: safe` β*_lim is larger by so many roundings, more than its factors take.
+const SAFE_ROUNDINGS: f64 = 256.0;

@@ -1,0 +1,163 @@
+//! Zeros, lookups and digits by themselves; whole tables are compared in `generated-tests`.
+
+use super::digits::{above, to_decimals};
+use super::zeros::Zeros;
+use super::{Request, TableError, Tables};
+use crate::modal::Modal;
+use crate::scene::{
+    Contact, Damping, Declared, Excitation, Mass, Node, Precision, Provide, Scene, Side, Spring,
+};
+
+/// Equal masses and springs; the last mass driven, the contact between the first two.
+fn chain(count: usize, damping: Damping) -> Scene {
+    let mass = |index: usize| Mass {
+        name: format!("m{index}"),
+        value: 1.0,
+    };
+    let spring = |mass: usize| Spring {
+        from: mass.checked_sub(1).map_or(Node::Base, Node::Mass),
+        to: Node::Mass(mass),
+        stiffness: 1.0,
+    };
+    Scene {
+        name: "Chain".to_owned(),
+        masses: (0..count).map(mass).collect(),
+        springs: (0..count).map(spring).collect(),
+        contact: Contact {
+            from: Node::Mass(0),
+            to: Node::Mass(1),
+        },
+        excitation: Excitation::Force(count - 1),
+        damping,
+        stiction: 1.0,
+        precision: Precision::F64,
+        provide: vec![Provide::Limits],
+        declared: Declared::default(),
+    }
+}
+
+fn request(r: (f64, f64), accuracy: f64) -> Request {
+    Request {
+        r,
+        accuracy,
+        side: Side::Near,
+        motion: false,
+    }
+}
+
+/// x̄₂ = 2x̄₁ + … : the first two of equal masses move alike where r² = 1, whatever else hangs on them.
+#[test]
+fn zeros_of_equal_masses() {
+    for count in [2, 3, 5, 9] {
+        let zeros = Zeros::of(&Modal::of(&chain(count, Damping::None))).expect("told apart");
+        let places: Vec<f64> = zeros
+            .excitation
+            .iter()
+            .map(|zero| zero.y.to_f64())
+            .collect();
+        assert_eq!(places.len(), 1, "{count} masses: {places:?}");
+        assert!((places[0] - 1.0).abs() < 1e-28, "{places:?}");
+        // Of the receptance one zero between each pair of resonances.
+        assert_eq!(zeros.receptance.len() + zeros.common.len(), count - 1);
+        assert_eq!(zeros.loaded.len() + zeros.unloaded.len(), count);
+    }
+}
+
+#[test]
+fn damped_zeros_lie_beside_the_axis() {
+    let zeros = Zeros::of(&Modal::of(&chain(5, Damping::Uniform(0.02)))).expect("told apart");
+    let beside = |zero: &super::zeros::Zero| zero.x.to_f64() < 0.0 && !zero.is_on_axis();
+    assert!(zeros.receptance.iter().all(beside));
+    assert!(zeros.loaded.iter().all(beside));
+}
+
+/// Every r finds the piece whose range holds it, ends and boundaries and their neighbours included.
+#[test]
+fn every_r_finds_its_piece() {
+    for count in [2, 5] {
+        let modal = Modal::of(&chain(count, Damping::None));
+        let tables = Tables::<f64>::build(&modal, request((0.2, 2.5), 1e-4)).expect("a table");
+        let index = &tables.index;
+        let found = |r: f64| {
+            let bucket = (((r - index.low) * index.density) as usize).min(index.buckets.len() - 1);
+            let mut place = index.buckets[bucket];
+            for halving in (0..index.halvings).rev() {
+                let further = place + (1 << halving);
+                if tables
+                    .pieces
+                    .get(further)
+                    .is_some_and(|piece| piece.from <= r)
+                {
+                    place = further;
+                }
+            }
+            place
+        };
+        let mut looked = 0;
+        for (place, piece) in tables.pieces.iter().enumerate() {
+            assert_eq!(found(piece.from), place);
+            if place > 0 {
+                assert_eq!(found(piece.from.next_down()), place - 1);
+            }
+            let next = tables.pieces.get(place + 1).map_or(2.5, |next| next.from);
+            for k in 1..50 {
+                assert_eq!(
+                    found(piece.from + (next - piece.from) * f64::from(k) / 50.0),
+                    place
+                );
+                looked += 1;
+            }
+        }
+        assert!(looked >= 49 * tables.pieces.len());
+        assert!(index.halvings <= 4, "{}", index.halvings);
+    }
+}
+
+#[test]
+fn digits() {
+    assert_eq!(to_decimals(1.234_567, 1e-3), 1.235);
+    assert_eq!(to_decimals(123_456.0, 100.0), 123_500.0);
+    assert_eq!(to_decimals(1.0 / 3.0, 1e-60), 1.0 / 3.0);
+    for value in [1.0_f64, 0.2, 1.999_999, 0.500_000_1, 3e-5] {
+        let next: f32 = above(value);
+        assert!(f64::from(next) > value);
+        assert!(f64::from(next.next_down()) <= value);
+        assert_eq!(above::<f64>(value), value.next_up());
+    }
+}
+
+#[test]
+fn what_cannot_be_had() {
+    let modal = Modal::of(&chain(5, Damping::None));
+    let build = |request| Tables::<f64>::build(&modal, request).map(|_| ());
+    assert_eq!(
+        build(request((0.0, 1.0), 1e-3)),
+        Err(TableError::Range(0.0, 1.0))
+    );
+    assert_eq!(
+        build(request((2.0, 1.0), 1e-3)),
+        Err(TableError::Range(2.0, 1.0))
+    );
+    assert!(build(request((0.5, f64::INFINITY), 1e-3)).is_err());
+    for accuracy in [0.0, 1.0, 1e-20, f64::NAN, -1e-3] {
+        let error = build(request((0.5, 1.0), accuracy)).expect_err("no accuracy");
+        assert!(matches!(error, TableError::Accuracy { .. }), "{error}");
+    }
+    let too_few = Tables::<f64>::within(&modal, request((0.2, 2.5), 1e-3), 64);
+    let error = too_few.expect_err("too few bytes").to_string();
+    assert!(error.contains("no table fits into 64 bytes"), "{error}");
+}
+
+/// More bytes never buy less.
+#[test]
+fn a_budget_of_bytes() {
+    let modal = Modal::of(&chain(2, Damping::Uniform(0.02)));
+    let mut last = 1.0;
+    for bytes in [1200, 2400, 4800, 9600] {
+        let request = request((0.3, 2.0), 0.1);
+        let tables = Tables::<f64>::within(&modal, request, bytes).expect("a table");
+        assert!(tables.report.bytes <= bytes);
+        assert!(tables.request.accuracy < last, "{bytes} bytes");
+        last = tables.request.accuracy;
+    }
+}

@@ -1,0 +1,277 @@
+//! V and H as quotients of products: zeros and poles in double-double.
+
+use crate::modal::Modal;
+use crate::roots::{Driven, converge, pairs};
+use frictiongen_kernel::number::complex;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::table::Factor;
+use frictiongen_kernel::{Complex, Float};
+
+/// Of a zero or pole its real part counts as none, and of a coefficient its size, below this share.
+const NONE: f64 = 1e-20;
+/// Modes whose constants agree to this count as equal.
+const EQUAL: f64 = 1e-24;
+/// Zeros of V and H closer than this are one.
+const COMMON: f64 = 1e-13;
+
+/// A zero s = x + iy, by its place in double-double; of a pair the one with y > 0.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Zero {
+    pub x: Dd,
+    pub y: Dd,
+}
+
+impl Zero {
+    /// Whether it lies on the imaginary axis, where r is real.
+    pub fn is_on_axis(&self) -> bool {
+        self.x.is_zero()
+    }
+
+    /// The factor of r that it stands for.
+    pub fn factor<S: Float>(&self, to: &impl Fn(Dd) -> S) -> Factor<S> {
+        if self.y.is_zero() {
+            return Factor::Real {
+                off: to(self.x * self.x),
+            };
+        }
+        let at = to(self.y);
+        let rest = to(self.y - Dd::from(at.to_f64()));
+        if self.is_on_axis() {
+            return Factor::Zero { at, rest };
+        }
+        let off = self.x * self.x;
+        let least = Dd::from(4.0) * off * self.y * self.y;
+        Factor::Pair {
+            at,
+            rest,
+            off: to(off),
+            least: to(least),
+        }
+    }
+
+    fn is_near(&self, other: &Self) -> bool {
+        let apart = Complex::new(self.x.abs() - other.x.abs(), self.y - other.y);
+        let size = complex::modulus(Complex::new(self.x, self.y), true);
+        complex::modulus(apart, true) <= size * Dd::from(COMMON)
+    }
+}
+
+/// V and H of the contact: their zeros, and the poles of V that are none of H, and of both.
+#[derive(Clone, Debug)]
+pub(super) struct Zeros {
+    pub damped: bool,
+    /// Zeros of V that are none of H.
+    pub excitation: Vec<Zero>,
+    /// Zeros of H that are none of V.
+    pub receptance: Vec<Zero>,
+    /// Zeros that V and H have in common.
+    pub common: Vec<Zero>,
+    /// Poles of V: the modes that load and contact drive.
+    pub loaded: Vec<Zero>,
+    /// Poles of H alone.
+    pub unloaded: Vec<Zero>,
+}
+
+/// A mode in double-double, with what it adds to V and to H.
+pub(super) struct Share {
+    pub driven: Driven,
+    pub residue: Dd,
+}
+
+/// Every mode that the contact drives.
+pub(super) fn shares(modal: &Modal) -> Vec<Share> {
+    let modes = modal.resonances.iter().zip(&modal.damping_ratios);
+    let drives = modal.loads.iter().zip(&modal.contacts);
+    let mut shares: Vec<Share> = Vec::new();
+    for ((sigma, zeta), (load, contact)) in modes.zip(drives) {
+        if contact.is_zero() {
+            continue;
+        }
+        let (inverse_mass, residue) = (*contact * *contact, *load * *contact);
+        // Equal modes are one in both sums.
+        if let Some(last) = shares.last_mut()
+            && (*sigma - last.driven.sigma).abs() <= *sigma * Dd::from(EQUAL)
+            && (*zeta - last.driven.zeta).abs() <= *zeta * Dd::from(EQUAL)
+        {
+            last.driven.inverse_mass = last.driven.inverse_mass + inverse_mass;
+            last.residue = last.residue + residue;
+            continue;
+        }
+        shares.push(Share {
+            driven: Driven {
+                sigma: *sigma,
+                zeta: *zeta,
+                inverse_mass,
+            },
+            residue,
+        });
+    }
+    shares
+}
+
+impl Zeros {
+    /// None where the zeros cannot be told from one another: the sums over modes answer then.
+    pub fn of(modal: &Modal) -> Option<Self> {
+        let shares = shares(modal);
+        let damped = modal.is_damped();
+        let direct = Dd::from(if modal.on_moving_base { -1.0 } else { 0.0 });
+        let (mut loaded, mut unloaded) = (Vec::new(), Vec::new());
+        for share in &shares {
+            let poles = poles(&share.driven);
+            if share.residue.is_zero() {
+                unloaded.extend(poles);
+            } else {
+                loaded.extend(poles);
+            }
+        }
+        let driven: Vec<Driven> = shares.iter().map(|share| share.driven).collect();
+        let mut receptance = Vec::new();
+        for pair in pairs(&driven) {
+            let mode = Driven {
+                sigma: pair.omega,
+                zeta: pair.zeta,
+                inverse_mass: Dd::ONE,
+            };
+            receptance.extend(poles(&mode));
+        }
+        let excitation: Vec<Driven> = shares
+            .iter()
+            .filter(|share| !share.residue.is_zero())
+            .map(|share| Driven {
+                inverse_mass: share.residue,
+                ..share.driven
+            })
+            .collect();
+        // A base that carries the contact along at rest leaves a zero at s = 0, undamped a double one.
+        let at_rest = modal.on_moving_base && modal.static_motion.is_zero();
+        let known = match (at_rest, damped) {
+            (false, _) => 0,
+            (true, true) => 1,
+            (true, false) => 2,
+        };
+        let mut excitation = zeros(&excitation, direct, damped, known)?;
+        let mut common = Vec::new();
+        excitation.retain(|zero| {
+            let place = receptance.iter().position(|other| other.is_near(zero));
+            if let Some(place) = place {
+                common.push(receptance.swap_remove(place));
+            }
+            place.is_none()
+        });
+        Some(Self {
+            damped,
+            excitation,
+            receptance,
+            common,
+            loaded,
+            unloaded,
+        })
+    }
+}
+
+/// The poles of a mode.
+fn poles(mode: &Driven) -> Vec<Zero> {
+    let (one, zero) = (Dd::ONE, Dd::ZERO);
+    let q = ((one - mode.zeta) * (one + mode.zeta)).abs().sqrt();
+    if mode.zeta < one {
+        let x = -(mode.zeta * mode.sigma);
+        return vec![Zero {
+            x,
+            y: q * mode.sigma,
+        }];
+    }
+    let far = mode.zeta + q;
+    [far, one / far]
+        .map(|rate| Zero {
+            x: -(rate * mode.sigma),
+            y: zero,
+        })
+        .to_vec()
+}
+
+/// The zeros of direct + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i), of roots that come together one; `known` of them are at 0.
+fn zeros(modes: &[Driven], direct: Dd, damped: bool, known: usize) -> Option<Vec<Zero>> {
+    let degree = degree(modes, direct)?;
+    let mut roots = vec![complex::real(Dd::ZERO); known];
+    roots.extend(guesses(modes, degree.checked_sub(known)?));
+    converge(modes, direct, &mut roots, known);
+    let tiny = Dd::from(NONE);
+    let mut zeros = Vec::new();
+    let mut found = known;
+    if known > 0 {
+        let (x, y) = (Dd::ZERO, Dd::ZERO);
+        zeros.push(Zero { x, y });
+    }
+    for root in roots.into_iter().skip(known) {
+        let size = complex::modulus(root, true);
+        if !size.is_finite() {
+            return None;
+        }
+        let none = |part: Dd| part.abs() <= size * tiny;
+        let (x, y) = (root.re, root.im);
+        let (x, y) = (
+            if none(x) { Dd::ZERO } else { x },
+            if none(y) { Dd::ZERO } else { y },
+        );
+        let (stands, for_roots) = if damped {
+            (!(y < Dd::ZERO), if y.is_zero() { 1 } else { 2 })
+        } else if x.is_zero() || y.is_zero() {
+            (!(x + y < Dd::ZERO), 2)
+        } else {
+            (!(x < Dd::ZERO) && !(y < Dd::ZERO), 4)
+        };
+        if stands {
+            zeros.push(Zero { x, y });
+            found += for_roots;
+        }
+    }
+    (found == degree).then_some(zeros)
+}
+
+/// How many zeros there are: the sum vanishes at infinity as the first power of 1/s whose coefficient is more
+/// than rounding.
+fn degree(modes: &[Driven], direct: Dd) -> Option<usize> {
+    let most = 2 * modes.len();
+    if !direct.is_zero() {
+        return Some(most);
+    }
+    let two = Dd::from(2.0);
+    let mut powers: Vec<[Dd; 2]> = modes.iter().map(|_| [Dd::ZERO, Dd::ONE]).collect();
+    for lost in 2..=most {
+        let (mut sum, mut sizes) = (Dd::ZERO, Dd::ZERO);
+        for (mode, [before, power]) in modes.iter().zip(&mut powers) {
+            let term = mode.inverse_mass * *power;
+            sum = sum + term;
+            sizes = sizes + term.abs();
+            let rate = two * mode.zeta * mode.sigma;
+            let next = -(rate * *power) - mode.sigma * mode.sigma * *before;
+            (*before, *power) = (*power, next);
+        }
+        if sum.abs() > sizes * Dd::from(NONE) {
+            return Some(most - lost);
+        }
+    }
+    None
+}
+
+/// Uneven places about the imaginary axis, over and a little beyond the resonances.
+fn guesses(modes: &[Driven], count: usize) -> Vec<Complex<Dd>> {
+    let sigmas = || modes.iter().map(|mode| mode.sigma.to_f64());
+    let low = 0.6 * sigmas().fold(f64::INFINITY, f64::min);
+    let high = 1.4 * sigmas().fold(0.0, f64::max);
+    (0..count)
+        .map(|index| {
+            let share = (index as f64 + 0.5) / count as f64;
+            let size = low * (high / low).powf(share);
+            let angle = 0.1 + 0.7 * ((index * 7 % 11) as f64 / 11.0);
+            let (re, im) = (size * angle.sin(), size * angle.cos());
+            let (re, im) = match index % 4 {
+                0 => (-re, im),
+                1 => (-re, -im * 1.01),
+                2 => (re, im * 0.99),
+                _ => (re * 1.02, -im),
+            };
+            Complex::new(Dd::from(re), Dd::from(im))
+        })
+        .collect()
+}

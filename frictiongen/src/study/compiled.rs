@@ -1,0 +1,290 @@
+//! A run-time system with the tables that `accuracy` emits.
+
+use super::error::UnknownMass;
+use super::system::System;
+use crate::OutOfDomain;
+use crate::system::FrictionSystem;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::contact::sums::ContactAt;
+use frictiongen_kernel::response::{Continuous, MotionOf, Numbers, ProvidesMotion, Scene};
+use frictiongen_kernel::table::{
+    Compiled, ContactTable, Domain, Moving, Piece, SteadyContact, Table, Tabled, TabledMotion,
+};
+use frictiongen_model::scene::Side;
+use frictiongen_model::table::{Fitted, Request, TableError, Tables};
+use std::ops::{Deref, Range};
+
+/// The functions that share pieces: β_lim, a, g and arg V.
+const FUNCTIONS: usize = 4;
+
+/// Pieces of each degree that tables are built with.
+#[derive(Clone, Debug)]
+enum Pieces<S> {
+    Cubic(Vec<Piece<S, FUNCTIONS, 4>>),
+    Quintic(Vec<Piece<S, FUNCTIONS, 6>>),
+    Septic(Vec<Piece<S, FUNCTIONS, 8>>),
+    Nonic(Vec<Piece<S, FUNCTIONS, 10>>),
+}
+
+/// A system with tables of its limits and of its contact's motion, to a declared accuracy over a range of r.
+///
+/// It answers as the system does, within the range.  The motions of masses, and what else the tables do not hold,
+/// come from the exact formulas.
+///
+/// ```
+/// use frictiongen::{FrictionSystem, LimitsAt, System};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let system: System = "struct Block {
+///     masses: { block: 2.0 },
+///     springs: { base - block: 50.0 },
+///     contact: block - wall,
+///     excitation: block,
+/// }"
+/// .parse()?;
+/// let tables = system.compile(0.2..2.5, 1e-4)?;
+/// let (fast, exact) = (tables.at(0.9)?.continuous_limit(), system.at(0.9)?.continuous_limit());
+/// assert!((fast / exact - 1.0).abs() < 1e-4);
+/// assert!(tables.at(3.0).is_err());
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug)]
+pub struct CompiledSystem<'s, S: Float = f64> {
+    system: &'s System<S>,
+    tables: Tables<S>,
+    pieces: Pieces<S>,
+}
+
+impl<S: Float> System<S> {
+    /// Tables of β_lim and of the contact's motion over a range of r, none of which is off by more than `accuracy`,
+    /// relative; phases in radians.
+    ///
+    /// # Errors
+    /// [`TableError`] for a range or an accuracy that is none, and where nothing meets the accuracy.
+    pub fn compile(
+        &self,
+        range: Range<f64>,
+        accuracy: f64,
+    ) -> Result<CompiledSystem<'_, S>, TableError> {
+        self.compile_for(Request {
+            r: (range.start, range.end),
+            accuracy,
+            side: Side::Near,
+            motion: true,
+        })
+    }
+
+    /// The same with every choice in a [`Request`].
+    ///
+    /// # Errors
+    /// As of [`compile`](Self::compile).
+    pub fn compile_for(&self, request: Request) -> Result<CompiledSystem<'_, S>, TableError> {
+        let tables = Tables::build(self.modal(), request)?;
+        let pieces = Pieces::of(&tables);
+        Ok(CompiledSystem {
+            system: self,
+            tables,
+            pieces,
+        })
+    }
+}
+
+/// Pieces in arrays; functions that were not asked for are 0.
+fn arrays<S: Float, const C: usize>(pieces: &[Fitted<S>]) -> Vec<Piece<S, FUNCTIONS, C>> {
+    let array = |piece: &Fitted<S>| {
+        let mut coefficients = [[S::constant(0.0); C]; FUNCTIONS];
+        for (to, from) in coefficients.iter_mut().zip(&piece.coefficients) {
+            for (to, from) in to.iter_mut().zip(from) {
+                *to = *from;
+            }
+        }
+        Piece {
+            from: piece.from,
+            origin: piece.origin,
+            coefficients,
+        }
+    };
+    pieces.iter().map(array).collect()
+}
+
+impl<S: Float> Pieces<S> {
+    fn of(tables: &Tables<S>) -> Self {
+        let pieces = &tables.pieces;
+        match tables.terms {
+            4 => Self::Cubic(arrays(pieces)),
+            6 => Self::Quintic(arrays(pieces)),
+            8 => Self::Septic(arrays(pieces)),
+            _ => Self::Nonic(arrays(pieces)),
+        }
+    }
+}
+
+impl<'s, S: Float> CompiledSystem<'s, S> {
+    /// The exact system.
+    #[must_use]
+    pub fn system(&self) -> &'s System<S> {
+        self.system
+    }
+
+    /// The tables, with what was asked and how they compare with the exact values.
+    #[must_use]
+    pub fn tables(&self) -> &Tables<S> {
+        &self.tables
+    }
+
+    /// The system at the frequency ratio r.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] beyond the range of the tables, and for NaN.
+    pub fn at(&self, r: S) -> Result<CompiledAt<'_, S>, OutOfDomain> {
+        Compiled::new(self, r).map(CompiledAt)
+    }
+
+    fn table<'p, const C: usize>(
+        &'p self,
+        pieces: &'p [Piece<S, FUNCTIONS, C>],
+    ) -> Table<'p, S, usize, FUNCTIONS, C> {
+        let index = &self.tables.index;
+        Table {
+            low: index.low,
+            density: index.density,
+            halvings: index.halvings,
+            buckets: &index.buckets,
+            pieces,
+        }
+    }
+}
+
+impl<'a, S: Float> Scene for &'a CompiledSystem<'_, S> {
+    type Scalar = S;
+    type Decay = <&'a System<S> as Scene>::Decay;
+    type Modes = <&'a System<S> as Scene>::Modes;
+    type Waves = <&'a System<S> as Scene>::Waves;
+
+    fn numbers(&self) -> Numbers<'_, S> {
+        self.system.reduced.numbers()
+    }
+    fn shape(&self, mass: usize) -> Option<&[S]> {
+        Some(self.system.reduced.shape(mass)).filter(|shape| !shape.is_empty())
+    }
+    fn frequency_stage(&self, inverse_r: S) -> (ContactAt<S>, Self::Modes) {
+        self.system.frequency_stage(inverse_r)
+    }
+    fn idle(&self) -> Self::Waves {
+        self.system.idle()
+    }
+}
+
+impl<S: Float> Tabled for &CompiledSystem<'_, S> {
+    fn domain(&self) -> Domain<S> {
+        let (low, high) = self.tables.request.r;
+        Domain {
+            r: (S::constant(low), S::constant(high)),
+            beta: (S::constant(0.0), S::constant(f64::INFINITY)),
+            exact_beyond: false,
+        }
+    }
+    fn tabled_limit(&self, r: S) -> S {
+        match &self.pieces {
+            Pieces::Cubic(pieces) => self.table(pieces).first(r),
+            Pieces::Quintic(pieces) => self.table(pieces).first(r),
+            Pieces::Septic(pieces) => self.table(pieces).first(r),
+            Pieces::Nonic(pieces) => self.table(pieces).first(r),
+        }
+    }
+    fn tabled_sliding_limit(&self, r: S) -> Option<S> {
+        let product = self.tables.sliding.as_ref()?;
+        Some(product.quotient().size(r))
+    }
+}
+
+impl<'a, S: Float> TabledMotion for &'a CompiledSystem<'a, S> {
+    type Moving = CompiledMotion<'a, S>;
+
+    fn tabled_contact(&self, r: S) -> Option<ContactTable<S>> {
+        let excitation = self.tables.excitation.as_ref()?.quotient().value(r);
+        let values = match &self.pieces {
+            Pieces::Cubic(pieces) => self.table(pieces).values(r),
+            Pieces::Quintic(pieces) => self.table(pieces).values(r),
+            Pieces::Septic(pieces) => self.table(pieces).values(r),
+            Pieces::Nonic(pieces) => self.table(pieces).values(r),
+        };
+        let [limit, quadrature, _, _] = values;
+        Some(if self.system.reduced.chain.damped {
+            ContactTable::damped(values, excitation)
+        } else {
+            ContactTable::undamped([limit, quadrature], excitation)
+        })
+    }
+}
+
+impl<'a, S: Float> ProvidesMotion for &'a CompiledSystem<'_, S> {
+    type Motion = Continuous<Self>;
+}
+
+impl<S: Float> FrictionSystem for CompiledSystem<'_, S> {
+    type Scalar = S;
+    type At<'a>
+        = CompiledAt<'a, S>
+    where
+        Self: 'a;
+
+    fn resonances(&self) -> &[S] {
+        self.system.resonances()
+    }
+    fn masses(&self) -> usize {
+        FrictionSystem::masses(self.system)
+    }
+    fn mass_name(&self, index: usize) -> Option<&str> {
+        self.system.mass_name(index)
+    }
+    fn at(&self, r: S) -> Result<CompiledAt<'_, S>, OutOfDomain> {
+        Self::at(self, r)
+    }
+}
+
+/// A system with tables at one frequency ratio.
+#[derive(Clone, Debug)]
+pub struct CompiledAt<'a, S: Float = f64>(Compiled<&'a CompiledSystem<'a, S>>);
+
+impl<'a, S: Float> Deref for CompiledAt<'a, S> {
+    type Target = Compiled<&'a CompiledSystem<'a, S>>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+/// The continuous motion of a system with tables.
+#[derive(Clone, Debug)]
+pub struct CompiledMotion<'a, S: Float = f64>(Moving<&'a CompiledSystem<'a, S>>);
+
+/// The motion of the contact of a system with tables.
+pub type CompiledContact<'a, S = f64> = SteadyContact<&'a CompiledSystem<'a, S>>;
+
+impl<'a, S: Float> CompiledMotion<'a, S> {
+    /// The motion of a mass, by the exact formulas.
+    ///
+    /// # Errors
+    /// [`UnknownMass`] if there is none of this name.
+    pub fn mass(&self, name: &str) -> Result<MotionOf<&'a CompiledSystem<'a, S>>, UnknownMass> {
+        let system = self.at().scene().system;
+        let motion = self.mass_at(system.mass_index(name)?);
+        motion.ok_or_else(|| system.unknown(name))
+    }
+}
+
+impl<'a, S: Float> From<Moving<&'a CompiledSystem<'a, S>>> for CompiledMotion<'a, S> {
+    fn from(motion: Moving<&'a CompiledSystem<'a, S>>) -> Self {
+        Self(motion)
+    }
+}
+
+impl<'a, S: Float> Deref for CompiledMotion<'a, S> {
+    type Target = Moving<&'a CompiledSystem<'a, S>>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}

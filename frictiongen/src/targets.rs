@@ -1,0 +1,160 @@
+//! What the types of emitted scenes and of a `System` hold, by which one implementation serves all of them: a scene
+//! at one r by the exact formulas or by tables, and its motion.
+
+use crate::system::{Of, Steady};
+use crate::{Complex, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance};
+use core::ops::Deref;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::contact::regime::Limits;
+use frictiongen_kernel::orbit::ProvidesOrbit;
+use frictiongen_kernel::response::{At, Continuous, ProvidesMotion, ProvidesStuck, Scene, Stuck};
+use frictiongen_kernel::table::{Compiled, Moving, Tabled, TabledMotion};
+
+/// A scene at one frequency ratio.
+pub trait Limited {
+    type Scalar: Float;
+
+    fn continuous_limit(&self) -> Self::Scalar;
+    fn continuous_limit_without_search(&self) -> Self::Scalar;
+    fn continuous_limit_per_mode(&self) -> Self::Scalar;
+    fn sliding_limit(&self) -> Self::Scalar;
+    fn limits(&self) -> Limits<Self::Scalar>;
+    fn regime(&self, beta: Self::Scalar) -> Result<Regime, OutOfDomain>;
+    fn margin(&self, beta: Self::Scalar) -> Result<Self::Scalar, OutOfDomain>;
+}
+
+macro_rules! limited {
+    ($type:ident of $scene:ident) => {
+        impl<T: $scene> Limited for $type<T> {
+            type Scalar = T::Scalar;
+
+            fn continuous_limit(&self) -> T::Scalar {
+                $type::continuous_limit(self)
+            }
+            fn continuous_limit_without_search(&self) -> T::Scalar {
+                $type::continuous_limit_without_search(self)
+            }
+            fn continuous_limit_per_mode(&self) -> T::Scalar {
+                $type::continuous_limit_per_mode(self)
+            }
+            fn sliding_limit(&self) -> T::Scalar {
+                $type::sliding_limit(self)
+            }
+            fn limits(&self) -> Limits<T::Scalar> {
+                $type::limits(self)
+            }
+            fn regime(&self, beta: T::Scalar) -> Result<Regime, OutOfDomain> {
+                $type::regime(self, beta)
+            }
+            fn margin(&self, beta: T::Scalar) -> Result<T::Scalar, OutOfDomain> {
+                $type::margin(self, beta)
+            }
+        }
+    };
+}
+
+limited!(At of Scene);
+limited!(Compiled of Tabled);
+
+/// One that gives motions.
+pub trait Moved: Limited {
+    type Motion;
+
+    fn motion(&self, beta: Self::Scalar) -> Result<Self::Motion, NotContinuous>;
+}
+
+impl<T: ProvidesMotion> Moved for At<T> {
+    type Motion = T::Motion;
+
+    fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous> {
+        At::motion(self, beta)
+    }
+}
+
+impl<T: TabledMotion> Moved for Compiled<T> {
+    type Motion = T::Moving;
+
+    fn motion(&self, beta: T::Scalar) -> Result<T::Moving, NotContinuous> {
+        Compiled::motion(self, beta)
+    }
+}
+
+/// A motion of which parts can be asked for.
+pub trait InParts {
+    type Scalar: Float;
+
+    fn ask<A>(
+        &self,
+        of: Of,
+        question: impl FnOnce(&dyn Steady<Scalar = Self::Scalar>) -> A,
+    ) -> Option<A>;
+}
+
+macro_rules! in_parts {
+    ($type:ident of $scene:ident) => {
+        impl<T: $scene> InParts for $type<T> {
+            type Scalar = T::Scalar;
+
+            fn ask<A>(
+                &self,
+                of: Of,
+                question: impl FnOnce(&dyn Steady<Scalar = T::Scalar>) -> A,
+            ) -> Option<A> {
+                match of {
+                    Of::Contact => Some(question(&self.contact())),
+                    Of::Mass(index) => Some(question(&self.mass_at(index)?)),
+                }
+            }
+        }
+    };
+}
+
+in_parts!(Continuous of ProvidesMotion);
+in_parts!(Moving of TabledMotion);
+
+/// One that gives the response with the contact stuck.
+pub trait HeldStill: Limited {
+    fn stuck_mass(&self, index: usize) -> Result<Option<Complex<Self::Scalar>>, StuckResonance>;
+}
+
+macro_rules! held_still {
+    ($type:ident of $($scene:ident)+) => {
+        impl<T: ProvidesStuck $(+ $scene)+> HeldStill for $type<T>
+        where
+            T::Stuck: Deref<Target = Stuck<T>>,
+        {
+            fn stuck_mass(&self, index: usize) -> Result<Option<Complex<T::Scalar>>, StuckResonance> {
+                Ok($type::stuck(self)?.mass_at(index))
+            }
+        }
+    };
+}
+
+held_still!(At of Scene);
+held_still!(Compiled of Tabled);
+
+/// One that gives steady states.
+pub trait Settles: Limited {
+    type Orbit;
+
+    fn orbit(&self, beta: Self::Scalar) -> Result<Self::Orbit, NoOrbit>;
+    fn orbit_or_last_cycles(&self, beta: Self::Scalar) -> Result<Self::Orbit, NoOrbit>;
+}
+
+macro_rules! settles {
+    ($type:ident of $($scene:ident)+) => {
+        impl<T: ProvidesOrbit $(+ $scene)+> Settles for $type<T> {
+            type Orbit = T::Orbit;
+
+            fn orbit(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
+                $type::orbit(self, beta)
+            }
+            fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
+                $type::orbit_or_last_cycles(self, beta)
+            }
+        }
+    };
+}
+
+settles!(At of Scene);
+settles!(Compiled of Tabled);

@@ -1,0 +1,9 @@
+//! Tables of declared accuracy against the exact answers, at points that their builder did not look at.
+
+mod accuracy;
+mod bad_input;
+mod emitted;
+mod random;
+mod scenes;
+mod standalone;
+mod verified;

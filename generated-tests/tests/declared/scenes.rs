@@ -1,0 +1,47 @@
+//! Chains of 1, 2, 5 and 10 equal masses and springs: every contact, undamped and damped, μ = 1 and 1.2.
+
+use std::fmt::Write as _;
+
+/// The 44 scenes, with their names.
+pub fn scenes(scalar: &str) -> Vec<(String, String)> {
+    let mut scenes = Vec::new();
+    for count in [1_usize, 2, 5, 10] {
+        for damping in ["none", "modal(0.02)"] {
+            for stiction in ["1", "1.2"] {
+                for kind in ["Wall", "Base", "Pair"] {
+                    if kind == "Pair" && count == 1 {
+                        continue;
+                    }
+                    let name = format!("{kind}{count}, {damping}, {stiction}");
+                    scenes.push((name, scene(kind, count, damping, stiction, scalar)));
+                }
+            }
+        }
+    }
+    scenes
+}
+
+/// `Wall`: the last mass rubs on a wall, the first is driven.  `Base`: the base moves, the first mass rubs on it.
+/// `Pair`: the first two rub on each other, the last is driven.
+pub fn scene(kind: &str, count: usize, damping: &str, stiction: &str, scalar: &str) -> String {
+    let mut text = format!("struct {kind}{count} {{ masses: {{ ");
+    for mass in 0..count {
+        write!(text, "m{mass}: 1, ").unwrap();
+    }
+    text.push_str("}, springs: { base - m0: 1, ");
+    for mass in 1..count {
+        write!(text, "m{} - m{mass}: 1, ", mass - 1).unwrap();
+    }
+    let last = count - 1;
+    let (contact, excitation) = match kind {
+        "Wall" => (format!("m{last} - wall"), "m0".to_owned()),
+        "Base" => ("m0 - base".to_owned(), "base".to_owned()),
+        _ => ("m0 - m1".to_owned(), format!("m{last}")),
+    };
+    write!(
+        text,
+        "}}, contact: {contact}, excitation: {excitation}, damping: {damping}, stiction: {stiction}, scalar: {scalar} }}"
+    )
+    .unwrap();
+    text
+}
