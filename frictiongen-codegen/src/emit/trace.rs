@@ -111,6 +111,17 @@ impl<'g> Tracer<'g> {
         (contact, at)
     }
 
+    /// Both limits without search, unrolled, and the real part of H.
+    pub fn limits_without_search(&self, inverse_r: Expr<'g>) -> [Expr<'g>; 3] {
+        let (contact, _) = self.frequency(inverse_r);
+        let chain = &self.reduced.chain;
+        [
+            chain.continuous_limit(&contact, chain.break_away(&contact)),
+            chain.sliding_limit(&contact),
+            contact.h.re,
+        ]
+    }
+
     /// Prints `outputs` for a function body in which `taken` are in use.
     pub fn print(
         &self,

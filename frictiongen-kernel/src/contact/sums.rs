@@ -142,7 +142,7 @@ impl<S: Scalar> Chain<S> {
             (denominator.re * inverse).named("unit_re", at),
             (denominator.im * inverse).named("unit_im", at),
         );
-        let reciprocal = complex::reciprocal_of_unit(unit);
+        let reciprocal = complex::reciprocal_of_unit(unit, at);
         if single {
             let response = Complex::new(
                 reciprocal.re.named("response_re", at),

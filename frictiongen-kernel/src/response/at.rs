@@ -19,6 +19,29 @@ pub struct At<T: Scene> {
 
 impl<T: Scene + Copy> Copy for At<T> where T::Modes: Copy {}
 
+/// r, checked, and 1/r within what the formulas can square.
+#[inline]
+fn ratios<T: Scene>(scene: &T, r: T::Scalar) -> Result<(T::Scalar, T::Scalar), OutOfDomain> {
+    let r = regime::check_ratio(r, "r")?;
+    let (low, high) = scene.inverse_ratio_range();
+    let inverse_r = Scalar::min(Scalar::max(T::Scalar::constant(1.0) / r, low), high);
+    Ok((r, inverse_r))
+}
+
+/// β_lim with its values at the ends of the frequency range.
+#[inline]
+fn continuous_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::Scalar {
+    let at_infinity = scene.numbers().ends.continuous_at_infinity;
+    regime::with_ends(r, limit, T::Scalar::constant(0.0), at_infinity)
+}
+
+/// β*_lim with its values at the ends of the frequency range.
+#[inline]
+fn sliding_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::Scalar {
+    let ends = scene.numbers().ends;
+    regime::with_ends(r, limit, ends.sliding_at_rest, ends.sliding_at_infinity)
+}
+
 impl<T: Scene> At<T> {
     /// The scene at the frequency ratio r = ω√(m₁/k₁).
     ///
@@ -26,9 +49,7 @@ impl<T: Scene> At<T> {
     /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
     #[inline]
     pub fn new(scene: T, r: T::Scalar) -> Result<Self, OutOfDomain> {
-        let r = regime::check_ratio(r, "r")?;
-        let (low, high) = scene.inverse_ratio_range();
-        let inverse_r = Scalar::min(Scalar::max(T::Scalar::constant(1.0) / r, low), high);
+        let (r, inverse_r) = ratios(&scene, r)?;
         let (contact, modes) = scene.frequency_stage(inverse_r);
         Ok(Self {
             scene,
@@ -36,6 +57,30 @@ impl<T: Scene> At<T> {
             inverse_r,
             contact,
             modes,
+        })
+    }
+
+    /// Both limits without search: the same bits as
+    /// [`continuous_limit_without_search`](Self::continuous_limit_without_search) and
+    /// [`sliding_limit`](Self::sliding_limit), in less time, as nothing is kept for a motion.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    #[inline]
+    pub fn limits_without_search(
+        scene: &T,
+        r: T::Scalar,
+    ) -> Result<Limits<T::Scalar>, OutOfDomain> {
+        let (r, inverse_r) = ratios(scene, r)?;
+        let (mut limits, h) = scene.limits_without_search(inverse_r);
+        let numbers = scene.numbers();
+        if numbers.absorbs && numbers.chain.may_absorb(h) {
+            // The holding force takes the modes' functions.
+            limits.sliding = Self::new(scene.clone(), r)?.sliding_limit();
+        }
+        Ok(Limits {
+            continuous: continuous_with_ends(scene, r, limits.continuous),
+            sliding: sliding_with_ends(scene, r, limits.sliding),
         })
     }
 
@@ -113,8 +158,7 @@ impl<T: Scene> At<T> {
     #[inline]
     fn limited(&self, constraint: T::Scalar) -> T::Scalar {
         let limit = self.scene.continuous_limit(&self.contact, constraint);
-        let at_infinity = self.scene.numbers().ends.continuous_at_infinity;
-        regime::with_ends(self.r, limit, T::Scalar::constant(0.0), at_infinity)
+        continuous_with_ends(&self.scene, self.r, limit)
     }
 
     /// β_lim, exact: the boundary of continuous motion (5.65, 5.80, 5.96, 7.49), with S from a guaranteed search
@@ -173,13 +217,7 @@ impl<T: Scene> At<T> {
             Some(force) => force.abs() / numbers.chain.stiction,
             None => self.scene.sliding_limit(&self.contact),
         };
-        let ends = numbers.ends;
-        regime::with_ends(
-            self.r,
-            limit,
-            ends.sliding_at_rest,
-            ends.sliding_at_infinity,
-        )
+        sliding_with_ends(&self.scene, self.r, limit)
     }
 
     /// The force that holds a stuck contact, where masses beyond it absorb.

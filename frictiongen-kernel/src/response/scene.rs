@@ -1,7 +1,7 @@
 //! What a scene has to say for its steady response.
 
 use super::numbers::Numbers;
-use crate::contact::regime;
+use crate::contact::regime::{self, Limits};
 use crate::contact::sums::{ContactAt, ModeAt};
 use crate::modal_sum::wave::Wave;
 use crate::number::scalar::Float;
@@ -70,5 +70,20 @@ pub trait Scene: Clone {
     #[inline]
     fn sliding_limit(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
         self.numbers().chain.sliding_limit(contact)
+    }
+
+    /// β_lim without search and β*_lim at 1/r, for r that is neither 0 nor infinite and as if nothing absorbed; and
+    /// the real part of H times r²E, which tells whether something may.
+    #[inline]
+    fn limits_without_search(
+        &self,
+        inverse_r: Self::Scalar,
+    ) -> (Limits<Self::Scalar>, Self::Scalar) {
+        let (contact, _) = self.frequency_stage(inverse_r);
+        let limits = Limits {
+            continuous: self.continuous_limit(&contact, self.break_away(&contact)),
+            sliding: self.sliding_limit(&contact),
+        };
+        (limits, contact.h.re)
     }
 }

@@ -5,8 +5,9 @@ use super::error::{InvalidScene, UnknownMass};
 use super::large;
 use crate::OutOfDomain;
 use crate::system::FrictionSystem;
-use frictiongen_codegen::{Diagnostics, Limits, parse_text};
+use frictiongen_codegen::{Diagnostics, parse_text};
 use frictiongen_kernel::Float;
+use frictiongen_kernel::contact::regime::Limits;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::response::At;
 use frictiongen_model::modal::Modal;
@@ -49,7 +50,9 @@ impl<S: Float> std::str::FromStr for System<S> {
     type Err = Diagnostics;
 
     fn from_str(text: &str) -> Result<Self, Diagnostics> {
-        Ok(Self::from_scene(parse_text(text, &Limits::RUN_TIME)?.scene))
+        Ok(Self::from_scene(
+            parse_text(text, &frictiongen_codegen::Limits::RUN_TIME)?.scene,
+        ))
     }
 }
 
@@ -170,6 +173,15 @@ impl<S: Float> System<S> {
         At::new(self, r).map(SystemAt::from)
     }
 
+    /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and β*_lim
+    /// (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    pub fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
+        At::limits_without_search(&self, r)
+    }
+
     /// β_n,i: the friction ratio below which the i-th undamped resonance is unbounded (6.2, 6.26);
     /// none for a mode that the contact does not drive.
     #[must_use]
@@ -257,5 +269,8 @@ impl<S: Float> FrictionSystem for System<S> {
     }
     fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
         Self::at(self, r)
+    }
+    fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
+        Self::limits_without_search(self, r)
     }
 }
