@@ -146,13 +146,11 @@ impl<T: Scene> At<T> {
     #[must_use]
     pub fn velocity_constraint(&self) -> Peak<T::Scalar> {
         let numbers = self.scene.numbers();
-        let mut waves = self.scene.idle();
-        numbers.chain.velocity_constraint(
-            &self.contact,
-            numbers.modes,
-            self.modes.as_ref(),
-            waves.as_mut(),
-        )
+        let modes = self.modes.as_ref();
+        self.scene.with_idle(|waves| {
+            let chain = numbers.chain;
+            chain.velocity_constraint(&self.contact, numbers.modes, modes, waves)
+        })
     }
 
     #[inline]

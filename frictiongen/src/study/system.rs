@@ -9,7 +9,7 @@ use frictiongen_codegen::{Diagnostics, parse_text};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::regime::Limits;
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_kernel::response::At;
+use frictiongen_kernel::response::{At, Scene as _};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::Scene;
@@ -43,6 +43,8 @@ pub struct System<S = f64> {
     pub(super) reduced: Reduced<S>,
     resonances: Vec<S>,
     reference: S,
+    /// The smallest and the largest 1/r at which the formulas are evaluated.
+    pub(super) range: (S, S),
     transient: OnceLock<Transient<S>>,
 }
 
@@ -98,10 +100,13 @@ impl<S: Float> System<S> {
         to: impl Fn(T) -> S,
     ) -> Self {
         let all = |values: Vec<T>| values.into_iter().map(&to).collect();
+        let reduced = data.reduced(&to);
+        let range = (&reduced).inverse_ratio_range();
         Self {
             scene,
             modal,
-            reduced: data.reduced(&to),
+            reduced,
+            range,
             resonances: all(data.resonances.clone()),
             reference: to(data.reference),
             transient: OnceLock::new(),
