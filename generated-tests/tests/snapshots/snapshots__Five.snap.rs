@@ -308,7 +308,7 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 409: 245 ×, 75 +, 40 ÷, 25 sign, 5 exp_m1, 5 one_minus_sinc_pi, 5 scaled_sinh_defect, 5 sin_cos_pi, 4 compare.
+        /// Operations: 404: 245 ×, 75 +, 35 ÷, 25 sign, 5 exp_m1, 5 one_minus_sinc_pi, 5 scaled_sinh_defect, 5 sin_cos_pi, 4 compare.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 5]) {
             let mode_1 = {
@@ -337,7 +337,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -381,7 +381,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -425,7 +425,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -469,7 +469,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -513,7 +513,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -601,7 +601,7 @@ const _: () = {
         }
         /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
         ///
-        /// Operations: 348: 202 ×, 68 +, 37 ÷, 25 sign, 5 exp_m1, 5 sin_cos_pi, 4 compare, 1 hypot, 1 √.
+        /// Operations: 343: 202 ×, 68 +, 32 ÷, 25 sign, 5 exp_m1, 5 sin_cos_pi, 4 compare, 1 hypot, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
             let mode_1_frequency = 0.2846296765465703 * inverse_r;
@@ -631,8 +631,7 @@ const _: () = {
             let mode_1_pole_weight = mode_1_size * mode_1_inverse_nearness
                 / (mode_1_unit_nearness_re * mode_1_unit_nearness_re
                     + mode_1_unit_nearness_im * mode_1_unit_nearness_im);
-            let mode_1_swing = 4.0 * mode_1_decay_factor
-                * (mode_1_sine / 0.9999499987499375)
+            let mode_1_swing = 4.00020001500125 * mode_1_sine * mode_1_decay_factor
                 * (mode_1_cosine * mode_1_inverse_nearness) * mode_1_pole_weight;
             let mode_1_u = mode_1_swing / mode_1_frequency;
             let mode_1_reversal = mode_1_one_plus_factor
@@ -665,8 +664,7 @@ const _: () = {
             let mode_2_pole_weight = mode_2_size * mode_2_inverse_nearness
                 / (mode_2_unit_nearness_re * mode_2_unit_nearness_re
                     + mode_2_unit_nearness_im * mode_2_unit_nearness_im);
-            let mode_2_swing = 4.0 * mode_2_decay_factor
-                * (mode_2_sine / 0.9999499987499375)
+            let mode_2_swing = 4.00020001500125 * mode_2_sine * mode_2_decay_factor
                 * (mode_2_cosine * mode_2_inverse_nearness) * mode_2_pole_weight;
             let mode_2_u = mode_2_swing / mode_2_frequency;
             let mode_2_reversal = mode_2_one_plus_factor
@@ -699,8 +697,7 @@ const _: () = {
             let mode_3_pole_weight = mode_3_size * mode_3_inverse_nearness
                 / (mode_3_unit_nearness_re * mode_3_unit_nearness_re
                     + mode_3_unit_nearness_im * mode_3_unit_nearness_im);
-            let mode_3_swing = 4.0 * mode_3_decay_factor
-                * (mode_3_sine / 0.9999499987499375)
+            let mode_3_swing = 4.00020001500125 * mode_3_sine * mode_3_decay_factor
                 * (mode_3_cosine * mode_3_inverse_nearness) * mode_3_pole_weight;
             let mode_3_u = mode_3_swing / mode_3_frequency;
             let mode_3_reversal = mode_3_one_plus_factor
@@ -733,8 +730,7 @@ const _: () = {
             let mode_4_pole_weight = mode_4_size * mode_4_inverse_nearness
                 / (mode_4_unit_nearness_re * mode_4_unit_nearness_re
                     + mode_4_unit_nearness_im * mode_4_unit_nearness_im);
-            let mode_4_swing = 4.0 * mode_4_decay_factor
-                * (mode_4_sine / 0.9999499987499375)
+            let mode_4_swing = 4.00020001500125 * mode_4_sine * mode_4_decay_factor
                 * (mode_4_cosine * mode_4_inverse_nearness) * mode_4_pole_weight;
             let mode_4_u = mode_4_swing / mode_4_frequency;
             let mode_4_reversal = mode_4_one_plus_factor
@@ -767,8 +763,7 @@ const _: () = {
             let mode_5_pole_weight = mode_5_size * mode_5_inverse_nearness
                 / (mode_5_unit_nearness_re * mode_5_unit_nearness_re
                     + mode_5_unit_nearness_im * mode_5_unit_nearness_im);
-            let mode_5_swing = 4.0 * mode_5_decay_factor
-                * (mode_5_sine / 0.9999499987499375)
+            let mode_5_swing = 4.00020001500125 * mode_5_sine * mode_5_decay_factor
                 * (mode_5_cosine * mode_5_inverse_nearness) * mode_5_pole_weight;
             let mode_5_u = mode_5_swing / mode_5_frequency;
             let mode_5_reversal = mode_5_one_plus_factor

@@ -184,7 +184,7 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 253: 153 ×, 47 +, 24 ÷, 15 sign, 3 exp_m1, 3 one_minus_sinc_pi, 3 scaled_sinh_defect, 3 sin_cos_pi, 2 compare.
+        /// Operations: 250: 153 ×, 47 +, 21 ÷, 15 sign, 3 exp_m1, 3 one_minus_sinc_pi, 3 scaled_sinh_defect, 3 sin_cos_pi, 2 compare.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 3]) {
             let mode_1 = {
@@ -213,7 +213,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -257,7 +257,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.999799979995999)
+                let swing = 4.000800240080028 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -301,7 +301,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9995498987044119)
+                let swing = 4.001801215911968 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -377,7 +377,7 @@ const _: () = {
         }
         /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
         ///
-        /// Operations: 223: 130 ×, 44 +, 23 ÷, 15 sign, 3 exp_m1, 3 sin_cos_pi, 2 compare, 2 hypot, 1 √.
+        /// Operations: 220: 130 ×, 44 +, 20 ÷, 15 sign, 3 exp_m1, 3 sin_cos_pi, 2 compare, 2 hypot, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
             let mode_1_frequency = 0.3181512781636106 * inverse_r;
@@ -407,8 +407,7 @@ const _: () = {
             let mode_1_pole_weight = mode_1_size * mode_1_inverse_nearness
                 / (mode_1_unit_nearness_re * mode_1_unit_nearness_re
                     + mode_1_unit_nearness_im * mode_1_unit_nearness_im);
-            let mode_1_swing = 4.0 * mode_1_decay_factor
-                * (mode_1_sine / 0.9999499987499375)
+            let mode_1_swing = 4.00020001500125 * mode_1_sine * mode_1_decay_factor
                 * (mode_1_cosine * mode_1_inverse_nearness) * mode_1_pole_weight;
             let mode_1_u = mode_1_swing / mode_1_frequency;
             let mode_1_reversal = mode_1_one_plus_factor
@@ -441,8 +440,7 @@ const _: () = {
             let mode_2_pole_weight = mode_2_size * mode_2_inverse_nearness
                 / (mode_2_unit_nearness_re * mode_2_unit_nearness_re
                     + mode_2_unit_nearness_im * mode_2_unit_nearness_im);
-            let mode_2_swing = 4.0 * mode_2_decay_factor
-                * (mode_2_sine / 0.999799979995999)
+            let mode_2_swing = 4.000800240080028 * mode_2_sine * mode_2_decay_factor
                 * (mode_2_cosine * mode_2_inverse_nearness) * mode_2_pole_weight;
             let mode_2_u = mode_2_swing / mode_2_frequency;
             let mode_2_reversal = mode_2_one_plus_factor
@@ -475,8 +473,7 @@ const _: () = {
             let mode_3_pole_weight = mode_3_size * mode_3_inverse_nearness
                 / (mode_3_unit_nearness_re * mode_3_unit_nearness_re
                     + mode_3_unit_nearness_im * mode_3_unit_nearness_im);
-            let mode_3_swing = 4.0 * mode_3_decay_factor
-                * (mode_3_sine / 0.9995498987044119)
+            let mode_3_swing = 4.001801215911968 * mode_3_sine * mode_3_decay_factor
                 * (mode_3_cosine * mode_3_inverse_nearness) * mode_3_pole_weight;
             let mode_3_u = mode_3_swing / mode_3_frequency;
             let mode_3_reversal = mode_3_one_plus_factor

@@ -144,7 +144,7 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 64: 37 ×, 11 +, 7 ÷, 5 sign, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
+        /// Operations: 63: 37 ×, 11 +, 6 ÷, 5 sign, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
             let detuning = (inverse_r - 1.0) * (inverse_r + 1.0);
@@ -170,7 +170,7 @@ const _: () = {
             let pole_weight = size * inverse_nearness
                 / (unit_nearness_re * unit_nearness_re
                     + unit_nearness_im * unit_nearness_im);
-            let swing = 4.0 * decay_factor * (sine / 0.998749217771909)
+            let swing = 4.005009394574071 * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
             let u = swing / inverse_r;
             let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -234,7 +234,7 @@ const _: () = {
         }
         /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
         ///
-        /// Operations: 61: 32 ×, 12 +, 8 ÷, 5 sign, 1 exp_m1, 1 hypot, 1 sin_cos_pi, 1 √.
+        /// Operations: 60: 32 ×, 12 +, 7 ÷, 5 sign, 1 exp_m1, 1 hypot, 1 sin_cos_pi, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
             let detuning = (inverse_r - 1.0) * (inverse_r + 1.0);
@@ -259,7 +259,7 @@ const _: () = {
             let pole_weight = size * inverse_nearness
                 / (unit_nearness_re * unit_nearness_re
                     + unit_nearness_im * unit_nearness_im);
-            let swing = 4.0 * decay_factor * (sine / 0.998749217771909)
+            let swing = 4.005009394574071 * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
             let u = swing / inverse_r;
             let reversal = one_plus_factor * (decay_complement * inverse_nearness)

@@ -167,7 +167,7 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 166: 102 ×, 29 +, 16 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
+        /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
             let mode_1 = {
@@ -196,7 +196,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -240,7 +240,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999279974078134)
+                let swing = 4.000288031107733 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -308,7 +308,7 @@ const _: () = {
         }
         /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
         ///
-        /// Operations: 150: 88 ×, 28 +, 16 ÷, 10 sign, 2 exp_m1, 2 hypot, 2 sin_cos_pi, 1 compare, 1 √.
+        /// Operations: 148: 88 ×, 28 +, 14 ÷, 10 sign, 2 exp_m1, 2 hypot, 2 sin_cos_pi, 1 compare, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
             let mode_1_frequency = 0.6490960526996967 * inverse_r;
@@ -338,8 +338,7 @@ const _: () = {
             let mode_1_pole_weight = mode_1_size * mode_1_inverse_nearness
                 / (mode_1_unit_nearness_re * mode_1_unit_nearness_re
                     + mode_1_unit_nearness_im * mode_1_unit_nearness_im);
-            let mode_1_swing = 4.0 * mode_1_decay_factor
-                * (mode_1_sine / 0.9999499987499375)
+            let mode_1_swing = 4.00020001500125 * mode_1_sine * mode_1_decay_factor
                 * (mode_1_cosine * mode_1_inverse_nearness) * mode_1_pole_weight;
             let mode_1_u = mode_1_swing / mode_1_frequency;
             let mode_1_reversal = mode_1_one_plus_factor
@@ -372,8 +371,7 @@ const _: () = {
             let mode_2_pole_weight = mode_2_size * mode_2_inverse_nearness
                 / (mode_2_unit_nearness_re * mode_2_unit_nearness_re
                     + mode_2_unit_nearness_im * mode_2_unit_nearness_im);
-            let mode_2_swing = 4.0 * mode_2_decay_factor
-                * (mode_2_sine / 0.9999279974078134)
+            let mode_2_swing = 4.000288031107733 * mode_2_sine * mode_2_decay_factor
                 * (mode_2_cosine * mode_2_inverse_nearness) * mode_2_pole_weight;
             let mode_2_u = mode_2_swing / mode_2_frequency;
             let mode_2_reversal = mode_2_one_plus_factor

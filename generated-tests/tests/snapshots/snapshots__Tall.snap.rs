@@ -773,7 +773,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / mode.q)
+                let swing = 4.0 / mode.q * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
