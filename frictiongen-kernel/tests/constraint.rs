@@ -6,7 +6,7 @@ use frictiongen_kernel::contact::sums::{Chain, ContactAt, ModeAt};
 use frictiongen_kernel::modal_sum::search::{MAX_EVALUATIONS, Peak};
 use frictiongen_kernel::modal_sum::wave::Wave;
 use frictiongen_kernel::oscillator::decay::Damped;
-use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
+use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use fuzzing::Random;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -81,10 +81,8 @@ impl<S: Float> At<S> {
                 .fold(c(0.0), |sum, mode| sum + mode.inverse_mass),
             stiction: c(1.0),
         };
-        let mut responses = vec![ModeResponse::zero(); modes.len()];
-        let mut at = vec![ModeAt::zero(); modes.len()];
-        let scale = Chain::responses(&modes, inverse_r, &mut responses);
-        let contact = chain.contact(&modes, &responses, scale, inverse_r, &mut at);
+        let mut at = Vec::new();
+        let contact = chain.contact(&modes, inverse_r, |mode| at.push(mode));
         let waves = modes.iter().map(Wave::idle).collect();
         Self {
             chain,

@@ -4,7 +4,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::sums::{Chain, ContactAt, ModeAt};
 use frictiongen_kernel::modal_sum::wave::Wave;
 use frictiongen_kernel::oscillator::decay::Damped;
-use frictiongen_kernel::oscillator::mode::{Mode, ModeResponse};
+use frictiongen_kernel::oscillator::mode::Mode;
 use frictiongen_kernel::response::{
     Continuous, Ends, Numbers, ProvidesMotion, ProvidesStuck, Scene, Stuck,
 };
@@ -70,12 +70,15 @@ impl<S: Float> Scene for &Reduced<S> {
     }
 
     fn frequency_stage(&self, inverse_r: S) -> (ContactAt<S>, Vec<ModeAt<S>>) {
-        let mut responses = vec![ModeResponse::zero(); self.modes.len()];
-        let scale = Chain::responses(&self.modes, inverse_r, &mut responses);
-        let mut at = vec![ModeAt::zero(); self.modes.len()];
-        let chain = &self.chain;
-        let contact = chain.contact(&self.modes, &responses, scale, inverse_r, &mut at);
+        let mut at = Vec::with_capacity(self.modes.len());
+        let contact = self
+            .chain
+            .contact(&self.modes, inverse_r, |mode| at.push(mode));
         (contact, at)
+    }
+
+    fn contact_without_g(&self, inverse_r: S) -> ContactAt<S> {
+        self.chain.contact_without_g(&self.modes, inverse_r)
     }
 
     fn idle(&self) -> Vec<Wave<S, Damped<S>>> {

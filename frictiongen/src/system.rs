@@ -55,6 +55,17 @@ pub trait FrictionSystem {
     /// # Errors
     /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
     fn at(&self, r: Self::Scalar) -> Result<Self::At<'_>, OutOfDomain>;
+    /// Both limits without search, where nothing else is asked of r.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    fn limits_without_search(&self, r: Self::Scalar) -> Result<Limits<Self::Scalar>, OutOfDomain> {
+        let at = self.at(r)?;
+        Ok(Limits {
+            continuous: at.continuous_limit_without_search(),
+            sliding: at.sliding_limit(),
+        })
+    }
 }
 
 /// [`FrictionSystem`] of an emitted scene: the names of its masses are all that the kernel does not know.
@@ -80,6 +91,13 @@ macro_rules! emitted_system {
             }
             fn at(&self, r: $scalar) -> ::core::result::Result<$at, $crate::OutOfDomain> {
                 Self::at(r)
+            }
+            #[inline]
+            fn limits_without_search(
+                &self,
+                r: $scalar,
+            ) -> ::core::result::Result<$crate::kernel::contact::regime::Limits<$scalar>, $crate::OutOfDomain> {
+                Self::limits_without_search(r)
             }
         }
     };

@@ -9,6 +9,8 @@ mod methods;
 #[path = "../../trade/src/scenes.rs"]
 #[allow(dead_code, reason = "descriptions are for the run-time system")]
 mod scenes;
+#[path = "../../trade/src/without_search.rs"]
+mod without_search;
 
 use divan::Bencher;
 use divan::counter::ItemsCount;

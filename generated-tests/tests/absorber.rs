@@ -94,6 +94,8 @@ where
         let (limit, amplitudes) = exact(read.to_f64());
         let at = system.at(read).expect("in the domain");
         note(at.sliding_limit().to_f64(), limit, limit, "limit", r);
+        let at_once = system.limits_without_search(read).expect("in the domain");
+        assert_eq!(at_once.sliding, at.sliding_limit(), "at r = {r:e}");
         let largest = amplitudes.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         assert_eq!(system.masses(), amplitudes.len());
         for (mass, want) in amplitudes.into_iter().enumerate() {

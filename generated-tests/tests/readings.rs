@@ -5,7 +5,7 @@ use frictiongen::{
     ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady, StuckAt, System,
 };
 use frictiongen_codegen::{Limits, parse_text, traces};
-use frictiongen_kernel::Float;
+use frictiongen_kernel::{Float, Scalar};
 use generated_tests::shown;
 
 const RATIOS: [f64; 7] = [0.0371, 0.3, 0.61, 0.97, 1.3, 2.2, 9.0];
@@ -240,6 +240,51 @@ fn stuck_responses_agree() {
         assert_eq!(tied, RATIOS.len() * masses * 2, "{name}");
     }
     check_all!(stuck: PairMasses, Five, Symmetric);
+}
+
+/// One function from r on gives the bits of the way by `at`, emitted and at run time.
+#[test]
+fn limits_without_search_are_those_of_at() {
+    fn by_at<F: FrictionSystem>(system: &F, r: F::Scalar) -> [u64; 2] {
+        let at = system.at(r).expect("in the domain");
+        [at.continuous_limit_without_search(), at.sliding_limit()]
+            .map(|limit| limit.to_f64().to_bits())
+    }
+    fn at_once<F: FrictionSystem>(system: &F, r: F::Scalar) -> [u64; 2] {
+        let limits = system.limits_without_search(r).expect("in the domain");
+        [limits.continuous, limits.sliding].map(|limit| limit.to_f64().to_bits())
+    }
+    fn compared<F: FrictionSystem>(name: &str, system: &F) -> usize {
+        let mut ratios = vec![0.0, f64::INFINITY, f64::MAX, f64::MIN_POSITIVE, 5e-324];
+        ratios.extend((-320..=308).map(|exponent| 10.0_f64.powi(exponent)));
+        ratios.extend((1..=2000).map(|step| 0.0017 * f64::from(step)));
+        for resonance in system.resonances() {
+            for n in 1..=5 {
+                let r = resonance.to_f64() / f64::from(n);
+                ratios.extend([r, r.next_up(), r.next_down(), r * (1.0 + 1e-7)]);
+            }
+        }
+        for r in &ratios {
+            let r = F::Scalar::constant(*r);
+            assert_eq!(at_once(system, r), by_at(system, r), "{name} at r = {r:?}");
+        }
+        for r in [f64::NAN, -1.0, f64::NEG_INFINITY, -1e-30] {
+            let r = F::Scalar::constant(r);
+            let told = system.limits_without_search(r);
+            assert!(told.is_err() && system.at(r).is_err(), "{name}");
+        }
+        ratios.len()
+    }
+    fn check<F: FrictionSystem>(name: &str, emitted: &F, _: f64) {
+        let known = shown::SCENES.iter().find(|(known, _)| *known == name);
+        let (_, text) = known.expect("a scene");
+        let system: System<F::Scalar> = text.parse().expect("a valid scene");
+        let count = compared(name, emitted) + compared(name, &system);
+        println!("{name}: limits at {count} places compared, none skipped");
+        assert!(count > 2 * 2600);
+    }
+    check_all!(check: SdofWall, SdofBase, SdofDamped, SdofOverdamped, PairWall, PairBase,
+        PairMasses, Thesis, Five, Single, Braced, Symmetric, LimitsOnly, OneMotion, Tall, Stopping);
 }
 
 /// Half of the points of a sweep are reached by a slice, the others one by one.

@@ -16,6 +16,7 @@ mod points;
 mod scenes;
 mod tables;
 mod tails;
+mod without_search;
 
 use before::Before;
 use measure::Measure;

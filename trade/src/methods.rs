@@ -1,6 +1,7 @@
 //! What is measured: questions to a scene, asked in the same way of emitted and run-time systems.
 
 use crate::scenes::Orbit;
+use crate::without_search;
 use frictiongen::kernel::{Float, Scalar};
 use frictiongen::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady};
 
@@ -71,9 +72,7 @@ where
     Box::new(move |method, points, out| match method {
         Method::Limits => limits(&system, points, out, |at| at.continuous_limit()),
         Method::WithoutSearch => {
-            limits(&system, points, out, |at| {
-                at.continuous_limit_without_search()
-            });
+            each(points, out, |[r, _]| without_search::limits(&system, r));
         }
         Method::PerMode => limits(&system, points, out, |at| at.continuous_limit_per_mode()),
         Method::Amplitude => response(&system, watched, points, out, |motion| motion.amplitude()),

@@ -4,12 +4,12 @@ use crate::methods::Method;
 use crate::scenes::Label;
 use frictiongen_codegen::{Limits, emit, parse_text};
 
-/// Operations of the frequency stage, and what both limits need besides.
+/// Operations from r to both limits; those of a search come on top.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Operations {
-    /// All of the frequency stage.
+    /// All that the function without search lists; with a search, those of the frequency stage.
     pub total: usize,
-    /// Divisions, with those of the two limits.
+    /// Divisions, with those of 1/r and of the two limits.
     pub divisions: usize,
     /// Square roots, with those of the two limits.
     pub roots: usize,
@@ -29,19 +29,29 @@ pub fn of(label: &Label, method: Method) -> Option<Operations> {
     }
     let description = parse_text(label.text, &Limits::MACRO).ok()?;
     let code = emit(&description).to_string();
-    let mut operations = listed(&code)?;
+    // The frequency stage comes first, then the function without search.
+    let mut lists = code.split(MARK).skip(1);
+    let (stage, without_search) = (listed(lists.next()?)?, listed(lists.next()?)?);
+    if method == Method::WithoutSearch {
+        return Some(Operations {
+            divisions: without_search.divisions + 1,
+            ..without_search
+        });
+    }
     // 1/r, |V|/√(…) and |V|/(μ|H|); a complex modulus takes a division and a root.
     let moduli = if label.zeta > 0.0 { 2 } else { 0 };
-    operations.divisions += 3 + moduli;
-    operations.roots += 1 + moduli;
-    Some(operations)
+    Some(Operations {
+        divisions: stage.divisions + 3 + moduli,
+        roots: stage.roots + 1 + moduli,
+        ..stage
+    })
 }
 
-/// The documentation of the frequency stage: `Operations: 12: 5 ×, 3 +, 1 ÷, 1 sin_cos_pi.`
-fn listed(code: &str) -> Option<Operations> {
-    const MARK: &str = "Operations: ";
-    let start = code.find(MARK)? + MARK.len();
-    let (text, _) = code.get(start..)?.split_once('.')?;
+const MARK: &str = "Operations: ";
+
+/// What follows the mark in a function's documentation: `12: 5 ×, 3 +, 1 ÷, 1 sin_cos_pi.`
+fn listed(text: &str) -> Option<Operations> {
+    let (text, _) = text.split_once('.')?;
     let (total, parts) = text.split_once(": ").unwrap_or((text, ""));
     let mut operations = Operations {
         total: total.parse().ok()?,
@@ -53,6 +63,11 @@ fn listed(code: &str) -> Option<Operations> {
         match kind {
             "÷" => operations.divisions += count,
             "√" => operations.roots += count,
+            // A complex modulus.
+            "hypot" => {
+                operations.divisions += count;
+                operations.roots += count;
+            }
             "sin_cos_pi" => operations.circular += count,
             "exp" | "exp_m1" | "one_minus_sinc_pi" | "scaled_sinh_defect" => {
                 operations.exponential += count;

@@ -134,7 +134,7 @@ fn against_stepper(rows: &[Row], text: &mut String) -> Written {
 }
 
 fn every_way(rows: &[Row], text: &mut String) -> Written {
-    text.push_str("## Every way\n\nAll contacts and dampings of a number of masses together: the middle one of the scenes' median times; errors against the exact answer; \"no answer\" counts points where the way gave no number; operations are those of the frequency stage.\n\n");
+    text.push_str("## Every way\n\nAll contacts and dampings of a number of masses together: the middle one of the scenes' median times; errors against the exact answer; \"no answer\" counts points where the way gave no number; operations are those of the emitted function without search, or of the frequency stage.\n\n");
     text.push_str("| masses | answer | by | a call | operations | 99 of 100 usual points within | 99 of 100 of all | worst | no answer |\n|---|---|---|---|---|---|---|---|---|\n");
     for pool in pools(rows) {
         let operations = match pool.operations {

@@ -94,8 +94,8 @@ const STOPPING: f32 = 10.0;
 
 calls! { f32 SINGLE 22:
     sdof_without_search "SDOF f32" "limits without search" |at| {
-        let at = Sdof::at(at.r)?;
-        [at.continuous_limit_without_search(), at.sliding_limit()]
+        let limits = Sdof::limits_without_search(at.r)?;
+        [limits.continuous, limits.sliding]
     };
     sdof_limits "SDOF f32" "limits" |at| {
         let at = Sdof::at(at.r)?;
@@ -116,8 +116,8 @@ calls! { f32 SINGLE 22:
         [stuck.re, stuck.im]
     };
     least_without_search "2DOF f32, [limits]" "limits without search" |at| {
-        let at = least::limits::Pair::at(at.r)?;
-        [at.continuous_limit_without_search(), at.sliding_limit()]
+        let limits = least::limits::Pair::limits_without_search(at.r)?;
+        [limits.continuous, limits.sliding]
     };
     least_limits "2DOF f32, [limits]" "limits" |at| {
         let at = least::limits::Pair::at(at.r)?;
@@ -168,8 +168,8 @@ calls! { f32 SINGLE 22:
         [orbit.contact().amplitude(), orbit.stuck_fraction()]
     };
     five_without_search "5DOF damped f32" "limits without search" |at| {
-        let at = Five::at(at.r)?;
-        [at.continuous_limit_without_search(), at.sliding_limit()]
+        let limits = Five::limits_without_search(at.r)?;
+        [limits.continuous, limits.sliding]
     };
     five_limits "5DOF damped f32" "limits" |at| {
         let at = Five::at(at.r)?;
@@ -198,8 +198,8 @@ calls! { f32 SINGLE 22:
 
 calls! { f64 DOUBLE 6:
     double_without_search "2DOF f64" "limits without search" |at| {
-        let at = PairDouble::at(at.r)?;
-        [at.continuous_limit_without_search(), at.sliding_limit()]
+        let limits = PairDouble::limits_without_search(at.r)?;
+        [limits.continuous, limits.sliding]
     };
     double_limits "2DOF f64" "limits" |at| {
         let at = PairDouble::at(at.r)?;

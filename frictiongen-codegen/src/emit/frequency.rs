@@ -5,7 +5,7 @@ use super::{Emission, field, local};
 use crate::graph::count::Count;
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::Scalar;
-use frictiongen_kernel::contact::sums::ContactAt;
+use frictiongen_kernel::contact::sums::{Chain, ContactAt};
 use frictiongen_kernel::number::complex::Complex;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
 use proc_macro2::{Literal, TokenStream};
@@ -82,10 +82,8 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
         .map(|mode| tracer.response(&format!("mode_{mode}")))
         .collect();
     let constants = &tracer.reduced.modes;
-    let in_contact = constants.iter().zip(&responses);
-    let sizes = in_contact.filter(|(mode, _)| mode.in_contact);
-    let scale = sizes.map(|(_, response)| response.size).reduce(Scalar::min);
-    let scale = scale.unwrap_or(Expr::constant(1.0));
+    let sizes = responses.iter().map(|response| response.size);
+    let scale = Chain::scale(constants.iter().zip(sizes));
     let (printed, operations) = tracer.print(&[scale.operand()], emission.precision, &TAKEN);
     count = count.and(&operations);
     let scale = printed.outputs;
@@ -103,7 +101,7 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
     let mut sum = ContactAt::zero(graph.input("scale"));
     for (index, (mode, response)) in constants.iter().zip(&responses).enumerate() {
         let at = tracer.mode_at(&format!("at_{}", index + 1));
-        sum = chain.joined_by(&sum, mode, response, &at, false);
+        sum = chain.joined_by(&sum, mode, response, &at, false, true);
     }
     let contact = chain.completed(&sum, graph.input("inverse_r"));
     let outputs = contact_outputs(&contact);
@@ -235,7 +233,7 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
     let response = tracer.response("response");
     let at = chain.scaled(&response, graph.input("sum.scale"), false, 0);
     let sum = symbolic_sum(&graph, damped);
-    let joined = chain.joined_by(&sum, &symbolic, &response, &at, false);
+    let joined = chain.joined_by(&sum, &symbolic, &response, &at, false, true);
     let mut outputs = mode_outputs(&at);
     let sums = [
         joined.v.re,

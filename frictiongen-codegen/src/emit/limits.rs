@@ -1,7 +1,7 @@
 //! The formulas of both limits, and a slice of them.
 
-use super::Emission;
 use super::trace::Tracer;
+use super::{Emission, field};
 use crate::graph::print::Printed;
 use crate::graph::{Expr, Graph};
 use proc_macro2::TokenStream;
@@ -29,6 +29,7 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     let limit = chain.continuous_limit(&contact, graph.input("constraint"));
     let continuous = formula(limit);
     let sliding = formula(chain.sliding_limit(&contact));
+    let without_search = without_search(emission);
     code! {
         /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
         #[inline]
@@ -48,10 +49,41 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
         fn sliding_limit(&self, contact: &ContactAt<#scalar>) -> #scalar {
             #sliding
         }
+
+        #without_search
     }
 }
 
-/// Both limits over a slice.
+/// Both limits from 1/r on, as one function of straight lines; nothing where the frequency stage is passes.
+fn without_search(emission: &Emission<'_>) -> TokenStream {
+    if emission.in_passes() {
+        return TokenStream::new();
+    }
+    let scalar = &emission.scalar;
+    let graph = Graph::new(emission.modes());
+    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+    let outputs = tracer.limits_without_search(graph.input("inverse_r"));
+    let outputs = outputs.map(Expr::operand);
+    let (printed, count) = tracer.print(&outputs, emission.precision, &["inverse_r"]);
+    let statements = printed.statements;
+    let [continuous, sliding, h] = printed.outputs.as_slice() else {
+        return TokenStream::new();
+    };
+    let (continuous, sliding) = (field("continuous", continuous), field("sliding", sliding));
+    let operations = format!(" Operations: {count}.");
+    code! {
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        ///
+        #[doc = #operations]
+        #[inline]
+        fn limits_without_search(&self, inverse_r: #scalar) -> (Limits<#scalar>, #scalar) {
+            #statements
+            (Limits { #continuous, #sliding }, #h)
+        }
+    }
+}
+
+/// Both limits from r on, and over a slice.
 pub(super) fn slices(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
     let of = if emission.is_tabled() {
@@ -60,6 +92,16 @@ pub(super) fn slices(emission: &Emission<'_>) -> TokenStream {
         code!(At)
     };
     code! {
+        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn limits_without_search(r: #scalar) -> Result<Limits<#scalar>, OutOfDomain> {
+            At::limits_without_search(&Self, r)
+        }
+
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors

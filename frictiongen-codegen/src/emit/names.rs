@@ -4,12 +4,13 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
 /// What emitted code imports: a scene may have the same name.
-pub(super) const IMPORTED: [&str; 65] = [
+pub(super) const IMPORTED: [&str; 66] = [
     "Complex",
     "Scalar",
     "Chain",
     "ContactAt",
     "ModeAt",
+    "Limits",
     "Damped",
     "Decay",
     "Undamped",

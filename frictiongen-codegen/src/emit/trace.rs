@@ -4,6 +4,7 @@ use super::rounded;
 use crate::graph::count::Count;
 use crate::graph::print::{Printed, print};
 use crate::graph::{Expr, Graph, Operand};
+use frictiongen_kernel::Scalar;
 use frictiongen_kernel::contact::sums::{Chain, ContactAt, ModeAt};
 use frictiongen_kernel::number::complex::Complex;
 use frictiongen_kernel::oscillator::mode::ModeResponse;
@@ -104,11 +105,33 @@ impl<'g> Tracer<'g> {
     /// The whole frequency stage, unrolled.
     pub fn frequency(&self, inverse_r: Expr<'g>) -> (ContactAt<Expr<'g>>, Vec<ModeAt<Expr<'g>>>) {
         let Reduced { modes, chain, .. } = &self.reduced;
-        let mut responses = vec![ModeResponse::zero(); modes.len()];
-        let scale = Chain::responses(modes, inverse_r, &mut responses);
-        let mut at = vec![ModeAt::zero(); modes.len()];
-        let contact = chain.contact(modes, &responses, scale, inverse_r, &mut at);
+        let responses = modes.iter().enumerate();
+        let responses: Vec<ModeResponse<Expr<'g>>> = responses
+            .map(|(index, mode)| mode.response(inverse_r, index))
+            .collect();
+        let sizes = responses.iter().map(|response| response.size);
+        let scale = Chain::scale(modes.iter().zip(sizes)).named("scale", None);
+        let mut at = Vec::with_capacity(modes.len());
+        let contact = chain.contact_of(
+            modes,
+            responses.into_iter(),
+            scale,
+            inverse_r,
+            true,
+            |mode| at.push(mode),
+        );
         (contact, at)
+    }
+
+    /// Both limits without search, unrolled, and the real part of H.
+    pub fn limits_without_search(&self, inverse_r: Expr<'g>) -> [Expr<'g>; 3] {
+        let (contact, _) = self.frequency(inverse_r);
+        let chain = &self.reduced.chain;
+        [
+            chain.continuous_limit(&contact, chain.break_away(&contact)),
+            chain.sliding_limit(&contact),
+            contact.h.re,
+        ]
     }
 
     /// Prints `outputs` for a function body in which `taken` are in use.

@@ -16,6 +16,12 @@ fn near<S: Float>() -> S {
 }
 
 impl<S: Float> Chain<S> {
+    /// Whether H, here its real part times r²E, is so small that V may have its zero in common with it.
+    #[inline]
+    pub(crate) fn may_absorb(&self, h: S) -> bool {
+        !self.damped && !(h.abs() > near::<S>() * self.inverse_mass)
+    }
+
     /// V/H of an undamped chain beside a common zero of both; none elsewhere.
     #[must_use]
     pub fn absorbed_force(
@@ -26,7 +32,7 @@ impl<S: Float> Chain<S> {
     ) -> Option<S> {
         let (zero, near) = (S::constant(0.0), near::<S>());
         let (v, h) = (contact.v.re, contact.h.re);
-        if self.damped || h.abs() > near * self.inverse_mass {
+        if !self.may_absorb(h) {
             return None;
         }
         let (mut v_terms, mut h_terms) = ([zero; 3], [zero; 3]);

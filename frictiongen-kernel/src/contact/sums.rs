@@ -79,18 +79,20 @@ impl<S: Scalar> ContactAt<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// First pass: every mode's functions, and the scale E.  `out` has a place for each mode.
-    pub fn responses(modes: &[Mode<S>], inverse_r: S, out: &mut [ModeResponse<S>]) -> S {
-        debug_assert_eq!(modes.len(), out.len(), "a place for each mode");
-        let mut scale: Option<S> = None;
-        for (index, (mode, out)) in modes.iter().zip(out.iter_mut()).enumerate() {
-            *out = mode.response(inverse_r, index);
-            // A mode that the contact does not drive is in none of its sums.
-            if mode.in_contact {
-                scale = Some(scale.map_or(out.size, |scale| scale.min(out.size)));
-            }
-        }
-        scale.unwrap_or(S::constant(1.0)).named("scale", None)
+    /// E, from the sizes of the modes: that of the smallest that the contact drives.
+    pub fn scale<'a>(sizes: impl Iterator<Item = (&'a Mode<S>, S)>) -> S
+    where
+        S: 'a,
+    {
+        // A mode that the contact does not drive is in none of its sums.
+        let driven = sizes.filter(|(mode, _)| mode.in_contact);
+        let scale = driven.map(|(_, size)| size).reduce(Scalar::min);
+        scale.unwrap_or(S::constant(1.0))
+    }
+
+    /// The same at 1/r.
+    pub(crate) fn scale_at(modes: &[Mode<S>], inverse_r: S) -> S {
+        Self::scale(modes.iter().map(|mode| (mode, mode.size(inverse_r))))
     }
 
     /// Second pass for one of several modes: its functions times the scale.
@@ -142,7 +144,7 @@ impl<S: Scalar> Chain<S> {
             (denominator.re * inverse).named("unit_re", at),
             (denominator.im * inverse).named("unit_im", at),
         );
-        let reciprocal = complex::reciprocal_of_unit(unit);
+        let reciprocal = complex::reciprocal_of_unit(unit, at);
         if single {
             let response = Complex::new(
                 reciprocal.re.named("response_re", at),
@@ -162,30 +164,49 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The contact's sums over all modes (section 3 of `docs/derivation.md`: V, H, U, G, H_c).  The slices have a place for each
-    /// mode.
+    /// The contact's sums over all modes (section 3 of `docs/derivation.md`: V, H, U, G, H_c).  `keep` is given the
+    /// functions of one mode after the other.
     pub fn contact(
         &self,
         modes: &[Mode<S>],
-        responses: &[ModeResponse<S>],
+        inverse_r: S,
+        keep: impl FnMut(ModeAt<S>),
+    ) -> ContactAt<S> {
+        let responses = modes.iter().enumerate();
+        let responses = responses.map(|(index, mode)| mode.response(inverse_r, index));
+        let scale = Self::scale_at(modes, inverse_r);
+        self.contact_of(modes, responses, scale, inverse_r, true, keep)
+    }
+
+    /// The same without G, of which the limits know nothing.
+    pub fn contact_without_g(&self, modes: &[Mode<S>], inverse_r: S) -> ContactAt<S> {
+        let scale = Self::scale_at(modes, inverse_r);
+        let responses = modes.iter().map(|mode| mode.response_without_g(inverse_r));
+        self.contact_of(modes, responses, scale, inverse_r, false, |_| ())
+    }
+
+    /// The same from the modes' own functions.
+    #[inline]
+    pub fn contact_of(
+        &self,
+        modes: &[Mode<S>],
+        responses: impl Iterator<Item = ModeResponse<S>>,
         scale: S,
         inverse_r: S,
-        out: &mut [ModeAt<S>],
+        with_g: bool,
+        mut keep: impl FnMut(ModeAt<S>),
     ) -> ContactAt<S> {
-        debug_assert_eq!(modes.len(), responses.len(), "a response of each mode");
-        debug_assert_eq!(modes.len(), out.len(), "a place for each mode");
         let single = modes.len() == 1;
         let mut sum = ContactAt::zero(scale);
-        for (index, ((mode, response), out)) in
-            modes.iter().zip(responses).zip(out.iter_mut()).enumerate()
-        {
-            *out = self.scaled(response, scale, single, index);
-            sum = self.joined_by(&sum, mode, response, out, single);
+        for (index, (mode, response)) in modes.iter().zip(responses).enumerate() {
+            let at = self.scaled(&response, scale, single, index);
+            sum = self.joined_by(&sum, mode, &response, &at, single, with_g);
+            keep(at);
         }
         self.completed(&sum, inverse_r)
     }
 
-    /// One mode's turn in the sums.
+    /// One mode's turn in the sums; in G only where that is asked for.
     #[inline]
     pub fn joined_by(
         &self,
@@ -194,6 +215,7 @@ impl<S: Scalar> Chain<S> {
         response: &ModeResponse<S>,
         at: &ModeAt<S>,
         single: bool,
+        with_g: bool,
     ) -> ContactAt<S> {
         let mut sum = *sum;
         sum.v = self.plus(sum.v, self.load_term(mode, at));
@@ -205,7 +227,9 @@ impl<S: Scalar> Chain<S> {
             } else {
                 sum.scale / response.size
             };
-            sum.g = sum.g + mode.inverse_mass * (at.g / (at.x * at.x));
+            if with_g {
+                sum.g = sum.g + mode.inverse_mass * (at.g / (at.x * at.x));
+            }
             sum.reversal = sum.reversal + mode.inverse_mass * (response.reversal * share);
         }
         sum

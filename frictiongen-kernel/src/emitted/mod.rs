@@ -6,6 +6,7 @@ pub mod missing;
 // Local variables may have the names of the user's constants: these hide them.
 pub use crate::Complex;
 pub use crate::Scalar;
+pub use crate::contact::regime::Limits;
 pub use crate::contact::sums::{Chain, ContactAt, ModeAt};
 pub use crate::errors::{NoOrbit, OutOfDomain};
 pub use crate::modal_sum::wave::Wave;

@@ -84,10 +84,10 @@ pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
     (reciprocal, (inverse, k))
 }
 
-/// 1/a, where |Re| + |Im| = 1.
+/// 1/a, where |Re| + |Im| = 1; `mode` only names values in emitted code.
 #[inline(always)]
-pub fn reciprocal_of_unit<S: Scalar>(a: Complex<S>) -> Complex<S> {
-    let inverse = (S::constant(1.0) / (a.re * a.re + a.im * a.im)).named("inverse_modulus", None);
+pub fn reciprocal_of_unit<S: Scalar>(a: Complex<S>, mode: Option<usize>) -> Complex<S> {
+    let inverse = (S::constant(1.0) / (a.re * a.re + a.im * a.im)).named("inverse_modulus", mode);
     Complex::new(a.re * inverse, -(a.im * inverse))
 }
 

@@ -24,16 +24,11 @@ struct Sums<'a, S> {
 impl<'a, S: Float> Sums<'a, S> {
     fn new(dynamics: &Dynamics<'a, S>, inverse_r: S) -> Self {
         let modes = dynamics.driven();
-        let mut scale: Option<S> = None;
-        for mode in modes {
-            let size = mode.response(inverse_r, 0).size;
-            scale = Some(scale.map_or(size, |scale| scale.min(size)));
-        }
         Self {
             chain: dynamics.chain,
             modes,
             inverse_r,
-            scale: scale.unwrap_or(S::constant(1.0)),
+            scale: Chain::scale_at(modes, inverse_r),
             single: modes.len() == 1,
         }
     }
@@ -44,15 +39,7 @@ impl<'a, S: Float> Sums<'a, S> {
     }
 
     fn contact(&self) -> ContactAt<S> {
-        let mut sum = ContactAt::zero(self.scale);
-        for mode in self.modes {
-            let response = mode.response(self.inverse_r, 0);
-            let at = self.chain.scaled(&response, self.scale, self.single, 0);
-            sum = self
-                .chain
-                .joined_by(&sum, mode, &response, &at, self.single);
-        }
-        self.chain.completed(&sum, self.inverse_r)
+        self.chain.contact(self.modes, self.inverse_r, |_| ())
     }
 }
 

@@ -8,7 +8,12 @@ use crate::number::scalar::{Float, Scalar};
 /// ζ = 1: the limit q → 0 of both neighbours, to first order in q² = 1 − ζ²: its value is 0, but a
 /// derivative with respect to ζ moves it.
 #[inline]
-pub(super) fn response<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> ModeResponse<S> {
+pub(super) fn response<S: Scalar>(
+    x: S,
+    zeta: S,
+    with_g: bool,
+    at: Option<usize>,
+) -> ModeResponse<S> {
     let one = S::constant(1.0);
     let (denominator, size) = denominator(x, zeta, at);
     let decay = (S::pi() * zeta * x).named("decay_exponent", at);
@@ -19,7 +24,11 @@ pub(super) fn response<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> ModeRespo
     let sinc_defect = square / S::constant(6.0);
     let k = (size / ((one + e) * (one + e) - e * square)).named("pole_weight", at);
     let b_over_x = (S::pi() + S::pi()) * e * (k - k * sinc_defect);
-    let defect = decay.scaled_sinh_defect() + S::constant(2.0) * e * decay * sinc_defect;
+    let defect = if with_g {
+        decay.scaled_sinh_defect() + S::constant(2.0) * e * decay * sinc_defect
+    } else {
+        S::constant(0.0)
+    };
     ModeResponse {
         x,
         denominator,

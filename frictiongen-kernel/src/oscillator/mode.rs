@@ -6,6 +6,7 @@
 //! |x² − 1 + 2iζx| of the chain: everything is then finite on a resonance as well as beside it.
 
 pub use super::values::ModeResponse;
+use super::values::denominator;
 use super::{critical, overdamped, undamped, underdamped};
 use crate::number::complex;
 use crate::number::scalar::Scalar;
@@ -72,14 +73,36 @@ impl<S: Scalar> Mode<S> {
     /// The functions of the mode at r = 1/`inverse_r`; `index` only names values in emitted code.
     #[inline]
     pub fn response(&self, inverse_r: S, index: usize) -> ModeResponse<S> {
+        self.functions(inverse_r, true, index)
+    }
+
+    /// The same with 0 for g, which the limits do without: it is half of the work.
+    #[inline]
+    pub(crate) fn response_without_g(&self, inverse_r: S) -> ModeResponse<S> {
+        self.functions(inverse_r, false, 0)
+    }
+
+    #[inline(always)]
+    fn functions(&self, inverse_r: S, with_g: bool, index: usize) -> ModeResponse<S> {
         let at = Some(index);
+        let (zeta, q) = (self.zeta, self.q);
         let x = (self.resonance * inverse_r).named("frequency", at);
         match self.kind {
             Kind::Undamped => undamped::response(x, at),
-            Kind::Light => underdamped::response(x, self.zeta, self.q, Some(self.q_defect), at),
-            Kind::Heavy => underdamped::response(x, self.zeta, self.q, None, at),
-            Kind::Critical => critical::response(x, self.zeta, at),
-            Kind::Over => overdamped::response(x, self.zeta, self.q, at),
+            Kind::Light => underdamped::response(x, zeta, q, Some(self.q_defect), with_g, at),
+            Kind::Heavy => underdamped::response(x, zeta, q, None, with_g, at),
+            Kind::Critical => critical::response(x, zeta, with_g, at),
+            Kind::Over => overdamped::response(x, zeta, q, with_g, at),
+        }
+    }
+
+    /// The `size` of its [`response`](Self::response) alone.
+    #[inline]
+    pub(crate) fn size(&self, inverse_r: S) -> S {
+        let x = self.resonance * inverse_r;
+        match self.kind {
+            Kind::Undamped => undamped::detuning(x).abs(),
+            _ => denominator(x, self.zeta, None).1,
         }
     }
 }

@@ -6,7 +6,13 @@ use crate::number::special::exp_m1_minus;
 
 /// ζ > 1: two real decays, e^{−πx(ζ∓q)}, combined before they can overflow.
 #[inline]
-pub(super) fn response<S: Scalar>(x: S, zeta: S, q: S, at: Option<usize>) -> ModeResponse<S> {
+pub(super) fn response<S: Scalar>(
+    x: S,
+    zeta: S,
+    q: S,
+    with_g: bool,
+    at: Option<usize>,
+) -> ModeResponse<S> {
     let one = S::constant(1.0);
     let pi = S::pi();
     let (denominator, size) = denominator(x, zeta, at);
@@ -20,12 +26,16 @@ pub(super) fn response<S: Scalar>(x: S, zeta: S, q: S, at: Option<usize>) -> Mod
     let a = -(-(S::constant(2.0) * pi * zeta * x)).exp_m1() * k;
     // 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}) from parts of the third order in x, of which
     // the one subtracted is never more than two thirds of the others.
-    let half = S::constant(0.5);
-    let lost = (-(fast * half)).exp_m1().named("decay_minus_one", at);
-    let both = lost * lost * -fading.exp_m1();
-    let small = S::constant(2.0) * (one + lost) * (slow * half).scaled_sinh_defect();
-    let excess = e_slow * (pi * q * x).scaled_sinh_defect();
-    let defect = both + small - excess / ((zeta + q) * q);
+    let defect = if with_g {
+        let half = S::constant(0.5);
+        let lost = (-(fast * half)).exp_m1().named("decay_minus_one", at);
+        let both = lost * lost * -fading.exp_m1();
+        let small = S::constant(2.0) * (one + lost) * (slow * half).scaled_sinh_defect();
+        let excess = e_slow * (pi * q * x).scaled_sinh_defect();
+        both + small - excess / ((zeta + q) * q)
+    } else {
+        S::constant(0.0)
+    };
     ModeResponse {
         x,
         denominator,

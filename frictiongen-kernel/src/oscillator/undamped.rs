@@ -5,16 +5,21 @@ use crate::number::complex;
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::versine_beside;
 
+/// x² − 1, where its exact zero is replaced.
+#[inline]
+pub(super) fn detuning<S: Scalar>(x: S) -> S {
+    let one = S::constant(1.0);
+    ((x - one) * (x + one)).detuning_off_pole()
+}
+
 /// ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0.  The exact zeros of both divisors (x = 1, where v and u share the
 /// pole, and the odd x, where u has one of its own) are replaced, so that no quotient is 0/0.
 #[inline]
 pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
-    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    let zero = S::constant(0.0);
     let (s, c) = (x * S::constant(0.5)).sin_cos_pi();
     let s = s.named("sine", at);
-    let re = ((x - one) * (x + one))
-        .detuning_off_pole()
-        .named("detuning", at);
+    let re = detuning(x).named("detuning", at);
     let c = c.named("plain_cosine", at);
     let c = c.cosine_off_pole().named("cosine", at);
     let size = re.abs().named("size", at);

@@ -15,6 +15,7 @@ pub(super) fn response<S: Scalar>(
     zeta: S,
     q: S,
     near: Option<S>,
+    with_g: bool,
     at: Option<usize>,
 ) -> ModeResponse<S> {
     let (one, half) = (S::constant(1.0), S::constant(0.5));
@@ -34,10 +35,14 @@ pub(super) fn response<S: Scalar>(
     let re = (re * inverse).named("unit_nearness_re", at);
     let im = (im * inverse).named("unit_nearness_im", at);
     let k = (size * inverse / (re * re + im * im)).named("pole_weight", at);
-    let b = (S::constant(4.0) * e * (s / q) * (c * inverse) * k).named("swing", at);
+    // 4/q first: it is the scene's, and no division at run time in emitted code.
+    let b = (S::constant(4.0) / q * s * e * (c * inverse) * k).named("swing", at);
     let a = (one + e) * (m * inverse) * k;
-    let defect =
-        decay.scaled_sinh_defect() + S::constant(2.0) * e * decay * turns.one_minus_sinc_pi();
+    let defect = if with_g {
+        decay.scaled_sinh_defect() + S::constant(2.0) * e * decay * turns.one_minus_sinc_pi()
+    } else {
+        S::constant(0.0)
+    };
     ModeResponse {
         x,
         denominator,

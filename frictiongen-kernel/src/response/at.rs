@@ -19,6 +19,34 @@ pub struct At<T: Scene> {
 
 impl<T: Scene + Copy> Copy for At<T> where T::Modes: Copy {}
 
+/// r, checked, and 1/r within what the formulas can square.
+#[inline]
+fn ratios<T: Scene>(scene: &T, r: T::Scalar) -> Result<(T::Scalar, T::Scalar), OutOfDomain> {
+    let r = regime::check_ratio(r, "r")?;
+    Ok((r, inverse_ratio(scene, r)))
+}
+
+/// 1/r within what the formulas can square.
+#[inline]
+fn inverse_ratio<T: Scene>(scene: &T, r: T::Scalar) -> T::Scalar {
+    let (low, high) = scene.inverse_ratio_range();
+    Scalar::min(Scalar::max(T::Scalar::constant(1.0) / r, low), high)
+}
+
+/// β_lim with its values at the ends of the frequency range.
+#[inline]
+fn continuous_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::Scalar {
+    let at_infinity = scene.numbers().ends.continuous_at_infinity;
+    regime::with_ends(r, limit, T::Scalar::constant(0.0), at_infinity)
+}
+
+/// β*_lim with its values at the ends of the frequency range.
+#[inline]
+fn sliding_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::Scalar {
+    let ends = scene.numbers().ends;
+    regime::with_ends(r, limit, ends.sliding_at_rest, ends.sliding_at_infinity)
+}
+
 impl<T: Scene> At<T> {
     /// The scene at the frequency ratio r = ω√(m₁/k₁).
     ///
@@ -32,8 +60,7 @@ impl<T: Scene> At<T> {
     /// The same at an r that is known to be neither NaN nor negative.
     #[inline]
     pub(crate) fn known(scene: T, r: T::Scalar) -> Self {
-        let (low, high) = scene.inverse_ratio_range();
-        let inverse_r = Scalar::min(Scalar::max(T::Scalar::constant(1.0) / r, low), high);
+        let inverse_r = inverse_ratio(&scene, r);
         let (contact, modes) = scene.frequency_stage(inverse_r);
         Self {
             scene,
@@ -42,6 +69,30 @@ impl<T: Scene> At<T> {
             contact,
             modes,
         }
+    }
+
+    /// Both limits without search: the same bits as
+    /// [`continuous_limit_without_search`](Self::continuous_limit_without_search) and
+    /// [`sliding_limit`](Self::sliding_limit), in less time, as nothing is kept for a motion.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    #[inline]
+    pub fn limits_without_search(
+        scene: &T,
+        r: T::Scalar,
+    ) -> Result<Limits<T::Scalar>, OutOfDomain> {
+        let (r, inverse_r) = ratios(scene, r)?;
+        let (mut limits, h) = scene.limits_without_search(inverse_r);
+        let numbers = scene.numbers();
+        if numbers.absorbs && numbers.chain.may_absorb(h) {
+            // The holding force takes the modes' functions.
+            limits.sliding = Self::new(scene.clone(), r)?.sliding_limit();
+        }
+        Ok(Limits {
+            continuous: continuous_with_ends(scene, r, limits.continuous),
+            sliding: sliding_with_ends(scene, r, limits.sliding),
+        })
     }
 
     /// Both limits over a slice of frequency ratios, into slices of the same length.
@@ -106,20 +157,17 @@ impl<T: Scene> At<T> {
     #[must_use]
     pub fn velocity_constraint(&self) -> Peak<T::Scalar> {
         let numbers = self.scene.numbers();
-        let mut waves = self.scene.idle();
-        numbers.chain.velocity_constraint(
-            &self.contact,
-            numbers.modes,
-            self.modes.as_ref(),
-            waves.as_mut(),
-        )
+        let modes = self.modes.as_ref();
+        self.scene.with_idle(|waves| {
+            let chain = numbers.chain;
+            chain.velocity_constraint(&self.contact, numbers.modes, modes, waves)
+        })
     }
 
     #[inline]
     fn limited(&self, constraint: T::Scalar) -> T::Scalar {
         let limit = self.scene.continuous_limit(&self.contact, constraint);
-        let at_infinity = self.scene.numbers().ends.continuous_at_infinity;
-        regime::with_ends(self.r, limit, T::Scalar::constant(0.0), at_infinity)
+        continuous_with_ends(&self.scene, self.r, limit)
     }
 
     /// β_lim, exact: the boundary of continuous motion (5.65, 5.80, 5.96, 7.49), with S from a guaranteed search
@@ -178,13 +226,7 @@ impl<T: Scene> At<T> {
             Some(force) => force.abs() / numbers.chain.stiction,
             None => self.scene.sliding_limit(&self.contact),
         };
-        let ends = numbers.ends;
-        regime::with_ends(
-            self.r,
-            limit,
-            ends.sliding_at_rest,
-            ends.sliding_at_infinity,
-        )
+        sliding_with_ends(&self.scene, self.r, limit)
     }
 
     /// The force that holds a stuck contact, where masses beyond it absorb.

@@ -60,18 +60,19 @@ impl<T: ProvidesMotion> At<T> {
     /// that β is out of the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous> {
         let numbers = self.scene.numbers();
-        let mut waves = self.scene.idle();
-        let beta = numbers.chain.admitted(
-            self.r,
-            beta,
-            self.sliding_limit(),
-            numbers.ends.continuous_at_infinity,
-            numbers.unbounded,
-            &self.contact,
-            numbers.modes,
-            self.modes.as_ref(),
-            waves.as_mut(),
-        )?;
+        let beta = self.scene.with_idle(|waves| {
+            numbers.chain.admitted(
+                self.r,
+                beta,
+                self.sliding_limit(),
+                numbers.ends.continuous_at_infinity,
+                numbers.unbounded,
+                &self.contact,
+                numbers.modes,
+                self.modes.as_ref(),
+                waves,
+            )
+        })?;
         Ok(self.clone().closed_form(beta).into())
     }
 

@@ -1,7 +1,7 @@
 //! What a scene has to say for its steady response.
 
 use super::numbers::Numbers;
-use crate::contact::regime;
+use crate::contact::regime::{self, Limits};
 use crate::contact::sums::{ContactAt, ModeAt};
 use crate::modal_sum::wave::Wave;
 use crate::number::scalar::Float;
@@ -46,8 +46,20 @@ pub trait Scene: Clone {
     /// The sums over all modes at 1/r, and each mode's functions.
     fn frequency_stage(&self, inverse_r: Self::Scalar) -> (ContactAt<Self::Scalar>, Self::Modes);
 
+    /// The same sums without G, which the limits do without, and without the modes.
+    #[inline]
+    fn contact_without_g(&self, inverse_r: Self::Scalar) -> ContactAt<Self::Scalar> {
+        self.frequency_stage(inverse_r).0
+    }
+
     /// A wave at rest for each mode: working space of the searches.
     fn idle(&self) -> Self::Waves;
+
+    /// Lets a search work on a wave for each mode, at rest; nothing is kept of them.
+    #[inline]
+    fn with_idle<R>(&self, search: impl FnOnce(&mut [Wave<Self::Scalar, Self::Decay>]) -> R) -> R {
+        search(self.idle().as_mut())
+    }
 
     /// What the contact force needs for break-away at the reversal, times r²E: μm* + H_c r² (5.63, 7.47).
     #[inline]
@@ -70,5 +82,20 @@ pub trait Scene: Clone {
     #[inline]
     fn sliding_limit(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
         self.numbers().chain.sliding_limit(contact)
+    }
+
+    /// β_lim without search and β*_lim at 1/r, for r that is neither 0 nor infinite and as if nothing absorbed; and
+    /// the real part of H times r²E, which tells whether something may.
+    #[inline]
+    fn limits_without_search(
+        &self,
+        inverse_r: Self::Scalar,
+    ) -> (Limits<Self::Scalar>, Self::Scalar) {
+        let contact = self.contact_without_g(inverse_r);
+        let limits = Limits {
+            continuous: self.continuous_limit(&contact, self.break_away(&contact)),
+            sliding: self.sliding_limit(&contact),
+        };
+        (limits, contact.h.re)
     }
 }

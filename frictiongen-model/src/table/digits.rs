@@ -8,8 +8,14 @@ pub(super) fn above<S: Float>(value: f64) -> S {
     if next.to_f64() > value {
         return next;
     }
-    // Half a rounding further lies between the next two numbers, or on the next.
-    S::constant(value + value.abs() * 0.5 * S::EPSILON)
+    // Half a rounding further lies the next number, or half way to it.
+    let further = |roundings: f64| S::constant(value + value.abs() * roundings * S::EPSILON);
+    let next = further(0.5);
+    if next.to_f64() > value {
+        next
+    } else {
+        further(0.75)
+    }
 }
 
 /// The nearest number whose last decimal is no larger than `least`.

@@ -13,6 +13,7 @@ pub const RESERVED: &[&str] = &[
     "friction_ratio",
     "frequency_ratio",
     "limits_into",
+    "limits_without_search",
     "simulation",
     "simulation_from",
     "stepper",

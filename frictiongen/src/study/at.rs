@@ -48,6 +48,24 @@ impl<S: Float> Scene for &System<S> {
         (&self.reduced).frequency_stage(inverse_r)
     }
 
+    fn contact_without_g(&self, inverse_r: S) -> ContactAt<S> {
+        (&self.reduced).contact_without_g(inverse_r)
+    }
+
+    fn inverse_ratio_range(&self) -> (S, S) {
+        self.range
+    }
+
+    #[inline]
+    fn with_idle<R>(&self, search: impl FnOnce(&mut [Wave<S, Damped<S>>]) -> R) -> R {
+        // Beside a search over one or two modes an allocation counts.
+        match self.reduced.modes.as_slice() {
+            [only] => search(&mut [Wave::idle(only)]),
+            [first, second] => search(&mut [first, second].map(Wave::idle)),
+            _ => search(&mut self.idle()),
+        }
+    }
+
     fn idle(&self) -> Vec<Wave<S, Damped<S>>> {
         (&self.reduced).idle()
     }

@@ -2,8 +2,8 @@
 
 use super::error::UnknownMass;
 use super::system::System;
-use crate::OutOfDomain;
 use crate::system::FrictionSystem;
+use crate::{Limits, OutOfDomain};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::sums::ContactAt;
 use frictiongen_kernel::response::{Continuous, MotionOf, Numbers, ProvidesMotion, Scene};
@@ -174,6 +174,12 @@ impl<'a, S: Float> Scene for &'a CompiledSystem<'_, S> {
     fn idle(&self) -> Self::Waves {
         self.system.idle()
     }
+    fn inverse_ratio_range(&self) -> (S, S) {
+        self.system.inverse_ratio_range()
+    }
+    fn contact_without_g(&self, inverse_r: S) -> ContactAt<S> {
+        self.system.contact_without_g(inverse_r)
+    }
 }
 
 impl<S: Float> Tabled for &CompiledSystem<'_, S> {
@@ -241,6 +247,9 @@ impl<S: Float> FrictionSystem for CompiledSystem<'_, S> {
     }
     fn at(&self, r: S) -> Result<CompiledAt<'_, S>, OutOfDomain> {
         Self::at(self, r)
+    }
+    fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
+        self.system.limits_without_search(r)
     }
 }
 

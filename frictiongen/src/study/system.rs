@@ -5,10 +5,11 @@ use super::error::{InvalidScene, UnknownMass};
 use super::large;
 use crate::OutOfDomain;
 use crate::system::FrictionSystem;
-use frictiongen_codegen::{Diagnostics, Limits, parse_text};
+use frictiongen_codegen::{Diagnostics, parse_text};
 use frictiongen_kernel::Float;
+use frictiongen_kernel::contact::regime::Limits;
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_kernel::response::At;
+use frictiongen_kernel::response::{At, Scene as _};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::Scene;
@@ -42,6 +43,8 @@ pub struct System<S = f64> {
     pub(super) reduced: Reduced<S>,
     resonances: Vec<S>,
     reference: S,
+    /// The smallest and the largest 1/r at which the formulas are evaluated.
+    pub(super) range: (S, S),
     transient: OnceLock<Transient<S>>,
 }
 
@@ -49,7 +52,9 @@ impl<S: Float> std::str::FromStr for System<S> {
     type Err = Diagnostics;
 
     fn from_str(text: &str) -> Result<Self, Diagnostics> {
-        Ok(Self::from_scene(parse_text(text, &Limits::RUN_TIME)?.scene))
+        Ok(Self::from_scene(
+            parse_text(text, &frictiongen_codegen::Limits::RUN_TIME)?.scene,
+        ))
     }
 }
 
@@ -95,10 +100,13 @@ impl<S: Float> System<S> {
         to: impl Fn(T) -> S,
     ) -> Self {
         let all = |values: Vec<T>| values.into_iter().map(&to).collect();
+        let reduced = data.reduced(&to);
+        let range = (&reduced).inverse_ratio_range();
         Self {
             scene,
             modal,
-            reduced: data.reduced(&to),
+            reduced,
+            range,
             resonances: all(data.resonances.clone()),
             reference: to(data.reference),
             transient: OnceLock::new(),
@@ -168,6 +176,15 @@ impl<S: Float> System<S> {
     /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
     pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
         At::new(self, r).map(SystemAt::from)
+    }
+
+    /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and β*_lim
+    /// (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    pub fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
+        At::limits_without_search(&self, r)
     }
 
     /// β_n,i: the friction ratio below which the i-th undamped resonance is unbounded (6.2, 6.26);
@@ -257,5 +274,8 @@ impl<S: Float> FrictionSystem for System<S> {
     }
     fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
         Self::at(self, r)
+    }
+    fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
+        Self::limits_without_search(self, r)
     }
 }

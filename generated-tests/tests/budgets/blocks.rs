@@ -80,7 +80,7 @@ formulas! {
     };
     ComplexReciprocal Norm: |a, b, c| pair(complex::reciprocal(Complex::new(a, b), true)),
         reciprocal(a, b);
-    ReciprocalOfUnit Norm: |a, b, c| pair(complex::reciprocal_of_unit(Complex::new(a, b))),
+    ReciprocalOfUnit Norm: |a, b, c| pair(complex::reciprocal_of_unit(Complex::new(a, b), None)),
         reciprocal(a, b);
     Modulus Place: |a, b, c| [complex::modulus(Complex::new(a, b), true)], Some(vec![hypotenuse(a, b)]);
     UndampedComplex Place: |a, b, c| undamped(a, b), {

@@ -196,6 +196,15 @@ const _: () = {
         pub fn at(r: f64) -> Result<FiveAt, OutOfDomain> {
             At::new(Self, r).map(From::from)
         }
+        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn limits_without_search(r: f64) -> Result<Limits<f64>, OutOfDomain> {
+            At::limits_without_search(&Self, r)
+        }
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
@@ -299,7 +308,7 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 409: 245 ×, 75 +, 40 ÷, 25 sign, 5 exp_m1, 5 one_minus_sinc_pi, 5 scaled_sinh_defect, 5 sin_cos_pi, 4 compare.
+        /// Operations: 404: 245 ×, 75 +, 35 ÷, 25 sign, 5 exp_m1, 5 one_minus_sinc_pi, 5 scaled_sinh_defect, 5 sin_cos_pi, 4 compare.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 5]) {
             let mode_1 = {
@@ -328,7 +337,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -372,7 +381,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -416,7 +425,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -460,7 +469,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -504,7 +513,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -589,6 +598,269 @@ const _: () = {
             let excitation = Scalar::hypot(contact.v.re, contact.v.im);
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / receptance
+        }
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        ///
+        /// Operations: 343: 202 ×, 68 +, 32 ÷, 25 sign, 5 exp_m1, 5 sin_cos_pi, 4 compare, 1 hypot, 1 √.
+        #[inline]
+        fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
+            let mode_1_frequency = 0.2846296765465703 * inverse_r;
+            let mode_1_detuning = (mode_1_frequency - 1.0) * (mode_1_frequency + 1.0);
+            let mode_1_loss = 0.02 * mode_1_frequency;
+            let mode_1_size = Scalar::abs(mode_1_detuning) + mode_1_loss;
+            let mode_1_decay_exponent = 0.031415926535897934 * mode_1_frequency;
+            let mode_1_half_decay_minus_one = Scalar::exp_m1(
+                mode_1_decay_exponent * -0.5,
+            );
+            let mode_1_half_decay_factor = 1.0 + mode_1_half_decay_minus_one;
+            let mode_1_decay_complement = -(mode_1_half_decay_minus_one
+                * (1.0 + mode_1_half_decay_factor));
+            let mode_1_decay_factor = mode_1_half_decay_factor
+                * mode_1_half_decay_factor;
+            let (mode_1_sine, mode_1_cosine) = Scalar::sin_cos_pi_minus(
+                mode_1_frequency * 0.5,
+                mode_1_frequency * 2.5000625031251956e-5,
+            );
+            let mode_1_one_plus_factor = 1.0 + mode_1_decay_factor;
+            let mode_1_nearness_re = mode_1_one_plus_factor * mode_1_cosine;
+            let mode_1_nearness_im = mode_1_decay_complement * mode_1_sine;
+            let mode_1_inverse_nearness = 1.0
+                / (Scalar::abs(mode_1_nearness_re) + Scalar::abs(mode_1_nearness_im));
+            let mode_1_unit_nearness_re = mode_1_nearness_re * mode_1_inverse_nearness;
+            let mode_1_unit_nearness_im = mode_1_nearness_im * mode_1_inverse_nearness;
+            let mode_1_pole_weight = mode_1_size * mode_1_inverse_nearness
+                / (mode_1_unit_nearness_re * mode_1_unit_nearness_re
+                    + mode_1_unit_nearness_im * mode_1_unit_nearness_im);
+            let mode_1_swing = 4.00020001500125 * mode_1_sine * mode_1_decay_factor
+                * (mode_1_cosine * mode_1_inverse_nearness) * mode_1_pole_weight;
+            let mode_1_u = mode_1_swing / mode_1_frequency;
+            let mode_1_reversal = mode_1_one_plus_factor
+                * (mode_1_decay_complement * mode_1_inverse_nearness)
+                * mode_1_pole_weight + 0.01 * mode_1_swing;
+            let mode_2_frequency = 0.8308300260037729 * inverse_r;
+            let mode_2_detuning = (mode_2_frequency - 1.0) * (mode_2_frequency + 1.0);
+            let mode_2_loss = 0.02 * mode_2_frequency;
+            let mode_2_size = Scalar::abs(mode_2_detuning) + mode_2_loss;
+            let mode_2_decay_exponent = 0.031415926535897934 * mode_2_frequency;
+            let mode_2_half_decay_minus_one = Scalar::exp_m1(
+                mode_2_decay_exponent * -0.5,
+            );
+            let mode_2_half_decay_factor = 1.0 + mode_2_half_decay_minus_one;
+            let mode_2_decay_complement = -(mode_2_half_decay_minus_one
+                * (1.0 + mode_2_half_decay_factor));
+            let mode_2_decay_factor = mode_2_half_decay_factor
+                * mode_2_half_decay_factor;
+            let (mode_2_sine, mode_2_cosine) = Scalar::sin_cos_pi_minus(
+                mode_2_frequency * 0.5,
+                mode_2_frequency * 2.5000625031251956e-5,
+            );
+            let mode_2_one_plus_factor = 1.0 + mode_2_decay_factor;
+            let mode_2_nearness_re = mode_2_one_plus_factor * mode_2_cosine;
+            let mode_2_nearness_im = mode_2_decay_complement * mode_2_sine;
+            let mode_2_inverse_nearness = 1.0
+                / (Scalar::abs(mode_2_nearness_re) + Scalar::abs(mode_2_nearness_im));
+            let mode_2_unit_nearness_re = mode_2_nearness_re * mode_2_inverse_nearness;
+            let mode_2_unit_nearness_im = mode_2_nearness_im * mode_2_inverse_nearness;
+            let mode_2_pole_weight = mode_2_size * mode_2_inverse_nearness
+                / (mode_2_unit_nearness_re * mode_2_unit_nearness_re
+                    + mode_2_unit_nearness_im * mode_2_unit_nearness_im);
+            let mode_2_swing = 4.00020001500125 * mode_2_sine * mode_2_decay_factor
+                * (mode_2_cosine * mode_2_inverse_nearness) * mode_2_pole_weight;
+            let mode_2_u = mode_2_swing / mode_2_frequency;
+            let mode_2_reversal = mode_2_one_plus_factor
+                * (mode_2_decay_complement * mode_2_inverse_nearness)
+                * mode_2_pole_weight + 0.01 * mode_2_swing;
+            let mode_3_frequency = 1.3097214678905702 * inverse_r;
+            let mode_3_detuning = (mode_3_frequency - 1.0) * (mode_3_frequency + 1.0);
+            let mode_3_loss = 0.02 * mode_3_frequency;
+            let mode_3_size = Scalar::abs(mode_3_detuning) + mode_3_loss;
+            let mode_3_decay_exponent = 0.031415926535897934 * mode_3_frequency;
+            let mode_3_half_decay_minus_one = Scalar::exp_m1(
+                mode_3_decay_exponent * -0.5,
+            );
+            let mode_3_half_decay_factor = 1.0 + mode_3_half_decay_minus_one;
+            let mode_3_decay_complement = -(mode_3_half_decay_minus_one
+                * (1.0 + mode_3_half_decay_factor));
+            let mode_3_decay_factor = mode_3_half_decay_factor
+                * mode_3_half_decay_factor;
+            let (mode_3_sine, mode_3_cosine) = Scalar::sin_cos_pi_minus(
+                mode_3_frequency * 0.5,
+                mode_3_frequency * 2.5000625031251956e-5,
+            );
+            let mode_3_one_plus_factor = 1.0 + mode_3_decay_factor;
+            let mode_3_nearness_re = mode_3_one_plus_factor * mode_3_cosine;
+            let mode_3_nearness_im = mode_3_decay_complement * mode_3_sine;
+            let mode_3_inverse_nearness = 1.0
+                / (Scalar::abs(mode_3_nearness_re) + Scalar::abs(mode_3_nearness_im));
+            let mode_3_unit_nearness_re = mode_3_nearness_re * mode_3_inverse_nearness;
+            let mode_3_unit_nearness_im = mode_3_nearness_im * mode_3_inverse_nearness;
+            let mode_3_pole_weight = mode_3_size * mode_3_inverse_nearness
+                / (mode_3_unit_nearness_re * mode_3_unit_nearness_re
+                    + mode_3_unit_nearness_im * mode_3_unit_nearness_im);
+            let mode_3_swing = 4.00020001500125 * mode_3_sine * mode_3_decay_factor
+                * (mode_3_cosine * mode_3_inverse_nearness) * mode_3_pole_weight;
+            let mode_3_u = mode_3_swing / mode_3_frequency;
+            let mode_3_reversal = mode_3_one_plus_factor
+                * (mode_3_decay_complement * mode_3_inverse_nearness)
+                * mode_3_pole_weight + 0.01 * mode_3_swing;
+            let mode_4_frequency = 1.6825070656623624 * inverse_r;
+            let mode_4_detuning = (mode_4_frequency - 1.0) * (mode_4_frequency + 1.0);
+            let mode_4_loss = 0.02 * mode_4_frequency;
+            let mode_4_size = Scalar::abs(mode_4_detuning) + mode_4_loss;
+            let mode_4_decay_exponent = 0.031415926535897934 * mode_4_frequency;
+            let mode_4_half_decay_minus_one = Scalar::exp_m1(
+                mode_4_decay_exponent * -0.5,
+            );
+            let mode_4_half_decay_factor = 1.0 + mode_4_half_decay_minus_one;
+            let mode_4_decay_complement = -(mode_4_half_decay_minus_one
+                * (1.0 + mode_4_half_decay_factor));
+            let mode_4_decay_factor = mode_4_half_decay_factor
+                * mode_4_half_decay_factor;
+            let (mode_4_sine, mode_4_cosine) = Scalar::sin_cos_pi_minus(
+                mode_4_frequency * 0.5,
+                mode_4_frequency * 2.5000625031251956e-5,
+            );
+            let mode_4_one_plus_factor = 1.0 + mode_4_decay_factor;
+            let mode_4_nearness_re = mode_4_one_plus_factor * mode_4_cosine;
+            let mode_4_nearness_im = mode_4_decay_complement * mode_4_sine;
+            let mode_4_inverse_nearness = 1.0
+                / (Scalar::abs(mode_4_nearness_re) + Scalar::abs(mode_4_nearness_im));
+            let mode_4_unit_nearness_re = mode_4_nearness_re * mode_4_inverse_nearness;
+            let mode_4_unit_nearness_im = mode_4_nearness_im * mode_4_inverse_nearness;
+            let mode_4_pole_weight = mode_4_size * mode_4_inverse_nearness
+                / (mode_4_unit_nearness_re * mode_4_unit_nearness_re
+                    + mode_4_unit_nearness_im * mode_4_unit_nearness_im);
+            let mode_4_swing = 4.00020001500125 * mode_4_sine * mode_4_decay_factor
+                * (mode_4_cosine * mode_4_inverse_nearness) * mode_4_pole_weight;
+            let mode_4_u = mode_4_swing / mode_4_frequency;
+            let mode_4_reversal = mode_4_one_plus_factor
+                * (mode_4_decay_complement * mode_4_inverse_nearness)
+                * mode_4_pole_weight + 0.01 * mode_4_swing;
+            let mode_5_frequency = 1.9189859472289947 * inverse_r;
+            let mode_5_detuning = (mode_5_frequency - 1.0) * (mode_5_frequency + 1.0);
+            let mode_5_loss = 0.02 * mode_5_frequency;
+            let mode_5_size = Scalar::abs(mode_5_detuning) + mode_5_loss;
+            let mode_5_decay_exponent = 0.031415926535897934 * mode_5_frequency;
+            let mode_5_half_decay_minus_one = Scalar::exp_m1(
+                mode_5_decay_exponent * -0.5,
+            );
+            let mode_5_half_decay_factor = 1.0 + mode_5_half_decay_minus_one;
+            let mode_5_decay_complement = -(mode_5_half_decay_minus_one
+                * (1.0 + mode_5_half_decay_factor));
+            let mode_5_decay_factor = mode_5_half_decay_factor
+                * mode_5_half_decay_factor;
+            let (mode_5_sine, mode_5_cosine) = Scalar::sin_cos_pi_minus(
+                mode_5_frequency * 0.5,
+                mode_5_frequency * 2.5000625031251956e-5,
+            );
+            let mode_5_one_plus_factor = 1.0 + mode_5_decay_factor;
+            let mode_5_nearness_re = mode_5_one_plus_factor * mode_5_cosine;
+            let mode_5_nearness_im = mode_5_decay_complement * mode_5_sine;
+            let mode_5_inverse_nearness = 1.0
+                / (Scalar::abs(mode_5_nearness_re) + Scalar::abs(mode_5_nearness_im));
+            let mode_5_unit_nearness_re = mode_5_nearness_re * mode_5_inverse_nearness;
+            let mode_5_unit_nearness_im = mode_5_nearness_im * mode_5_inverse_nearness;
+            let mode_5_pole_weight = mode_5_size * mode_5_inverse_nearness
+                / (mode_5_unit_nearness_re * mode_5_unit_nearness_re
+                    + mode_5_unit_nearness_im * mode_5_unit_nearness_im);
+            let mode_5_swing = 4.00020001500125 * mode_5_sine * mode_5_decay_factor
+                * (mode_5_cosine * mode_5_inverse_nearness) * mode_5_pole_weight;
+            let mode_5_u = mode_5_swing / mode_5_frequency;
+            let mode_5_reversal = mode_5_one_plus_factor
+                * (mode_5_decay_complement * mode_5_inverse_nearness)
+                * mode_5_pole_weight + 0.01 * mode_5_swing;
+            let scale = Scalar::min(
+                Scalar::min(
+                    Scalar::min(Scalar::min(mode_1_size, mode_2_size), mode_3_size),
+                    mode_4_size,
+                ),
+                mode_5_size,
+            );
+            let mode_1_inverse_size = 1.0 / mode_1_size;
+            let mode_1_unit_re = mode_1_detuning * mode_1_inverse_size;
+            let mode_1_unit_im = mode_1_loss * mode_1_inverse_size;
+            let mode_1_inverse_modulus = 1.0
+                / (mode_1_unit_re * mode_1_unit_re + mode_1_unit_im * mode_1_unit_im);
+            let mode_1_share = scale * mode_1_inverse_size;
+            let mode_1_response_re = mode_1_unit_re * mode_1_inverse_modulus
+                * mode_1_share;
+            let mode_1_response_im = -(mode_1_unit_im * mode_1_inverse_modulus)
+                * mode_1_share;
+            let mode_1_u_scaled = mode_1_u * mode_1_share;
+            let mode_2_inverse_size = 1.0 / mode_2_size;
+            let mode_2_unit_re = mode_2_detuning * mode_2_inverse_size;
+            let mode_2_unit_im = mode_2_loss * mode_2_inverse_size;
+            let mode_2_inverse_modulus = 1.0
+                / (mode_2_unit_re * mode_2_unit_re + mode_2_unit_im * mode_2_unit_im);
+            let mode_2_share = scale * mode_2_inverse_size;
+            let mode_2_response_re = mode_2_unit_re * mode_2_inverse_modulus
+                * mode_2_share;
+            let mode_2_response_im = -(mode_2_unit_im * mode_2_inverse_modulus)
+                * mode_2_share;
+            let mode_2_u_scaled = mode_2_u * mode_2_share;
+            let mode_3_inverse_size = 1.0 / mode_3_size;
+            let mode_3_unit_re = mode_3_detuning * mode_3_inverse_size;
+            let mode_3_unit_im = mode_3_loss * mode_3_inverse_size;
+            let mode_3_inverse_modulus = 1.0
+                / (mode_3_unit_re * mode_3_unit_re + mode_3_unit_im * mode_3_unit_im);
+            let mode_3_share = scale * mode_3_inverse_size;
+            let mode_3_response_re = mode_3_unit_re * mode_3_inverse_modulus
+                * mode_3_share;
+            let mode_3_response_im = -(mode_3_unit_im * mode_3_inverse_modulus)
+                * mode_3_share;
+            let mode_3_u_scaled = mode_3_u * mode_3_share;
+            let mode_4_inverse_size = 1.0 / mode_4_size;
+            let mode_4_unit_re = mode_4_detuning * mode_4_inverse_size;
+            let mode_4_unit_im = mode_4_loss * mode_4_inverse_size;
+            let mode_4_inverse_modulus = 1.0
+                / (mode_4_unit_re * mode_4_unit_re + mode_4_unit_im * mode_4_unit_im);
+            let mode_4_share = scale * mode_4_inverse_size;
+            let mode_4_response_re = mode_4_unit_re * mode_4_inverse_modulus
+                * mode_4_share;
+            let mode_4_response_im = -(mode_4_unit_im * mode_4_inverse_modulus)
+                * mode_4_share;
+            let mode_4_u_scaled = mode_4_u * mode_4_share;
+            let mode_5_inverse_size = 1.0 / mode_5_size;
+            let mode_5_unit_re = mode_5_detuning * mode_5_inverse_size;
+            let mode_5_unit_im = mode_5_loss * mode_5_inverse_size;
+            let mode_5_inverse_modulus = 1.0
+                / (mode_5_unit_re * mode_5_unit_re + mode_5_unit_im * mode_5_unit_im);
+            let mode_5_share = scale * mode_5_inverse_size;
+            let mode_5_response_re = mode_5_unit_re * mode_5_inverse_modulus
+                * mode_5_share;
+            let mode_5_response_im = -(mode_5_unit_im * mode_5_inverse_modulus)
+                * mode_5_share;
+            let mode_5_u_scaled = mode_5_u * mode_5_share;
+            let v_re = mode_1_response_re * 0.028862994030694332
+                + mode_2_response_re * 0.20769360695877911
+                + mode_3_response_re * 0.35627144974809044
+                + mode_4_response_re * 0.30088376980823367
+                + mode_5_response_re * 0.10628817945420246;
+            let v_im = mode_1_response_im * 0.028862994030694332
+                + mode_2_response_im * 0.20769360695877911
+                + mode_3_response_im * 0.35627144974809044
+                + mode_4_response_im * 0.30088376980823367
+                + mode_5_response_im * 0.10628817945420246;
+            let u = 0.028862994030694332 * mode_1_u_scaled
+                + 0.20769360695877911 * mode_2_u_scaled
+                + 0.35627144974809044 * mode_3_u_scaled
+                + 0.30088376980823367 * mode_4_u_scaled
+                + 0.10628817945420246 * mode_5_u_scaled;
+            let reversal = 0.028862994030694332
+                * (mode_1_reversal * (scale / mode_1_size))
+                + 0.20769360695877911 * (mode_2_reversal * (scale / mode_2_size))
+                + 0.35627144974809044 * (mode_3_reversal * (scale / mode_3_size))
+                + 0.30088376980823367 * (mode_4_reversal * (scale / mode_4_size))
+                + 0.10628817945420246 * (mode_5_reversal * (scale / mode_5_size));
+            let sum = reversal + scale;
+            let excitation = Scalar::hypot(v_re, v_im);
+            (
+                Limits {
+                    continuous: excitation / Scalar::sqrt(u * u + sum * sum),
+                    sliding: excitation / excitation,
+                },
+                v_re,
+            )
         }
     }
     ::frictiongen::kernel::not_provided!(FiveAt : orbit);

@@ -131,6 +131,15 @@ const _: () = {
         pub fn at(r: f64) -> Result<OneMotionAt, OutOfDomain> {
             At::new(Self, r).map(From::from)
         }
+        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn limits_without_search(r: f64) -> Result<Limits<f64>, OutOfDomain> {
+            At::limits_without_search(&Self, r)
+        }
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
@@ -175,7 +184,7 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 253: 153 ×, 47 +, 24 ÷, 15 sign, 3 exp_m1, 3 one_minus_sinc_pi, 3 scaled_sinh_defect, 3 sin_cos_pi, 2 compare.
+        /// Operations: 250: 153 ×, 47 +, 21 ÷, 15 sign, 3 exp_m1, 3 one_minus_sinc_pi, 3 scaled_sinh_defect, 3 sin_cos_pi, 2 compare.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 3]) {
             let mode_1 = {
@@ -204,7 +213,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -248,7 +257,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.999799979995999)
+                let swing = 4.000800240080028 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -292,7 +301,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9995498987044119)
+                let swing = 4.001801215911968 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -365,6 +374,173 @@ const _: () = {
             let excitation = Scalar::hypot(contact.v.re, contact.v.im);
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / (1.5 * receptance)
+        }
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        ///
+        /// Operations: 220: 130 ×, 44 +, 20 ÷, 15 sign, 3 exp_m1, 3 sin_cos_pi, 2 compare, 2 hypot, 1 √.
+        #[inline]
+        fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
+            let mode_1_frequency = 0.3181512781636106 * inverse_r;
+            let mode_1_detuning = (mode_1_frequency - 1.0) * (mode_1_frequency + 1.0);
+            let mode_1_loss = 0.02 * mode_1_frequency;
+            let mode_1_size = Scalar::abs(mode_1_detuning) + mode_1_loss;
+            let mode_1_decay_exponent = 0.031415926535897934 * mode_1_frequency;
+            let mode_1_half_decay_minus_one = Scalar::exp_m1(
+                mode_1_decay_exponent * -0.5,
+            );
+            let mode_1_half_decay_factor = 1.0 + mode_1_half_decay_minus_one;
+            let mode_1_decay_complement = -(mode_1_half_decay_minus_one
+                * (1.0 + mode_1_half_decay_factor));
+            let mode_1_decay_factor = mode_1_half_decay_factor
+                * mode_1_half_decay_factor;
+            let (mode_1_sine, mode_1_cosine) = Scalar::sin_cos_pi_minus(
+                mode_1_frequency * 0.5,
+                mode_1_frequency * 2.5000625031251956e-5,
+            );
+            let mode_1_one_plus_factor = 1.0 + mode_1_decay_factor;
+            let mode_1_nearness_re = mode_1_one_plus_factor * mode_1_cosine;
+            let mode_1_nearness_im = mode_1_decay_complement * mode_1_sine;
+            let mode_1_inverse_nearness = 1.0
+                / (Scalar::abs(mode_1_nearness_re) + Scalar::abs(mode_1_nearness_im));
+            let mode_1_unit_nearness_re = mode_1_nearness_re * mode_1_inverse_nearness;
+            let mode_1_unit_nearness_im = mode_1_nearness_im * mode_1_inverse_nearness;
+            let mode_1_pole_weight = mode_1_size * mode_1_inverse_nearness
+                / (mode_1_unit_nearness_re * mode_1_unit_nearness_re
+                    + mode_1_unit_nearness_im * mode_1_unit_nearness_im);
+            let mode_1_swing = 4.00020001500125 * mode_1_sine * mode_1_decay_factor
+                * (mode_1_cosine * mode_1_inverse_nearness) * mode_1_pole_weight;
+            let mode_1_u = mode_1_swing / mode_1_frequency;
+            let mode_1_reversal = mode_1_one_plus_factor
+                * (mode_1_decay_complement * mode_1_inverse_nearness)
+                * mode_1_pole_weight + 0.01 * mode_1_swing;
+            let mode_2_frequency = 1.1955281061051313 * inverse_r;
+            let mode_2_detuning = (mode_2_frequency - 1.0) * (mode_2_frequency + 1.0);
+            let mode_2_loss = 0.04 * mode_2_frequency;
+            let mode_2_size = Scalar::abs(mode_2_detuning) + mode_2_loss;
+            let mode_2_decay_exponent = 0.06283185307179587 * mode_2_frequency;
+            let mode_2_half_decay_minus_one = Scalar::exp_m1(
+                mode_2_decay_exponent * -0.5,
+            );
+            let mode_2_half_decay_factor = 1.0 + mode_2_half_decay_minus_one;
+            let mode_2_decay_complement = -(mode_2_half_decay_minus_one
+                * (1.0 + mode_2_half_decay_factor));
+            let mode_2_decay_factor = mode_2_half_decay_factor
+                * mode_2_half_decay_factor;
+            let (mode_2_sine, mode_2_cosine) = Scalar::sin_cos_pi_minus(
+                mode_2_frequency * 0.5,
+                mode_2_frequency * 0.00010001000200050015,
+            );
+            let mode_2_one_plus_factor = 1.0 + mode_2_decay_factor;
+            let mode_2_nearness_re = mode_2_one_plus_factor * mode_2_cosine;
+            let mode_2_nearness_im = mode_2_decay_complement * mode_2_sine;
+            let mode_2_inverse_nearness = 1.0
+                / (Scalar::abs(mode_2_nearness_re) + Scalar::abs(mode_2_nearness_im));
+            let mode_2_unit_nearness_re = mode_2_nearness_re * mode_2_inverse_nearness;
+            let mode_2_unit_nearness_im = mode_2_nearness_im * mode_2_inverse_nearness;
+            let mode_2_pole_weight = mode_2_size * mode_2_inverse_nearness
+                / (mode_2_unit_nearness_re * mode_2_unit_nearness_re
+                    + mode_2_unit_nearness_im * mode_2_unit_nearness_im);
+            let mode_2_swing = 4.000800240080028 * mode_2_sine * mode_2_decay_factor
+                * (mode_2_cosine * mode_2_inverse_nearness) * mode_2_pole_weight;
+            let mode_2_u = mode_2_swing / mode_2_frequency;
+            let mode_2_reversal = mode_2_one_plus_factor
+                * (mode_2_decay_complement * mode_2_inverse_nearness)
+                * mode_2_pole_weight + 0.02 * mode_2_swing;
+            let mode_3_frequency = 1.7211477143385112 * inverse_r;
+            let mode_3_detuning = (mode_3_frequency - 1.0) * (mode_3_frequency + 1.0);
+            let mode_3_loss = 0.06 * mode_3_frequency;
+            let mode_3_size = Scalar::abs(mode_3_detuning) + mode_3_loss;
+            let mode_3_decay_exponent = 0.09424777960769379 * mode_3_frequency;
+            let mode_3_half_decay_minus_one = Scalar::exp_m1(
+                mode_3_decay_exponent * -0.5,
+            );
+            let mode_3_half_decay_factor = 1.0 + mode_3_half_decay_minus_one;
+            let mode_3_decay_complement = -(mode_3_half_decay_minus_one
+                * (1.0 + mode_3_half_decay_factor));
+            let mode_3_decay_factor = mode_3_half_decay_factor
+                * mode_3_half_decay_factor;
+            let (mode_3_sine, mode_3_cosine) = Scalar::sin_cos_pi_minus(
+                mode_3_frequency * 0.5,
+                mode_3_frequency * 0.0002250506477940725,
+            );
+            let mode_3_one_plus_factor = 1.0 + mode_3_decay_factor;
+            let mode_3_nearness_re = mode_3_one_plus_factor * mode_3_cosine;
+            let mode_3_nearness_im = mode_3_decay_complement * mode_3_sine;
+            let mode_3_inverse_nearness = 1.0
+                / (Scalar::abs(mode_3_nearness_re) + Scalar::abs(mode_3_nearness_im));
+            let mode_3_unit_nearness_re = mode_3_nearness_re * mode_3_inverse_nearness;
+            let mode_3_unit_nearness_im = mode_3_nearness_im * mode_3_inverse_nearness;
+            let mode_3_pole_weight = mode_3_size * mode_3_inverse_nearness
+                / (mode_3_unit_nearness_re * mode_3_unit_nearness_re
+                    + mode_3_unit_nearness_im * mode_3_unit_nearness_im);
+            let mode_3_swing = 4.001801215911968 * mode_3_sine * mode_3_decay_factor
+                * (mode_3_cosine * mode_3_inverse_nearness) * mode_3_pole_weight;
+            let mode_3_u = mode_3_swing / mode_3_frequency;
+            let mode_3_reversal = mode_3_one_plus_factor
+                * (mode_3_decay_complement * mode_3_inverse_nearness)
+                * mode_3_pole_weight + 0.03 * mode_3_swing;
+            let scale = Scalar::min(Scalar::min(mode_1_size, mode_2_size), mode_3_size);
+            let mode_1_inverse_size = 1.0 / mode_1_size;
+            let mode_1_unit_re = mode_1_detuning * mode_1_inverse_size;
+            let mode_1_unit_im = mode_1_loss * mode_1_inverse_size;
+            let mode_1_inverse_modulus = 1.0
+                / (mode_1_unit_re * mode_1_unit_re + mode_1_unit_im * mode_1_unit_im);
+            let mode_1_share = scale * mode_1_inverse_size;
+            let mode_1_response_re = mode_1_unit_re * mode_1_inverse_modulus
+                * mode_1_share;
+            let mode_1_response_im = -(mode_1_unit_im * mode_1_inverse_modulus)
+                * mode_1_share;
+            let mode_1_u_scaled = mode_1_u * mode_1_share;
+            let mode_2_inverse_size = 1.0 / mode_2_size;
+            let mode_2_unit_re = mode_2_detuning * mode_2_inverse_size;
+            let mode_2_unit_im = mode_2_loss * mode_2_inverse_size;
+            let mode_2_inverse_modulus = 1.0
+                / (mode_2_unit_re * mode_2_unit_re + mode_2_unit_im * mode_2_unit_im);
+            let mode_2_share = scale * mode_2_inverse_size;
+            let mode_2_response_re = mode_2_unit_re * mode_2_inverse_modulus
+                * mode_2_share;
+            let mode_2_response_im = -(mode_2_unit_im * mode_2_inverse_modulus)
+                * mode_2_share;
+            let mode_2_u_scaled = mode_2_u * mode_2_share;
+            let mode_3_inverse_size = 1.0 / mode_3_size;
+            let mode_3_unit_re = mode_3_detuning * mode_3_inverse_size;
+            let mode_3_unit_im = mode_3_loss * mode_3_inverse_size;
+            let mode_3_inverse_modulus = 1.0
+                / (mode_3_unit_re * mode_3_unit_re + mode_3_unit_im * mode_3_unit_im);
+            let mode_3_share = scale * mode_3_inverse_size;
+            let mode_3_response_re = mode_3_unit_re * mode_3_inverse_modulus
+                * mode_3_share;
+            let mode_3_response_im = -(mode_3_unit_im * mode_3_inverse_modulus)
+                * mode_3_share;
+            let mode_3_u_scaled = mode_3_u * mode_3_share;
+            let v_re = mode_1_response_re * 0.10746102403131443
+                + mode_2_response_re * -0.0700949313135159
+                + mode_3_response_re * -0.037366092717798526;
+            let v_im = mode_1_response_im * 0.10746102403131443
+                + mode_2_response_im * -0.0700949313135159
+                + mode_3_response_im * -0.037366092717798526;
+            let h_re = mode_1_response_re * 0.3489205086309713
+                + mode_2_response_re * 0.005132254926116756
+                + mode_3_response_re * 0.14594723644291194;
+            let h_im = mode_1_response_im * 0.3489205086309713
+                + mode_2_response_im * 0.005132254926116756
+                + mode_3_response_im * 0.14594723644291194;
+            let u = 0.3489205086309713 * mode_1_u_scaled
+                + 0.005132254926116756 * mode_2_u_scaled
+                + 0.14594723644291194 * mode_3_u_scaled;
+            let reversal = 0.3489205086309713 * (mode_1_reversal * (scale / mode_1_size))
+                + 0.005132254926116756 * (mode_2_reversal * (scale / mode_2_size))
+                + 0.14594723644291194 * (mode_3_reversal * (scale / mode_3_size));
+            let sum = reversal + 0.75 * scale;
+            let excitation = Scalar::hypot(v_re, v_im);
+            let receptance = Scalar::hypot(h_re, h_im);
+            (
+                Limits {
+                    continuous: excitation / Scalar::sqrt(u * u + sum * sum),
+                    sliding: excitation / (1.5 * receptance),
+                },
+                h_re,
+            )
         }
     }
     ::frictiongen::kernel::not_provided!(OneMotionAt : stuck, orbit);

@@ -115,6 +115,15 @@ const _: () = {
         pub fn at(r: f64) -> Result<PairMassesAt, OutOfDomain> {
             At::new(Self, r).map(From::from)
         }
+        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn limits_without_search(r: f64) -> Result<Limits<f64>, OutOfDomain> {
+            At::limits_without_search(&Self, r)
+        }
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
@@ -235,6 +244,54 @@ const _: () = {
             let excitation = Scalar::abs(contact.v.re);
             let receptance = Scalar::abs(contact.h.re);
             excitation / (1.2 * receptance)
+        }
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        ///
+        /// Operations: 49: 21 ×, 8 +, 6 sign, 6 ÷, 5 compare, 2 sin_cos_pi, 1 √.
+        #[inline]
+        fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
+            let mode_1_frequency = 0.7071067811865476 * inverse_r;
+            let (mode_1_sine, mode_1_plain_cosine) = Scalar::sin_cos_pi(
+                mode_1_frequency * 0.5,
+            );
+            let mode_1_detuning = Scalar::detuning_off_pole(
+                (mode_1_frequency - 1.0) * (mode_1_frequency + 1.0),
+            );
+            let mode_1_cosine = Scalar::cosine_off_pole(mode_1_plain_cosine);
+            let mode_1_size = Scalar::abs(mode_1_detuning);
+            let mode_1_u = mode_1_sine * mode_1_size
+                / (mode_1_frequency * mode_1_cosine);
+            let mode_2_frequency = 1.4142135623730951 * inverse_r;
+            let (mode_2_sine, mode_2_plain_cosine) = Scalar::sin_cos_pi(
+                mode_2_frequency * 0.5,
+            );
+            let mode_2_detuning = Scalar::detuning_off_pole(
+                (mode_2_frequency - 1.0) * (mode_2_frequency + 1.0),
+            );
+            let mode_2_cosine = Scalar::cosine_off_pole(mode_2_plain_cosine);
+            let mode_2_size = Scalar::abs(mode_2_detuning);
+            let mode_2_u = mode_2_sine * mode_2_size
+                / (mode_2_frequency * mode_2_cosine);
+            let scale = Scalar::min(mode_1_size, mode_2_size);
+            let mode_1_response = scale / mode_1_detuning;
+            let mode_1_u_scaled = mode_1_u * Scalar::abs(mode_1_response);
+            let product = mode_1_response * 0.3333333333333333;
+            let mode_2_response = scale / mode_2_detuning;
+            let mode_2_u_scaled = mode_2_u * Scalar::abs(mode_2_response);
+            let v_re = product + mode_2_response * -1.3333333333333333;
+            let h_re = product + mode_2_response * 2.6666666666666665;
+            let u = 0.3333333333333333 * mode_1_u_scaled
+                + 2.6666666666666665 * mode_2_u_scaled;
+            let product_2 = 3.5999999999999996 * scale;
+            let excitation = Scalar::abs(v_re);
+            let receptance = Scalar::abs(h_re);
+            (
+                Limits {
+                    continuous: excitation / Scalar::sqrt(u * u + product_2 * product_2),
+                    sliding: excitation / (1.2 * receptance),
+                },
+                h_re,
+            )
         }
     }
     ::frictiongen::kernel::not_provided!(PairMassesAt : orbit);

@@ -93,6 +93,15 @@ const _: () = {
         pub fn at(r: f64) -> Result<SdofWallAt, OutOfDomain> {
             At::new(Self, r).map(From::from)
         }
+        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn limits_without_search(r: f64) -> Result<Limits<f64>, OutOfDomain> {
+            At::limits_without_search(&Self, r)
+        }
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
@@ -182,6 +191,28 @@ const _: () = {
             let excitation = Scalar::abs(contact.v.re);
             let receptance = Scalar::abs(contact.h.re);
             excitation / receptance
+        }
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        ///
+        /// Operations: 19: 6 ×, 3 +, 3 sign, 3 ÷, 2 compare, 1 sin_cos_pi, 1 √.
+        #[inline]
+        fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
+            let (sine, plain_cosine) = Scalar::sin_cos_pi(inverse_r * 0.5);
+            let detuning = Scalar::detuning_off_pole(
+                (inverse_r - 1.0) * (inverse_r + 1.0),
+            );
+            let cosine = Scalar::cosine_off_pole(plain_cosine);
+            let size = Scalar::abs(detuning);
+            let u = sine * size / (inverse_r * cosine);
+            let v_re = Scalar::copysign(1.0, detuning);
+            let excitation = Scalar::abs(v_re);
+            (
+                Limits {
+                    continuous: excitation / Scalar::sqrt(u * u + size * size),
+                    sliding: excitation / excitation,
+                },
+                v_re,
+            )
         }
     }
     ::frictiongen::kernel::not_provided!(SdofWallAt : stuck, orbit);

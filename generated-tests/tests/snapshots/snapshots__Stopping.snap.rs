@@ -119,6 +119,15 @@ const _: () = {
         pub fn at(r: f64) -> Result<StoppingAt, OutOfDomain> {
             At::new(Self, r).map(From::from)
         }
+        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn limits_without_search(r: f64) -> Result<Limits<f64>, OutOfDomain> {
+            At::limits_without_search(&Self, r)
+        }
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
@@ -158,7 +167,7 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// Operations: 166: 102 ×, 29 +, 16 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
+        /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
             let mode_1 = {
@@ -187,7 +196,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999499987499375)
+                let swing = 4.00020001500125 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -231,7 +240,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / 0.9999279974078134)
+                let swing = 4.000288031107733 * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)
@@ -296,6 +305,123 @@ const _: () = {
             let excitation = Scalar::hypot(contact.v.re, contact.v.im);
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / (1.2 * receptance)
+        }
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        ///
+        /// Operations: 148: 88 ×, 28 +, 14 ÷, 10 sign, 2 exp_m1, 2 hypot, 2 sin_cos_pi, 1 compare, 1 √.
+        #[inline]
+        fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
+            let mode_1_frequency = 0.6490960526996967 * inverse_r;
+            let mode_1_detuning = (mode_1_frequency - 1.0) * (mode_1_frequency + 1.0);
+            let mode_1_loss = 0.02 * mode_1_frequency;
+            let mode_1_size = Scalar::abs(mode_1_detuning) + mode_1_loss;
+            let mode_1_decay_exponent = 0.031415926535897934 * mode_1_frequency;
+            let mode_1_half_decay_minus_one = Scalar::exp_m1(
+                mode_1_decay_exponent * -0.5,
+            );
+            let mode_1_half_decay_factor = 1.0 + mode_1_half_decay_minus_one;
+            let mode_1_decay_complement = -(mode_1_half_decay_minus_one
+                * (1.0 + mode_1_half_decay_factor));
+            let mode_1_decay_factor = mode_1_half_decay_factor
+                * mode_1_half_decay_factor;
+            let (mode_1_sine, mode_1_cosine) = Scalar::sin_cos_pi_minus(
+                mode_1_frequency * 0.5,
+                mode_1_frequency * 2.5000625031251956e-5,
+            );
+            let mode_1_one_plus_factor = 1.0 + mode_1_decay_factor;
+            let mode_1_nearness_re = mode_1_one_plus_factor * mode_1_cosine;
+            let mode_1_nearness_im = mode_1_decay_complement * mode_1_sine;
+            let mode_1_inverse_nearness = 1.0
+                / (Scalar::abs(mode_1_nearness_re) + Scalar::abs(mode_1_nearness_im));
+            let mode_1_unit_nearness_re = mode_1_nearness_re * mode_1_inverse_nearness;
+            let mode_1_unit_nearness_im = mode_1_nearness_im * mode_1_inverse_nearness;
+            let mode_1_pole_weight = mode_1_size * mode_1_inverse_nearness
+                / (mode_1_unit_nearness_re * mode_1_unit_nearness_re
+                    + mode_1_unit_nearness_im * mode_1_unit_nearness_im);
+            let mode_1_swing = 4.00020001500125 * mode_1_sine * mode_1_decay_factor
+                * (mode_1_cosine * mode_1_inverse_nearness) * mode_1_pole_weight;
+            let mode_1_u = mode_1_swing / mode_1_frequency;
+            let mode_1_reversal = mode_1_one_plus_factor
+                * (mode_1_decay_complement * mode_1_inverse_nearness)
+                * mode_1_pole_weight + 0.01 * mode_1_swing;
+            let mode_2_frequency = 1.7032018484583367 * inverse_r;
+            let mode_2_detuning = (mode_2_frequency - 1.0) * (mode_2_frequency + 1.0);
+            let mode_2_loss = 0.024 * mode_2_frequency;
+            let mode_2_size = Scalar::abs(mode_2_detuning) + mode_2_loss;
+            let mode_2_decay_exponent = 0.03769911184307752 * mode_2_frequency;
+            let mode_2_half_decay_minus_one = Scalar::exp_m1(
+                mode_2_decay_exponent * -0.5,
+            );
+            let mode_2_half_decay_factor = 1.0 + mode_2_half_decay_minus_one;
+            let mode_2_decay_complement = -(mode_2_half_decay_minus_one
+                * (1.0 + mode_2_half_decay_factor));
+            let mode_2_decay_factor = mode_2_half_decay_factor
+                * mode_2_half_decay_factor;
+            let (mode_2_sine, mode_2_cosine) = Scalar::sin_cos_pi_minus(
+                mode_2_frequency * 0.5,
+                mode_2_frequency * 3.60012960933204e-5,
+            );
+            let mode_2_one_plus_factor = 1.0 + mode_2_decay_factor;
+            let mode_2_nearness_re = mode_2_one_plus_factor * mode_2_cosine;
+            let mode_2_nearness_im = mode_2_decay_complement * mode_2_sine;
+            let mode_2_inverse_nearness = 1.0
+                / (Scalar::abs(mode_2_nearness_re) + Scalar::abs(mode_2_nearness_im));
+            let mode_2_unit_nearness_re = mode_2_nearness_re * mode_2_inverse_nearness;
+            let mode_2_unit_nearness_im = mode_2_nearness_im * mode_2_inverse_nearness;
+            let mode_2_pole_weight = mode_2_size * mode_2_inverse_nearness
+                / (mode_2_unit_nearness_re * mode_2_unit_nearness_re
+                    + mode_2_unit_nearness_im * mode_2_unit_nearness_im);
+            let mode_2_swing = 4.000288031107733 * mode_2_sine * mode_2_decay_factor
+                * (mode_2_cosine * mode_2_inverse_nearness) * mode_2_pole_weight;
+            let mode_2_u = mode_2_swing / mode_2_frequency;
+            let mode_2_reversal = mode_2_one_plus_factor
+                * (mode_2_decay_complement * mode_2_inverse_nearness)
+                * mode_2_pole_weight + 0.012 * mode_2_swing;
+            let scale = Scalar::min(mode_1_size, mode_2_size);
+            let mode_1_inverse_size = 1.0 / mode_1_size;
+            let mode_1_unit_re = mode_1_detuning * mode_1_inverse_size;
+            let mode_1_unit_im = mode_1_loss * mode_1_inverse_size;
+            let mode_1_inverse_modulus = 1.0
+                / (mode_1_unit_re * mode_1_unit_re + mode_1_unit_im * mode_1_unit_im);
+            let mode_1_share = scale * mode_1_inverse_size;
+            let mode_1_response_re = mode_1_unit_re * mode_1_inverse_modulus
+                * mode_1_share;
+            let mode_1_response_im = -(mode_1_unit_im * mode_1_inverse_modulus)
+                * mode_1_share;
+            let mode_1_u_scaled = mode_1_u * mode_1_share;
+            let mode_2_inverse_size = 1.0 / mode_2_size;
+            let mode_2_unit_re = mode_2_detuning * mode_2_inverse_size;
+            let mode_2_unit_im = mode_2_loss * mode_2_inverse_size;
+            let mode_2_inverse_modulus = 1.0
+                / (mode_2_unit_re * mode_2_unit_re + mode_2_unit_im * mode_2_unit_im);
+            let mode_2_share = scale * mode_2_inverse_size;
+            let mode_2_response_re = mode_2_unit_re * mode_2_inverse_modulus
+                * mode_2_share;
+            let mode_2_response_im = -(mode_2_unit_im * mode_2_inverse_modulus)
+                * mode_2_share;
+            let mode_2_u_scaled = mode_2_u * mode_2_share;
+            let v_re = mode_1_response_re * 0.4929168375036549
+                + mode_2_response_re * -0.4929168375036549;
+            let v_im = mode_1_response_im * 0.4929168375036549
+                + mode_2_response_im * -0.4929168375036549;
+            let h_re = mode_1_response_re * 0.7522243947615592
+                + mode_2_response_re * 0.3588867163495518;
+            let h_im = mode_1_response_im * 0.7522243947615592
+                + mode_2_response_im * 0.3588867163495518;
+            let u = 0.7522243947615592 * mode_1_u_scaled
+                + 0.3588867163495518 * mode_2_u_scaled;
+            let reversal = 0.7522243947615592 * (mode_1_reversal * (scale / mode_1_size))
+                + 0.3588867163495518 * (mode_2_reversal * (scale / mode_2_size));
+            let sum = reversal + 1.3333333333333333 * scale;
+            let excitation = Scalar::hypot(v_re, v_im);
+            let receptance = Scalar::hypot(h_re, h_im);
+            (
+                Limits {
+                    continuous: excitation / Scalar::sqrt(u * u + sum * sum),
+                    sliding: excitation / (1.2 * receptance),
+                },
+                h_re,
+            )
         }
     }
     ::frictiongen::kernel::not_provided!(StoppingAt : motion, stuck);

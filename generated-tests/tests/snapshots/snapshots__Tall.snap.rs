@@ -661,6 +661,15 @@ const _: () = {
         pub fn at(r: f64) -> Result<TallAt, OutOfDomain> {
             At::new(Self, r).map(From::from)
         }
+        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn limits_without_search(r: f64) -> Result<Limits<f64>, OutOfDomain> {
+            At::limits_without_search(&Self, r)
+        }
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
@@ -764,7 +773,7 @@ const _: () = {
                 let pole_weight = size * inverse_nearness
                     / (unit_nearness_re * unit_nearness_re
                         + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 * decay_factor * (sine / mode.q)
+                let swing = 4.0 / mode.q * sine * decay_factor
                     * (cosine * inverse_nearness) * pole_weight;
                 let u = swing / frequency;
                 let g = (Scalar::scaled_sinh_defect(decay_exponent)

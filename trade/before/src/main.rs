@@ -14,6 +14,7 @@ mod methods;
 #[allow(dead_code)]
 #[path = "../../src/scenes.rs"]
 mod scenes;
+mod without_search;
 
 use frictiongen::{FrictionSystem, MotionAt};
 use methods::{Fill, Method, Pair, filler};

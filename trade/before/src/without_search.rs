@@ -1,0 +1,10 @@
+//! Limits without search by way of `at`.
+
+use crate::methods::Pair;
+use frictiongen::{FrictionSystem, LimitsAt};
+
+/// Both limits at r.
+pub fn limits<F: FrictionSystem>(system: &F, r: F::Scalar) -> Option<Pair<F::Scalar>> {
+    let at = system.at(r).ok()?;
+    Some([at.continuous_limit_without_search(), at.sliding_limit()])
+}
