@@ -16,6 +16,50 @@ fn emitted_source() {
     }
 }
 
+/// Scenes that declare an accuracy: what a reviewer sees of their tables.
+const TABLED: [(&str, &str); 2] = [
+    (
+        "DeclaredLimits",
+        "/// Two masses and their limits, to a hundredth.
+        pub struct DeclaredLimits {
+            masses: { lower: 1.0, upper: 1.0 },
+            springs: { base - lower: 1.0, lower - upper: 1.0 },
+            contact: upper - wall,
+            excitation: lower,
+            damping: modal(0.05),
+            scalar: f32,
+            provide: [limits],
+            accuracy: 1e-2,
+            range: { r: 0.5..2.0 },
+        }",
+    ),
+    (
+        "DeclaredMotion",
+        "/// One mass and its motion, to a thousandth.
+        pub struct DeclaredMotion {
+            masses: { block: 1.0 },
+            springs: { base - block: 1.0 },
+            contact: block - base,
+            excitation: base,
+            stiction: 1.2,
+            accuracy: 1e-3,
+            range: { r: 0.5..2.0, beta: 0..2 },
+            beyond: exact,
+        }",
+    ),
+];
+
+#[test]
+fn emitted_tables() {
+    for (name, text) in TABLED {
+        let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
+        let source = pretty(&description).expect("emitted Rust");
+        insta::with_settings!({ description => text, omit_expression => true }, {
+            insta::assert_binary_snapshot!(&format!("{name}.rs"), source.into_bytes());
+        });
+    }
+}
+
 /// The same text gives the same bytes, whatever its layout.
 #[test]
 fn emission_is_deterministic() {

@@ -86,11 +86,14 @@ fn without_search(emission: &Emission<'_>) -> TokenStream {
 /// Both limits from r on, and over a slice.
 pub(super) fn slices(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
-    let of = if emission.is_tabled() {
-        code!(Compiled)
+    let (of, first) = if emission.is_tabled() {
+        (code!(Compiled), "r out of the domain, as of `at`")
     } else {
-        code!(At)
+        (code!(At), "NaN or negative r")
     };
+    let errors = format!(
+        " `OutOfDomain` for a slice of another length, which changes nothing, and at the first {first}."
+    );
     code! {
         /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
         /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
@@ -105,7 +108,7 @@ pub(super) fn slices(emission: &Emission<'_>) -> TokenStream {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        #[doc = #errors]
         pub fn limits_into(
             rs: &[#scalar],
             continuous: &mut [#scalar],

@@ -28,10 +28,18 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
         ..
     } = emission;
     let visibility = &description.visibility;
-    let about = format!(
-        " The exact continuous motion of [`{name}`] at one frequency and one friction ratio."
-    );
     let tabled = emission.is_tabled();
+    let (exact, how) = if tabled {
+        (
+            "",
+            ": of the contact to the declared accuracy, of the masses exact",
+        )
+    } else {
+        ("exact ", "")
+    };
+    let about = format!(
+        " The {exact}continuous motion of [`{name}`] at one frequency and one friction ratio{how}."
+    );
     let inner = if tabled {
         code!(table::Moving)
     } else {

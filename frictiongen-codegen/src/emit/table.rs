@@ -125,13 +125,14 @@ fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream
     let most = FRICTION_SHARES.iter().copied().fold(0.0, f64::max);
     let accuracy = tables.request.accuracy;
     let about = format!(
-        " What amplitude and phase of the contact follow from: to {accuracy:e} up to β = {most}·β_lim; nearer to it the \
-         error grows as 1/(1 − (β/β_lim)²)."
+        " To {accuracy:e} up to β = {most}·β_lim; nearer to it the error grows as 1/(1 − (β/β_lim)²)."
     );
     code! {
         impl TabledMotion for #name {
             type Moving = #motion;
 
+            /// What amplitude and phase of the contact follow from (2.21, 5.35, 5.38, 7.20, 7.21).
+            ///
             #[doc = #about]
             #[inline]
             fn tabled_contact(&self, r: #scalar) -> Option<ContactTable<#scalar>> {
@@ -246,11 +247,16 @@ fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
         " β_lim (5.65, 5.80, 5.96, 7.49) from the table.".to_owned(),
         String::new(),
         format!(
-            " Operations at every r: a lookup of {} comparisons, {} additions and multiplications.",
-            tables.index.halvings,
+            " Operations at every r: a lookup of {}, {} additions and multiplications.",
+            comparisons(tables.index.halvings),
             tables.additions_and_multiplications(),
         ),
     ]
+}
+
+fn comparisons(count: u32) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} comparison{plural}")
 }
 
 fn sliding_about<S: Float>(tables: &Tables<S>) -> Vec<String> {

@@ -73,7 +73,7 @@ pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String
              let share = beta / continuous;\n    let turned = share * quadrature;\n    \
              let product = (1.0 - turned) * (1.0 + turned);\n    \
              let in_phase = if product < 0.0 {{ 0.0 }} else {{ product }}.sqrt();\n    \
-             let amplitude = excitation.abs() * (in_phase - share * {displacement});\n    \
+             let amplitude = {real}::abs(excitation) * (in_phase - share * {displacement});\n    \
              let lag = {real}::atan2(-turned + 0.0, in_phase + 0.0) - {direction};\n    \
              Ok((amplitude, wrapped(wrapped(lag))))\n}}\n\n\
              const PI: {real} = std::{real}::consts::PI;\n\n\
@@ -93,7 +93,7 @@ pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String
          pub fn limits(r: {real}) -> Option<({real}, {real})> {{\n    \
          if !({low} <= r && r <= {high}) {{\n        return None;\n    }}\n    \
          let piece = found(r);\n    let continuous = polynomial(&piece.of[0], r - piece.origin);\n    \
-         let sliding = ({sliding}).abs();\n    Some((continuous, sliding))\n}}\n{contact}\n\
+         let sliding = {real}::abs({sliding});\n    Some((continuous, sliding))\n}}\n{contact}\n\
          struct Piece {{\n    from: {real},\n    origin: {real},\n    of: [[{real}; {terms}]; {functions}],\n}}\n\n\
          fn found(r: {real}) -> &'static Piece {{\n    \
          let bucket = ((r - {index_low}) * {density}) as usize;\n    \

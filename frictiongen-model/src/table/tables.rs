@@ -15,6 +15,7 @@ use crate::scene::{Accuracy, Provide, Scene, Side};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Quotient;
+use std::ops::Range;
 
 /// Of the accuracy the fit takes this share: the rest is for the points between those that it looks at.
 const SHARE: f64 = 0.75;
@@ -292,6 +293,16 @@ impl<S: Float> Tables<S> {
     /// The largest error of these tables, looked for anew: as of [`Report::worst`], were they others than were built.
     #[must_use]
     pub fn verify(&self, modal: &Modal) -> Worst {
+        self.verified(modal, 0..self.pieces.len())
+    }
+
+    /// The same of one piece.
+    #[must_use]
+    pub fn verify_piece(&self, modal: &Modal, place: usize) -> Worst {
+        self.verified(modal, place..place + 1)
+    }
+
+    fn verified(&self, modal: &Modal, places: Range<usize>) -> Worst {
         let mut exact = Exact::new(modal);
         let ends = (S::constant(self.request.r.0), S::constant(self.request.r.1));
         let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
@@ -304,7 +315,10 @@ impl<S: Float> Tables<S> {
             error: 0.0,
             at: low,
         };
-        for (place, piece) in self.pieces.iter().enumerate() {
+        for place in places {
+            let Some(piece) = self.pieces.get(place) else {
+                continue;
+            };
             let next = self.pieces.get(place + 1);
             let to = next.map_or(high, |next| next.from.to_f64());
             let (seen, _) = check::piece(&mut cover, piece, (piece.from.to_f64(), to));

@@ -1,1 +1,41 @@
-//! To come.
+//! What cannot be had is told on the token that asks for it; the other messages are in `docs/messages.md`.
+
+use super::scenes::scene;
+use frictiongen_codegen::{Limits, parse_text};
+
+fn told(field: &str, text: &str) -> String {
+    let text = text.replace("stiction", &format!("{field}, stiction"));
+    parse_text(&text, &Limits::MACRO)
+        .expect_err("no table")
+        .to_string()
+}
+
+#[test]
+fn an_accuracy_beyond_the_condition() {
+    let message = told(
+        "accuracy: 1e-12, range: { r: 0.2..2.5 }",
+        &scene("Wall", 5, "none", "1", "f64"),
+    );
+    assert!(
+        message.contains("no table meets the accuracy 1e-12 at r = 0."),
+        "{message}"
+    );
+    assert!(
+        message.contains("1e-11 can be met: ask for less, or leave this r out of the range"),
+        "{message}"
+    );
+    let column = message.split(':').nth(1).unwrap().parse::<usize>().unwrap();
+    assert!(column > 100, "on the number: {message}");
+}
+
+#[test]
+fn single_precision_has_fewer_digits() {
+    let message = told(
+        "accuracy: 1e-7, range: { r: 0.2..2.5 }",
+        &scene("Wall", 1, "none", "1", "f32"),
+    );
+    assert!(
+        message.contains("an accuracy is a relative error from 2e-6 to 0.1, not 1e-7"),
+        "{message}"
+    );
+}

@@ -1,1 +1,339 @@
-//! To come.
+//! Scenes that declare an accuracy, through the macro: the tables are those of the run-time system, bit for bit.
+
+use frictiongen::study::scene::Side;
+use frictiongen::study::table::Request;
+use frictiongen::{
+    FrictionSystem, LimitsAt, NotContinuous, Of, OutOfDomain, Regime, System, friction_system,
+};
+
+/// A scene through the macro, and its text.
+macro_rules! scene {
+    ($text:ident: $(#[$attribute:meta])* struct $name:ident { $($body:tt)* }) => {
+        friction_system! { $(#[$attribute])* pub struct $name { $($body)* } }
+        const $text: &str = stringify!(struct $name { $($body)* });
+    };
+}
+
+scene! { DAMPED: struct Damped {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    stiction: 1.2,
+    provide: [limits, motion, stuck, orbit],
+    accuracy: 1e-4,
+    range: { r: 0.2..2.5 },
+} }
+
+scene! { UNDAMPED: struct Undamped {
+    masses: { a: 1, b: 2, c: 1 },
+    springs: { base - a: 1, a - b: 2, b - c: 1 },
+    contact: a - b,
+    excitation: c,
+    accuracy: 1e-6,
+    range: { r: 0.3..2.0, beta: 0..1 },
+} }
+
+scene! { SINGLE: struct Single {
+    masses: { block: 2 },
+    springs: { base - block: 50 },
+    contact: block - base,
+    excitation: base,
+    damping: modal(0.05),
+    scalar: f32,
+    accuracy: 1e-4,
+    range: { r: 0.3..2.0 },
+} }
+
+scene! { EXACT_BEYOND: struct ExactBeyond {
+    masses: { block: 2 },
+    springs: { base - block: 50 },
+    contact: block - wall,
+    excitation: block,
+    accuracy: 1e-3,
+    range: { r: 0.4..2.0 },
+    beyond: exact,
+} }
+
+scene! { SAFE: struct Safe {
+    masses: { a: 1, b: 1, c: 1 },
+    springs: { base - a: 1, a - b: 1, b - c: 1 },
+    contact: c - wall,
+    excitation: a,
+    damping: modal(0.03),
+    accuracy: 1e-3,
+    range: { r: 0.2..2.5 },
+    side: safe,
+} }
+
+scene! { BYTES: struct Bytes {
+    masses: { a: 1, b: 1 },
+    springs: { base - a: 1, a - b: 1 },
+    contact: b - wall,
+    excitation: a,
+    damping: modal(0.03),
+    provide: [limits],
+    budget: 2048,
+    range: { r: 0.3..2.0 },
+} }
+
+/// r over a range, its ends included.
+fn ratios(low: f64, high: f64) -> impl Iterator<Item = f64> {
+    (0..=1000).map(move |k| low + (high - low) * f64::from(k) / 1000.0)
+}
+
+#[test]
+fn of_the_run_time_system() {
+    let system: System = DAMPED.parse().unwrap();
+    let tables = system.compile(0.2..2.5, 1e-4).unwrap();
+    let mut compared = 0;
+    for r in ratios(0.2, 2.5) {
+        let (emitted, compiled) = (Damped::at(r).unwrap(), tables.at(r).unwrap());
+        assert_eq!(emitted.limits(), compiled.limits(), "r = {r}");
+        let beta = 0.7 * emitted.limits().continuous.min(emitted.limits().sliding);
+        let (emitted, compiled) = (
+            emitted.motion(beta).unwrap(),
+            compiled.motion(beta).unwrap(),
+        );
+        assert_eq!(emitted.contact().largest(), compiled.contact().largest());
+        // The mass that rubs on the wall moves as the contact does.
+        assert_eq!(emitted.upper().amplitude(), emitted.contact().amplitude());
+        assert_eq!(
+            emitted.contact().amplitude_monoharmonic(),
+            emitted.contact().amplitude()
+        );
+        compared += 1;
+    }
+    let system: System = UNDAMPED.parse().unwrap();
+    let tables = system.compile(0.3..2.0, 1e-6).unwrap();
+    for r in ratios(0.3, 2.0) {
+        let (emitted, compiled) = (Undamped::at(r).unwrap(), tables.at(r).unwrap());
+        assert_eq!(emitted.limits(), compiled.limits(), "r = {r}");
+        let beta = 0.4
+            * emitted
+                .limits()
+                .continuous
+                .min(emitted.limits().sliding)
+                .min(1.0);
+        let (emitted, compiled) = (
+            emitted.motion(beta).unwrap(),
+            compiled.motion(beta).unwrap(),
+        );
+        assert_eq!(emitted.contact().largest(), compiled.contact().largest());
+        compared += 1;
+    }
+    let system: System<f32> = SINGLE.parse().unwrap();
+    let tables = system.compile(0.3..2.0, 1e-4).unwrap();
+    for r in ratios(0.3, 2.0) {
+        let r = (r as f32).clamp(0.3, 2.0);
+        let (emitted, compiled) = (Single::at(r).unwrap(), tables.at(r).unwrap());
+        assert_eq!(emitted.limits(), compiled.limits(), "r = {r}");
+        compared += 1;
+    }
+    assert_eq!(compared, 3003);
+}
+
+/// What the tables do not hold comes from the exact formulas, to the bit.
+#[test]
+fn the_rest_is_exact() {
+    let text = DAMPED.split("accuracy").next().unwrap().to_owned() + "}";
+    let system: System = text.parse().unwrap();
+    for r in [0.31, 0.5, 0.77, 1.3, 2.2] {
+        let (emitted, exact) = (Damped::at(r).unwrap(), system.at(r).unwrap());
+        let beta = 0.5 * exact.limits().continuous.min(exact.limits().sliding);
+        let (motion, reference) = (emitted.motion(beta).unwrap(), exact.motion(beta).unwrap());
+        let close =
+            |a: f64, b: f64| assert!((a - b).abs() <= 1e-12 * b.abs().max(1.0), "{a} for {b}");
+        close(
+            motion.lower().amplitude(),
+            reference.mass("lower").unwrap().amplitude(),
+        );
+        close(
+            motion.contact().displacement(1.0),
+            reference.contact().displacement(1.0),
+        );
+        close(
+            motion.contact().velocity(1.0),
+            reference.contact().velocity(1.0),
+        );
+        close(
+            motion.contact().harmonic(3).re,
+            reference.contact().harmonic(3).re,
+        );
+        close(
+            emitted.continuous_limit_without_search(),
+            exact.continuous_limit_without_search(),
+        );
+        close(
+            emitted.continuous_limit_per_mode(),
+            exact.continuous_limit_per_mode(),
+        );
+        close(
+            emitted.stuck().unwrap().lower().re,
+            exact.stuck().unwrap().mass("lower").unwrap().re,
+        );
+        close(
+            emitted.orbit(beta).unwrap().contact().amplitude(),
+            reference.contact().amplitude(),
+        );
+        close(emitted.exact().continuous_limit(), exact.continuous_limit());
+    }
+}
+
+#[test]
+fn beyond_the_range() {
+    let out = |argument| Err(OutOfDomain { argument });
+    assert_eq!(Damped::at(0.199_999).map(drop), out("r"));
+    assert_eq!(Damped::at(2.500_001).map(drop), out("r"));
+    assert_eq!(Damped::at(f64::NAN).map(drop), out("r"));
+    assert_eq!(Damped::at(f64::INFINITY).map(drop), out("r"));
+    assert!(Damped::at(0.2).is_ok() && Damped::at(2.5).is_ok());
+    // β beyond what was declared.
+    let at = Undamped::at(0.9).unwrap();
+    assert_eq!(at.regime(1.5), Err(OutOfDomain { argument: "beta" }));
+    assert_eq!(at.margin(f64::NAN), Err(OutOfDomain { argument: "beta" }));
+    assert_eq!(at.motion(1.5).map(drop), Err(NotContinuous::OutOfDomain));
+    let (mut continuous, mut sliding) = ([0.0; 2], [0.0; 2]);
+    assert_eq!(
+        Damped::limits_into(&[1.0, 3.0], &mut continuous, &mut sliding),
+        out("r")
+    );
+    assert!(continuous[0] > 0.0 && continuous[1] == 0.0);
+    // With `beyond: exact` the exact formulas.
+    let exact: System = EXACT_BEYOND
+        .split("accuracy")
+        .next()
+        .map(|text| text.to_owned() + "}")
+        .unwrap()
+        .parse()
+        .unwrap();
+    for r in [0.0, 0.1, 0.39, 2.1, 50.0, f64::INFINITY] {
+        let (emitted, exact) = (ExactBeyond::at(r).unwrap(), exact.at(r).unwrap());
+        assert!(!emitted.is_within());
+        assert_eq!(emitted.limits(), exact.limits(), "r = {r}");
+        assert_eq!(emitted.regime(0.1), exact.regime(0.1));
+        let (motion, reference) = (emitted.motion(0.01), exact.motion(0.01));
+        assert_eq!(motion.is_ok(), reference.is_ok());
+        if let (Ok(motion), Ok(reference)) = (motion, reference) {
+            assert_eq!(
+                motion.contact().amplitude(),
+                reference.contact().amplitude()
+            );
+            assert_eq!(motion.contact().phase(), reference.contact().phase());
+        }
+    }
+    assert!(ExactBeyond::at(-1.0).is_err() && ExactBeyond::at(f64::NAN).is_err());
+    assert!(ExactBeyond::at(1.0).unwrap().is_within());
+}
+
+/// Regimes are right except within the accuracy of a limit.
+#[test]
+fn regimes() {
+    let text = DAMPED.split("accuracy").next().unwrap().to_owned() + "}";
+    let system: System = text.parse().unwrap();
+    let mut seen = [0; 3];
+    for r in ratios(0.2, 2.5).step_by(7) {
+        let (emitted, exact) = (Damped::at(r).unwrap(), system.at(r).unwrap());
+        let limits = exact.limits();
+        for limit in [limits.continuous, limits.sliding] {
+            for part in [0.3, 0.999, 1.0 - 1.1e-4, 1.0 + 1.1e-4, 1.001, 1.7] {
+                let beta = part * limit;
+                let other = limits.continuous + limits.sliding - limit;
+                if (beta / other - 1.0).abs() < 1.1e-4 {
+                    continue;
+                }
+                let regime = emitted.regime(beta).unwrap();
+                assert_eq!(
+                    regime,
+                    exact.regime(beta).unwrap(),
+                    "r = {r}, beta = {beta}"
+                );
+                seen[regime as usize] += 1;
+                let margin = emitted.margin(beta).unwrap();
+                let expected = exact.margin(beta).unwrap();
+                assert!(
+                    (margin - expected).abs() < 1.1e-4 * (1.0 + expected),
+                    "{margin} for {expected}"
+                );
+            }
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
+    assert_eq!(Damped::at(1.0).unwrap().regime(1e6), Ok(Regime::Stuck));
+}
+
+/// `side: safe`: never wrong on the dangerous side.
+#[test]
+fn the_safe_side() {
+    let exact: System = (SAFE.split("accuracy").next().unwrap().to_owned() + "}")
+        .parse()
+        .unwrap();
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    for r in ratios(0.2, 2.5) {
+        let (emitted, exact) = (Safe::at(r).unwrap().limits(), exact.at(r).unwrap().limits());
+        let short = 1.0 - emitted.continuous / exact.continuous;
+        (least, most) = (least.min(short), most.max(short));
+        assert!(emitted.sliding >= exact.sliding && emitted.sliding < exact.sliding * (1.0 + 1e-3));
+    }
+    assert!(least > 0.0 && most < 1e-3, "{least} to {most}");
+    println!("β_lim below the exact one by {least:.1e} to {most:.1e}");
+}
+
+/// `budget`: what fits is used, and the doc comment says so.
+#[test]
+fn a_budget() {
+    let system: System = (BYTES.split("provide").next().unwrap().to_owned() + "}")
+        .parse()
+        .unwrap();
+    let mut worst = 0.0_f64;
+    for r in ratios(0.3, 2.0) {
+        let expected = system.at(r).unwrap().continuous_limit();
+        worst = worst.max((Bytes::at(r).unwrap().continuous_limit() / expected - 1.0).abs());
+    }
+    assert!(worst < 1e-3 && worst > 1e-12, "{worst}");
+    let request = Request {
+        r: (0.3, 2.0),
+        accuracy: 0.1,
+        side: Side::Near,
+        motion: false,
+    };
+    let tables =
+        frictiongen::study::table::Tables::<f64>::within(system.modal(), request, 2048).unwrap();
+    assert!(tables.report.bytes <= 2048);
+    assert!(worst <= tables.request.accuracy);
+}
+
+/// One sweep, map or fit serves scenes with tables as well.
+#[test]
+fn through_the_traits() {
+    fn narrowest<F: FrictionSystem<Scalar = f64>>(system: &F) -> f64 {
+        let limits = ratios(0.4, 2.0).filter_map(|r| system.at(r).ok());
+        limits
+            .map(|at| LimitsAt::continuous_limit(&at))
+            .fold(f64::INFINITY, f64::min)
+    }
+    fn amplitude<F>(system: &F, of: Of) -> Option<f64>
+    where
+        F: FrictionSystem<Scalar = f64>,
+        for<'a> F::At<'a>: frictiongen::MotionAt<Scalar = f64>,
+    {
+        use frictiongen::{ContinuousMotion, MotionAt};
+        let at = system.at(0.6).ok()?;
+        at.motion(0.01).ok()?.ask(of, |motion| motion.amplitude())
+    }
+    let system: System = DAMPED.parse().unwrap();
+    let tables = system.compile(0.2..2.5, 1e-4).unwrap();
+    assert_eq!(narrowest(&Damped), narrowest(&tables));
+    assert!((narrowest(&Damped) / narrowest(&system) - 1.0).abs() < 1e-4);
+    for of in [Of::Contact, Of::Mass(0), Of::Mass(1)] {
+        let (emitted, exact) = (
+            amplitude(&Damped, of).unwrap(),
+            amplitude(&system, of).unwrap(),
+        );
+        assert!(
+            (emitted / exact - 1.0).abs() < 1e-4,
+            "{of:?}: {emitted} for {exact}"
+        );
+    }
+}

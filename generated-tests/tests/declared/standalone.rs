@@ -1,1 +1,248 @@
-//! To come.
+//! The C and the Rust that `frictiongen compile` writes, compiled and compared with the library bit for bit.
+//!
+//! Phases go by the platform's arc tangent: within two roundings of a radian.
+
+use super::scenes::scene;
+use frictiongen::System;
+use frictiongen::study::CompiledSystem;
+use frictiongen_codegen::standalone::{c_header, c_source, rust_source};
+use frictiongen_kernel::Float;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+const POINTS: u32 = 2000;
+
+/// r, β, both limits, amplitude and phase at a point; amplitude and phase NaN where there is no motion.
+type Line = [f64; 6];
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("standalone")
+        .join(name);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+/// Whether a compiler is at hand; a visible line where not.
+fn has(compiler: &str) -> bool {
+    let found = Command::new(compiler)
+        .arg("--version")
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status();
+    let found = found.is_ok_and(|status| status.success());
+    if !found {
+        println!("SKIPPED: no `{compiler}` here");
+    }
+    found
+}
+
+fn run(command: &mut Command) -> String {
+    let output = command.output().expect("runs");
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// What the library answers at the points of the programs.
+fn expected<S: Float>(compiled: &CompiledSystem<'_, S>) -> Vec<Line> {
+    (0..=POINTS)
+        .map(|k| {
+            let r = S::constant(0.2)
+                + (S::constant(2.5) - S::constant(0.2)) * S::constant(f64::from(k))
+                    / S::constant(f64::from(POINTS));
+            let r = r.min(S::constant(2.5));
+            let at = compiled.at(r).expect("in the range");
+            let limits = at.limits();
+            let beta = S::constant(0.5) * limits.continuous;
+            let (amplitude, phase) = match at.motion(beta) {
+                Ok(motion) => {
+                    let largest = motion.contact().largest();
+                    (largest.amplitude, largest.phase)
+                }
+                Err(_) => (S::constant(f64::NAN), S::constant(f64::NAN)),
+            };
+            [r, beta, limits.continuous, limits.sliding, amplitude, phase].map(Float::to_f64)
+        })
+        .collect()
+}
+
+fn compare(what: &str, output: &str, expected: &[Line], epsilon: f64) {
+    let lines: Vec<&str> = output.lines().collect();
+    assert_eq!(lines.len(), expected.len(), "{what}");
+    let mut motions = 0;
+    for (line, expected) in lines.into_iter().zip(expected) {
+        let numbers: Vec<f64> = line
+            .split(' ')
+            .map(|text| f64::from_bits(u64::from_str_radix(text, 16).expect("bits")))
+            .collect();
+        let [r, _, continuous, sliding, amplitude, phase] = *expected;
+        assert_eq!(numbers[0].to_bits(), r.to_bits(), "{what}: r");
+        assert_eq!(
+            numbers[1].to_bits(),
+            continuous.to_bits(),
+            "{what}: limit at r = {r}"
+        );
+        assert_eq!(
+            numbers[2].to_bits(),
+            sliding.to_bits(),
+            "{what}: sliding limit at r = {r}"
+        );
+        if amplitude.is_nan() {
+            assert!(numbers[3].is_nan(), "{what}: a motion at r = {r}");
+            continue;
+        }
+        motions += 1;
+        assert_eq!(
+            numbers[3].to_bits(),
+            amplitude.to_bits(),
+            "{what}: amplitude at r = {r}"
+        );
+        assert!(
+            (numbers[4] - phase).abs() <= 8.0 * epsilon,
+            "{what}: phase at r = {r}: {} for {phase}",
+            numbers[4]
+        );
+    }
+    assert!(motions > POINTS / 2, "{what}: {motions} motions");
+}
+
+const C_MAIN: &str = r#"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "SCENE.h"
+static void bits(double value) { unsigned long long b; memcpy(&b, &value, 8); printf("%llx", b); }
+int main(void) {
+    for (int k = 0; k <= POINTS; k++) {
+        REAL r = (REAL)0.2 + ((REAL)2.5 - (REAL)0.2) * (REAL)k / (REAL)POINTS;
+        if ((REAL)2.5 < r) r = (REAL)2.5;
+        REAL c, s, a = NAN, p = NAN;
+        if (SCENE_limits(r, &c, &s) != 0) return 1;
+        if (SCENE_contact(r, (REAL)0.5 * c, &a, &p) != 0) { a = NAN; p = NAN; }
+        bits(r); printf(" "); bits(c); printf(" "); bits(s); printf(" "); bits(a); printf(" "); bits(p); printf("\n");
+    }
+    REAL c = 7, s = 7;
+    if (SCENE_limits((REAL)0.1, &c, &s) != -1 || SCENE_limits((REAL)NAN, &c, &s) != -1 || c != 7 || s != 7) return 2;
+    if (SCENE_contact(1, (REAL)-1, &c, &s) != -1 || SCENE_contact(1, (REAL)1e6, &c, &s) != 2 || c != 7) return 3;
+    return 0;
+}
+"#;
+
+const RUST_MAIN: &str = r#"
+#[path = "SCENE.rs"]
+mod tables;
+fn main() {
+    for k in 0..=POINTS {
+        let r: REAL = 0.2 + (2.5 - 0.2) * k as REAL / POINTS as REAL;
+        let r = if 2.5 < r { 2.5 } else { r };
+        let (c, s) = tables::limits(r).expect("in the range");
+        let (a, p) = tables::contact(r, 0.5 * c).unwrap_or((REAL::NAN, REAL::NAN));
+        println!("{:x} {:x} {:x} {:x} {:x}", f64::from(r).to_bits(), f64::from(c).to_bits(), f64::from(s).to_bits(), f64::from(a).to_bits(), f64::from(p).to_bits());
+    }
+    assert!(tables::limits(0.1).is_none() && tables::limits(REAL::NAN).is_none());
+    assert_eq!(tables::contact(1.0, 1e6), Err(tables::NotContinuous::Stuck));
+    assert_eq!(tables::contact(1.0, -1.0), Err(tables::NotContinuous::OutOfDomain));
+}
+"#;
+
+fn check<S: Float>(kind: &str, count: usize, damping: &str) {
+    let single = S::EPSILON > 1e-10;
+    let (scalar, real) = if single {
+        ("f32", "float")
+    } else {
+        ("f64", "double")
+    };
+    let system: System<S> = scene(kind, count, damping, "1.2", scalar)
+        .parse()
+        .expect("a scene");
+    let compiled = system.compile(0.2..2.5, 1e-4).expect("tables");
+    let expected = expected(&compiled);
+    let name = format!("{}{count}", kind.to_lowercase());
+    let what = format!("{kind}{count} {damping} {scalar}");
+    let folder = folder(&what.replace([' ', '(', ')'], "_"));
+    let write = |file: &str, text: &str| std::fs::write(folder.join(file), text).expect("written");
+    let fill = |text: &str, real: &str| {
+        text.replace("SCENE", &name)
+            .replace("REAL", real)
+            .replace("POINTS", &POINTS.to_string())
+    };
+    if has("cc") {
+        write(
+            &format!("{name}.h"),
+            &c_header(system.scene(), compiled.tables()),
+        );
+        let source = c_source(
+            system.scene(),
+            compiled.tables(),
+            Some(&format!("{name}.h")),
+        );
+        write(&format!("{name}.c"), &source.expect("a form of its own"));
+        write("main.c", &fill(C_MAIN, real));
+        run(Command::new("cc").current_dir(&folder).args([
+            "-std=c99",
+            "-O2",
+            "-ffp-contract=off",
+            "-Wall",
+            "-Wextra",
+            "-Werror",
+            "-Wpedantic",
+            "-o",
+            "program",
+            "main.c",
+            &format!("{name}.c"),
+            "-lm",
+        ]));
+        compare(
+            &format!("{what} in C"),
+            &run(&mut Command::new(folder.join("program"))),
+            &expected,
+            S::EPSILON,
+        );
+        // The same text without a header is whole by itself.
+        write(
+            "alone.c",
+            &c_source(system.scene(), compiled.tables(), None).expect("a form of its own"),
+        );
+        run(Command::new("cc")
+            .current_dir(&folder)
+            .args(["-std=c99", "-Wall", "-Werror", "-c", "alone.c"]));
+    }
+    if has("rustc") {
+        write(
+            &format!("{name}.rs"),
+            &rust_source(system.scene(), compiled.tables()).expect("a form of its own"),
+        );
+        write("main.rs", &fill(RUST_MAIN, scalar));
+        run(Command::new("rustc").current_dir(&folder).args([
+            "--edition=2024",
+            "-O",
+            "-Dwarnings",
+            "main.rs",
+            "-o",
+            "program_rs",
+        ]));
+        compare(
+            &format!("{what} in Rust"),
+            &run(&mut Command::new(folder.join("program_rs"))),
+            &expected,
+            S::EPSILON,
+        );
+    }
+}
+
+#[test]
+fn in_double_precision() {
+    check::<f64>("Wall", 1, "none");
+    check::<f64>("Base", 2, "modal(0.02)");
+    check::<f64>("Pair", 5, "none");
+}
+
+#[test]
+fn in_single_precision() {
+    check::<f32>("Wall", 2, "none");
+    check::<f32>("Pair", 5, "modal(0.02)");
+}

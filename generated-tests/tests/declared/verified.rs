@@ -1,1 +1,54 @@
-//! To come.
+//! A table that is wrong is caught: one coefficient off by ten budgets.
+
+use super::scenes::scene;
+use frictiongen::System;
+use frictiongen::study::scene::Side;
+use frictiongen::study::table::{Request, Tables};
+
+#[test]
+fn a_wrong_coefficient() {
+    for (kind, count, damping) in [
+        ("Wall", 1, "none"),
+        ("Pair", 2, "none"),
+        ("Wall", 5, "modal(0.02)"),
+    ] {
+        let system: System = scene(kind, count, damping, "1", "f64").parse().unwrap();
+        for accuracy in [1e-2, 1e-4, 1e-6] {
+            let request = Request {
+                r: (0.2, 2.5),
+                accuracy,
+                side: Side::Near,
+                motion: true,
+            };
+            let mut tables = Tables::<f64>::build(system.modal(), request).unwrap();
+            let sound = tables.verify(system.modal());
+            assert!(sound.error <= accuracy, "{}", sound.error);
+            for place in 0..tables.pieces.len() {
+                let next = tables.pieces.get(place + 1).map_or(2.5, |next| next.from);
+                let piece = &mut tables.pieces[place];
+                let middle = 0.5 * (piece.from + next);
+                let t = middle - piece.origin;
+                let far = t
+                    .abs()
+                    .max((next - piece.origin).abs())
+                    .max((piece.from - piece.origin).abs());
+                let limit = piece.value(0, middle).abs();
+                for power in 0..tables.terms {
+                    let coefficient = tables.pieces[place].coefficients[0][power];
+                    let wrong = 10.0 * accuracy * limit / far.powi(power as i32);
+                    tables.pieces[place].coefficients[0][power] = coefficient + wrong;
+                    let found = tables.verify_piece(system.modal(), place);
+                    assert!(
+                        found.error > accuracy,
+                        "{kind}{count} {accuracy:e}: coefficient {power} of piece {place} passes with {:e}",
+                        found.error
+                    );
+                    tables.pieces[place].coefficients[0][power] = coefficient;
+                }
+                if place > 4 {
+                    break;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,414 @@
+/// One mass and its motion, to a thousandth.
+///
+/// Emitted by frictiongen 0.1.0 from scene 9f2e14361b6f2263.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct DeclaredMotion;
+/// [`DeclaredMotion`] at one frequency ratio: limits, regime, and the way to motions.
+#[allow(deprecated, non_camel_case_types)]
+pub struct DeclaredMotionAt(::frictiongen::kernel::table::Compiled<DeclaredMotion>);
+/// The continuous motion of [`DeclaredMotion`] at one frequency and one friction ratio: of the contact to the declared accuracy, of the masses exact.
+#[allow(deprecated, non_camel_case_types)]
+pub struct DeclaredMotionMotion(::frictiongen::kernel::table::Moving<DeclaredMotion>);
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    impl DeclaredMotion {
+        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        pub const NATURAL_FREQUENCIES: [f64; 1] = [1.0];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f64; 1] = [1.0];
+        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
+        pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
+        /// The modes that the load or the contact drives.
+        const MODES: [Mode<f64>; 1] = [
+            Mode {
+                kind: Kind::Undamped,
+                in_contact: true,
+                resonance: 1.0,
+                zeta: 0.0,
+                q: 1.0,
+                q_defect: 0.0,
+                load: 1.0,
+                contact: 1.0,
+                residue: 1.0,
+                inverse_mass: 1.0,
+                static_residue: 1.0,
+            },
+        ];
+        const CHAIN: Chain<f64> = Chain {
+            damped: false,
+            on_moving_base: Some(0.0),
+            inverse_mass: 1.0,
+            stiction: 1.2,
+        };
+        const NUMBERS: Numbers<'static, f64> = Numbers {
+            modes: &Self::MODES,
+            chain: Self::CHAIN,
+            ends: Ends {
+                sliding_at_rest: 0.0,
+                continuous_at_infinity: f64::INFINITY,
+                sliding_at_infinity: f64::INFINITY,
+            },
+            rubbing: Some(0),
+            absorbs: false,
+            unbounded: &[1.0],
+            invisible: &[],
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+        /// The scene at the frequency ratio r = ω√(m₁/k₁), to the declared accuracy.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; beyond the declared range the exact formulas answer.
+        #[inline]
+        pub fn at(r: f64) -> Result<DeclaredMotionAt, OutOfDomain> {
+            Compiled::new(Self, r).map(From::from)
+        }
+        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn limits_without_search(r: f64) -> Result<Limits<f64>, OutOfDomain> {
+            At::limits_without_search(&Self, r)
+        }
+        /// Both limits over a slice of frequency ratios, into slices of the same length.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first r out of the domain, as of `at`.
+        pub fn limits_into(
+            rs: &[f64],
+            continuous: &mut [f64],
+            sliding: &mut [f64],
+        ) -> Result<(), OutOfDomain> {
+            Compiled::limits_into(Self, rs, continuous, sliding)
+        }
+    }
+    ::frictiongen::emitted_system!(DeclaredMotion, DeclaredMotionAt, f64, ["block"]);
+    ::frictiongen::kernel::wraps!(
+        DeclaredMotionAt, Compiled of tabled DeclaredMotion, Copy
+    );
+    impl Scene for DeclaredMotion {
+        type Scalar = f64;
+        type Decay = Undamped;
+        type Modes = [ModeAt<f64>; 1];
+        type Waves = [Wave<f64, Undamped>; 1];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f64> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f64]> {
+            match mass {
+                0 => Some(&[1.0]),
+                _ => None,
+            }
+        }
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f64, f64) {
+            (3.8725919148493183e-121, 2.5822498780869086e120)
+        }
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// Operations: 15: 6 ×, 2 +, 2 compare, 2 sign, 2 ÷, 1 sin_cos_pi.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
+            let (sine, plain_cosine) = Scalar::sin_cos_pi(inverse_r * 0.5);
+            let detuning = Scalar::detuning_off_pole(
+                (inverse_r - 1.0) * (inverse_r + 1.0),
+            );
+            let cosine = Scalar::cosine_off_pole(plain_cosine);
+            let size = Scalar::abs(detuning);
+            let u = sine * size / (inverse_r * cosine);
+            let h_re = Scalar::copysign(1.0, detuning);
+            let v_re = h_re * (1.0 / (inverse_r * inverse_r));
+            let contact = ContactAt {
+                scale: size,
+                v: Complex { re: v_re, im: 0.0 },
+                u,
+                g: 0.0,
+                reversal: 0.0,
+                h: Complex { re: h_re, im: 0.0 },
+            };
+            let modes = [
+                ModeAt {
+                    x: inverse_r,
+                    response: Complex { re: h_re, im: 0.0 },
+                    u,
+                    g: 0.0,
+                },
+            ];
+            (contact, modes)
+        }
+        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
+            1.2 * contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
+        /// maximum.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            let excitation = Scalar::abs(contact.v.re);
+            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            let excitation = Scalar::abs(contact.v.re);
+            let receptance = Scalar::abs(contact.h.re);
+            excitation / (1.2 * receptance)
+        }
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        ///
+        /// Operations: 25: 10 ×, 4 sign, 4 ÷, 3 +, 2 compare, 1 sin_cos_pi, 1 √.
+        #[inline]
+        fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
+            let (sine, plain_cosine) = Scalar::sin_cos_pi(inverse_r * 0.5);
+            let detuning = Scalar::detuning_off_pole(
+                (inverse_r - 1.0) * (inverse_r + 1.0),
+            );
+            let cosine = Scalar::cosine_off_pole(plain_cosine);
+            let size = Scalar::abs(detuning);
+            let u = sine * size / (inverse_r * cosine);
+            let h_re = Scalar::copysign(1.0, detuning);
+            let v_re = h_re * (1.0 / (inverse_r * inverse_r));
+            let product = 1.2 * size;
+            let excitation = Scalar::abs(v_re);
+            let receptance = Scalar::abs(h_re);
+            (
+                Limits {
+                    continuous: excitation / Scalar::sqrt(u * u + product * product),
+                    sliding: excitation / (1.2 * receptance),
+                },
+                h_re,
+            )
+        }
+    }
+    impl DeclaredMotion {
+        /// β_lim and a·sgn V = β_lim·U/V over r from 0.5 to 2, to 1e-3:
+        /// 4 pieces of degree 5 and 8 buckets, with β*_lim 504 bytes.
+        /// Largest error 7.0e-4, at r = 0.9948819864394244: checked at 656 points that the fit did not see.
+        const TABLE: Table<'static, f64, ::core::primitive::u8, 2, 6> = Table {
+            low: 0.5,
+            density: 5.333333333333333,
+            halvings: 1,
+            buckets: &[0, 0, 1, 1, 2, 2, 2, 3],
+            pieces: &[
+                Piece {
+                    from: 0.5,
+                    origin: 0.64,
+                    coefficients: [
+                        [0.21699807, 1.4991218, 3.039399, -4.49481, -25.1913, -1.015],
+                        [-0.40108, -3.157577, -1.0355, 16.0358, 45.826, -107.41],
+                    ],
+                },
+                Piece {
+                    from: 0.781,
+                    origin: 0.93,
+                    coefficients: [
+                        [0.6990896, 1.306231, -1.33622, 3.9982, 3.673, -38.895],
+                        [-0.988525, -0.375487, 3.82114, -11.9663, 6.034, 63.34],
+                    ],
+                },
+                Piece {
+                    from: 1.069,
+                    origin: 1.35,
+                    coefficients: [
+                        [1.2047901, 1.326007, 0.50111, 0.1201, -0.45, 0.742],
+                        [-0.933675, 0.194993, -0.16047, -0.02657, 0.7111, -1.4313],
+                    ],
+                },
+                Piece {
+                    from: 1.64,
+                    origin: 1.82,
+                    coefficients: [
+                        [1.942737, 1.816688, 0.52324, -0.008, -0.001, 0.008],
+                        [-0.870974, 0.08632, -0.07156, 0.0495, -0.027, 0.007],
+                    ],
+                },
+            ],
+        };
+        /// β*_lim by its zeros and poles.
+        const SLIDING_LIMIT: Quotient<'static, f64> = Quotient {
+            gain: 0.8333333333333334,
+            squared: false,
+            numerator: &[Factor::Real { off: 0.0 }],
+            denominator: &[],
+        };
+        /// |V| by its zeros and poles.
+        const EXCITATION: Quotient<'static, f64> = Quotient {
+            gain: -1.0,
+            squared: false,
+            numerator: &[Factor::Real { off: 0.0 }],
+            denominator: &[Factor::Zero { at: 1.0, rest: 0.0 }],
+        };
+    }
+    impl Tabled for DeclaredMotion {
+        #[inline]
+        fn domain(&self) -> Domain<f64> {
+            Domain {
+                r: (0.5, 2.0),
+                beta: (0.0, 2.0),
+                exact_beyond: true,
+            }
+        }
+        /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.
+        ///
+        /// Operations at every r: a lookup of 1 comparison, 14 additions and multiplications.
+        #[inline]
+        fn tabled_limit(&self, r: f64) -> f64 {
+            Self::TABLE.first(r)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Largest error 0.0e0.  Operations: 4 additions and multiplications, 0 divisions, 0 roots.
+        #[inline]
+        fn tabled_sliding_limit(&self, r: f64) -> Option<f64> {
+            Some(Self::SLIDING_LIMIT.size(r))
+        }
+    }
+    impl TabledMotion for DeclaredMotion {
+        type Moving = DeclaredMotionMotion;
+        /// What amplitude and phase of the contact follow from (2.21, 5.35, 5.38, 7.20, 7.21).
+        ///
+        /// To 1e-3 up to β = 0.98·β_lim; nearer to it the error grows as 1/(1 − (β/β_lim)²).
+        #[inline]
+        fn tabled_contact(&self, r: f64) -> Option<ContactTable<f64>> {
+            Some(
+                ContactTable::undamped(Self::TABLE.values(r), Self::EXCITATION.value(r)),
+            )
+        }
+    }
+    ::frictiongen::kernel::not_provided!(DeclaredMotionAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(DeclaredMotion : simulation);
+    impl ProvidesMotion for DeclaredMotion {
+        type Motion = Continuous<Self>;
+        #[allow(unused_variables)]
+        fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [mode_1] = at.modes();
+            let friction_weight = friction.beta * friction.unscale;
+            let rise = friction_weight * contact.scale;
+            let swing = friction_weight * mode_1.u;
+            let fundamental = Fundamental {
+                cosine: friction.amplitude,
+                sine: 0.0,
+                response: Complex {
+                    re: contact.v.re * friction.unscale,
+                    im: 0.0,
+                },
+            };
+            let waves = [
+                motion_wave(
+                    mode_1.x,
+                    Undamped,
+                    ModalCoefficients {
+                        rise,
+                        fall: 0.0,
+                        swing,
+                        gain: inverse_r * inverse_r,
+                    },
+                ),
+            ];
+            Motion::of_contact(*friction, fundamental, waves)
+        }
+        #[allow(unused_variables)]
+        fn mass_motion(
+            at: &At<Self>,
+            friction: &Friction<f64>,
+            mass: usize,
+        ) -> Option<MotionOf<Self>> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [mode_1] = at.modes();
+            let (fundamental, waves) = match mass {
+                0 => {
+                    let product = inverse_r * inverse_r;
+                    let lag = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+                    let rubbed_back = -lag;
+                    let mismatch_re = mode_1.response.re
+                        * ((if mode_1.x < 0.5 { contact.u } else { 0.0 })
+                            * 5.960464477539063e-8)
+                        + -contact.scale * (1.0 / product)
+                            * (rubbed_back * 5.960464477539063e-8);
+                    let ratio = 1.0 / contact.v.re;
+                    let product_2 = friction.unscale * 16777216.0;
+                    let friction_weight = friction.beta * friction.unscale;
+                    let rise = friction_weight * contact.scale;
+                    let swing = friction_weight * lag;
+                    (
+                        Fundamental {
+                            cosine: friction.root * 5.960464477539063e-8
+                                * (mode_1.response.re * ratio) * product_2,
+                            sine: friction.beta * (mismatch_re * ratio) * product_2,
+                            response: Complex {
+                                re: mode_1.response.re * friction.unscale,
+                                im: 0.0,
+                            },
+                        },
+                        [
+                            mass_wave(
+                                mode_1.x,
+                                Undamped,
+                                ModalCoefficients {
+                                    rise,
+                                    fall: 0.0,
+                                    swing,
+                                    gain: product,
+                                },
+                            ),
+                        ],
+                    )
+                }
+                _ => return None,
+            };
+            Some(Motion::of_mass(*friction, fundamental, waves))
+        }
+    }
+    ::frictiongen::kernel::wraps!(
+        DeclaredMotionMotion, Moving of tabled DeclaredMotion, Copy
+    );
+    impl DeclaredMotionMotion {
+        /// The motion of mass `block` (5.50 and its exact form, 7.29).
+        #[must_use]
+        pub fn block(&self) -> MotionOf<DeclaredMotion> {
+            self.mass(0)
+        }
+    }
+};
