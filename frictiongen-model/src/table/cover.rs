@@ -201,7 +201,7 @@ impl<S: Float> Cover<'_, '_, S> {
                 };
                 let rounded = to_decimals(end, END * length);
                 // A kink keeps its digits.
-                let kink = stops.iter().any(|stop| *stop == length);
+                let kink = stops.contains(&length);
                 if kink { end } else { rounded }
             }
         };

@@ -225,7 +225,7 @@ impl<'a, S: Float> TabledMotion for &'a CompiledSystem<'a, S> {
     }
 }
 
-impl<'a, S: Float> ProvidesMotion for &'a CompiledSystem<'_, S> {
+impl<S: Float> ProvidesMotion for &CompiledSystem<'_, S> {
     type Motion = Continuous<Self>;
 }
 
