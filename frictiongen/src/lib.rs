@@ -66,6 +66,11 @@
 //! | `stiction` | μ = static over kinetic friction, at least 1 | 1 |
 //! | `scalar` | `f64`, `f32` | `f64` |
 //! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation` | `[limits, motion]` |
+//! | `accuracy` | `exact`, or the largest relative error of an answer from tables: `1e-4` | `exact` |
+//! | `range` | where that holds: `{ r: 0.2..2.5 }`, also `beta: 0..1.5` | |
+//! | `side` | `near`, or `safe`: β_lim never above, β*_lim never below the exact one | `near` |
+//! | `budget` | in place of an accuracy, bytes: the best one that fits | |
+//! | `beyond` | outside the range: `error`, or `exact` for the formulas | `error` |
 //! | `crate` | path of this crate, when it is renamed | `::frictiongen` |
 //!
 //! # What a call can cost

@@ -9,7 +9,7 @@ use super::tables::Worst;
 use frictiongen_kernel::Float;
 
 /// Points in each piece.
-const POINTS: usize = 24;
+const POINTS: usize = 40;
 /// How close to a zero a piece is compared: 10^−13 of its length.
 const DECADES: f64 = 13.0;
 /// Points at which a product is compared, besides those of interest.
@@ -53,7 +53,7 @@ pub(super) fn piece<S: Float>(
         if !(from <= r && r < to) {
             continue;
         }
-        let error = cover.error_at(piece, r, zero);
+        let error = cover.error_at(piece, r);
         points += 1;
         if !(error <= worst.error) {
             worst = Worst { error, at: r };

@@ -308,55 +308,93 @@ impl<S: Float> Cover<'_, '_, S> {
         if beyond || own < low || high < own {
             0.0
         } else {
-            self.error_at(piece, own, zero)
+            self.error_at(piece, own)
         }
     }
 
-    /// The error of a piece at r over what is allowed.
-    pub fn error_at(&mut self, piece: &Fitted<S>, r: f64, zero: Option<Edge>) -> f64 {
+    /// The error of a piece at r over what is allowed; an exact answer is that of an r within some roundings.
+    pub fn error_at(&mut self, piece: &Fitted<S>, r: f64) -> f64 {
         let own = S::constant(r);
         let r = own.to_f64();
-        let Some(sample) = self.exact.at(r) else {
+        let Some(exact) = self
+            .exact
+            .at(r)
+            .map(|sample| self.exact.contact(&sample, r))
+        else {
             return f64::INFINITY;
         };
-        let limit = sample.limit;
-        // Beside a zero what is exact is so up to a rounding of r.
-        let noise = zero.map_or(0.0, |_| {
-            piece.steepness() * ROUNDINGS * f64::EPSILON * r / limit
-        });
-        let off = (piece.value(0, own).to_f64() - self.form.lift * limit).abs();
-        // On a zero nothing is left to compare.
-        if limit <= 0.0 {
-            let vanishes = off <= piece.steepness() * ROUNDINGS * f64::EPSILON * r;
+        let beside = [1.0, -1.0].map(|side| r * (1.0 + side * ROUNDINGS * f64::EPSILON));
+        let answer = self.answer(piece, own);
+        if exact.limit <= 0.0 {
+            // On a zero nothing is left to compare but how small the answer is.
+            let near = beside.map(|r| self.exact.at(r).map_or(0.0, |sample| sample.limit));
+            let least = near.into_iter().fold(0.0, f64::max);
+            let vanishes = answer.limit.to_f64().abs() <= least;
             return if vanishes { 0.0 } else { f64::INFINITY };
         }
-        let of_limit = off / ((self.limit + noise) * limit);
-        let Some(excitation) = self.excitation else {
-            return of_limit;
+        let off = apart(&answer, &exact, self.form.lift);
+        let over = |noise: &[f64; APART]| {
+            let with_motion = if self.excitation.is_some() { APART } else { 1 };
+            let parts = off.iter().zip(noise).take(with_motion).enumerate();
+            let parts = parts.map(|(place, (off, noise))| {
+                let allowed = if place == 0 { self.limit } else { self.motion };
+                off / (allowed + noise)
+            });
+            parts.fold(0.0, f64::max)
         };
-        let values = [0, 1, 2, ANGLE].map(|function| piece.value(function, own));
-        let [own_limit, quadrature, displacement, direction] = values;
-        let excitation = excitation.value(own);
-        let table = if self.form.functions > ANGLE {
-            ContactTable::damped([own_limit, quadrature, displacement, direction], excitation)
-        } else {
-            ContactTable::undamped([own_limit, quadrature], excitation)
-        };
-        let exact = self.exact.contact(&sample, r);
-        // On an undamped resonance the motion is unbounded.
-        if !exact.excitation.is_finite() {
-            return of_limit;
+        let plain = over(&[0.0; APART]);
+        if plain <= 1.0 {
+            return plain;
         }
-        let mut worst = of_limit;
-        for share in FRICTION_SHARES {
-            let beta = S::constant(share * limit);
-            let expected = exact.amplitude(beta.to_f64());
-            let allowed = (self.motion + noise) * expected;
-            worst = worst.max((table.amplitude(beta).to_f64() - expected).abs() / allowed);
-            let turned = table.phase(beta).to_f64() - exact.phase(beta.to_f64());
-            let turned = (turned - (turned / (2.0 * PI)).round() * 2.0 * PI).abs();
-            worst = worst.max(turned / (self.motion + noise));
+        let mut noise = [0.0_f64; APART];
+        for r in beside {
+            let Some(moved) = self.exact.at(r) else {
+                continue;
+            };
+            let moved = self.exact.contact(&moved, r);
+            for (noise, moved) in noise.iter_mut().zip(apart(&moved, &exact, 1.0)) {
+                *noise = noise.max(moved);
+            }
         }
-        worst
+        // Where β_lim is uncertain, so is everything that β is compared with.
+        let [of_limit, ..] = noise;
+        over(&noise.map(|noise| noise.max(of_limit)))
     }
+
+    /// What a piece answers at r.
+    fn answer(&self, piece: &Fitted<S>, r: S) -> ContactTable<S> {
+        let [limit, quadrature, displacement, direction] =
+            [0, 1, 2, ANGLE].map(|function| piece.value(function, r));
+        let one = S::constant(1.0);
+        let excitation = self.excitation.map_or(one, |quotient| quotient.value(r));
+        if self.form.functions > ANGLE {
+            ContactTable::damped([limit, quadrature, displacement, direction], excitation)
+        } else {
+            ContactTable::undamped([limit, quadrature], excitation)
+        }
+    }
+}
+
+/// How many differences are taken: of β_lim, and of amplitude and phase at each friction ratio.
+const APART: usize = 1 + 2 * FRICTION_SHARES.len();
+
+/// How far an answer is from the exact one: β_lim from lift·β_lim and amplitudes relative, phases in radians.
+fn apart<T: Float>(answer: &ContactTable<T>, exact: &ContactTable<f64>, lift: f64) -> [f64; APART] {
+    let mut apart = [0.0; APART];
+    let (limits, motions) = apart.split_at_mut(1);
+    let off = (answer.limit.to_f64() - lift * exact.limit).abs();
+    limits.fill(if off == 0.0 { 0.0 } else { off / exact.limit });
+    // On an undamped resonance the motion is unbounded.
+    if !exact.excitation.is_finite() {
+        return apart;
+    }
+    let (amplitudes, phases) = motions.split_at_mut(FRICTION_SHARES.len());
+    for ((share, amplitude), phase) in FRICTION_SHARES.iter().zip(amplitudes).zip(phases) {
+        let beta = T::constant(share * exact.limit);
+        let expected = exact.amplitude(beta.to_f64());
+        *amplitude = (answer.amplitude(beta).to_f64() - expected).abs() / expected;
+        let turned = answer.phase(beta).to_f64() - exact.phase(beta.to_f64());
+        *phase = (turned - (turned / (2.0 * PI)).round() * 2.0 * PI).abs();
+    }
+    apart
 }

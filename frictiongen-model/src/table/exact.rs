@@ -76,8 +76,10 @@ impl<'a> Exact<'a> {
         let [place, ..] = peak.places;
         let constraint = peak.value;
         let mut limit = self.reduced.chain.continuous_limit(contact, constraint);
+        let mut negative = contact.v.re < 0.0;
         if self.cancels(&at) {
             // V by its own digits, which the sums over modes have lost.
+            negative = self.excitation(r) < 0.0;
             let square = at.inverse_ratio() * at.inverse_ratio();
             let own = complex::modulus(contact.v, self.damped());
             limit *= self.excitation(r).abs() * contact.scale / square / own;
@@ -86,7 +88,7 @@ impl<'a> Exact<'a> {
         let (mut quadrature, mut direction) = (contact.u / all, 0.0);
         if self.damped() {
             direction = contact.v.im.atan2(contact.v.re);
-        } else if contact.v.re < 0.0 {
+        } else if negative {
             quadrature = -quadrature;
         }
         let sample = Sample {

@@ -29,12 +29,6 @@ impl<S: Float> Fitted<S> {
         2 + self.coefficients.iter().map(Vec::len).sum::<usize>()
     }
 
-    /// How steeply β_lim rises at the origin.
-    pub(super) fn steepness(&self) -> f64 {
-        let linear = self.coefficients.first().and_then(|of| of.get(1));
-        linear.map_or(0.0, |linear| linear.to_f64().abs())
-    }
-
     /// A function of the piece at r, in the arithmetic of the table.
     pub fn value(&self, function: usize, r: S) -> S {
         let coefficients = self.coefficients.get(function);

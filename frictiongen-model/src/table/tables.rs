@@ -19,6 +19,8 @@ use std::ops::Range;
 
 /// Of the accuracy the fit takes this share: the rest is for the points between those that it looks at.
 const SHARE: f64 = 0.75;
+/// The check allows this share: between its points an error may be larger.
+const CHECKED: f64 = 0.9;
 /// With `side: safe` a table lies half the accuracy off, and strays by less than this share.
 const SAFE_SHARE: f64 = 0.4;
 /// Of the accuracy the decimals of a coefficient may take this share.
@@ -341,8 +343,8 @@ fn cover<'a, 'm, S: Float>(
     let accuracy = request.accuracy;
     // Safe: β_lim from below, half the accuracy off.
     let (lift, share, whole) = match request.side {
-        Side::Near => (1.0, SHARE, accuracy),
-        Side::Safe => (1.0 - 0.5 * accuracy, SAFE_SHARE, 0.5 * accuracy),
+        Side::Near => (1.0, SHARE, CHECKED * accuracy),
+        Side::Safe => (1.0 - 0.5 * accuracy, SAFE_SHARE, 0.5 * CHECKED * accuracy),
     };
     Cover {
         exact,
@@ -356,7 +358,7 @@ fn cover<'a, 'm, S: Float>(
         },
         limit: share * accuracy,
         motion: SHARE * accuracy,
-        whole: (whole, accuracy),
+        whole: (whole, CHECKED * accuracy),
         excitation,
         most_pieces: MOST_PIECES,
         last: 0.0,
@@ -366,8 +368,8 @@ fn cover<'a, 'm, S: Float>(
 /// An error over what the check allows, as a relative error.
 fn relative(worst: Worst, request: &Request) -> Worst {
     let error = match request.side {
-        Side::Near => worst.error * request.accuracy,
-        Side::Safe => 0.5 * request.accuracy * (1.0 + worst.error),
+        Side::Near => worst.error * CHECKED * request.accuracy,
+        Side::Safe => 0.5 * request.accuracy * (1.0 + CHECKED * worst.error),
     };
     Worst { error, ..worst }
 }

@@ -259,8 +259,15 @@ fn random_scenes(budgets: &[f64], count: usize, default: usize) {
             "{} answers are off",
             tally.failures.len()
         );
+        // Where a mode hardly touches the contact, undamped, a sub-harmonic is 10⁻⁹ of r wide, and rounding r moves a
+        // limit by 10⁻⁶ of itself.
+        let most = if *accuracy < 1e-5 {
+            count / 6
+        } else {
+            count / 50
+        };
         assert!(
-            tally.unmet.len() * 20 <= count,
+            tally.unmet.len() <= most,
             "{} without a table",
             tally.unmet.len()
         );

@@ -1,0 +1,219 @@
+//! `frictiongen compile`.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may fail")]
+
+mod common;
+
+use common::{BLOCK, FRAME, failure, json, output};
+use std::path::PathBuf;
+use std::{fs, process};
+
+fn temporary(name: &str) -> PathBuf {
+    std::env::temp_dir().join(format!("frictiongen-cli-{}-{name}", process::id()))
+}
+
+#[test]
+fn the_figures() {
+    let text = output(
+        "",
+        &["compile", FRAME, "--accuracy", "1e-4", "--r", "0.2:2.5"],
+    );
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines[0], "scene           Frame");
+    assert_eq!(lines[1], "range           r from 0.2 to 2.5");
+    assert_eq!(lines[2], "accuracy        1e-4");
+    assert!(
+        lines[3].starts_with("table           beta_lim, a, g and arg V: "),
+        "{text}"
+    );
+    assert!(
+        lines[5].starts_with("largest error   ") && lines[5].contains("checked at"),
+        "{text}"
+    );
+    assert!(!text.contains("proven"));
+    let safe = output(
+        "",
+        &[
+            "compile",
+            FRAME,
+            "--accuracy",
+            "1e-4",
+            "--r",
+            "0.2:2.5",
+            "--safe",
+        ],
+    );
+    assert!(
+        safe.contains("accuracy        1e-4, never above\n"),
+        "{safe}"
+    );
+}
+
+/// What the description declares holds where no option says otherwise.
+#[test]
+fn a_description_that_declares() {
+    let declared = BLOCK.replace(
+        "excitation: block,",
+        "excitation: block, accuracy: 1e-2, range: { r: 0.5..2 }",
+    );
+    let text = output(&declared, &["compile"]);
+    assert!(
+        text.contains("r from 0.5 to 2\naccuracy        1e-2\n"),
+        "{text}"
+    );
+    let text = output(&declared, &["compile", "--accuracy", "1e-6"]);
+    assert!(
+        text.contains("r from 0.5 to 2\naccuracy        1e-6\n"),
+        "{text}"
+    );
+    let text = output(&declared, &["compile", "--budget", "2000"]);
+    let bytes = text
+        .lines()
+        .find_map(|line| line.strip_prefix("bytes           "))
+        .unwrap();
+    assert!(bytes.parse::<usize>().unwrap() <= 2000, "{text}");
+}
+
+#[test]
+fn the_data() {
+    let text = output(
+        "",
+        &[
+            "compile",
+            FRAME,
+            "--accuracy",
+            "1e-3",
+            "--r",
+            "0.2:2.5",
+            "--format",
+            "json",
+        ],
+    );
+    let data = json(&text);
+    assert_eq!(data["version"], 1);
+    assert_eq!(
+        data["functions"],
+        serde_json::json!(["beta_lim", "a", "g", "arg_V"])
+    );
+    // A lookup by hand.
+    let r = 0.9;
+    let pieces = data["pieces"].as_array().unwrap();
+    let piece = pieces
+        .iter()
+        .rfind(|piece| piece["from"].as_f64().unwrap() <= r)
+        .unwrap();
+    let t = r - piece["origin"].as_f64().unwrap();
+    let of = piece["coefficients"][0].as_array().unwrap();
+    let limit = of
+        .iter()
+        .rev()
+        .fold(0.0, |sum, c| sum * t + c.as_f64().unwrap());
+    let exact = json(&output("", &["limits", FRAME, "--r", "0.9", "--json"]));
+    let exact = exact["points"][0]["continuous_limit"].as_f64().unwrap();
+    assert!((limit / exact - 1.0).abs() < 1e-3, "{limit} for {exact}");
+}
+
+#[test]
+fn code_in_files() {
+    let path = temporary("frame.c");
+    let shown = path.to_str().unwrap();
+    let arguments = [
+        "compile",
+        FRAME,
+        "--accuracy",
+        "1e-3",
+        "--r",
+        "0.2:2.5",
+        "--format",
+        "c",
+        "-o",
+        shown,
+    ];
+    assert_eq!(output("", &arguments), "");
+    let source = fs::read_to_string(&path).unwrap();
+    let header = path.with_extension("h");
+    let name = header.file_name().unwrap().to_str().unwrap().to_owned();
+    assert!(source.starts_with(&format!("#include \"{name}\"")));
+    let declared = fs::read_to_string(&header).unwrap();
+    fs::remove_file(&path).unwrap();
+    fs::remove_file(&header).unwrap();
+    assert!(declared.contains("int frame_limits(double r, double *continuous, double *sliding);"));
+    let rust = output(
+        "",
+        &[
+            "compile",
+            FRAME,
+            "--accuracy",
+            "1e-3",
+            "--r",
+            "0.2:2.5",
+            "--format",
+            "rust",
+        ],
+    );
+    assert!(rust.contains("pub fn limits(r: f64) -> Option<(f64, f64)>"));
+    assert!(rust.contains("pub fn contact(r: f64, beta: f64)"));
+}
+
+#[test]
+fn what_is_wrong() {
+    let told = |arguments: &[&str]| failure(BLOCK, &[&["compile"], arguments].concat());
+    for (arguments, message) in [
+        (
+            &["--accuracy", "1e-4"][..],
+            "what is declared holds over a range",
+        ),
+        (&["--r", "0.2:2"], "`range` belongs to an accuracy"),
+        (&[], "how exact the tables are to be is not said"),
+        (
+            &["--accuracy", "good", "--r", "0.2:2"],
+            "--accuracy has `good`, which is no number",
+        ),
+        (
+            &["--accuracy", "0", "--r", "0.2:2"],
+            "an accuracy is a relative error from 1e-12 to 0.1, not 0.0",
+        ),
+        (
+            &["--accuracy", "1e-20", "--r", "0.2:2"],
+            "an accuracy is a relative error from 1e-12 to 0.1, not 1e-20",
+        ),
+        (
+            &["--accuracy", "1", "--r", "0.2:2"],
+            "an accuracy is a relative error",
+        ),
+        (
+            &["--accuracy", "1e-3", "--r", "2:0.2"],
+            "frequency ratios range over 0 < a < b",
+        ),
+        (
+            &["--accuracy", "1e-3", "--r", "0:2"],
+            "frequency ratios range over 0 < a < b",
+        ),
+        (
+            &["--accuracy", "1e-3", "--r", "0.2:inf"],
+            "frequency ratios range over 0 < a < b",
+        ),
+        (
+            &["--accuracy", "1e-3", "--r", "0.2:0.1:2"],
+            "which is no range a:b",
+        ),
+        (
+            &["--accuracy", "1e-3", "--r", "a:b"],
+            "--r has `a`, which is no number",
+        ),
+        (
+            &["--budget", "64", "--r", "0.2:2"],
+            "no table fits into 64 bytes",
+        ),
+        (
+            &["--budget", "0", "--r", "0.2:2"],
+            "a budget is a whole number of bytes",
+        ),
+    ] {
+        let lines = told(arguments);
+        assert_eq!(lines.len(), 1, "{lines:?}");
+        assert!(
+            lines[0].starts_with("frictiongen: ") && lines[0].contains(message),
+            "{lines:?}"
+        );
+    }
+}
