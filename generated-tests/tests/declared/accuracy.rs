@@ -221,6 +221,13 @@ fn told(what: &str, tally: &Tally) {
 
 fn chains<S: Float>(budgets: &[f64], default: usize) {
     let count = points(default);
+    // ACCURACY chooses one of the budgets.
+    let only = std::env::var("ACCURACY")
+        .ok()
+        .and_then(|only| only.parse::<f64>().ok());
+    let budgets = budgets
+        .iter()
+        .filter(|accuracy| only.is_none_or(|only| only == **accuracy));
     let scalar = if S::EPSILON > 1e-10 { "f32" } else { "f64" };
     for accuracy in budgets {
         let mut tally = Tally::default();

@@ -263,6 +263,34 @@ fn regimes() {
     assert_eq!(Damped::at(1.0).unwrap().regime(1e6), Ok(Regime::Stuck));
 }
 
+/// Beyond 0.98 of β_lim the error grows as 1/(1 − (β/β_lim)²), as `docs/tables.md` says.
+#[test]
+fn close_to_the_limit() {
+    let system: System = (DAMPED.split("accuracy").next().unwrap().to_owned() + "}")
+        .parse()
+        .unwrap();
+    let (mut worst, mut compared) = (0.0_f64, 0);
+    for r in ratios(0.2, 2.5) {
+        let (emitted, exact) = (Damped::at(r).unwrap(), system.at(r).unwrap());
+        let limits = exact.limits();
+        for share in [0.99, 0.995, 0.998, 0.999] {
+            let beta = share * limits.continuous;
+            let (Ok(motion), Ok(reference)) = (emitted.motion(beta), exact.motion(beta)) else {
+                // Stuck at this β: β*_lim is the lower limit.
+                assert!(limits.sliding <= beta, "r = {r}");
+                continue;
+            };
+            let (motion, reference) = (motion.contact(), reference.contact());
+            let error = (motion.amplitude() / reference.amplitude() - 1.0).abs();
+            let allowed = 1e-4 * (1.0 - 0.98 * 0.98) / (1.0 - share * share);
+            worst = worst.max(error / allowed);
+            compared += 1;
+        }
+    }
+    println!("{compared} compared; worst {worst:.2} of what is stated");
+    assert!(worst < 1.0 && compared > 2000);
+}
+
 /// `side: safe`: never wrong on the dangerous side.
 #[test]
 fn the_safe_side() {
