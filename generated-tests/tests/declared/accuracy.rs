@@ -23,6 +23,8 @@ const ROUNDINGS: f64 = 16.0;
 struct Tally {
     points: usize,
     compared: usize,
+    /// Scenes whose β*_lim has no form of its own.
+    by_sums: usize,
     /// Points beside a zero, where the exact answer is too uncertain.
     skipped: usize,
     /// Largest errors over the accuracy: β_lim, β*_lim, amplitude, phase.
@@ -53,6 +55,7 @@ fn check<S: Float>(name: &str, text: &str, accuracy: f64, points: usize, tally: 
         }
         Err(error) => panic!("{name}: {error}\n{text}"),
     };
+    tally.by_sums += usize::from(compiled.tables().sliding.is_none());
     let mut random = Random(name.len() as u64 * 7919 + points as u64);
     let mut ratios: Vec<f64> = (0..points)
         .map(|_| random.between(RANGE.start, RANGE.end))
@@ -236,6 +239,7 @@ fn chains<S: Float>(budgets: &[f64], default: usize) {
         }
         told(&format!("44 chains, {scalar}, {accuracy:e}"), &tally);
         assert!(tally.compared >= 44 * 4 * count / 2);
+        assert_eq!(tally.by_sums, 0);
         assert!(
             tally.failures.is_empty(),
             "{} answers are off",
@@ -261,6 +265,8 @@ fn random_scenes(budgets: &[f64], count: usize, default: usize) {
             );
         }
         told(&format!("{count} random scenes, {accuracy:e}"), &tally);
+        println!("{} scenes with sums for β*_lim", tally.by_sums);
+        assert!(tally.by_sums * 10 <= count, "{}", tally.by_sums);
         assert!(
             tally.failures.is_empty(),
             "{} answers are off",
