@@ -314,3 +314,20 @@ fn of_chains_whole() {
 fn of_random_scenes_whole() {
     random_scenes(&[1e-2, 1e-3, 1e-4, 1e-6, 1e-9], 100, 100_000);
 }
+
+/// A mode that the contact drives and the load does not: a pole of H alone, at which β*_lim vanishes.
+#[test]
+fn of_a_mode_that_the_load_does_not_drive() {
+    for damping in ["none", "modal(0.03)"] {
+        let text = format!(
+            "struct Symmetric {{ masses: {{ a: 1, c: 2, b: 1 }},
+            springs: {{ base - a: 1, a - c: 1, c - b: 1, wall - b: 1 }},
+            contact: a - wall, excitation: c, damping: {damping} }}"
+        );
+        let mut tally = Tally::default();
+        check::<f64>("Symmetric", &text, 1e-4, 2000, &mut tally);
+        told(&format!("a symmetric chain, {damping}"), &tally);
+        assert_eq!((tally.by_sums, tally.unmet.len()), (0, 0));
+        assert!(tally.failures.is_empty());
+    }
+}
