@@ -1,10 +1,20 @@
 //! β*_lim and |V| as quotients of products, compared with the sums over modes.
 
+use super::check;
 use super::exact::Exact;
+use super::request::Request;
+use super::split::Landmarks;
+use super::tables::Worst;
 use super::zeros::{Zero, Zeros};
+use crate::scene::Side;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::{Factor, Quotient};
+
+/// β*_lim and |V| may take this share of the accuracy.
+const EXACT_SHARE: f64 = 0.5;
+/// With `side: safe` β*_lim is larger by so many roundings, more than its factors take.
+const SAFE_ROUNDINGS: f64 = 64.0;
 
 /// The kernel's [`Quotient`], with its vectors.
 #[derive(Clone, Debug)]
@@ -113,7 +123,7 @@ fn product<S: Float>(
 }
 
 /// β*_lim, times `lift`.
-pub(super) fn sliding<S: Float>(
+fn sliding<S: Float>(
     exact: &Exact<'_>,
     zeros: &Zeros,
     range: (f64, f64),
@@ -134,7 +144,7 @@ pub(super) fn sliding<S: Float>(
 }
 
 /// |V|, or V with its sign for an undamped chain.
-pub(super) fn excitation<S: Float>(
+fn excitation<S: Float>(
     exact: &Exact<'_>,
     zeros: &Zeros,
     range: (f64, f64),
@@ -149,4 +159,63 @@ pub(super) fn excitation<S: Float>(
         |r| exact.excitation(r),
         to,
     )
+}
+
+/// A double-double rounded once to a scalar.
+fn rounded<S: Float>(value: Dd) -> S {
+    S::constant(value.to_f64())
+}
+
+/// β*_lim and |V| as products, each only where it is as exact as the tables: else the exact formulas answer.
+pub(super) struct Products<S> {
+    pub sliding: Option<Product<S>>,
+    pub excitation: Option<Product<S>>,
+    /// The largest error of β*_lim.
+    pub worst: Worst,
+    /// At how many points was looked.
+    pub points: usize,
+}
+
+impl<S: Float> Products<S> {
+    pub fn of(
+        exact: &Exact<'_>,
+        zeros: Option<&Zeros>,
+        landmarks: &Landmarks,
+        request: &Request,
+        range: (f64, f64),
+    ) -> Self {
+        let allowed = EXACT_SHARE * request.accuracy;
+        let lift = match request.side {
+            Side::Near => 1.0,
+            Side::Safe => 1.0 + (SAFE_ROUNDINGS * S::EPSILON).min(0.5 * request.accuracy),
+        };
+        let to = rounded::<S>;
+        let mut worst = Worst {
+            error: 0.0,
+            at: range.0,
+        };
+        let mut points = 0;
+        let mut kept = |product: &Product<S>, exact: &dyn Fn(f64) -> f64| {
+            let (seen, looked) = check::product(product, range, landmarks, exact);
+            points += looked;
+            (seen.error <= allowed).then_some(seen)
+        };
+        let sliding = zeros
+            .and_then(|zeros| sliding(exact, zeros, range, lift, &to))
+            .filter(|product| {
+                let seen = kept(product, &|r| lift * exact.sliding_limit(r));
+                worst = seen.unwrap_or(worst);
+                seen.is_some()
+            });
+        let excitation = zeros
+            .filter(|_| request.motion)
+            .and_then(|zeros| excitation(exact, zeros, range, &to))
+            .filter(|product| kept(product, &|r| exact.excitation(r).abs()).is_some());
+        Self {
+            sliding,
+            excitation,
+            worst,
+            points,
+        }
+    }
 }

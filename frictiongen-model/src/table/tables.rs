@@ -6,14 +6,13 @@ use super::exact::Exact;
 use super::fit::{Fitted, Form};
 use super::index::Index;
 use super::kinks;
-use super::quotients::{self, Product};
+use super::quotients::{Product, Products};
 use super::request::{COARSEST, Request, TableError};
 use super::split::Landmarks;
 use super::zeros::Zeros;
 use crate::modal::Modal;
 use crate::scene::{Accuracy, Provide, Scene, Side};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Quotient;
 use std::ops::Range;
 
@@ -25,8 +24,6 @@ const CHECKED: f64 = 0.9;
 const SAFE_SHARE: f64 = 0.4;
 /// Of the accuracy the decimals of a coefficient may take this share.
 const ROUNDING: f64 = 1e-3;
-/// β*_lim and |V| may take this share of the accuracy.
-const EXACT_SHARE: f64 = 0.5;
 /// No table has more pieces.
 const MOST_PIECES: usize = 20_000;
 
@@ -75,9 +72,9 @@ pub struct Tables<S> {
     pub report: Report,
 }
 
-/// A double-double rounded once to a scalar.
-fn rounded<S: Float>(value: Dd) -> S {
-    S::constant(value.to_f64())
+/// A number rounded to one digit, as people write accuracies.
+fn one_digit(value: f64) -> f64 {
+    format!("{value:.0e}").parse().unwrap_or(value)
 }
 
 /// Coefficients of the polynomials that need least for an accuracy.
@@ -190,7 +187,7 @@ impl<S: Float> Tables<S> {
     fn reached(exact: &mut Exact<'_>, request: Request) -> Option<f64> {
         let mut accuracy = request.accuracy;
         while accuracy < COARSEST {
-            accuracy = (10.0 * accuracy).min(COARSEST);
+            accuracy = one_digit(10.0 * accuracy).min(COARSEST);
             let coarser = Request {
                 accuracy,
                 ..request
@@ -209,39 +206,12 @@ impl<S: Float> Tables<S> {
         let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
         let zeros = Zeros::of(modal);
         let landmarks = Landmarks::of(modal, zeros.as_ref(), (low, high));
-        let sliding_lift = match request.side {
-            Side::Near => 1.0,
-            Side::Safe => 1.0 + SAFE_ROUNDINGS * S::EPSILON,
-        };
-        let to = rounded::<S>;
-        let sliding = zeros
-            .as_ref()
-            .and_then(|zeros| quotients::sliding(exact, zeros, (low, high), sliding_lift, &to));
-        // Of both, what is not as exact as the tables themselves is left to the exact formulas.
-        let (mut points, mut off) = (
-            0,
-            Worst {
-                error: 0.0,
-                at: low,
-            },
-        );
-        let within = |product: &Product<S>, exact: &dyn Fn(f64) -> f64| {
-            check::product(product, (low, high), &landmarks, exact)
-        };
-        let sliding = sliding.filter(|product| {
-            let looked;
-            (off, looked) = within(product, &|r| sliding_lift * exact.sliding_limit(r));
-            points += looked;
-            off.error <= EXACT_SHARE * request.accuracy
-        });
-        let excitation = zeros.as_ref().filter(|_| request.motion);
-        let excitation =
-            excitation.and_then(|zeros| quotients::excitation(exact, zeros, (low, high), &to));
-        let excitation = excitation.filter(|product| {
-            let (seen, looked) = within(product, &|r| exact.excitation(r).abs());
-            points += looked;
-            seen.error <= EXACT_SHARE * request.accuracy
-        });
+        let Products {
+            sliding,
+            excitation,
+            worst: off,
+            points,
+        } = Products::of(exact, zeros.as_ref(), &landmarks, &request, (low, high));
         let functions = match (&excitation, exact.damped()) {
             (None, _) => 1,
             (Some(_), false) => 2,
@@ -265,7 +235,6 @@ impl<S: Float> Tables<S> {
             at,
         };
         let (pieces, worst, looked) = cover.checked(low, high).map_err(not_met)?;
-        points += looked;
         let worst = relative(worst, &request);
         let index = Index::of(&pieces, ends);
         let numbers: usize = pieces.iter().map(Fitted::numbers).sum();
@@ -285,7 +254,7 @@ impl<S: Float> Tables<S> {
             report: Report {
                 worst,
                 sliding: off,
-                points,
+                points: points + looked,
                 evaluations: exact.looked_at(),
                 bytes,
             },
@@ -373,6 +342,3 @@ fn relative(worst: Worst, request: &Request) -> Worst {
     };
     Worst { error, ..worst }
 }
-
-/// With `side: safe` β*_lim is larger by so many roundings, more than its factors take.
-const SAFE_ROUNDINGS: f64 = 256.0;
