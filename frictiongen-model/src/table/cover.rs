@@ -1,17 +1,14 @@
 //! A range covered by pieces, each as long as the accuracy allows.
 
 use super::check;
-use super::digits::{above, to_decimals};
+use super::digits::to_decimals;
 use super::exact::Exact;
-use super::fit::{ANGLE, Fitted, Form, fit};
+use super::fit::{Fitted, Form, fit};
 use super::split::{Edge, Landmarks};
 use super::tables::Worst;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::table::{ContactTable, Quotient};
-use std::f64::consts::PI;
+use frictiongen_kernel::table::Quotient;
 
-/// The friction ratios over β_lim at which the contact's motion is compared.
-pub const FRICTION_SHARES: [f64; 7] = [0.05, 0.3, 0.6, 0.8, 0.9, 0.95, 0.98];
 /// A piece counts as the longest when one longer by this share is too long.
 const LONGEST: f64 = 1.1;
 /// Where nothing else ends a piece, its end is rounded to this share of it.
@@ -24,8 +21,6 @@ const KINK_FOUND: f64 = 1.0 + 1e-3;
 const MOST_AGAIN: usize = 1000;
 /// No piece is shorter than this share of r.
 const SHORTEST: f64 = 1e-13;
-/// Roundings of r by which an exact value beside a zero of β_lim may be off.
-const ROUNDINGS: f64 = 4.0;
 
 /// How far an answer of a piece may be off.
 pub(super) struct Cover<'a, 'm, S> {
@@ -255,146 +250,4 @@ impl<S: Float> Cover<'_, '_, S> {
         self.last = good;
         known.ok_or(Stuck { at: start })
     }
-
-    /// The largest error of a piece over what is allowed.
-    fn error(&mut self, piece: &Fitted<S>, (low, high): (f64, f64), zero: Option<Edge>) -> f64 {
-        let points = 2 * self.form.terms + 3;
-        let step = (high - low) / (points - 1) as f64;
-        let mut worst = 0.0_f64;
-        for k in 0..points {
-            let r = if k + 1 < points {
-                low + step * k as f64
-            } else {
-                high
-            };
-            worst = worst.max(self.error_within(piece, r, (low, high), zero));
-        }
-        if worst > 1.0 {
-            return worst;
-        }
-        let mut place = self.landmarks.closely.partition_point(|r| *r < low);
-        while let Some(r) = self
-            .landmarks
-            .closely
-            .get(place)
-            .copied()
-            .filter(|r| *r <= high)
-        {
-            worst = worst.max(self.error_within(piece, r, (low, high), zero));
-            place += 1;
-        }
-        worst
-    }
-
-    /// The same at the number of the scalar next to r, if there is one within the piece.
-    fn error_within(
-        &mut self,
-        piece: &Fitted<S>,
-        r: f64,
-        (low, high): (f64, f64),
-        zero: Option<Edge>,
-    ) -> f64 {
-        // The nearest number of the scalar that is within.
-        let rounded = |r: f64| S::constant(r).to_f64();
-        let own = match rounded(r) {
-            own if own < low => above::<S>(low).to_f64(),
-            own if own > high => -above::<S>(-high).to_f64(),
-            own => own,
-        };
-        let beyond = zero.is_some_and(|zero| {
-            let side = zero.distance(0.5 * (low + high));
-            side * zero.distance(own) < 0.0
-        });
-        if beyond || own < low || high < own {
-            0.0
-        } else {
-            self.error_at(piece, own)
-        }
-    }
-
-    /// The error of a piece at r over what is allowed; an exact answer is that of an r within some roundings.
-    pub fn error_at(&mut self, piece: &Fitted<S>, r: f64) -> f64 {
-        let own = S::constant(r);
-        let r = own.to_f64();
-        let Some(exact) = self
-            .exact
-            .at(r)
-            .map(|sample| self.exact.contact(&sample, r))
-        else {
-            return f64::INFINITY;
-        };
-        let beside = [1.0, -1.0].map(|side| r * (1.0 + side * ROUNDINGS * f64::EPSILON));
-        let answer = self.answer(piece, own);
-        if exact.limit <= 0.0 {
-            // On a zero nothing is left to compare but how small the answer is.
-            let near = beside.map(|r| self.exact.at(r).map_or(0.0, |sample| sample.limit));
-            let least = near.into_iter().fold(0.0, f64::max);
-            let vanishes = answer.limit.to_f64().abs() <= least;
-            return if vanishes { 0.0 } else { f64::INFINITY };
-        }
-        let off = apart(&answer, &exact, self.form.lift);
-        let over = |noise: &[f64; APART]| {
-            let with_motion = if self.excitation.is_some() { APART } else { 1 };
-            let parts = off.iter().zip(noise).take(with_motion).enumerate();
-            let parts = parts.map(|(place, (off, noise))| {
-                let allowed = if place == 0 { self.limit } else { self.motion };
-                off / (allowed + noise)
-            });
-            parts.fold(0.0, f64::max)
-        };
-        let plain = over(&[0.0; APART]);
-        if plain <= 1.0 {
-            return plain;
-        }
-        let mut noise = [0.0_f64; APART];
-        for r in beside {
-            let Some(moved) = self.exact.at(r) else {
-                continue;
-            };
-            let moved = self.exact.contact(&moved, r);
-            for (noise, moved) in noise.iter_mut().zip(apart(&moved, &exact, 1.0)) {
-                *noise = noise.max(moved);
-            }
-        }
-        // Where β_lim is uncertain, so is everything that β is compared with.
-        let [of_limit, ..] = noise;
-        over(&noise.map(|noise| noise.max(of_limit)))
-    }
-
-    /// What a piece answers at r.
-    fn answer(&self, piece: &Fitted<S>, r: S) -> ContactTable<S> {
-        let [limit, quadrature, displacement, direction] =
-            [0, 1, 2, ANGLE].map(|function| piece.value(function, r));
-        let one = S::constant(1.0);
-        let excitation = self.excitation.map_or(one, |quotient| quotient.value(r));
-        if self.form.functions > ANGLE {
-            ContactTable::damped([limit, quadrature, displacement, direction], excitation)
-        } else {
-            ContactTable::undamped([limit, quadrature], excitation)
-        }
-    }
-}
-
-/// How many differences are taken: of β_lim, and of amplitude and phase at each friction ratio.
-const APART: usize = 1 + 2 * FRICTION_SHARES.len();
-
-/// How far an answer is from the exact one: β_lim from lift·β_lim and amplitudes relative, phases in radians.
-fn apart<T: Float>(answer: &ContactTable<T>, exact: &ContactTable<f64>, lift: f64) -> [f64; APART] {
-    let mut apart = [0.0; APART];
-    let (limits, motions) = apart.split_at_mut(1);
-    let off = (answer.limit.to_f64() - lift * exact.limit).abs();
-    limits.fill(if off == 0.0 { 0.0 } else { off / exact.limit });
-    // On an undamped resonance the motion is unbounded.
-    if !exact.excitation.is_finite() {
-        return apart;
-    }
-    let (amplitudes, phases) = motions.split_at_mut(FRICTION_SHARES.len());
-    for ((share, amplitude), phase) in FRICTION_SHARES.iter().zip(amplitudes).zip(phases) {
-        let beta = T::constant(share * exact.limit);
-        let expected = exact.amplitude(beta.to_f64());
-        *amplitude = (answer.amplitude(beta).to_f64() - expected).abs() / expected;
-        let turned = answer.phase(beta).to_f64() - exact.phase(beta.to_f64());
-        *phase = (turned - (turned / (2.0 * PI)).round() * 2.0 * PI).abs();
-    }
-    apart
 }

@@ -44,6 +44,7 @@ pub(super) struct Exact<'a> {
     pub reduced: Reduced<f64>,
     shares: Vec<Share>,
     seen: HashMap<u64, Sample>,
+    excitations: HashMap<u64, f64>,
 }
 
 impl<'a> Exact<'a> {
@@ -53,6 +54,7 @@ impl<'a> Exact<'a> {
             reduced: modal.reduced(|value| value.to_f64()),
             shares: shares(modal),
             seen: HashMap::new(),
+            excitations: HashMap::new(),
         }
     }
 
@@ -142,8 +144,10 @@ impl<'a> Exact<'a> {
     }
 
     /// What the contact's motion follows from, with |V| to the last digits.
-    pub fn contact(&self, sample: &Sample, r: f64) -> ContactTable<f64> {
-        let excitation = self.excitation(r);
+    pub fn contact(&mut self, sample: &Sample, r: f64) -> ContactTable<f64> {
+        let known = self.excitations.get(&r.to_bits()).copied();
+        let excitation = known.unwrap_or_else(|| self.excitation(r));
+        self.excitations.insert(r.to_bits(), excitation);
         if self.damped() {
             let Sample {
                 limit,

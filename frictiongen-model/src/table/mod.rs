@@ -7,6 +7,7 @@
 mod check;
 mod cover;
 mod digits;
+mod errors;
 mod exact;
 mod fit;
 mod index;
@@ -17,7 +18,7 @@ mod split;
 mod tables;
 mod zeros;
 
-pub use cover::FRICTION_SHARES;
+pub use errors::FRICTION_SHARES;
 pub use fit::Fitted;
 pub use index::Index;
 pub use quotients::Product;

@@ -1,0 +1,178 @@
+//! How far a piece is from the exact values, over what is allowed.
+
+use super::cover::Cover;
+use super::digits::above;
+use super::fit::{ANGLE, Fitted};
+use super::split::Edge;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::table::ContactTable;
+use std::f64::consts::PI;
+
+/// The friction ratios over β_lim at which the contact's motion is compared.
+pub const FRICTION_SHARES: [f64; 7] = [0.05, 0.3, 0.6, 0.8, 0.9, 0.95, 0.98];
+/// Roundings of r by which an exact value beside a zero of β_lim may be off.
+const ROUNDINGS: f64 = 4.0;
+
+impl<S: Float> Cover<'_, '_, S> {
+    /// The largest error of a piece over what is allowed.
+    pub fn error(&mut self, piece: &Fitted<S>, (low, high): (f64, f64), zero: Option<Edge>) -> f64 {
+        let points = 2 * self.form.terms + 3;
+        let step = (high - low) / (points - 1) as f64;
+        let mut worst = 0.0_f64;
+        for k in 0..points {
+            let r = if k + 1 < points {
+                low + step * k as f64
+            } else {
+                high
+            };
+            worst = worst.max(self.error_within(piece, r, (low, high), zero));
+        }
+        if worst > 1.0 {
+            return worst;
+        }
+        let mut place = self.landmarks.closely.partition_point(|r| *r < low);
+        while let Some(r) = self
+            .landmarks
+            .closely
+            .get(place)
+            .copied()
+            .filter(|r| *r <= high)
+        {
+            worst = worst.max(self.error_within(piece, r, (low, high), zero));
+            place += 1;
+        }
+        worst
+    }
+
+    /// The same at the number of the scalar next to r, if there is one within the piece.
+    fn error_within(
+        &mut self,
+        piece: &Fitted<S>,
+        r: f64,
+        (low, high): (f64, f64),
+        zero: Option<Edge>,
+    ) -> f64 {
+        // The nearest number of the scalar that is within.
+        let rounded = |r: f64| S::constant(r).to_f64();
+        let own = match rounded(r) {
+            own if own < low => above::<S>(low).to_f64(),
+            own if own > high => -above::<S>(-high).to_f64(),
+            own => own,
+        };
+        let beyond = zero.is_some_and(|zero| {
+            let side = zero.distance(0.5 * (low + high));
+            side * zero.distance(own) < 0.0
+        });
+        if beyond || own < low || high < own {
+            0.0
+        } else {
+            self.error_at(piece, own)
+        }
+    }
+
+    /// The error of a piece at r over what is allowed; an exact answer is that of an r within some roundings.
+    pub fn error_at(&mut self, piece: &Fitted<S>, r: f64) -> f64 {
+        let own = S::constant(r);
+        let r = own.to_f64();
+        let of_limit = self.limit_error(piece, own);
+        if !(of_limit <= 1.0) || self.excitation.is_none() {
+            return of_limit;
+        }
+        of_limit.max(self.motion_error(&self.answer(piece, own), r))
+    }
+
+    /// r moved by some roundings, up and down.
+    fn beside(r: f64) -> [f64; 2] {
+        [1.0, -1.0].map(|side| r * (1.0 + side * ROUNDINGS * f64::EPSILON))
+    }
+
+    /// The error of β_lim over what is allowed.
+    fn limit_error(&mut self, piece: &Fitted<S>, own: S) -> f64 {
+        let r = own.to_f64();
+        let Some(limit) = self.exact.at(r).map(|sample| sample.limit) else {
+            return f64::INFINITY;
+        };
+        let off = (piece.value(0, own).to_f64() - self.form.lift * limit).abs();
+        let plain = off / (self.limit * limit);
+        if plain <= 1.0 {
+            return plain;
+        }
+        // On a zero nothing is allowed but these roundings.
+        let allowed = self.limit * limit + self.limit_noise(limit, r);
+        if off <= allowed { 0.0 } else { off / allowed }
+    }
+
+    /// How far β_lim moves within some roundings of r.
+    fn limit_noise(&mut self, limit: f64, r: f64) -> f64 {
+        let near = Self::beside(r).map(|r| self.exact.at(r).map(|sample| sample.limit));
+        let moved = near.into_iter().flatten();
+        moved.map(|near| (near - limit).abs()).fold(0.0, f64::max)
+    }
+
+    /// The error of amplitude and phase over what is allowed.
+    fn motion_error(&mut self, answer: &ContactTable<S>, r: f64) -> f64 {
+        let Some(sample) = self.exact.at(r) else {
+            return f64::INFINITY;
+        };
+        let exact = self.exact.contact(&sample, r);
+        // On a zero of β_lim and on an undamped resonance there is no motion to compare.
+        if !(exact.limit > 0.0 && exact.excitation.is_finite()) {
+            return 0.0;
+        }
+        let allowed = self.motion;
+        let over = |off: &[f64; APART], noise: &[f64; APART]| {
+            let parts = off
+                .iter()
+                .zip(noise)
+                .map(|(off, noise)| off / (allowed + noise));
+            parts.fold(0.0, f64::max)
+        };
+        let off = apart(answer, &exact);
+        let plain = over(&off, &[0.0; APART]);
+        if plain <= 1.0 {
+            return plain;
+        }
+        // Where β_lim is uncertain, so is everything that β is compared with.
+        let mut noise = [self.limit_noise(exact.limit, r) / exact.limit; APART];
+        for r in Self::beside(r) {
+            let Some(moved) = self.exact.at(r) else {
+                continue;
+            };
+            let moved = self.exact.contact(&moved, r);
+            for (noise, moved) in noise.iter_mut().zip(apart(&moved, &exact)) {
+                *noise = noise.max(moved);
+            }
+        }
+        over(&off, &noise)
+    }
+
+    /// What a piece answers at r.
+    fn answer(&self, piece: &Fitted<S>, r: S) -> ContactTable<S> {
+        let [limit, quadrature, displacement, direction] =
+            [0, 1, 2, ANGLE].map(|function| piece.value(function, r));
+        let one = S::constant(1.0);
+        let excitation = self.excitation.map_or(one, |quotient| quotient.value(r));
+        if self.form.functions > ANGLE {
+            ContactTable::damped([limit, quadrature, displacement, direction], excitation)
+        } else {
+            ContactTable::undamped([limit, quadrature], excitation)
+        }
+    }
+}
+
+/// How many differences are taken: of amplitude and phase at each friction ratio.
+const APART: usize = 2 * FRICTION_SHARES.len();
+
+/// How far an answer is from the exact one: amplitudes relative, phases in radians.
+fn apart<T: Float>(answer: &ContactTable<T>, exact: &ContactTable<f64>) -> [f64; APART] {
+    let mut apart = [0.0; APART];
+    let (amplitudes, phases) = apart.split_at_mut(FRICTION_SHARES.len());
+    for ((share, amplitude), phase) in FRICTION_SHARES.iter().zip(amplitudes).zip(phases) {
+        let beta = T::constant(share * exact.limit);
+        let expected = exact.amplitude(beta.to_f64());
+        *amplitude = (answer.amplitude(beta).to_f64() - expected).abs() / expected;
+        let turned = answer.phase(beta).to_f64() - exact.phase(beta.to_f64());
+        *phase = (turned - (turned / (2.0 * PI)).round() * 2.0 * PI).abs();
+    }
+    apart
+}
