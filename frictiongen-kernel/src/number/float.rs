@@ -166,7 +166,7 @@ macro_rules! real {
                 reason = "what is meant: the cast saturates"
             )]
             fn to_index(self) -> usize {
-                self as usize
+                self as u32 as usize
             }
             #[inline(always)]
             fn to_f64(self) -> f64 {
