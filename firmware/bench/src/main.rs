@@ -11,7 +11,7 @@ use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m::peripheral::{Peripherals, SYST};
 use cortex_m_rt::{entry, exception};
 use cortex_m_semihosting::{debug, hprintln};
-use scenes::calls::{Call, DOUBLE, INPUTS, INPUTS_SINGLE, Input, SINGLE};
+use scenes::calls::{Call, DOUBLE, INPUTS, INPUTS_SINGLE, Input, SINGLE, tabled_five_limits};
 
 /// The timer counts 25 MHz while the emulator runs an instruction in 64 ns: eight ticks for five.
 const TICKS: u64 = 8;
@@ -87,7 +87,13 @@ fn main() -> ! {
             cost(timer, call, &INPUTS);
         }
         for call in SINGLE.iter().filter(|call| call.question == "limits") {
-            sweep(timer, call);
+            if !call.is_tabled() {
+                sweep(timer, call);
+            }
+        }
+        cost(timer, &NOTHING, &INPUTS_SINGLE);
+        for call in SINGLE.iter().filter(|call| call.is_tabled()) {
+            sweep_tabled(timer, call);
         }
     }
     loop {
@@ -113,31 +119,75 @@ fn cost<S: Copy>(timer: &mut SYST, call: &Call<S>, inputs: &[Input<S>]) {
     );
 }
 
-/// How many frequencies a sweep has: from r = 0.05 to 5, each so many times the one before.
-const FREQUENCIES: u32 = 1000;
-const RATIO: f32 = 1.004_615_8;
+/// What the others are asked in: a call that does nothing.
+const NOTHING: Call<f32> = Call {
+    scene: "none",
+    question: "a call that returns what it is given",
+    run: nothing,
+};
 
-/// The largest figures over a sweep: beside sub-harmonics and resonances a search takes longer than elsewhere.
-fn sweep(timer: &mut SYST, call: &Call<f32>) {
-    let (mut slowest, mut deepest) = (0, 0);
+#[inline(never)]
+fn nothing(input: &Input<f32>) -> [f32; 2] {
+    [input.r, input.beta]
+}
+
+/// How many frequencies a sweep has.
+const FREQUENCIES: u32 = 1000;
+/// Of exact limits: from r = 0.05 to 5, each so many times the one before.
+const EXACT: (f32, f32) = (0.05, 1.004_615_8);
+/// Of tables: from r = 0.2 to 2.5, just within.
+const TABLED: (f32, f32) = (0.2001, 1.002_53);
+
+/// The least and the largest figures over a sweep; at each r, β is what `beta` says.
+fn swept(
+    timer: &mut SYST,
+    call: &Call<f32>,
+    (first, ratio): (f32, f32),
+    beta: impl Fn(&Input<f32>) -> f32,
+) -> [(u64, usize); 2] {
+    let (mut least, mut most) = ((u64::MAX, usize::MAX), (0, 0));
     let mut input = Input {
-        r: 0.05,
+        r: first,
         beta: 0.0,
         tau: 0.0,
     };
     for _ in 0..FREQUENCIES {
-        slowest = slowest.max(instructions(timer, call, &input));
-        deepest = deepest.max(stack::depth(|| {
+        input.beta = beta(&input);
+        let count = instructions(timer, call, &input);
+        let depth = stack::depth(|| {
             black_box((call.run)(black_box(&input)));
-        }));
-        input.r *= RATIO;
+        });
+        least = (count.min(least.0), depth.min(least.1));
+        most = (count.max(most.0), depth.max(most.1));
+        input.r *= ratio;
     }
+    [least, most]
+}
+
+fn print_swept(call: &Call<f32>, which: &str, (count, depth): (u64, usize)) {
     hprintln!(
-        "cost|{}|{}, the worst of {} frequencies|{}|{}",
+        "cost|{}|{}, the {} of {} frequencies|{}|{}",
         call.scene,
         call.question,
+        which,
         FREQUENCIES,
-        slowest,
-        deepest
+        count,
+        depth
     );
+}
+
+/// Beside sub-harmonics and resonances a search takes longer than elsewhere.
+fn sweep(timer: &mut SYST, call: &Call<f32>) {
+    let [_, most] = swept(timer, call, EXACT, |_| 0.0);
+    print_swept(call, "worst", most);
+}
+
+/// A table takes as long everywhere.  β is half the smaller limit of the five masses, to whose motion it belongs.
+fn sweep_tabled(timer: &mut SYST, call: &Call<f32>) {
+    let [least, most] = swept(timer, call, TABLED, |input| {
+        let [continuous, sliding] = tabled_five_limits(input);
+        0.5 * continuous.min(sliding)
+    });
+    print_swept(call, "least", least);
+    print_swept(call, "worst", most);
 }

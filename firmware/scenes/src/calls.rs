@@ -1,6 +1,6 @@
 //! What is called, measured and compared: one list for each scalar.
 
-use crate::{Five, Pair, PairDouble, Sdof, least, stopping};
+use crate::{Five, Pair, PairDouble, Sdof, least, stopping, tabled};
 use frictiongen::Error;
 
 /// Where a call is made: frequency ratio, friction ratio, τ.
@@ -22,6 +22,13 @@ pub struct Call<S> {
     pub question: &'static str,
     /// The call.
     pub run: fn(&Input<S>) -> [S; 2],
+}
+
+impl<S> Call<S> {
+    /// Whether tables answer.
+    pub fn is_tabled(&self) -> bool {
+        self.scene.ends_with("to 1e-4")
+    }
 }
 
 /// The inputs of every call: continuous motion below, between and above the resonances.
@@ -92,7 +99,7 @@ macro_rules! calls {
 /// Ten times the friction of the continuous motions: the contact stops.
 const STOPPING: f32 = 10.0;
 
-calls! { f32 SINGLE 22:
+calls! { f32 SINGLE 27:
     sdof_without_search "SDOF f32" "limits without search" |at| {
         let limits = Sdof::limits_without_search(at.r)?;
         [limits.continuous, limits.sliding]
@@ -193,6 +200,23 @@ calls! { f32 SINGLE 22:
     five_stuck "5DOF damped f32" "stuck response" |at| {
         let stuck = Five::at(at.r)?.stuck()?.upper();
         [stuck.re, stuck.im]
+    };
+    tabled_continuous "2DOF f32, [limits] to 1e-4" "continuous limit" |at| {
+        [tabled::limits::Pair::at(at.r)?.continuous_limit(), 0.0]
+    };
+    tabled_limits "2DOF f32, [limits] to 1e-4" "limits" |at| {
+        let at = tabled::limits::Pair::at(at.r)?;
+        [at.continuous_limit(), at.sliding_limit()]
+    };
+    tabled_five_continuous "5DOF damped f32, [limits] to 1e-4" "continuous limit" |at| {
+        [tabled::limits::Five::at(at.r)?.continuous_limit(), 0.0]
+    };
+    tabled_five_limits "5DOF damped f32, [limits] to 1e-4" "limits" |at| {
+        let at = tabled::limits::Five::at(at.r)?;
+        [at.continuous_limit(), at.sliding_limit()]
+    };
+    tabled_five_contact "5DOF damped f32 to 1e-4" "motion of the contact: amplitude" |at| {
+        [tabled::motion::Five::at(at.r)?.motion(at.beta)?.contact().amplitude(), 0.0]
     };
 }
 

@@ -98,6 +98,7 @@ impl<T: TabledMotion> Compiled<T> {
     /// that β is out of the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Moving, NotContinuous> {
         let beta = self.checked(beta)?;
+        let mut table = None;
         if !self.is_within() {
             // The exact formulas have their own admission.
             let numbers = self.scene().numbers();
@@ -114,20 +115,26 @@ impl<T: TabledMotion> Compiled<T> {
                 at.modes().as_ref(),
                 waves.as_mut(),
             )?;
-        } else if !(beta < self.sliding_limit()) {
-            return Err(NotContinuous::Stuck);
-        } else if !(beta < self.continuous_limit()) {
-            return Err(NotContinuous::StickSlip);
-        } else if self
-            .scene()
-            .numbers()
-            .unbounded
-            .contains(&self.frequency_ratio())
-        {
-            return Err(NotContinuous::Unbounded);
+        } else {
+            if !(beta < self.sliding_limit()) {
+                return Err(NotContinuous::Stuck);
+            }
+            // One lookup for the admission and for the motion.
+            table = self.scene().tabled_contact(self.frequency_ratio());
+            let limit = match table {
+                Some(table) => table.limit,
+                None => self.continuous_limit(),
+            };
+            if !(beta < limit) {
+                return Err(NotContinuous::StickSlip);
+            }
+            let unbounded = self.scene().numbers().unbounded;
+            if unbounded.contains(&self.frequency_ratio()) {
+                return Err(NotContinuous::Unbounded);
+            }
         }
         let at = self.clone();
-        Ok(Moving { at, beta }.into())
+        Ok(Moving { at, beta, table }.into())
     }
 }
 
@@ -136,6 +143,8 @@ impl<T: TabledMotion> Compiled<T> {
 pub struct Moving<T: TabledMotion> {
     at: Compiled<T>,
     beta: T::Scalar,
+    /// Amplitude and phase of the contact at any β; none where the exact formulas answer.
+    table: Option<ContactTable<T::Scalar>>,
 }
 
 impl<T: TabledMotion> Moving<T> {
@@ -182,12 +191,7 @@ pub struct SteadyContact<T: TabledMotion> {
 
 impl<T: TabledMotion> SteadyContact<T> {
     fn table(&self) -> Option<ContactTable<T::Scalar>> {
-        let at = &self.moving.at;
-        if at.is_within() {
-            at.scene().tabled_contact(at.frequency_ratio())
-        } else {
-            None
-        }
+        self.moving.table
     }
 
     /// The same motion by the exact formulas.

@@ -32,12 +32,39 @@ pub struct Table<'a, S, B, const F: usize, const C: usize> {
 
 impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, S, B, F, C> {
     /// The piece that holds r: the first or the last one outside the range, none if there are no pieces.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn piece(&self, r: S) -> Option<&Piece<S, F, C>> {
         let bucket = ((r - self.low) * self.density).to_index();
         let bucket = bucket.min(self.buckets.len().saturating_sub(1));
-        let mut index: usize = self.buckets.get(bucket).copied().map_or(0, Into::into);
+        let first: usize = self.buckets.get(bucket).copied().map_or(0, Into::into);
+        // Where the number of halvings is a constant, one of these remains, in straight lines.
+        match self.halvings {
+            0 => self.pieces.get(first),
+            1 => self.among::<2>(first, r),
+            2 => self.among::<4>(first, r),
+            3 => self.among::<8>(first, r),
+            4 => self.among::<16>(first, r),
+            5 => self.among::<32>(first, r),
+            _ => self.onwards(first, r),
+        }
+    }
+
+    /// The piece that holds r among `W` from the first, or among the last `W`.
+    #[inline(always)]
+    fn among<const W: usize>(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
+        let first = first.min(self.pieces.len().saturating_sub(W));
+        let window = self.pieces.get(first..first + W);
+        match window.and_then(<[_]>::first_chunk::<W>) {
+            Some(window) if cfg!(target_pointer_width = "32") => halved(window, r),
+            Some(window) => window.get(counted(window, r)),
+            None => self.onwards(first, r),
+        }
+    }
+
+    /// The piece that holds r, from the first on, by as many halvings as there are.
+    fn onwards(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
+        let mut index = first;
         let mut halving = self.halvings;
         while halving > 0 {
             halving -= 1;
@@ -52,19 +79,26 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
     }
 
     /// All functions at r; NaN if there are no pieces.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn values(&self, r: S) -> [S; F] {
-        match self.piece(r) {
-            Some(piece) => piece
-                .coefficients
-                .map(|of| polynomial(&of, r - piece.origin)),
-            None => [S::constant(f64::NAN); F],
+        let mut values = [S::constant(f64::NAN); F];
+        if let Some(piece) = self.piece(r) {
+            // Not a loop: a function that nobody asks for then costs nothing.
+            let t = r - piece.origin;
+            put(&mut values, piece, 0, t);
+            put(&mut values, piece, 1, t);
+            put(&mut values, piece, 2, t);
+            put(&mut values, piece, 3, t);
+            for function in 4..F {
+                put(&mut values, piece, function, t);
+            }
         }
+        values
     }
 
     /// The first function at r; NaN if there are no pieces.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn first(&self, r: S) -> S {
         let piece = self.piece(r);
@@ -76,19 +110,127 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
     }
 }
 
+/// The piece of a window that holds r, by halves: the fewest instructions.
+#[inline(always)]
+fn halved<S: Float, const F: usize, const C: usize, const W: usize>(
+    window: &[Piece<S, F, C>; W],
+    r: S,
+) -> Option<&Piece<S, F, C>> {
+    let mut pieces: &[Piece<S, F, C>] = window;
+    if W > 16 {
+        pieces = half(pieces, r);
+    }
+    if W > 8 {
+        pieces = half(pieces, r);
+    }
+    if W > 4 {
+        pieces = half(pieces, r);
+    }
+    if W > 2 {
+        pieces = half(pieces, r);
+    }
+    half(pieces, r).first()
+}
+
+/// The half of some pieces that holds r.
+#[inline(always)]
+fn half<S: Float, const F: usize, const C: usize>(
+    pieces: &[Piece<S, F, C>],
+    r: S,
+) -> &[Piece<S, F, C>] {
+    match pieces.split_at_checked(pieces.len() / 2) {
+        Some((left, right)) => {
+            let begins = right.first().is_some_and(|piece| piece.from <= r);
+            if begins { right } else { left }
+        }
+        None => pieces,
+    }
+}
+
+/// The place in a window of the piece that holds r, by quarters: what begins before r is counted.
+///
+/// Of halves a compiler makes branches, which a large processor cannot foresee where r is any, and each waits for the
+/// one before; the comparisons of a count wait for nothing.
+#[inline(always)]
+fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
+    window: &[Piece<S, F, C>; W],
+    r: S,
+) -> usize {
+    let begun = |place: usize| usize::from(window.get(place).is_some_and(|piece| piece.from <= r));
+    let quarters = |from: usize, step: usize| {
+        step * (begun(from + step) + begun(from + 2 * step) + begun(from + 3 * step))
+    };
+    match W {
+        32 => {
+            let coarse = quarters(0, 8);
+            let fine = coarse + quarters(coarse, 2);
+            fine + begun(fine + 1)
+        }
+        16 => {
+            let coarse = quarters(0, 4);
+            coarse + quarters(coarse, 1)
+        }
+        8 => {
+            let coarse = quarters(0, 2);
+            coarse + begun(coarse + 1)
+        }
+        4 => quarters(0, 1),
+        _ => begun(1),
+    }
+}
+
+/// One function's value, if there is such a function.
+#[inline(always)]
+fn put<S: Float, const F: usize, const C: usize>(
+    values: &mut [S; F],
+    piece: &Piece<S, F, C>,
+    function: usize,
+    t: S,
+) {
+    if let (Some(value), Some(of)) = (values.get_mut(function), piece.coefficients.get(function)) {
+        *value = polynomial(of, t);
+    }
+}
+
 /// Σ c_k t^k: pairs c_2k + c_2k+1·t, then by t² from the highest pair down.
-#[inline]
+///
+/// Up to degree 9 without a loop, so that code that is compiled for size has none.
+#[inline(always)]
 #[must_use]
 pub fn polynomial<S: Float>(coefficients: &[S], t: S) -> S {
     let square = t * t;
-    let (pairs, last) = coefficients.as_chunks::<2>();
-    let mut sum = last.first().copied();
-    for [even, odd] in pairs.iter().rev() {
-        let pair = *even + *odd * t;
-        sum = Some(match sum {
-            Some(higher) => pair + higher * square,
-            None => pair,
-        });
+    let mut sum = None;
+    if coefficients.len() > 10 {
+        for first in (5..coefficients.len().div_ceil(2)).rev() {
+            sum = below(coefficients, 2 * first, t, square, sum);
+        }
     }
+    sum = below(coefficients, 8, t, square, sum);
+    sum = below(coefficients, 6, t, square, sum);
+    sum = below(coefficients, 4, t, square, sum);
+    sum = below(coefficients, 2, t, square, sum);
+    sum = below(coefficients, 0, t, square, sum);
     sum.unwrap_or(S::constant(0.0))
+}
+
+/// The pair that begins at a coefficient, with what is above it.
+#[inline(always)]
+fn below<S: Float>(
+    coefficients: &[S],
+    first: usize,
+    t: S,
+    square: S,
+    higher: Option<S>,
+) -> Option<S> {
+    let Some(even) = coefficients.get(first) else {
+        return higher;
+    };
+    let pair = match coefficients.get(first + 1) {
+        Some(odd) => *even + *odd * t,
+        None => *even,
+    };
+    Some(match higher {
+        Some(higher) => pair + higher * square,
+        None => pair,
+    })
 }

@@ -1,4 +1,4 @@
-//! 2DOF f32, `provide: [limits]`: the exact limits.
+//! 2DOF f32, `provide: [limits]`: the exact limits, and those without search.
 #![no_std]
 #![no_main]
 
