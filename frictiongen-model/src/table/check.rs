@@ -1,6 +1,7 @@
 //! Tables compared with the exact values, at points that the fit did not look at.
 
 use super::cover::Cover;
+use super::errors::or_infinite;
 use super::fit::Fitted;
 use super::kinks;
 use super::quotients::Product;
@@ -90,8 +91,8 @@ pub(super) fn product<S: Float>(
         let moved = own.to_f64() * (1.0 + ROUNDINGS * f64::EPSILON);
         let off = (off - (exact(moved) - expected).abs()).max(0.0);
         points += 1;
-        if !(off <= worst.error * expected) {
-            let error = off / expected;
+        let error = or_infinite(off / expected);
+        if error > worst.error {
             worst = Worst { error, at: r };
         }
     }

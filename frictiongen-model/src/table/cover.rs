@@ -181,7 +181,7 @@ impl<S: Float> Cover<'_, '_, S> {
             .iter()
             .map(|kink| if forwards { kink - start } else { start - kink });
         let mut stops: Vec<f64> = ahead
-            .filter(|ahead| 0.0 < *ahead && *ahead < most)
+            .filter(|ahead| SHORTEST * start < *ahead && *ahead < most)
             .collect();
         stops.sort_by(f64::total_cmp);
         stops.push(most);

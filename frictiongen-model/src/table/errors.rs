@@ -76,9 +76,10 @@ impl<S: Float> Cover<'_, '_, S> {
         let r = own.to_f64();
         let of_limit = self.limit_error(piece, own);
         if !(of_limit <= 1.0) || self.excitation.is_none() {
-            return of_limit;
+            return or_infinite(of_limit);
         }
-        of_limit.max(self.motion_error(&self.answer(piece, own), r))
+        let of_motion = self.motion_error(&self.answer(piece, own), r);
+        of_limit.max(or_infinite(of_motion))
     }
 
     /// r moved by some roundings, up and down.
@@ -125,7 +126,7 @@ impl<S: Float> Cover<'_, '_, S> {
                 .iter()
                 .zip(noise)
                 .map(|(off, noise)| off / (allowed + noise));
-            parts.fold(0.0, f64::max)
+            parts.map(or_infinite).fold(0.0, f64::max)
         };
         let off = apart(answer, &exact);
         let plain = over(&off, &[0.0; APART]);
@@ -158,6 +159,11 @@ impl<S: Float> Cover<'_, '_, S> {
             ContactTable::undamped([limit, quadrature], excitation)
         }
     }
+}
+
+/// NaN is no small error.
+pub(super) fn or_infinite(error: f64) -> f64 {
+    if error.is_nan() { f64::INFINITY } else { error }
 }
 
 /// How many differences are taken: of amplitude and phase at each friction ratio.

@@ -85,19 +85,23 @@ fn product<S: Float>(
     to: &impl Fn(Dd) -> S,
 ) -> Option<Product<S>> {
     const PLACES: usize = 33;
-    fn factors<T: Float>(zeros: [&[Zero]; 2], to: &impl Fn(Dd) -> T) -> Vec<Factor<T>> {
+    fn factors<T: Float>(
+        zeros: [&[Zero]; 2],
+        squared: bool,
+        to: &impl Fn(Dd) -> T,
+    ) -> Vec<Factor<T>> {
         zeros
             .iter()
             .flat_map(|zeros| zeros.iter())
-            .map(|zero| zero.factor(to))
+            .map(|zero| zero.factor(squared, to))
             .collect()
     }
     let wide = |value: Dd| value;
     let unit = Product {
         gain: Dd::ONE,
         squared,
-        numerator: factors(numerator, &wide),
-        denominator: factors(denominator, &wide),
+        numerator: factors(numerator, squared, &wide),
+        denominator: factors(denominator, squared, &wide),
     };
     let away = |r: f64| {
         let zeros = numerator
@@ -117,8 +121,8 @@ fn product<S: Float>(
     Some(Product {
         gain: to(gain),
         squared: squared && !plain,
-        numerator: factors(numerator, to),
-        denominator: factors(denominator, to),
+        numerator: factors(numerator, squared, to),
+        denominator: factors(denominator, squared, to),
     })
 }
 

@@ -40,6 +40,8 @@ const MOST: usize = 10_000;
 pub(super) struct Landmarks {
     /// The zeros of β_lim within the range and just outside, ascending.
     pub zeros: Vec<Edge>,
+    /// The resonances of undamped modes within the range.
+    pub jumps: Vec<f64>,
     /// Places to look at besides, ascending: about zeros, resonances and sub-harmonics.
     pub closely: Vec<f64>,
 }
@@ -59,8 +61,7 @@ impl Landmarks {
 
     pub fn of(modal: &Modal, zeros: Option<&Zeros>, (low, high): (f64, f64)) -> Self {
         let within = |r: f64| low <= r && r <= high;
-        let damped = modal.is_damped();
-        let (mut edges, mut centres) = (Vec::new(), Vec::new());
+        let (mut edges, mut centres, mut jumps) = (Vec::new(), Vec::new(), Vec::new());
         for share in shares(modal) {
             let (sigma, zeta) = (share.driven.sigma, share.driven.zeta);
             for k in 0..MOST {
@@ -72,9 +73,12 @@ impl Landmarks {
                 if zeta.to_f64() * order > BROAD {
                     break;
                 }
-                let vanishes = !damped && (k > 0 || share.residue.is_zero());
-                if vanishes && zeta.is_zero() {
+                // Of an undamped mode U is infinite there, whatever damps the others.
+                if zeta.is_zero() && (k > 0 || share.residue.is_zero()) {
                     edges.push(Edge::new(place));
+                }
+                if zeta.is_zero() && k == 0 && within(place.to_f64()) {
+                    jumps.push(place.to_f64());
                 }
                 centres.push(place.to_f64());
             }
@@ -103,6 +107,7 @@ impl Landmarks {
         closely.dedup();
         Self {
             zeros: edges,
+            jumps,
             closely,
         }
     }

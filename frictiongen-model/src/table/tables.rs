@@ -218,7 +218,11 @@ impl<S: Float> Tables<S> {
             (Some(_), true) => 4,
         };
         let terms = terms(request.accuracy);
-        let kinks = kinks::kinks(exact, (low, high));
+        let mut kinks = kinks::kinks(exact, (low, high));
+        if exact.damped() {
+            // Across the resonance of an undamped mode among damped ones arg V jumps.
+            kinks.extend(landmarks.jumps.iter().copied());
+        }
         let quotient = excitation.as_ref().map(Product::quotient);
         let mut cover = cover(
             exact,

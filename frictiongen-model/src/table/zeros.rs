@@ -27,8 +27,8 @@ impl Zero {
         self.x.is_zero()
     }
 
-    /// The factor of r that it stands for.
-    pub fn factor<S: Float>(&self, to: &impl Fn(Dd) -> S) -> Factor<S> {
+    /// The factor of r that it stands for, in a product of squares or in a plain one.
+    pub fn factor<S: Float>(&self, squared: bool, to: &impl Fn(Dd) -> S) -> Factor<S> {
         if self.y.is_zero() {
             return Factor::Real {
                 off: to(self.x * self.x),
@@ -36,7 +36,7 @@ impl Zero {
         }
         let at = to(self.y);
         let rest = to(self.y - Dd::from(at.to_f64()));
-        if self.is_on_axis() {
+        if self.is_on_axis() && !squared {
             return Factor::Zero { at, rest };
         }
         let off = self.x * self.x;

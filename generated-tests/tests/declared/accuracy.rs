@@ -331,3 +331,17 @@ fn of_a_mode_that_the_load_does_not_drive() {
         assert!(tally.failures.is_empty());
     }
 }
+
+/// Of several modes one may be undamped: β_lim vanishes at its sub-harmonics, whatever damps the others.
+#[test]
+fn of_one_undamped_mode_among_damped_ones() {
+    let text = "struct Mixed { masses: { a: 1, b: 2, c: 1 },
+        springs: { base - a: 1, a - b: 1, b - c: 2 },
+        contact: c - wall, excitation: a, damping: modal[0.02, 0, 0.05] }";
+    for accuracy in [1e-2, 1e-4, 1e-6] {
+        let mut tally = Tally::default();
+        check::<f64>("Mixed", text, accuracy, 2000, &mut tally);
+        told(&format!("one undamped mode of three, {accuracy:e}"), &tally);
+        assert!(tally.unmet.is_empty() && tally.failures.is_empty());
+    }
+}
