@@ -7,11 +7,24 @@ const GRIDS: &str = "\
 Grids:
   A grid is a number, a range a:step:b (b included), or a comma-separated list of those:
   0.9   0.2:0.01:2.5   0,0.5,1:0.1:2,inf
-  A grid of decimal numbers has decimal points. A frequency ratio may be 0 and inf; a friction
-  ratio is finite. At most 10 million points.
+  A grid of decimal numbers has decimal points. A frequency may be 0 and inf; a friction is
+  finite. At most 10 million points.
 
 Exit status:
   0, or 2 with one line on standard error for each thing that is wrong.";
+
+const UNITS: &str = "\
+Units:
+  The scene's own: with masses in kg and springs in N/m, forces are in N, lengths in m and
+  angular frequencies in rad/s.
+  --hz or --omega       adds frequency_Hz (and omega_rad_s) beside r
+  --force P or --base Y adds friction_N, gives amplitudes in m and phases in degrees; limits come
+                        as friction forces in N beside beta
+  r and beta refer to the first mass and the first spring listed: another order of them changes r
+  and beta, and no physical answer. In degrees, the phase of a contact a - b of two masses is that
+  of b relative to a.
+
+";
 
 const LIMITS: &str = "\
 Quantities:
@@ -40,9 +53,10 @@ Answers:
 
 Quantities:
   margin      beta/min(beta_lim, beta*_lim) - 1, negative in the continuous regime
-  amplitude   largest displacement of the cycle over P/k1, for base motion over Y
-  phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]
-  X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad
+  amplitude   largest displacement of the cycle over P/k1, for base motion over Y; with a load, m
+  phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]; with a load, degrees
+  X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
+              with a load, m and degrees
 
 ";
 
@@ -67,10 +81,10 @@ Quantities:
   reversals   how often it changes its direction without a stop
   stuck       the part of the period for which it sticks
   multiplier  by how much the deviation that dies most slowly is multiplied in a period
-  amplitude   largest displacement of the period over P/k1, for base motion over Y
-  phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]
+  amplitude   largest displacement of the period over P/k1, for base motion over Y; with a load, m
+  phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]; with a load, degrees
   X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
-              X_0 is the mean
+              X_0 is the mean; with a load, m and degrees
 
 ";
 
@@ -78,9 +92,9 @@ const GRIDS_IN_TIME: &str = "\
 Grids:
   A grid is a number, a range a:step:b (b included), or a comma-separated list of those:
   0.9   0.2:0.01:2.5   0.5,1:0.1:2
-  A grid of decimal numbers has decimal points. A frequency ratio is above 0 and below infinity:
+  A grid of decimal numbers has decimal points. A frequency is above 0 and below infinity:
   at 0 a cycle never ends, and at infinity nothing has time to move (`limits` and `response` answer
-  at both). A friction ratio is finite. At most 10 million points.
+  at both). A friction is finite. At most 10 million points.
 
 Exit status:
   0, or 2 with one line on standard error for each thing that is wrong.";
@@ -110,13 +124,13 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// The limits of continuous motion and of sliding over frequency
-    #[command(after_help = format!("{LIMITS}{GRIDS}"))]
+    #[command(after_help = format!("{LIMITS}{UNITS}{GRIDS}"))]
     Limits(LimitsArguments),
     /// Regime, amplitudes, phases and harmonics over frequency and friction
-    #[command(after_help = format!("{RESPONSES}{GRIDS}"))]
+    #[command(after_help = format!("{RESPONSES}{UNITS}{GRIDS}"))]
     Response(ResponseArguments),
     /// The steady state from rest over frequency and friction, stops included
-    #[command(after_help = format!("{ORBITS}{GRIDS_IN_TIME}"))]
+    #[command(after_help = format!("{ORBITS}{UNITS}{GRIDS_IN_TIME}"))]
     Orbit(OrbitArguments),
     /// Tables of the limits and of the contact's motion, to a declared accuracy
     #[command(after_help = TABLES)]
@@ -144,15 +158,56 @@ pub struct FormatArguments {
     pub csv: bool,
 }
 
+/// The frequency of the excitation, in one of three ways.
+#[derive(Debug, Args)]
+#[group(required = true, multiple = false)]
+pub struct FrequencyArguments {
+    /// Frequency ratios r = omega sqrt(m1/k1)
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    pub r: Option<String>,
+    /// In place of --r, frequencies in Hz
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    pub hz: Option<String>,
+    /// In place of --r, angular frequencies in rad/s
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    pub omega: Option<String>,
+}
+
+/// The friction, in one of two ways.
+#[derive(Debug, Args)]
+#[group(required = true, multiple = false)]
+pub struct FrictionArguments {
+    /// Friction ratios beta = F/P, for base motion F/(k1 Y)
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    pub beta: Option<String>,
+    /// In place of --beta, kinetic friction forces F in N; needs --force or --base
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    pub friction: Option<String>,
+}
+
+/// The amplitude of the load, where answers are wanted in N and m.
+#[derive(Debug, Args)]
+pub struct LoadArguments {
+    /// Amplitude P of the force in N, where a force on a mass drives the scene
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub force: Option<String>,
+    /// Amplitude Y of the base motion in m, where the base drives the scene
+    #[arg(long, value_name = "Y", allow_hyphen_values = true)]
+    pub base: Option<String>,
+}
+
 /// Of `frictiongen limits`.
 #[derive(Debug, Args)]
 pub struct LimitsArguments {
     /// The description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// Frequency ratios r = omega sqrt(m1/k1)
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
-    pub r: String,
+    /// The frequency.
+    #[command(flatten)]
+    pub frequency: FrequencyArguments,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,
@@ -164,12 +219,15 @@ pub struct ResponseArguments {
     /// The description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// Frequency ratios r = omega sqrt(m1/k1)
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
-    pub r: String,
-    /// Friction ratios beta = F/P, for base motion F/(k1 Y)
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
-    pub beta: String,
+    /// The frequency.
+    #[command(flatten)]
+    pub frequency: FrequencyArguments,
+    /// The friction.
+    #[command(flatten)]
+    pub friction: FrictionArguments,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
     /// Only this mass; may be given more than once [default: every mass]
     #[arg(long, value_name = "NAME")]
     pub mass: Vec<String>,
@@ -187,12 +245,15 @@ pub struct OrbitArguments {
     /// The description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// Frequency ratios r = omega sqrt(m1/k1)
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
-    pub r: String,
-    /// Friction ratios beta = F/P, for base motion F/(k1 Y)
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
-    pub beta: String,
+    /// The frequency.
+    #[command(flatten)]
+    pub frequency: FrequencyArguments,
+    /// The friction.
+    #[command(flatten)]
+    pub friction: FrictionArguments,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
     /// Only this mass; may be given more than once [default: every mass]
     #[arg(long, value_name = "NAME")]
     pub mass: Vec<String>,

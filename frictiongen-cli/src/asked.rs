@@ -1,7 +1,6 @@
 //! What is asked of commands that go over frequency and friction: points, masses, harmonics.
 
 use crate::failure::Failure;
-use crate::grid::{self, MOST_POINTS, Quantity};
 use frictiongen::study::{SystemAt, SystemMotion, UnknownMass};
 use frictiongen::{Complex, NoOrbit, NotContinuous, OutOfDomain, System};
 use std::f64::consts::PI;
@@ -16,18 +15,6 @@ pub struct Mass {
     pub index: usize,
     /// Its name.
     pub name: String,
-}
-
-/// Frequency ratios and friction ratios.
-pub fn grids(r: &str, quantity: Quantity, beta: &str) -> Result<(Vec<f64>, Vec<f64>), Failure> {
-    let r = grid::parse(r, quantity).map_err(Failure::new)?;
-    let beta = grid::parse(beta, Quantity::FrictionRatio).map_err(Failure::new)?;
-    if r.len().saturating_mul(beta.len()) > MOST_POINTS {
-        return Err(Failure::new(format_args!(
-            "--r and --beta: more than {MOST_POINTS} points together, the most there may be"
-        )));
-    }
-    Ok((r, beta))
 }
 
 /// The highest harmonic asked for, if any is.

@@ -13,23 +13,60 @@ pub enum Quantity {
     FrequencyRatio,
     /// r of a motion in time, which has a cycle.
     FrequencyRatioInTime,
+    /// A frequency in Hz: 0 and infinity are values like any other.
+    Hertz,
+    /// A frequency in Hz of a motion in time.
+    HertzInTime,
+    /// An angular frequency in rad/s: 0 and infinity are values like any other.
+    Omega,
+    /// An angular frequency in rad/s of a motion in time.
+    OmegaInTime,
     /// β: finite.
     FrictionRatio,
+    /// A friction force: finite.
+    FrictionForce,
 }
 
 impl Quantity {
-    fn option(self) -> &'static str {
+    /// The option that takes it.
+    pub fn option(self) -> &'static str {
         match self {
             Self::FrequencyRatio | Self::FrequencyRatioInTime => "--r",
+            Self::Hertz | Self::HertzInTime => "--hz",
+            Self::Omega | Self::OmegaInTime => "--omega",
             Self::FrictionRatio => "--beta",
+            Self::FrictionForce => "--friction",
         }
     }
 
     fn name(self) -> &'static str {
         match self {
             Self::FrequencyRatio | Self::FrequencyRatioInTime => "frequency ratio",
+            Self::Hertz | Self::HertzInTime => "frequency",
+            Self::Omega | Self::OmegaInTime => "angular frequency",
             Self::FrictionRatio => "friction ratio",
+            Self::FrictionForce => "friction force",
         }
+    }
+
+    fn article(self) -> &'static str {
+        match self {
+            Self::Omega | Self::OmegaInTime => "an",
+            _ => "a",
+        }
+    }
+
+    /// Whether it belongs to a motion in time.
+    fn in_time(self) -> bool {
+        matches!(
+            self,
+            Self::FrequencyRatioInTime | Self::HertzInTime | Self::OmegaInTime
+        )
+    }
+
+    /// Whether infinity is a value of it.
+    fn may_be_infinite(self) -> bool {
+        matches!(self, Self::FrequencyRatio | Self::Hertz | Self::Omega)
     }
 }
 
@@ -173,7 +210,7 @@ fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
         return Err("NaN is not a number to compute with".to_owned());
     }
     if value.is_infinite() && text.contains(|letter: char| letter.is_ascii_digit()) {
-        return Err(if quantity == Quantity::FrequencyRatio {
+        return Err(if quantity.may_be_infinite() {
             format!("`{text}` is too large; write inf if it is meant")
         } else {
             format!("`{text}` is too large")
@@ -184,17 +221,15 @@ fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
 
 /// Nothing, if a quantity can have this value.
 fn admit(value: f64, quantity: Quantity) -> Result<(), String> {
-    let name = quantity.name();
-    let in_time = quantity == Quantity::FrequencyRatioInTime;
+    let (article, name) = (quantity.article(), quantity.name());
     if value < 0.0 {
-        Err(format!("a {name} is not negative"))
-    } else if in_time && (value == 0.0 || value.is_infinite()) {
-        Err(
-            "a motion in time needs a frequency ratio above 0 and below infinity; `limits` and `response` answer there too"
-                .to_owned(),
-        )
-    } else if value.is_infinite() && quantity == Quantity::FrictionRatio {
-        Err(format!("a {name} is finite"))
+        Err(format!("{article} {name} is not negative"))
+    } else if quantity.in_time() && (value == 0.0 || value.is_infinite()) {
+        Err(format!(
+            "a motion in time needs {article} {name} above 0 and below infinity; `limits` and `response` answer there too"
+        ))
+    } else if value.is_infinite() && !quantity.may_be_infinite() {
+        Err(format!("{article} {name} is finite"))
     } else {
         Ok(())
     }

@@ -19,6 +19,16 @@ impl<'a> Writer<'a> {
         writeln!(out, "\"scene\": {},", Json::from(summary.scene.as_str()))?;
         let frequencies = list(&summary.natural_frequencies);
         writeln!(out, "\"natural_frequencies\": {frequencies},")?;
+        if let Some(hertz) = &summary.hertz {
+            writeln!(out, "\"natural_frequencies_Hz\": {},", list(hertz))?;
+        }
+        if let Some(scale) = summary.measure.scale() {
+            let load = object([
+                ("force_N", scale.force().into()),
+                ("length_m", scale.length().into()),
+            ]);
+            writeln!(out, "\"load\": {},", Json::Object(load))?;
+        }
         writeln!(out, "\"resonances\": {},", list(&summary.resonances))?;
         write!(out, "\"points\": [")?;
         Ok(Self { out, empty: true })

@@ -2,53 +2,70 @@
 
 use crate::args::LimitsArguments;
 use crate::failure::Failure;
-use crate::grid::{self, Quantity};
+use crate::frequency::{Frequencies, Frequency};
+use crate::measure::Measure;
 use crate::number::Value;
 use crate::output::{self, Report, Visitor};
 use crate::summary::Summary;
 use crate::table::Column;
 use frictiongen::System;
+use frictiongen::study::LoadScale;
 use frictiongen_codegen::Limits;
 use std::io::Write;
 
 /// Runs the command.
 pub fn run(arguments: &LimitsArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let r = grid::parse(&arguments.r, Quantity::FrequencyRatio).map_err(Failure::new)?;
+    let frequencies = Frequencies::parse(&arguments.frequency, false)?;
     let description = arguments.file.description(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
-    let summary = Summary::of(&system);
-    output::print(
-        &LimitsReport { system, r },
-        &summary,
-        &arguments.format,
-        out,
-    )
+    frequencies.check(&system)?;
+    let measure = Measure::of(&arguments.load, &system)?;
+    let summary = Summary::of(&system, &frequencies, measure);
+    let report = LimitsReport {
+        system,
+        frequencies,
+        scale: measure.scale(),
+    };
+    output::print(&report, &summary, &arguments.format, out)
 }
+
+/// The limits, by the names of their cells.
+const LIMITS: [&str; 4] = [
+    "continuous_limit",
+    "continuous_limit_without_search",
+    "continuous_limit_per_mode",
+    "sliding_limit",
+];
+
+/// The limits, by their headings, and what they are as ratios.
+const HEADINGS: [(&str, &str); 4] = [
+    ("continuous limit", "beta_lim"),
+    ("without search", "beta_lim"),
+    ("per mode", "beta_lim"),
+    ("sliding limit", "beta*_lim"),
+];
 
 struct LimitsReport {
     system: System,
-    r: Vec<f64>,
+    frequencies: Frequencies,
+    scale: Option<LoadScale>,
 }
 
-/// The limits at one frequency ratio.
+/// The limits at one frequency.
 struct Point {
-    r: f64,
-    continuous: f64,
-    without_search: f64,
-    per_mode: f64,
-    sliding: f64,
+    frequency: Frequency,
+    /// As ratios, in the order of [`LIMITS`].
+    limits: [f64; 4],
 }
 
-impl Point {
-    fn values(&self) -> Vec<Value<'static>> {
-        let values = [
-            self.r,
-            self.continuous,
-            self.without_search,
-            self.per_mode,
-            self.sliding,
-        ];
-        values.map(Value::from).to_vec()
+impl LimitsReport {
+    fn values(&self, point: &Point) -> Vec<Value<'static>> {
+        let mut values = point.frequency.values();
+        if let Some(scale) = self.scale {
+            values.extend(point.limits.map(|limit| Value::from(scale.friction(limit))));
+        }
+        values.extend(point.limits.map(Value::from));
+        values
     }
 }
 
@@ -56,57 +73,57 @@ impl Report for LimitsReport {
     type Point = Point;
 
     fn len(&self) -> usize {
-        self.r.len()
+        self.frequencies.len()
     }
 
     fn each(&self, visit: Visitor<'_, Point>) -> Result<(), Failure> {
-        for &r in &self.r {
-            let at = self.system.at(r).map_err(Failure::new)?;
+        for frequency in self.frequencies.iter(&self.system) {
+            let at = self.system.at(frequency.r).map_err(Failure::new)?;
             let limits = at.limits();
             visit(&Point {
-                r,
-                continuous: limits.continuous,
-                without_search: at.continuous_limit_without_search(),
-                per_mode: at.continuous_limit_per_mode(),
-                sliding: limits.sliding,
+                frequency,
+                limits: [
+                    limits.continuous,
+                    at.continuous_limit_without_search(),
+                    at.continuous_limit_per_mode(),
+                    limits.sliding,
+                ],
             })?;
         }
         Ok(())
     }
 
-    fn columns(&self, _: &Summary) -> Vec<Column> {
-        vec![
-            Column::given(&["r"], &self.r),
-            Column::computed(&["continuous limit", "beta_lim"]),
-            Column::computed(&["without search", "beta_lim"]),
-            Column::computed(&["per mode", "beta_lim"]),
-            Column::computed(&["sliding limit", "beta*_lim"]),
-        ]
+    fn columns(&self) -> Vec<Column> {
+        let mut columns = self.frequencies.columns();
+        if self.scale.is_some() {
+            columns.extend(HEADINGS.map(|(title, _)| Column::computed(&[title, "(N)"])));
+        }
+        columns.extend(HEADINGS.map(|(title, ratio)| Column::computed(&[title, ratio])));
+        columns
     }
 
     fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Value<'a>>> {
-        vec![point.values()]
+        vec![self.values(point)]
     }
 
     fn names(&self) -> Vec<String> {
-        let names = [
-            "r",
-            "continuous_limit",
-            "continuous_limit_without_search",
-            "continuous_limit_per_mode",
-            "sliding_limit",
-        ];
-        names.map(str::to_owned).to_vec()
+        let frequency = self.frequencies.names().iter();
+        let mut names: Vec<String> = frequency.map(|name| (*name).to_owned()).collect();
+        if self.scale.is_some() {
+            names.extend(LIMITS.map(|name| format!("{name}_N")));
+        }
+        names.extend(LIMITS.map(str::to_owned));
+        names
     }
 
     fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
-        point.values()
+        self.values(point)
     }
 
     fn json(&self, point: &Point) -> serde_json::Value {
         let names = self.names().into_iter();
         names
-            .zip(point.values())
+            .zip(self.values(point))
             .map(|(name, value)| (name, value.json()))
             .collect()
     }

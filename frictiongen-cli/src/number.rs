@@ -68,6 +68,11 @@ impl Value<'_> {
     }
 }
 
+/// Whether a number is neither lost nor made infinite where another is computed from it.
+pub fn survives(given: f64, computed: f64) -> bool {
+    computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
+}
+
 /// A number computed, for people: six decimals, or six digits where those say little.
 pub fn computed(value: f64) -> String {
     let size = value.abs();

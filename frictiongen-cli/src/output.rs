@@ -19,7 +19,7 @@ pub trait Report {
     /// Computes the points, in order, until the visitor fails.
     fn each(&self, visit: Visitor<'_, Self::Point>) -> Result<(), Failure>;
     /// The columns of the table.
-    fn columns(&self, summary: &Summary) -> Vec<Column>;
+    fn columns(&self) -> Vec<Column>;
     /// A point's lines in the table.
     fn rows<'a>(&'a self, point: &'a Self::Point) -> Vec<Vec<Value<'a>>>;
     /// The names of the CSV columns.
@@ -57,7 +57,7 @@ pub fn print<R: Report>(
         })?;
     } else {
         summary.write(&mut out)?;
-        let columns = report.columns(summary);
+        let columns = report.columns();
         table::header(&mut out, &columns)?;
         report.each(&mut |point| {
             progress.step();

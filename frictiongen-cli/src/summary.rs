@@ -1,8 +1,11 @@
 //! What stands before the numbers: which scene, its natural frequencies, its groups.
 
+use crate::frequency::Frequencies;
+use crate::measure::Measure;
 use crate::number::computed;
 use frictiongen::System;
 use frictiongen::study::scene::{Damping, Excitation, Scene};
+use frictiongen::study::units;
 use std::io::{self, Write};
 
 /// The most natural frequencies in the preamble of a table.
@@ -21,33 +24,33 @@ pub struct Summary {
     description: String,
     /// Whether the excitation is base motion.
     base_motion: bool,
+    /// Hz, where a frequency is given in a unit.
+    pub hertz: Option<Vec<f64>>,
+    /// What is counted in what.
+    pub measure: Measure,
 }
 
 impl Summary {
     /// Of a system.
-    pub fn of(system: &System) -> Self {
+    pub fn of(system: &System, frequencies: &Frequencies, measure: Measure) -> Self {
         let scene = system.scene();
+        let natural_frequencies = system.natural_frequencies();
+        let in_hertz = || natural_frequencies.iter().copied().map(units::hertz);
+        let hertz = frequencies.are_physical().then(|| in_hertz().collect());
         Self {
             scene: scene.name.clone(),
-            natural_frequencies: system.natural_frequencies(),
+            natural_frequencies,
             resonances: system.resonances().to_vec(),
             description: description(scene),
             base_motion: scene.excitation == Excitation::Base,
+            hertz,
+            measure,
         }
     }
 
     /// What β is.
     pub fn friction_ratio(&self) -> &'static str {
         if self.base_motion { "F/(k1 Y)" } else { "F/P" }
-    }
-
-    /// What a displacement is counted in.
-    pub fn amplitude(&self) -> &'static str {
-        if self.base_motion {
-            "(of Y)"
-        } else {
-            "(of P/k1)"
-        }
     }
 
     /// The preamble of a table.
@@ -57,12 +60,18 @@ impl Summary {
         let frequencies = row(&self.natural_frequencies);
         let ratios = row(&self.resonances);
         writeln!(out, "natural frequencies (rad/s)  {frequencies}")?;
+        if let Some(hertz) = &self.hertz {
+            writeln!(out, "natural frequencies (Hz)     {}", row(hertz))?;
+        }
         writeln!(out, "resonances r                 {ratios}")?;
         writeln!(
             out,
             "groups                       r = omega sqrt(m1/k1), beta = {}",
             self.friction_ratio()
         )?;
+        if let Some(load) = self.measure.description(computed) {
+            writeln!(out, "load                         {load}")?;
+        }
         writeln!(out)
     }
 }

@@ -1,16 +1,18 @@
 //! Computes the steady state at one frequency ratio and one friction ratio.
 
 use crate::asked::{self, Mass};
+use crate::frequency::Frequency;
+use crate::friction::Friction;
 use frictiongen::study::{SystemAt, SystemOrbit, SystemOrbitMotion};
 use frictiongen::{Complex, NoOrbit, OutOfDomain};
 
 /// The steady state at one frequency ratio and one friction ratio.
 #[derive(Debug)]
 pub struct Point {
-    /// r.
-    pub r: f64,
-    /// β.
-    pub beta: f64,
+    /// At which frequency.
+    pub frequency: Frequency,
+    /// At which friction.
+    pub friction: Friction,
     /// Continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
     /// Stable, marginal, unsettled, or why there is none.
@@ -67,12 +69,25 @@ impl Movement {
             harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
         }
     }
+
+    /// The same with the opposite sign, where it has this phase.
+    fn turn(&mut self, phase: f64) {
+        self.phase = phase;
+        for harmonic in &mut self.harmonics {
+            *harmonic = Complex::new(0.0 - harmonic.re, 0.0 - harmonic.im);
+        }
+    }
 }
 
 impl Steady {
-    fn of(orbit: &SystemOrbit<'_>, masses: &[Mass], orders: &[u32]) -> Self {
-        let contact = std::iter::once(orbit.contact());
-        let masses = masses.iter().filter_map(|mass| orbit.mass_at(mass.index));
+    fn of(orbit: &SystemOrbit<'_>, question: &Question<'_>) -> Self {
+        let mut contact = Movement::of(&orbit.contact(), question.orders);
+        if question.turn_contact {
+            contact.turn(orbit.reversed_contact_phase());
+        }
+        let masses = question.masses.iter();
+        let masses = masses.filter_map(|mass| orbit.mass_at(mass.index));
+        let masses = masses.map(|motion| Movement::of(&motion, question.orders));
         Self {
             period: orbit.is_settled().then(|| Period {
                 cycles: orbit.period() as usize,
@@ -83,10 +98,7 @@ impl Steady {
             stuck_fraction: orbit.stuck_fraction(),
             sticking: orbit.sticking_intervals().collect(),
             multipliers: orbit.multipliers().to_vec(),
-            movements: contact
-                .chain(masses)
-                .map(|motion| Movement::of(&motion, orders))
-                .collect(),
+            movements: std::iter::once(contact).chain(masses).collect(),
         }
     }
 
@@ -100,13 +112,23 @@ impl Steady {
     }
 }
 
+/// What is asked at every point.
+pub struct Question<'a> {
+    /// Of which masses.
+    pub masses: &'a [Mass],
+    /// Which harmonics.
+    pub orders: &'a [u32],
+    /// Whether the contact's motion is asked for with the opposite sign.
+    pub turn_contact: bool,
+}
+
 /// Computes a point.
 pub fn answer(
     at: &SystemAt<'_>,
-    (r, beta): (f64, f64),
-    masses: &[Mass],
-    orders: &[u32],
+    (frequency, friction): (Frequency, Friction),
+    question: &Question<'_>,
 ) -> Result<Point, OutOfDomain> {
+    let beta = friction.beta;
     let regime = asked::regime(at, &at.motion(beta))?;
     let (state, orbit) = match at.orbit_or_last_cycles(beta) {
         Ok(orbit) => {
@@ -116,14 +138,14 @@ pub fn answer(
                 (false, true) => "stable",
                 (false, false) => "unstable",
             };
-            (state, Some(Steady::of(&orbit, masses, orders)))
+            (state, Some(Steady::of(&orbit, question)))
         }
         Err(NoOrbit::OutOfDomain(error)) => return Err(error),
         Err(error) => (asked::reason(error), None),
     };
     Ok(Point {
-        r,
-        beta,
+        frequency,
+        friction,
         regime,
         state,
         orbit,

@@ -1,13 +1,15 @@
 //! Writes steady states: a table line for each part that moves, a CSV line and a JSON object for
 //! each point.
 
-use super::point::{Movement, Point, answer};
-use crate::asked::{Mass, polar};
+use super::point::{Movement, Point, Question, answer};
+use crate::asked::Mass;
 use crate::failure::Failure;
-use crate::json::object;
+use crate::frequency::Frequencies;
+use crate::friction::Frictions;
+use crate::harmonics;
+use crate::measure::Measure;
 use crate::number::Value;
 use crate::output::{Report, Visitor};
-use crate::summary::Summary;
 use crate::table::Column;
 use frictiongen::System;
 use serde_json::Value as Json;
@@ -16,10 +18,12 @@ use serde_json::Value as Json;
 pub struct OrbitReport {
     /// Of which system.
     pub system: System,
-    /// At which frequency ratios.
-    pub r: Vec<f64>,
-    /// At which friction ratios.
-    pub beta: Vec<f64>,
+    /// At which frequencies.
+    pub frequencies: Frequencies,
+    /// At which friction.
+    pub frictions: Frictions,
+    /// In which units.
+    pub measure: Measure,
     /// Of which masses.
     pub masses: Vec<Mass>,
     /// Which harmonics.
@@ -29,10 +33,8 @@ pub struct OrbitReport {
 /// What the contact is called; no mass can be.
 const CONTACT: &str = "contact";
 
-/// What a point says once.
-const ONCE: [&str; 10] = [
-    "r",
-    "beta",
+/// What a point says once, beside frequency and friction.
+const ONCE: [&str; 8] = [
     "regime",
     "state",
     "symmetry",
@@ -51,14 +53,14 @@ fn pair((first, second): (f64, f64)) -> Json {
     Json::from(vec![number(first), number(second)])
 }
 
-fn once(point: &Point) -> [Value<'_>; 10] {
+fn once(point: &Point) -> Vec<Value<'_>> {
     let orbit = point.orbit.as_ref();
     let period = orbit.and_then(|orbit| orbit.period.as_ref());
     let symmetry = |symmetric| if symmetric { "symmetric" } else { "asymmetric" };
     let or_none = |value: Option<Value<'static>>| value.unwrap_or(Value::Missing);
-    [
-        point.r.into(),
-        point.beta.into(),
+    let mut values: Vec<Value<'_>> = point.frequency.values();
+    values.extend(point.friction.values());
+    values.extend([
         point.regime.into(),
         point.state.into(),
         or_none(period.map(|period| symmetry(period.symmetric).into())),
@@ -69,7 +71,8 @@ fn once(point: &Point) -> [Value<'_>; 10] {
         orbit
             .and_then(super::point::Steady::largest_multiplier)
             .into(),
-    ]
+    ]);
+    values
 }
 
 impl OrbitReport {
@@ -84,32 +87,41 @@ impl OrbitReport {
         let Some(movement) = movement else {
             return vec![Value::Missing; 2 + 2 * self.orders.len()];
         };
-        let mut values = vec![movement.amplitude.into(), movement.phase.into()];
-        for harmonic in &movement.harmonics {
-            let (amplitude, phase) = polar(*harmonic);
-            values.extend([Value::from(amplitude), Value::from(phase)]);
-        }
+        let mut values = self.first(movement).to_vec();
+        let harmonics = movement.harmonics.iter();
+        values.extend(harmonics.flat_map(|harmonic| harmonics::values(*harmonic, &self.measure)));
         values
     }
 
+    /// Amplitude and phase.
+    fn first(&self, movement: &Movement) -> [Value<'static>; 2] {
+        [
+            self.measure.length(movement.amplitude).into(),
+            self.measure.angle(movement.phase).into(),
+        ]
+    }
+
+    /// The names of those.
+    fn first_names(&self) -> [String; 2] {
+        [
+            self.measure.length_name("amplitude"),
+            self.measure.angle_name("phase"),
+        ]
+    }
+
+    /// The names of what a point says once.
+    fn once_names(&self) -> Vec<&'static str> {
+        let groups = [self.frequencies.names(), self.frictions.names()];
+        [&groups.concat()[..], &ONCE].concat()
+    }
+
     fn object(&self, movement: &Movement) -> serde_json::Map<String, Json> {
-        let mut fields = object([
-            ("amplitude", number(movement.amplitude)),
-            ("phase", number(movement.phase)),
-        ]);
+        let values = self.first(movement).map(|value| value.json());
+        let mut fields: serde_json::Map<String, Json> =
+            self.first_names().into_iter().zip(values).collect();
         if !self.orders.is_empty() {
-            let orders = self.orders.iter().zip(&movement.harmonics);
-            let harmonics = orders.map(|(order, harmonic)| {
-                let (amplitude, phase) = polar(*harmonic);
-                Json::Object(object([
-                    ("n", Json::from(*order)),
-                    ("re", number(harmonic.re)),
-                    ("im", number(harmonic.im)),
-                    ("amplitude", number(amplitude)),
-                    ("phase", number(phase)),
-                ]))
-            });
-            fields.insert("harmonics".to_owned(), harmonics.collect());
+            let harmonics = harmonics::json(&self.orders, &movement.harmonics, &self.measure);
+            fields.insert("harmonics".to_owned(), harmonics);
         }
         fields
     }
@@ -119,25 +131,30 @@ impl Report for OrbitReport {
     type Point = Point;
 
     fn len(&self) -> usize {
-        self.r.len().saturating_mul(self.beta.len())
+        self.frequencies.len().saturating_mul(self.frictions.len())
     }
 
     fn each(&self, visit: Visitor<'_, Point>) -> Result<(), Failure> {
-        for &r in &self.r {
-            let at = self.system.at(r).map_err(Failure::new)?;
-            for &beta in &self.beta {
-                let point = answer(&at, (r, beta), &self.masses, &self.orders);
+        let question = Question {
+            masses: &self.masses,
+            orders: &self.orders,
+            turn_contact: self.measure.turns_contact(),
+        };
+        for frequency in self.frequencies.iter(&self.system) {
+            let at = self.system.at(frequency.r).map_err(Failure::new)?;
+            for friction in self.frictions.iter() {
+                let point = answer(&at, (frequency, friction), &question);
                 visit(&point.map_err(Failure::new)?)?;
             }
         }
         Ok(())
     }
 
-    fn columns(&self, summary: &Summary) -> Vec<Column> {
-        let unit = summary.amplitude();
-        let mut columns = vec![
-            Column::given(&["r"], &self.r),
-            Column::given(&["beta"], &self.beta),
+    fn columns(&self) -> Vec<Column> {
+        let (unit, angle) = (self.measure.length_title(), self.measure.angle_title());
+        let mut columns = self.frequencies.columns();
+        columns.extend(self.frictions.columns());
+        columns.extend([
             Column::words(&["regime"], ["continuous"]),
             Column::words(&["state"], ["unsettled"]),
             Column::words(&["symmetry"], ["asymmetric"]),
@@ -148,25 +165,22 @@ impl Report for OrbitReport {
             Column::computed(&["multiplier", "(largest)"]),
             Column::words(&["motion"], self.parts()),
             Column::computed(&["amplitude", unit]),
-            Column::computed(&["phase", "(rad)"]),
-        ];
-        for order in &self.orders {
-            columns.push(Column::computed(&[&format!("|X_{order}|"), unit]));
-            columns.push(Column::computed(&[&format!("lag X_{order}"), "(rad)"]));
-        }
+            Column::computed(&["phase", angle]),
+        ]);
+        columns.extend(harmonics::columns(&self.orders, &self.measure));
         columns
     }
 
     fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Value<'a>>> {
         let first = once(point);
         let Some(orbit) = &point.orbit else {
-            return vec![first.to_vec()];
+            return vec![first];
         };
         let movements = self.parts().zip(&orbit.movements).enumerate();
         movements
             .map(|(index, (name, movement))| {
                 let mut row = match index {
-                    0 => first.to_vec(),
+                    0 => first.clone(),
                     _ => vec![Value::Missing; first.len()],
                 };
                 row.push(name.into());
@@ -177,20 +191,18 @@ impl Report for OrbitReport {
     }
 
     fn names(&self) -> Vec<String> {
-        let mut names = ONCE.map(str::to_owned).to_vec();
+        let once = self.once_names().into_iter();
+        let mut names: Vec<String> = once.map(str::to_owned).collect();
         for part in self.parts() {
-            names.push(format!("{part}.amplitude"));
-            names.push(format!("{part}.phase"));
-            for order in &self.orders {
-                names.push(format!("{part}.X{order}.amplitude"));
-                names.push(format!("{part}.X{order}.phase"));
-            }
+            let first = self.first_names().into_iter();
+            names.extend(first.map(|name| format!("{part}.{name}")));
+            names.extend(harmonics::names(part, &self.orders, &self.measure));
         }
         names
     }
 
     fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
-        let mut record = once(point).to_vec();
+        let mut record = once(point);
         let orbit = point.orbit.as_ref();
         for (index, _) in self.parts().enumerate() {
             let movement = orbit.and_then(|orbit| orbit.movements.get(index));
@@ -200,7 +212,7 @@ impl Report for OrbitReport {
     }
 
     fn json(&self, point: &Point) -> Json {
-        let fields = ONCE.into_iter().zip(once(point));
+        let fields = self.once_names().into_iter().zip(once(point));
         let fields = fields.map(|(name, value)| (name.to_owned(), value.json()));
         let mut fields: serde_json::Map<String, Json> = fields.collect();
         let Some(orbit) = &point.orbit else {

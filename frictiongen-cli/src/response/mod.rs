@@ -6,7 +6,9 @@ mod report;
 use crate::args::ResponseArguments;
 use crate::asked;
 use crate::failure::Failure;
-use crate::grid::Quantity;
+use crate::frequency::Frequencies;
+use crate::friction::Frictions;
+use crate::measure::Measure;
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
@@ -16,7 +18,8 @@ use std::io::Write;
 
 /// Runs the command.
 pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let (r, beta) = asked::grids(&arguments.r, Quantity::FrequencyRatio, &arguments.beta)?;
+    let frequencies = Frequencies::parse(&arguments.frequency, false)?;
+    let frictions = Frictions::parse(&arguments.friction, &frequencies)?;
     let orders = match asked::harmonics(arguments.harmonics.as_deref())? {
         Some(highest) => (1..=highest).step_by(2).collect(),
         None => Vec::new(),
@@ -24,11 +27,15 @@ pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Fai
     let description = arguments.file.description(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let masses = asked::masses(&system, &arguments.mass)?;
-    let summary = Summary::of(&system);
+    frequencies.check(&system)?;
+    let measure = Measure::of(&arguments.load, &system)?;
+    let frictions = frictions.under(&measure)?;
+    let summary = Summary::of(&system, &frequencies, measure);
     let report = ResponseReport {
         system,
-        r,
-        beta,
+        frequencies,
+        frictions,
+        measure,
         masses,
         orders,
     };

@@ -2,17 +2,20 @@
 
 use crate::asked::{self, Mass, polar};
 use crate::failure::Failure;
+use crate::frequency::Frequency;
+use crate::friction::{Friction, Frictions};
 use crate::output::Visitor;
+use frictiongen::study::units::reversed_phase;
 use frictiongen::study::{SystemAt, SystemMotion, SystemOrbitMotion, SystemSteady};
 use frictiongen::{Complex, Limits, NotContinuous, OutOfDomain};
 
 /// The response at one frequency ratio and one friction ratio.
 #[derive(Debug)]
 pub struct Point {
-    /// r.
-    pub r: f64,
-    /// β.
-    pub beta: f64,
+    /// At which frequency.
+    pub frequency: Frequency,
+    /// At which friction.
+    pub friction: Friction,
     /// Continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
     /// β/min(β_lim, β*_lim) − 1.
@@ -54,6 +57,14 @@ impl Movement {
         }
     }
 
+    /// The same with the opposite sign, where it has this phase.
+    fn turn(&mut self, phase: f64) {
+        self.swing = self.swing.map(|(size, _)| (size, phase));
+        for harmonic in &mut self.harmonics {
+            *harmonic = Complex::new(0.0 - harmonic.re, 0.0 - harmonic.im);
+        }
+    }
+
     /// What is left where nothing has time to move: the formulas are evaluated at a finite r.
     fn at_infinity(&mut self) {
         let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
@@ -78,6 +89,8 @@ pub struct Question<'a> {
     pub masses: &'a [Mass],
     /// Which harmonics.
     pub orders: &'a [u32],
+    /// Whether the contact's motion is asked for with the opposite sign.
+    pub turn_contact: bool,
 }
 
 impl Question<'_> {
@@ -85,13 +98,15 @@ impl Question<'_> {
     pub fn answers(
         &self,
         at: &SystemAt<'_>,
-        (r, beta): (f64, &[f64]),
+        frequency: Frequency,
+        frictions: &Frictions,
         visit: Visitor<'_, Point>,
     ) -> Result<(), Failure> {
         // One search for all β.
         let limits = at.limits();
-        for &beta in beta {
-            visit(&self.answer(at, &limits, r, beta).map_err(Failure::new)?)?;
+        for friction in frictions.iter() {
+            let point = self.answer(at, &limits, frequency, friction);
+            visit(&point.map_err(Failure::new)?)?;
         }
         Ok(())
     }
@@ -100,12 +115,13 @@ impl Question<'_> {
         &self,
         at: &SystemAt<'_>,
         limits: &Limits<f64>,
-        r: f64,
-        beta: f64,
+        frequency: Frequency,
+        friction: Friction,
     ) -> Result<Point, OutOfDomain> {
+        let beta = friction.beta;
         let mut point = Point {
-            r,
-            beta,
+            frequency,
+            friction,
             regime: "",
             margin: limits.margin(beta)?,
             answer: "closed form",
@@ -117,6 +133,9 @@ impl Question<'_> {
         match motion {
             Ok(motion) => {
                 point.contact = Movement::continuous(&motion.contact(), self.orders);
+                if let (true, Some((_, phase))) = (self.turn_contact, point.contact.swing) {
+                    point.contact.turn(reversed_phase(phase));
+                }
                 point.masses = self.each(|mass| self.mass(&motion, mass));
             }
             Err(NotContinuous::Stuck) => match at.stuck() {
@@ -130,7 +149,7 @@ impl Question<'_> {
             Err(NotContinuous::Unbounded) => point.answer = "unbounded",
             Err(_) => return Err(OutOfDomain { argument: "beta" }),
         }
-        if r.is_infinite() {
+        if frequency.r.is_infinite() {
             point.contact.at_infinity();
             point.masses.iter_mut().for_each(Movement::at_infinity);
         }
@@ -138,7 +157,7 @@ impl Question<'_> {
     }
 
     fn orbit(&self, at: &SystemAt<'_>, point: &mut Point) {
-        match at.orbit_or_last_cycles(point.beta) {
+        match at.orbit_or_last_cycles(point.friction.beta) {
             Ok(orbit) => {
                 point.answer = match (orbit.is_marginal(), orbit.is_stable()) {
                     _ if !orbit.is_settled() => "last 64 cycles",
@@ -148,6 +167,9 @@ impl Question<'_> {
                     (false, false) => "orbit: unstable",
                 };
                 point.contact = Movement::orbit(&orbit.contact(), self.orders);
+                if self.turn_contact {
+                    point.contact.turn(orbit.reversed_contact_phase());
+                }
                 point.masses = self.each(|mass| {
                     let motion = orbit.mass_at(mass.index)?;
                     Some(Movement::orbit(&motion, self.orders))

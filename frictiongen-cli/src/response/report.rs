@@ -2,12 +2,14 @@
 //! point.
 
 use super::point::{Movement, Point, Question};
-use crate::asked::{Mass, polar};
+use crate::asked::Mass;
 use crate::failure::Failure;
-use crate::json::object;
+use crate::frequency::Frequencies;
+use crate::friction::Frictions;
+use crate::harmonics;
+use crate::measure::Measure;
 use crate::number::Value;
 use crate::output::{Report, Visitor};
-use crate::summary::Summary;
 use crate::table::Column;
 use frictiongen::System;
 use serde_json::Value as Json;
@@ -16,10 +18,12 @@ use serde_json::Value as Json;
 pub struct ResponseReport {
     /// Of which system.
     pub system: System,
-    /// At which frequency ratios.
-    pub r: Vec<f64>,
-    /// At which friction ratios.
-    pub beta: Vec<f64>,
+    /// At which frequencies.
+    pub frequencies: Frequencies,
+    /// At which friction.
+    pub frictions: Frictions,
+    /// In which units.
+    pub measure: Measure,
     /// Of which masses.
     pub masses: Vec<Mass>,
     /// Which harmonics.
@@ -44,46 +48,72 @@ impl ResponseReport {
 
     /// Amplitude, phase, estimate; amplitude and phase of each harmonic.
     fn values<'a>(&self, movement: &Movement) -> Vec<Value<'a>> {
-        let mut values = vec![
-            movement.swing.map(|(amplitude, _)| amplitude).into(),
-            movement.swing.map(|(_, phase)| phase).into(),
-            movement.monoharmonic.into(),
-        ];
+        let mut values = self.first(movement).to_vec();
         let mut harmonics = movement.harmonics.iter();
         for _ in &self.orders {
-            let harmonic = harmonics.next().map(|harmonic| polar(*harmonic));
-            values.push(harmonic.map(|(amplitude, _)| amplitude).into());
-            values.push(harmonic.map(|(_, phase)| phase).into());
+            let harmonic = harmonics.next();
+            values.extend(
+                harmonic.map_or([Value::Missing, Value::Missing], |harmonic| {
+                    harmonics::values(*harmonic, &self.measure)
+                }),
+            );
         }
         values
     }
 
+    /// Amplitude, phase, estimate.
+    fn first(&self, movement: &Movement) -> [Value<'static>; 3] {
+        let measure = &self.measure;
+        let swing = movement.swing;
+        [
+            swing.map(|(size, _)| measure.length(size)).into(),
+            swing.map(|(_, phase)| measure.angle(phase)).into(),
+            movement
+                .monoharmonic
+                .map(|size| measure.length(size))
+                .into(),
+        ]
+    }
+
+    /// The names of those.
+    fn first_names(&self) -> [String; 3] {
+        [
+            self.measure.length_name("amplitude"),
+            self.measure.angle_name("phase"),
+            self.measure.length_name("amplitude_monoharmonic"),
+        ]
+    }
+
     fn object(&self, movement: &Movement) -> serde_json::Map<String, Json> {
-        let number = |value: Option<f64>| Value::from(value).json();
-        let mut fields = object([
-            ("amplitude", number(movement.swing.map(|(size, _)| size))),
-            ("phase", number(movement.swing.map(|(_, phase)| phase))),
-            ("amplitude_monoharmonic", number(movement.monoharmonic)),
-        ]);
+        let values = self.first(movement).map(|value| value.json());
+        let mut fields: serde_json::Map<String, Json> =
+            self.first_names().into_iter().zip(values).collect();
         if !self.orders.is_empty() {
-            let orders = self.orders.iter().zip(&movement.harmonics);
-            let harmonics = orders.map(|(order, harmonic)| {
-                let (amplitude, phase) = polar(*harmonic);
-                Json::Object(object([
-                    ("n", Json::from(*order)),
-                    ("re", number(Some(harmonic.re))),
-                    ("im", number(Some(harmonic.im))),
-                    ("amplitude", number(Some(amplitude))),
-                    ("phase", number(Some(phase))),
-                ]))
-            });
             let harmonics = match movement.harmonics.is_empty() {
                 true => Json::Null,
-                false => harmonics.collect(),
+                false => harmonics::json(&self.orders, &movement.harmonics, &self.measure),
             };
             fields.insert("harmonics".to_owned(), harmonics);
         }
         fields
+    }
+
+    /// What a point says once.
+    fn once<'a>(&self, point: &'a Point) -> Vec<Value<'a>> {
+        let mut values: Vec<Value<'a>> = point.frequency.values();
+        values.extend(point.friction.values());
+        values.extend([
+            point.regime.into(),
+            point.margin.into(),
+            point.answer.into(),
+        ]);
+        values
+    }
+
+    /// The names of that.
+    fn once_names(&self) -> Vec<&'static str> {
+        let groups = [self.frequencies.names(), self.frictions.names()];
+        [groups.concat(), vec!["regime", "margin", "answer"]].concat()
     }
 }
 
@@ -91,49 +121,41 @@ impl Report for ResponseReport {
     type Point = Point;
 
     fn len(&self) -> usize {
-        self.r.len().saturating_mul(self.beta.len())
+        self.frequencies.len().saturating_mul(self.frictions.len())
     }
 
     fn each(&self, visit: Visitor<'_, Point>) -> Result<(), Failure> {
         let question = Question {
             masses: &self.masses,
             orders: &self.orders,
+            turn_contact: self.measure.turns_contact(),
         };
-        for &r in &self.r {
-            let at = self.system.at(r).map_err(Failure::new)?;
-            question.answers(&at, (r, &self.beta), visit)?;
+        for frequency in self.frequencies.iter(&self.system) {
+            let at = self.system.at(frequency.r).map_err(Failure::new)?;
+            question.answers(&at, frequency, &self.frictions, visit)?;
         }
         Ok(())
     }
 
-    fn columns(&self, summary: &Summary) -> Vec<Column> {
-        let unit = summary.amplitude();
-        let mut columns = vec![
-            Column::given(&["r"], &self.r),
-            Column::given(&["beta"], &self.beta),
+    fn columns(&self) -> Vec<Column> {
+        let (unit, angle) = (self.measure.length_title(), self.measure.angle_title());
+        let mut columns = self.frequencies.columns();
+        columns.extend(self.frictions.columns());
+        columns.extend([
             Column::words(&["regime"], ["continuous"]),
             Column::computed(&["margin"]),
             Column::words(&["answer"], ["orbit: marginal"]),
             Column::words(&["motion"], self.parts()),
             Column::computed(&["amplitude", unit]),
-            Column::computed(&["phase", "(rad)"]),
+            Column::computed(&["phase", angle]),
             Column::computed(&["monoharmonic", unit]),
-        ];
-        for order in &self.orders {
-            columns.push(Column::computed(&[&format!("|X_{order}|"), unit]));
-            columns.push(Column::computed(&[&format!("lag X_{order}"), "(rad)"]));
-        }
+        ]);
+        columns.extend(harmonics::columns(&self.orders, &self.measure));
         columns
     }
 
     fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Value<'a>>> {
-        let first = [
-            point.r.into(),
-            point.beta.into(),
-            point.regime.into(),
-            point.margin.into(),
-            point.answer.into(),
-        ];
+        let first = self.once(point);
         let movements = self.movements(point);
         let mut rows: Vec<Vec<Value<'a>>> = movements
             .filter(|(_, movement)| movement.swing.is_some())
@@ -149,35 +171,24 @@ impl Report for ResponseReport {
                 .iter_mut()
                 .zip(first)
                 .for_each(|(cell, value)| *cell = value),
-            None => rows.push(first.to_vec()),
+            None => rows.push(first),
         }
         rows
     }
 
     fn names(&self) -> Vec<String> {
-        let mut names = ["r", "beta", "regime", "margin", "answer"]
-            .map(str::to_owned)
-            .to_vec();
+        let once = self.once_names().into_iter();
+        let mut names: Vec<String> = once.map(str::to_owned).collect();
         for part in self.parts() {
-            for name in ["amplitude", "phase", "amplitude_monoharmonic"] {
-                names.push(format!("{part}.{name}"));
-            }
-            for order in &self.orders {
-                names.push(format!("{part}.X{order}.amplitude"));
-                names.push(format!("{part}.X{order}.phase"));
-            }
+            let first = self.first_names().into_iter();
+            names.extend(first.map(|name| format!("{part}.{name}")));
+            names.extend(harmonics::names(part, &self.orders, &self.measure));
         }
         names
     }
 
     fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
-        let mut record = vec![
-            point.r.into(),
-            point.beta.into(),
-            point.regime.into(),
-            point.margin.into(),
-            point.answer.into(),
-        ];
+        let mut record = self.once(point);
         for (_, movement) in self.movements(point) {
             record.extend(self.values(movement));
         }
@@ -191,14 +202,12 @@ impl Report for ResponseReport {
             fields.insert("name".to_owned(), Json::from(mass.name.as_str()));
             Json::Object(fields)
         });
-        Json::Object(object([
-            ("r", Value::from(point.r).json()),
-            ("beta", Value::from(point.beta).json()),
-            ("regime", Json::from(point.regime)),
-            ("margin", Value::from(point.margin).json()),
-            ("answer", Json::from(point.answer)),
-            ("contact", Json::Object(self.object(&point.contact))),
-            ("masses", masses.collect()),
-        ]))
+        let once = self.once(point).into_iter().map(|value| value.json());
+        let names = self.once_names().into_iter().map(str::to_owned);
+        let mut fields: serde_json::Map<String, Json> = names.zip(once).collect();
+        let contact = Json::Object(self.object(&point.contact));
+        fields.insert(CONTACT.to_owned(), contact);
+        fields.insert("masses".to_owned(), masses.collect());
+        Json::Object(fields)
     }
 }

@@ -1,5 +1,6 @@
 //! What goes wrong at run time.
 
+use super::units::LoadError;
 use crate::{Error, NoOrbit, NotContinuous, OutOfDomain, StuckResonance};
 use frictiongen_codegen::Diagnostics;
 use frictiongen_model::validate::SceneError;
@@ -69,6 +70,8 @@ pub enum StudyError {
     Solver(Error),
     /// A mass that is not there.
     UnknownMass(UnknownMass),
+    /// A load that does not fit the scene.
+    Load(LoadError),
 }
 
 impl std::fmt::Display for StudyError {
@@ -78,6 +81,7 @@ impl std::fmt::Display for StudyError {
             Self::Scene(error) => error.fmt(f),
             Self::Solver(error) => error.fmt(f),
             Self::UnknownMass(error) => error.fmt(f),
+            Self::Load(error) => error.fmt(f),
         }
     }
 }
@@ -99,6 +103,12 @@ impl From<InvalidScene> for StudyError {
 impl From<UnknownMass> for StudyError {
     fn from(error: UnknownMass) -> Self {
         Self::UnknownMass(error)
+    }
+}
+
+impl From<LoadError> for StudyError {
+    fn from(error: LoadError) -> Self {
+        Self::Load(error)
     }
 }
 

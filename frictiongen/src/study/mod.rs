@@ -10,6 +10,7 @@ mod orbit;
 mod sensitivity;
 mod simulation;
 mod system;
+pub mod units;
 
 pub use at::SystemAt;
 pub use builder::Builder;
@@ -21,6 +22,7 @@ pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
 pub use sensitivity::{Sensitive, Varied};
 pub use simulation::SystemSimulation;
 pub use system::System;
+pub use units::{Load, LoadError, LoadScale};
 
 /// What a description says: masses, springs, contact, excitation, damping.
 pub use frictiongen_model::scene::{self, Damping};

@@ -2,6 +2,7 @@
 
 use super::error::UnknownMass;
 use super::system::System;
+use super::units::reversed_phase;
 use crate::Complex;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
@@ -67,6 +68,48 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
     /// [`UnknownMass`] if there is none of this name.
     pub fn mass(&self, name: &str) -> Result<SystemOrbitMotion<'_, 'a, S>, UnknownMass> {
         Ok(self.orbit.mass(self.system.mass_index(name)?))
+    }
+
+    /// The phase of the contact's motion with the opposite sign, in (−π, π]: what
+    /// [`contact_is_reversed`](System::contact_is_reversed) asks for. As for `phase`, of several lags at which that
+    /// motion is farthest the smallest counts, and then the positive one.
+    #[must_use]
+    pub fn reversed_contact_phase(&self) -> S {
+        let contact = self.orbit.contact();
+        let (amplitude, phase) = contact.largest();
+        let (zero, turn) = (S::constant(0.0), S::constant(2.0) * S::pi());
+        // Within rounding of the farthest, and of equal lags.
+        let same = S::constant(1e-9_f64.max(64.0 * S::EPSILON));
+        let mut best = reversed_phase(phase);
+        let mut note = |lag: S| {
+            let lag = if S::pi() < lag { lag - turn } else { lag };
+            let gain = best.abs() - lag.abs();
+            if same < gain || (gain.abs() <= same && best < lag) {
+                best = lag;
+            }
+        };
+        for (start, length) in self.orbit.sticking_intervals() {
+            let middle = start + length * S::constant(0.5) - self.orbit.origin();
+            let relative = contact.displacement(middle);
+            if relative.abs() < amplitude - amplitude * same {
+                continue;
+            }
+            // Where the motion is negative the opposite one has its maximum; else half a turn away.
+            let from = if zero < relative {
+                start + S::pi()
+            } else {
+                start
+            };
+            let from = from - (from / turn).floor() * turn;
+            let to = from + length;
+            if turn <= to {
+                note(zero);
+            } else {
+                note(from);
+                note(to);
+            }
+        }
+        best
     }
 }
 

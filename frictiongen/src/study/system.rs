@@ -42,7 +42,7 @@ pub struct System<S = f64> {
     pub(super) modal: Modal,
     pub(super) reduced: Reduced<S>,
     resonances: Vec<S>,
-    reference: S,
+    pub(super) reference: S,
     /// The smallest and the largest 1/r at which the formulas are evaluated.
     pub(super) range: (S, S),
     transient: OnceLock<Transient<S>>,

@@ -13,3 +13,4 @@ mod limits;
 mod runs;
 mod slices;
 mod traits;
+mod units;

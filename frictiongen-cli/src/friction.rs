@@ -1,0 +1,130 @@
+//! The friction asked for: ratios β, or forces.
+
+use crate::args::FrictionArguments;
+use crate::failure::Failure;
+use crate::frequency::Frequencies;
+use crate::grid::{self, MOST_POINTS, Quantity};
+use crate::measure::Measure;
+use crate::number::{Value, survives};
+use crate::table::Column;
+use frictiongen::study::LoadScale;
+
+/// A grid of friction ratios or forces.
+#[derive(Clone, Debug)]
+pub struct Frictions {
+    given: Vec<f64>,
+    quantity: Quantity,
+    scale: Option<LoadScale>,
+}
+
+/// One friction.
+#[derive(Clone, Copy, Debug)]
+pub struct Friction {
+    /// β.
+    pub beta: f64,
+    /// The friction force, where the load is known.
+    force: Option<f64>,
+}
+
+impl Friction {
+    /// Its cells.
+    pub fn values(&self) -> Vec<Value<'static>> {
+        let before = self.force.into_iter();
+        before.chain([self.beta]).map(Value::from).collect()
+    }
+}
+
+impl Frictions {
+    /// The grid, which together with that of the frequencies is not too long.
+    pub fn parse(
+        arguments: &FrictionArguments,
+        frequencies: &Frequencies,
+    ) -> Result<Self, Failure> {
+        let (text, quantity) = match (&arguments.beta, &arguments.friction) {
+            (Some(beta), _) => (beta, Quantity::FrictionRatio),
+            (_, Some(friction)) => (friction, Quantity::FrictionForce),
+            (None, None) => return Err(Failure::new("give --beta or --friction")),
+        };
+        let given = grid::parse(text, quantity).map_err(Failure::new)?;
+        if frequencies.len().saturating_mul(given.len()) > MOST_POINTS {
+            let (first, second) = (frequencies.quantity.option(), quantity.option());
+            return Err(Failure::new(format_args!(
+                "{first} and {second}: more than {MOST_POINTS} points together, the most there may be"
+            )));
+        }
+        Ok(Self {
+            given,
+            quantity,
+            scale: None,
+        })
+    }
+
+    /// The same under a load, which forces need.
+    pub fn under(mut self, measure: &Measure) -> Result<Self, Failure> {
+        self.scale = measure.scale();
+        if self.scale.is_none() && self.are_forces() {
+            return Err(Failure::new(format_args!(
+                "--friction needs the amplitude of the load: give {}",
+                measure.option()
+            )));
+        }
+        let lost = |given: &&f64| {
+            let friction = self.of(**given);
+            let force = friction.force.unwrap_or(friction.beta);
+            !(survives(**given, friction.beta) && survives(**given, force))
+        };
+        if let Some(given) = self.given.iter().find(lost) {
+            return Err(Failure::new(format_args!(
+                "{} `{given:?}`: with this load its friction {} is too small or too large to compute with",
+                self.quantity.option(),
+                if self.are_forces() { "ratio" } else { "force" }
+            )));
+        }
+        Ok(self)
+    }
+
+    fn are_forces(&self) -> bool {
+        self.quantity == Quantity::FrictionForce
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.given.len()
+    }
+
+    /// The frictions, in the order written.
+    pub fn iter(&self) -> impl Iterator<Item = Friction> + Clone + '_ {
+        self.given.iter().map(|given| self.of(*given))
+    }
+
+    fn of(&self, given: f64) -> Friction {
+        match self.scale {
+            Some(scale) if self.are_forces() => Friction {
+                beta: scale.friction_ratio(given),
+                force: Some(given),
+            },
+            scale => Friction {
+                beta: given,
+                force: scale.map(|scale| scale.friction(given)),
+            },
+        }
+    }
+
+    /// The columns of the table.
+    pub fn columns(&self) -> Vec<Column> {
+        let (force, beta): (&[&str], &[&str]) = (&["friction", "(N)"], &["beta"]);
+        match (self.scale, self.are_forces()) {
+            (None, _) => vec![Column::given(beta, &self.given)],
+            (_, true) => vec![Column::given(force, &self.given), Column::computed(beta)],
+            (_, false) => vec![Column::computed(force), Column::given(beta, &self.given)],
+        }
+    }
+
+    /// The names of the cells.
+    pub fn names(&self) -> &'static [&'static str] {
+        match self.scale {
+            None => &["beta"],
+            Some(_) => &["friction_N", "beta"],
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! How harmonics are written: amplitude and lag, and in JSON both parts too.
+
+use crate::asked::polar;
+use crate::json::object;
+use crate::measure::Measure;
+use crate::number::Value;
+use crate::table::Column;
+use frictiongen::Complex;
+use serde_json::Value as Json;
+
+/// The columns of the table.
+pub fn columns(orders: &[u32], measure: &Measure) -> Vec<Column> {
+    let (unit, angle) = (measure.length_title(), measure.angle_title());
+    let both = |order: &u32| {
+        [
+            Column::computed(&[&format!("|X_{order}|"), unit]),
+            Column::computed(&[&format!("lag X_{order}"), angle]),
+        ]
+    };
+    orders.iter().flat_map(both).collect()
+}
+
+/// The names of the CSV columns.
+pub fn names(part: &str, orders: &[u32], measure: &Measure) -> Vec<String> {
+    let both = |order: &u32| {
+        [
+            measure.length_name(&format!("{part}.X{order}.amplitude")),
+            measure.angle_name(&format!("{part}.X{order}.phase")),
+        ]
+    };
+    orders.iter().flat_map(both).collect()
+}
+
+/// The cells of a harmonic.
+pub fn values(harmonic: Complex<f64>, measure: &Measure) -> [Value<'static>; 2] {
+    let (amplitude, phase) = polar(harmonic);
+    [
+        measure.length(amplitude).into(),
+        measure.angle(phase).into(),
+    ]
+}
+
+/// A list of harmonics.
+pub fn json(orders: &[u32], harmonics: &[Complex<f64>], measure: &Measure) -> Json {
+    let lengths = ["re", "im", "amplitude"].map(|name| measure.length_name(name));
+    let angle = measure.angle_name("phase");
+    let [re, im, amplitude] = &lengths;
+    let harmonics = orders.iter().zip(harmonics).map(|(order, harmonic)| {
+        let length = |value: f64| Value::from(measure.length(value)).json();
+        let [size, lag] = values(*harmonic, measure);
+        Json::Object(object([
+            ("n", Json::from(*order)),
+            (re, length(harmonic.re)),
+            (im, length(harmonic.im)),
+            (amplitude, size.json()),
+            (&angle, lag.json()),
+        ]))
+    });
+    harmonics.collect()
+}

@@ -1,0 +1,130 @@
+//! What displacements, phases and limits are counted in: the units of a load, or groups.
+
+use crate::args::LoadArguments;
+use crate::failure::Failure;
+use frictiongen::System;
+use frictiongen::study::scene::Excitation;
+use frictiongen::study::{Load, LoadError, LoadScale};
+
+/// What displacements and phases are counted in.
+#[derive(Clone, Copy, Debug)]
+pub struct Measure {
+    scale: Option<LoadScale>,
+    base_motion: bool,
+    reversed: bool,
+}
+
+impl Measure {
+    /// As the load says that is given, if any is.
+    pub fn of(arguments: &LoadArguments, system: &System) -> Result<Self, Failure> {
+        let mut measure = Self {
+            scale: None,
+            base_motion: system.scene().excitation == Excitation::Base,
+            reversed: system.contact_is_reversed(),
+        };
+        if let Some(text) = &arguments.force {
+            let load = Load::Force(number("--force", text)?);
+            measure.scale = Some(measure.checked(system, load, "--force", text)?);
+        }
+        if let Some(text) = &arguments.base {
+            let load = Load::Base(number("--base", text)?);
+            measure.scale = Some(measure.checked(system, load, "--base", text)?);
+        }
+        Ok(measure)
+    }
+
+    fn checked(
+        &self,
+        system: &System,
+        load: Load,
+        option: &str,
+        text: &str,
+    ) -> Result<LoadScale, Failure> {
+        system.load_scale(load).map_err(|error| match error {
+            LoadError::DrivenByBase | LoadError::DrivenByForce(_) => Failure::new(format_args!(
+                "{option}: {error}; its load is given by {}",
+                self.option()
+            )),
+            _ => Failure::new(format_args!("{option} `{text}`: {error}")),
+        })
+    }
+
+    /// The units, if a load is given.
+    pub fn scale(&self) -> Option<LoadScale> {
+        self.scale
+    }
+
+    /// The option that gives the load of this scene.
+    pub fn option(&self) -> &'static str {
+        if self.base_motion {
+            "--base"
+        } else {
+            "--force"
+        }
+    }
+
+    /// Whether the contact's motion is to be turned round, so that no order of masses changes it.
+    pub fn turns_contact(&self) -> bool {
+        self.reversed && self.scale.is_some()
+    }
+
+    /// The load and what it makes of the groups, in words.
+    pub fn description(&self, number: impl Fn(f64) -> String) -> Option<String> {
+        let scale = self.scale?;
+        let (force, length) = (number(scale.force()), number(scale.length()));
+        Some(if self.base_motion {
+            format!("Y = {length} m, k1 Y = {force} N")
+        } else {
+            format!("P = {force} N, P/k1 = {length} m")
+        })
+    }
+
+    /// A displacement.
+    pub fn length(&self, ratio: f64) -> f64 {
+        self.scale.map_or(ratio, |scale| scale.displacement(ratio))
+    }
+
+    /// A phase.
+    pub fn angle(&self, radians: f64) -> f64 {
+        match self.scale {
+            Some(_) => radians.to_degrees(),
+            None => radians,
+        }
+    }
+
+    /// The name of a displacement, with its unit.
+    pub fn length_name(&self, name: &str) -> String {
+        self.named(name, "_m")
+    }
+
+    /// The name of a phase, with its unit.
+    pub fn angle_name(&self, name: &str) -> String {
+        self.named(name, "_deg")
+    }
+
+    fn named(&self, name: &str, unit: &str) -> String {
+        let unit = self.scale.map_or("", |_| unit);
+        format!("{name}{unit}")
+    }
+
+    /// The unit of a displacement, in a heading.
+    pub fn length_title(&self) -> &'static str {
+        match (self.scale, self.base_motion) {
+            (Some(_), _) => "(m)",
+            (None, true) => "(of Y)",
+            (None, false) => "(of P/k1)",
+        }
+    }
+
+    /// The unit of a phase, in a heading.
+    pub fn angle_title(&self) -> &'static str {
+        self.scale.map_or("(rad)", |_| "(deg)")
+    }
+}
+
+/// The number of an option.
+fn number(option: &str, text: &str) -> Result<f64, Failure> {
+    text.trim()
+        .parse()
+        .map_err(|_| Failure::new(format_args!("{option} `{text}`: it is not a number")))
+}
