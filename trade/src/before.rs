@@ -11,7 +11,7 @@ use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 /// What it answers.
-pub const METHODS: [Method; 2] = [Method::Limits, Method::Amplitude];
+pub const METHODS: [Method; 3] = [Method::Limits, Method::Amplitude, Method::Contact];
 
 /// The other program, as it runs.
 pub struct Before {
@@ -54,10 +54,10 @@ impl Before {
             return Err(io::Error::other("the searches before took other points"));
         }
         let job = |method| {
-            let word = if method == Method::Limits {
-                "limits"
-            } else {
-                "amplitude"
+            let word = match method {
+                Method::Limits => "limits",
+                Method::Contact => "contact",
+                _ => "amplitude",
             };
             Job::timed_by(points.len(), move |count, passes| {
                 self.ask(&format!("pass {word} {count} {passes}"))

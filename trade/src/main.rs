@@ -4,6 +4,9 @@
 //! `trade --quick FOLDER` measures less, up to two masses, in seconds.  `--before PROGRAM` names the
 //! program of the searches before (`before/`).
 
+#[macro_use]
+mod chains;
+
 mod before;
 mod clock;
 mod measure;
@@ -14,6 +17,7 @@ mod peers;
 mod picture;
 mod points;
 mod scenes;
+mod tabled;
 mod tables;
 mod tails;
 mod without_search;
@@ -65,6 +69,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         before,
         rows: Vec::new(),
         tails: Vec::new(),
+        refused: Vec::new(),
     };
     scenes::visit(&mut measure);
     std::fs::write(folder.join("trade.csv"), tables::csv(&measure.rows)?)?;

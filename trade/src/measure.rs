@@ -9,6 +9,7 @@ use crate::peers::{Modal, balance, textbook};
 use crate::peers::{by_hand, stepper};
 use crate::points::{EXTREME, Errors, Extent, Set, USUAL, asked, edges, usual};
 use crate::scenes::{Label, Orbit, Visitor};
+use crate::tabled::{self, Figures, Refused};
 use crate::tails::{self, Tail};
 use frictiongen::kernel::Float;
 use frictiongen::kernel::number::dd::Dd;
@@ -31,6 +32,8 @@ pub enum By {
     Balance(usize),
     /// The event stepper in C.
     Stepper,
+    /// Emitted with tables, double precision, to 10 to the minus this; to the finest the run-time system's.
+    Table(u8),
     /// Emitted, double precision, by the searches before.
     Before,
 }
@@ -46,6 +49,8 @@ impl By {
             Self::Textbook => "eigenproblem at each r".into(),
             Self::Balance(order) => format!("harmonic balance {order}"),
             Self::Stepper => "C event stepper".into(),
+            Self::Table(tabled::FINEST) => format!("System's table 1e-{}", tabled::FINEST),
+            Self::Table(exponent) => format!("table 1e-{exponent}"),
             Self::Before => "emitted f64 before".into(),
         }
     }
@@ -70,6 +75,8 @@ pub struct Row {
     pub error: Errors,
     /// Operations a call, emitted scenes only, without those of a search.
     pub operations: Option<Operations>,
+    /// Of a table alone.
+    pub table: Option<Figures>,
 }
 
 /// Measures the scenes that it is shown.
@@ -82,6 +89,8 @@ pub struct Measure {
     pub rows: Vec<Row>,
     /// What single calls took.
     pub tails: Vec<Tail>,
+    /// Where the finest tables cannot be had.
+    pub refused: Vec<Refused>,
 }
 
 /// The points of a scalar: for the clock, for the errors usual and at the edges, and with stops.
@@ -140,11 +149,17 @@ struct Entry<'a, S> {
     by: By,
     method: Method,
     fill: &'a Fill<S>,
+    table: Option<Figures>,
 }
 
 impl<'a, S> Entry<'a, S> {
     fn new(by: By, method: Method, fill: &'a Fill<S>) -> Self {
-        Self { by, method, fill }
+        Self {
+            by,
+            method,
+            fill,
+            table: None,
+        }
     }
 }
 
@@ -156,7 +171,10 @@ fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Ti
     let first = if stops { &sets.stops } else { &sets.usual };
     let (mut rounding, usual) = (errors(first, method), errors(first, exact));
     let mut error = usual.clone();
-    if !stops {
+    if entry.table.is_some() {
+        // The edges are out of the tables' range; the clock's points are not.
+        error = error.with(&errors(&sets.timed, exact));
+    } else if !stops {
         rounding = rounding.with(&errors(&sets.edges, method));
         error = error.with(&errors(&sets.edges, exact));
     }
@@ -169,6 +187,7 @@ fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Ti
         usual,
         error,
         operations: emitted.then(|| operations::of(&label, method)).flatten(),
+        table: entry.table,
     }
 }
 
@@ -183,6 +202,7 @@ fn only_timed(label: Label, by: By, method: Method, time: Time) -> Row {
         usual: Errors::default(),
         error: Errors::default(),
         operations: None,
+        table: None,
     }
 }
 
@@ -246,6 +266,13 @@ impl Visitor for Measure {
             entries.push(Entry::new(By::Double, Method::Orbit, &doubles));
             entries_single.push(Entry::new(By::Single, Method::Orbit, &singles));
         }
+        let (tables, refused) = tabled::of(&label, &system);
+        self.refused.extend(refused);
+        entries.push(Entry::new(By::Double, Method::Contact, &doubles));
+        entries.extend(tables.iter().map(|table| Entry {
+            table: Some(table.figures),
+            ..Entry::new(By::Table(table.exponent), table.method, &table.fill)
+        }));
         for method in textbook::METHODS {
             entries.push(Entry::new(By::Textbook, method, &textbook));
         }
@@ -355,6 +382,7 @@ impl Measure {
             usual: error.clone(),
             error,
             operations: None,
+            table: None,
         });
     }
 }

@@ -20,6 +20,8 @@ pub enum Method {
     Monoharmonic,
     /// The modulus of its fundamental.
     Fundamental,
+    /// The amplitude of the continuous motion in the contact.
+    Contact,
     /// The amplitude in the contact of the steady state with stops.
     Orbit,
 }
@@ -35,6 +37,17 @@ impl Method {
         Self::Fundamental,
     ];
 
+    /// Those whose truth is asked for at continuous points.
+    pub const JUDGED: [Self; 7] = [
+        Self::Limits,
+        Self::WithoutSearch,
+        Self::PerMode,
+        Self::Amplitude,
+        Self::Monoharmonic,
+        Self::Fundamental,
+        Self::Contact,
+    ];
+
     /// In the tables.
     pub fn name(self) -> &'static str {
         match self {
@@ -44,6 +57,7 @@ impl Method {
             Self::Amplitude => "amplitude, exact",
             Self::Monoharmonic => "amplitude, monoharmonic",
             Self::Fundamental => "fundamental",
+            Self::Contact => "amplitude of the contact",
             Self::Orbit => "steady state with stops",
         }
     }
@@ -53,6 +67,7 @@ impl Method {
         match self {
             Self::Limits | Self::WithoutSearch | Self::PerMode => Self::Limits,
             Self::Amplitude | Self::Monoharmonic | Self::Fundamental => Self::Amplitude,
+            Self::Contact => Self::Contact,
             Self::Orbit => Self::Orbit,
         }
     }
@@ -69,22 +84,28 @@ where
     F: FrictionSystem + 'static,
     for<'a> F::At<'a>: MotionAt<Scalar = F::Scalar>,
 {
+    let mass = Of::Mass(watched);
     Box::new(move |method, points, out| match method {
         Method::Limits => limits(&system, points, out, |at| at.continuous_limit()),
         Method::WithoutSearch => {
             each(points, out, |[r, _]| without_search::limits(&system, r));
         }
         Method::PerMode => limits(&system, points, out, |at| at.continuous_limit_per_mode()),
-        Method::Amplitude => response(&system, watched, points, out, |motion| motion.amplitude()),
+        Method::Amplitude => response(&system, mass, points, out, |motion| motion.amplitude()),
         Method::Monoharmonic => {
-            response(&system, watched, points, out, |motion| {
+            response(&system, mass, points, out, |motion| {
                 motion.amplitude_monoharmonic()
             });
         }
-        Method::Fundamental => response(&system, watched, points, out, |motion| {
+        Method::Fundamental => response(&system, mass, points, out, |motion| {
             let first = motion.harmonic(1);
             (first.re * first.re + first.im * first.im).sqrt()
         }),
+        Method::Contact => {
+            response(&system, Of::Contact, points, out, |motion| {
+                motion.amplitude()
+            });
+        }
         Method::Orbit => each(points, out, |[r, beta]| {
             let amplitude = orbit.and_then(|orbit| orbit(r, beta))?;
             Some([amplitude, amplitude])
@@ -92,13 +113,19 @@ where
     })
 }
 
-fn each<S: Float>(points: &[Pair<S>], out: &mut [Pair<S>], f: impl Fn(Pair<S>) -> Option<Pair<S>>) {
+/// One answer at each point.
+pub fn each<S: Float>(
+    points: &[Pair<S>],
+    out: &mut [Pair<S>],
+    f: impl Fn(Pair<S>) -> Option<Pair<S>>,
+) {
     for (point, out) in points.iter().zip(out) {
         *out = f(*point).unwrap_or([S::constant(f64::NAN); 2]);
     }
 }
 
-fn limits<F>(
+/// Both limits at each point.
+pub fn limits<F>(
     system: &F,
     points: &[Pair<F::Scalar>],
     out: &mut [Pair<F::Scalar>],
@@ -114,7 +141,7 @@ fn limits<F>(
 
 fn response<F>(
     system: &F,
-    watched: usize,
+    of: Of,
     points: &[Pair<F::Scalar>],
     out: &mut [Pair<F::Scalar>],
     question: impl Fn(&dyn Steady<Scalar = F::Scalar>) -> F::Scalar,
@@ -124,7 +151,7 @@ fn response<F>(
 {
     each(points, out, |[r, beta]| {
         let motion = system.at(r).ok()?.motion(beta).ok()?;
-        let answer = motion.ask(Of::Mass(watched), |steady| question(steady))?;
+        let answer = motion.ask(of, |steady| question(steady))?;
         Some([answer, answer])
     });
 }

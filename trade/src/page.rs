@@ -1,5 +1,6 @@
 //! `docs/trade.md`.
 
+mod declared;
 mod ours;
 
 use crate::measure::{By, Measure, Row};
@@ -19,6 +20,7 @@ pub fn page(measure: &Measure, firmware: &str) -> Result<String, std::fmt::Error
     let mut text = String::from(include_str!("page_head.md"));
     against_hand(rows, &mut text)?;
     ours::before(rows, &mut text)?;
+    declared::declared(measure, &mut text)?;
     ours::tails(&measure.tails, &mut text)?;
     ours::floor(rows, &mut text)?;
     ours::run_time(rows, &mut text)?;

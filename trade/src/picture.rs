@@ -6,15 +6,15 @@ use crate::tables::{Pool, pools};
 use plotters::prelude::*;
 use std::path::Path;
 
-const SIZE: (u32, u32) = (1500, 860);
-const LEGEND: u32 = 60;
+const SIZE: (u32, u32) = (1500, 884);
+const LEGEND: u32 = 84;
 const MASSES: [usize; 4] = [1, 2, 5, 10];
 /// Below, an error is drawn at the border.
 const LEAST_ERROR: f64 = 1e-17;
 const MOST_ERROR: f64 = 10.0;
-const TIMES: (f64, f64) = (5.0, 1e11);
+const TIMES: (f64, f64) = (1.0, 1e11);
 
-const WAYS: [By; 10] = [
+const WAYS: [By; 11] = [
     By::Double,
     By::Single,
     By::RunTime,
@@ -25,7 +25,10 @@ const WAYS: [By; 10] = [
     By::Balance(9),
     By::Balance(25),
     By::Stepper,
+    By::Table(TABLES[0]),
 ];
+/// The exponents of the tables from coarse to fine.
+const TABLES: [u8; 6] = [2, 3, 4, 6, 9, 12];
 
 fn colour(by: By) -> RGBColor {
     match by {
@@ -39,7 +42,16 @@ fn colour(by: By) -> RGBColor {
         By::Balance(9) => RGBColor(210, 110, 10),
         By::Balance(_) => RGBColor(150, 75, 0),
         By::Stepper => RGBColor(130, 60, 160),
+        By::Table(_) => RGBColor(220, 0, 120),
         By::Before => RGBColor(128, 128, 128),
+    }
+}
+
+/// In the legend.
+fn named(by: By) -> String {
+    match by {
+        By::Table(_) => format!("tables, 1e-{} to 1e-{}", TABLES[0], TABLES[5]),
+        other => other.name(),
     }
 }
 
@@ -52,6 +64,7 @@ fn short(method: Method) -> &'static str {
         Method::Amplitude => "exact",
         Method::Monoharmonic => "monoharm.",
         Method::Fundamental => "fundam.",
+        Method::Contact => "contact",
         Method::Orbit => "stops",
     }
 }
@@ -99,7 +112,7 @@ pub fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn std::error::Error>>
         let at = (20 + (index % 5) as i32 * 290, 16 + (index / 5) as i32 * 24);
         head.draw(&Circle::new(at, 6, colour(*by).filled()))?;
         let name = (at.0 + 12, at.1 - 8);
-        head.draw(&Text::new(by.name(), name, ("sans-serif", 17)))?;
+        head.draw(&Text::new(named(*by), name, ("sans-serif", 17)))?;
     }
     for (index, panel) in body.split_evenly((2, MASSES.len())).iter().enumerate() {
         let masses = MASSES[index % MASSES.len()];

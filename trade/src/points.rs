@@ -91,7 +91,7 @@ impl<S: Float> Set<S> {
                 (beta > 0.0 && beta.is_finite())
                     .then(|| [S::constant(r.to_f64()), S::constant(beta)])
             });
-        Self::of(points.collect(), reference, &Method::CLOSED)
+        Self::of(points.collect(), reference, &Method::JUDGED)
     }
 
     /// Points between the limits whose steady state double-double finds.

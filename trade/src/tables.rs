@@ -8,12 +8,12 @@ use std::fmt::Write;
 /// Every row.
 pub fn csv(rows: &[Row]) -> Result<String, std::fmt::Error> {
     let mut text = String::from(
-        "scene,masses,zeta,by,answer,median ns,least ns,operations,rounding p99,rounding worst,usual error p99,error p99,error worst,points,without answer\n",
+        "scene,masses,zeta,by,answer,median ns,least ns,operations,rounding p99,rounding worst,usual error p99,error p99,error worst,points,without answer,table bytes,pieces,comparisons\n",
     );
     for row in rows {
         writeln!(
             text,
-            "{},{},{},{},\"{}\",{:.1},{:.1},{},{},{},{},{},{},{},{}",
+            "{},{},{},{},\"{}\",{:.1},{:.1},{},{},{},{},{},{},{},{},{}",
             row.label.name,
             row.label.masses,
             row.label.zeta,
@@ -30,6 +30,10 @@ pub fn csv(rows: &[Row]) -> Result<String, std::fmt::Error> {
             figure(row.error.worst()),
             row.error.sorted.len() + row.error.none,
             row.error.none,
+            row.table.map_or(",,".to_owned(), |table| format!(
+                "{},{},{}",
+                table.bytes, table.pieces, table.comparisons
+            )),
         )?;
     }
     Ok(text)

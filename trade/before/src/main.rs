@@ -6,8 +6,12 @@
 //! scene NAME ZETA R,BETA R,BETA …    how many points there are
 //! pass limits COUNT PASSES           the seconds of as many passes over the first points
 //! pass amplitude COUNT PASSES
+//! pass contact COUNT PASSES
 //! ```
 
+#[macro_use]
+#[path = "../../src/chains.rs"]
+mod chains;
 #[allow(dead_code)]
 #[path = "../../src/methods.rs"]
 mod methods;
@@ -91,7 +95,8 @@ fn main() -> Result<(), Failure> {
                 let method = match *method {
                     "limits" => Method::Limits,
                     "amplitude" => Method::Amplitude,
-                    _ => return Err("limits or amplitude".into()),
+                    "contact" => Method::Contact,
+                    _ => return Err("limits, amplitude or contact".into()),
                 };
                 let scene = chosen.as_mut().ok_or("a scene first")?;
                 let seconds = scene.pass(method, count.parse()?, passes.parse()?)?;

@@ -1,0 +1,213 @@
+//! Tables of a declared accuracy beside the exact answers, before and now, and beside limits without search.
+
+use super::{of, shown, verdict};
+use crate::measure::{By, Measure, Row};
+use crate::methods::Method;
+use crate::tabled::{Refused, USUAL};
+use std::fmt::{Result as Written, Write};
+
+/// What both limits from tables are to be faster by than the searches before, and than limits without search.
+const LIMITS: [f64; 2] = [100.0, 3.0];
+/// What the contact's amplitude of five damped masses is to be faster by than before.
+const CONTACT: f64 = 50.0;
+/// Scenes to choose by, with the exponents that they are shown with.
+const TYPICAL: [(&str, f64); 4] = [
+    ("Wall1", 0.02),
+    ("Base2", 0.0),
+    ("Pair5", 0.02),
+    ("Wall10", 0.02),
+];
+const CHOICES: [u8; 5] = [2, 3, 4, 6, 9];
+
+/// The whole section.
+pub fn declared(measure: &Measure, text: &mut String) -> Written {
+    let rows = &measure.rows;
+    text.push_str("## Against declared accuracies\n\nThe same scenes with `accuracy` and `range: { r: 0.2..2.5 }`: piecewise polynomials in place of the formulas.  `table` is both limits, or the contact's amplitude, from r on.  Bytes are those of pieces, buckets, zeros and poles; comparisons those that find a piece.  The error is the largest at the clock's points and the usual ones, against double-double.\n\n");
+    at_usual(rows, text)?;
+    contact(rows, text)?;
+    typical(rows, text)?;
+    others(rows, text)?;
+    refused(&measure.refused, text)
+}
+
+fn exponent(row: &Row) -> Option<u8> {
+    match row.by {
+        By::Table(exponent) => Some(exponent),
+        _ => None,
+    }
+}
+
+/// Rows of tables, with their exponents.
+fn tables(rows: &[Row], method: Method) -> impl Iterator<Item = (&Row, u8)> {
+    let of_method = rows.iter().filter(move |row| row.method == method);
+    of_method.filter_map(|row| Some((row, exponent(row)?)))
+}
+
+/// Largest error, and whether it is within the accuracy.
+fn error(row: &Row, exponent: u8) -> String {
+    let worst = row.error.worst();
+    let within = worst <= 10_f64.powi(-i32::from(exponent));
+    format!("{worst:.1e}{}", if within { "" } else { " **beyond**" })
+}
+
+fn size(row: &Row) -> String {
+    let figures = row
+        .table
+        .map(|table| format!("{} | {} | {}", table.bytes, table.pieces, table.comparisons));
+    figures.unwrap_or_else(|| " |  | ".to_owned())
+}
+
+/// Another's median time over a row's.
+fn over(rows: &[Row], row: &Row, by: By, method: Method) -> Option<(f64, f64)> {
+    let other = of(rows, row, by, method)?;
+    Some((other.time.median, other.time.median / row.time.median))
+}
+
+/// Time and ratio as two columns.
+fn columns(compared: Option<(f64, f64)>) -> String {
+    compared.map_or_else(
+        || " | ".to_owned(),
+        |(time, ratio)| format!("{} | {ratio:.1}", shown(time)),
+    )
+}
+
+fn at_usual(rows: &[Row], text: &mut String) -> Written {
+    let (mut all, mut missed) = ([0; 2], [0; 2]);
+    let mut table = String::from(
+        "| scene | ζ | table | before | ratio | reached | exact now | ratio | without search | ratio | reached | bytes | pieces | comparisons | error |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for (row, exponent) in tables(rows, Method::Limits).filter(|(_, e)| *e == USUAL) {
+        let before = over(rows, row, By::Before, Method::Limits);
+        let now = over(rows, row, By::Double, Method::Limits);
+        let without = over(rows, row, By::Double, Method::WithoutSearch);
+        let mut judge = |place: usize, compared: Option<(f64, f64)>| {
+            compared.map_or("", |(_, ratio)| {
+                all[place] += 1;
+                missed[place] += usize::from(!(ratio >= LIMITS[place]));
+                verdict(ratio, LIMITS[place])
+            })
+        };
+        let reached = [judge(0, before), judge(1, without)];
+        writeln!(
+            table,
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+            row.label.name,
+            row.label.zeta,
+            shown(row.time.median),
+            columns(before),
+            reached[0],
+            columns(now),
+            columns(without),
+            reached[1],
+            size(row),
+            error(row, exponent),
+        )?;
+    }
+    writeln!(
+        text,
+        "**Both limits to 1e-{USUAL}.** Aims: {} times the searches before, {} times limits without search.  {} of {} and {} of {} are missed.\n\n{table}",
+        LIMITS[0], LIMITS[1], missed[0], all[0], missed[1], all[1],
+    )
+}
+
+fn contact(rows: &[Row], text: &mut String) -> Written {
+    writeln!(
+        text,
+        "**The contact's amplitude to 1e-{USUAL}**, with the check that the motion is continuous.  Aim, with five damped masses: {CONTACT} times the amplitude before.\n"
+    )?;
+    text.push_str("| scene | ζ | table | before | ratio | reached | exact now | ratio | bytes | pieces | comparisons | error |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (row, exponent) in tables(rows, Method::Contact) {
+        let before = over(rows, row, By::Before, Method::Contact);
+        let aimed = row.label.masses == 5 && row.label.zeta > 0.0;
+        let reached = before
+            .filter(|_| aimed)
+            .map_or("", |(_, ratio)| verdict(ratio, CONTACT));
+        writeln!(
+            text,
+            "| {} | {} | {} | {} | {reached} | {} | {} | {} |",
+            row.label.name,
+            row.label.zeta,
+            shown(row.time.median),
+            columns(before),
+            columns(over(rows, row, By::Double, Method::Contact)),
+            size(row),
+            error(row, exponent),
+        )?;
+    }
+    text.push('\n');
+    Ok(())
+}
+
+fn typical(rows: &[Row], text: &mut String) -> Written {
+    text.push_str("**Four typical scenes, to choose by.** Bytes, time for both limits, largest error.\n\n| accuracy |");
+    let chosen = |name: &str, zeta: f64| {
+        let limits = tables(rows, Method::Limits);
+        limits
+            .filter(|(row, _)| row.label.name == name && row.label.zeta == zeta)
+            .collect::<Vec<_>>()
+    };
+    let scenes: Vec<_> = TYPICAL
+        .iter()
+        .map(|(name, zeta)| (*name, *zeta, chosen(name, *zeta)))
+        .filter(|(_, _, rows)| !rows.is_empty())
+        .collect();
+    for (name, zeta, _) in &scenes {
+        let damping = if *zeta > 0.0 { "damped" } else { "undamped" };
+        write!(text, " {name} {damping} |")?;
+    }
+    writeln!(text, "\n|---|{}", "---|".repeat(scenes.len()))?;
+    for choice in CHOICES {
+        write!(text, "| 1e-{choice} |")?;
+        for (_, _, rows) in &scenes {
+            let cell = rows.iter().find(|(_, exponent)| *exponent == choice);
+            let cell = cell.and_then(|(row, exponent)| {
+                let bytes = row.table?.bytes;
+                let (time, error) = (shown(row.time.median), error(row, *exponent));
+                Some(format!("{bytes} B, {time}, {error}"))
+            });
+            write!(text, " {} |", cell.unwrap_or_default())?;
+        }
+        text.push('\n');
+    }
+    text.push('\n');
+    Ok(())
+}
+
+fn others(rows: &[Row], text: &mut String) -> Written {
+    text.push_str("**Every accuracy.** Both limits.  Tables of 1e-12 are those of the run-time `System::compile`, which not every scene has.\n\n| scene | ζ | accuracy | table | before | ratio | exact now | ratio | bytes | pieces | comparisons | error |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (row, exponent) in tables(rows, Method::Limits).filter(|(_, e)| *e != USUAL) {
+        writeln!(
+            text,
+            "| {} | {} | 1e-{exponent} | {} | {} | {} | {} | {} |",
+            row.label.name,
+            row.label.zeta,
+            shown(row.time.median),
+            columns(over(rows, row, By::Before, Method::Limits)),
+            columns(over(rows, row, By::Double, Method::Limits)),
+            size(row),
+            error(row, exponent),
+        )?;
+    }
+    text.push('\n');
+    Ok(())
+}
+
+fn refused(refused: &[Refused], text: &mut String) -> Written {
+    if refused.is_empty() {
+        return Ok(());
+    }
+    text.push_str("No table of 1e-12 exists, and the macro says so, in");
+    for (place, scene) in refused.iter().enumerate() {
+        let comma = if place > 0 { "," } else { "" };
+        let reached = scene
+            .reached
+            .map_or(String::new(), |reached| format!("; {reached:e} can be had"));
+        write!(
+            text,
+            "{comma} {} with ζ = {} (at r = {:.4}{reached})",
+            scene.label.name, scene.label.zeta, scene.at,
+        )?;
+    }
+    text.push_str(".\n\n");
+    Ok(())
+}
