@@ -3,6 +3,9 @@
 //! A sample answers at 64 points; the items a second are answers a second.  A filter goes behind `--`, for
 //! example `-- double::limits`.  What other ways need for the same is `scripts/trade`'s.
 
+#[macro_use]
+#[path = "../../trade/src/chains.rs"]
+mod chains;
 #[path = "../../trade/src/methods.rs"]
 #[allow(dead_code, reason = "the tables' names are not used here")]
 mod methods;
