@@ -111,13 +111,13 @@ pub fn texts() -> Vec<Text> {
     texts
 }
 
-/// A message is made of words.  Those of emitted documentation begin with a space.
+/// A message is made of words.  What is emitted, and written as C or as Rust, is documentation.
 fn is_message(file: &str, text: &str) -> bool {
     let words = text.contains(' ')
         && pieces(text)
             .iter()
             .any(|piece| piece.contains(char::is_alphabetic));
-    let documents = text.starts_with(' ') && file.contains("/emit/");
+    let documents = file.contains("/emit/") || file.contains("/standalone/");
     words && !documents && !NEVER_TOLD.iter().any(|(never, _)| *never == text)
 }
 
