@@ -5,20 +5,15 @@ use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::table::Tables;
 
-fn numbers<S: Float>() -> Numbers {
-    let single = S::EPSILON > 1e-10;
-    Numbers {
-        single,
-        suffix: if single { "f" } else { "" },
-    }
-}
+/// What follows a `float`.
+const FLOAT: &str = "f";
 
 /// The header: what can be called.
 #[must_use]
 pub fn c_header<S: Float>(scene: &Scene, tables: &Tables<S>) -> String {
     let name = snake(&scene.name);
     let guard = format!("{}_H", name.to_uppercase());
-    let real = if numbers::<S>().single {
+    let real = if Numbers::of::<S>(FLOAT).single {
         "float"
     } else {
         "double"
@@ -56,7 +51,7 @@ pub fn c_source<S: Float>(
     tables: &Tables<S>,
     header: Option<&str>,
 ) -> Option<String> {
-    let numbers = numbers::<S>();
+    let numbers = Numbers::of::<S>(FLOAT);
     let name = snake(&scene.name);
     let (real, letter) = if numbers.single {
         ("float", "f")

@@ -23,6 +23,13 @@ struct Numbers {
 }
 
 impl Numbers {
+    /// Those of a scalar.
+    fn of<S: Float>(single_suffix: &'static str) -> Self {
+        let single = S::EPSILON > f64::EPSILON;
+        let suffix = if single { single_suffix } else { "" };
+        Self { single, suffix }
+    }
+
     #[allow(clippy::cast_possible_truncation, reason = "it is an f32")]
     fn write(self, value: f64) -> String {
         if self.single {

@@ -8,9 +8,8 @@ use frictiongen_model::table::Tables;
 /// The file.  None where β*_lim has no form of its own: only the exact formulas keep the accuracy then.
 #[must_use]
 pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String> {
-    let single = S::EPSILON > 1e-10;
-    let numbers = Numbers { single, suffix: "" };
-    let real = if single { "f32" } else { "f64" };
+    let numbers = Numbers::of::<S>("");
+    let real = if numbers.single { "f32" } else { "f64" };
     let write = |value: S| numbers.write(value.to_f64());
     let (low, high) = tables.request.r;
     let ends = [low, high].map(|end| write(S::constant(end)));

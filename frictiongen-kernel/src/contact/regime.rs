@@ -82,6 +82,30 @@ impl<S: Float> Limits<S> {
     }
 }
 
+/// Both limits over a slice of frequency ratios, into slices of the same length, by what answers at one of them.
+///
+/// # Errors
+/// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first r that has no answer;
+/// what came before it is filled in.
+#[inline]
+pub(crate) fn limits_into<S: Float>(
+    rs: &[S],
+    continuous: &mut [S],
+    sliding: &mut [S],
+    limits: impl Fn(S) -> Result<Limits<S>, OutOfDomain>,
+) -> Result<(), OutOfDomain> {
+    for (room, argument) in [(continuous.len(), "continuous"), (sliding.len(), "sliding")] {
+        if room != rs.len() {
+            return Err(OutOfDomain { argument });
+        }
+    }
+    for ((r, continuous), sliding) in rs.iter().zip(continuous).zip(sliding) {
+        let limits = limits(*r)?;
+        (*continuous, *sliding) = (limits.continuous, limits.sliding);
+    }
+    Ok(())
+}
+
 /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime; 0 where β and the limit both are.
 #[inline]
 pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {

@@ -106,16 +106,9 @@ impl<T: Scene> At<T> {
         continuous: &mut [T::Scalar],
         sliding: &mut [T::Scalar],
     ) -> Result<(), OutOfDomain> {
-        for (room, argument) in [(continuous.len(), "continuous"), (sliding.len(), "sliding")] {
-            if room != rs.len() {
-                return Err(OutOfDomain { argument });
-            }
-        }
-        for ((r, continuous), sliding) in rs.iter().zip(continuous).zip(sliding) {
-            let limits = Self::new(scene.clone(), *r)?.limits();
-            (*continuous, *sliding) = (limits.continuous, limits.sliding);
-        }
-        Ok(())
+        regime::limits_into(rs, continuous, sliding, |r| {
+            Ok(Self::new(scene.clone(), r)?.limits())
+        })
     }
 
     /// The scene.

@@ -59,8 +59,18 @@ impl<T: ProvidesMotion> At<T> {
     /// [`NotContinuous`] says which regime it is instead, or that an undamped resonance is unbounded at this β, or
     /// that β is out of the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous> {
+        let beta = self.admitted(beta)?;
+        Ok(self.clone().closed_form(beta).into())
+    }
+
+    /// β, if the motion at it is continuous and bounded.
+    ///
+    /// # Errors
+    /// As of [`motion`](Self::motion).
+    #[inline]
+    pub(crate) fn admitted(&self, beta: T::Scalar) -> Result<T::Scalar, NotContinuous> {
         let numbers = self.scene.numbers();
-        let beta = self.scene.with_idle(|waves| {
+        self.scene.with_idle(|waves| {
             numbers.chain.admitted(
                 self.r,
                 beta,
@@ -72,8 +82,7 @@ impl<T: ProvidesMotion> At<T> {
                 self.modes.as_ref(),
                 waves,
             )
-        })?;
-        Ok(self.clone().closed_form(beta).into())
+        })
     }
 
     /// The closed form of the continuous motion at any β, 0 ≤ β < |V|/|U|: it is the motion only where

@@ -1,8 +1,7 @@
 //! A scene at one frequency ratio, from its tables.
 
 use crate::contact::regime::{self, Limits};
-use crate::errors::StuckResonance;
-use crate::errors::{OutOfDomain, Regime};
+use crate::errors::{OutOfDomain, Regime, StuckResonance};
 use crate::number::scalar::Scalar;
 use crate::response::{At, ProvidesStuck, Scene};
 
@@ -70,16 +69,9 @@ impl<T: Tabled> Compiled<T> {
         continuous: &mut [T::Scalar],
         sliding: &mut [T::Scalar],
     ) -> Result<(), OutOfDomain> {
-        for (room, argument) in [(continuous.len(), "continuous"), (sliding.len(), "sliding")] {
-            if room != rs.len() {
-                return Err(OutOfDomain { argument });
-            }
-        }
-        for ((r, continuous), sliding) in rs.iter().zip(continuous).zip(sliding) {
-            let limits = Self::new(scene.clone(), *r)?.limits();
-            (*continuous, *sliding) = (limits.continuous, limits.sliding);
-        }
-        Ok(())
+        regime::limits_into(rs, continuous, sliding, |r| {
+            Ok(Self::new(scene.clone(), r)?.limits())
+        })
     }
 
     /// The scene.

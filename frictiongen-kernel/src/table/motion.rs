@@ -101,20 +101,7 @@ impl<T: TabledMotion> Compiled<T> {
         let mut table = None;
         if !self.is_within() {
             // The exact formulas have their own admission.
-            let numbers = self.scene().numbers();
-            let at = self.exact();
-            let mut waves = self.scene().idle();
-            numbers.chain.admitted(
-                self.frequency_ratio(),
-                beta,
-                at.sliding_limit(),
-                numbers.ends.continuous_at_infinity,
-                numbers.unbounded,
-                at.contact_sums(),
-                numbers.modes,
-                at.modes().as_ref(),
-                waves.as_mut(),
-            )?;
+            self.exact().admitted(beta)?;
         } else {
             if !(beta < self.sliding_limit()) {
                 return Err(NotContinuous::Stuck);
@@ -190,10 +177,6 @@ pub struct SteadyContact<T: TabledMotion> {
 }
 
 impl<T: TabledMotion> SteadyContact<T> {
-    fn table(&self) -> Option<ContactTable<T::Scalar>> {
-        self.moving.table
-    }
-
     /// The same motion by the exact formulas.
     #[must_use]
     pub fn exact(&self) -> MotionOf<T> {
@@ -204,7 +187,7 @@ impl<T: TabledMotion> SteadyContact<T> {
     #[must_use]
     pub fn largest(&self) -> Largest<T::Scalar> {
         let beta = self.moving.beta;
-        match self.table() {
+        match self.moving.table {
             Some(table) => Largest {
                 amplitude: table.amplitude(beta),
                 phase: table.phase(beta),
@@ -218,7 +201,7 @@ impl<T: TabledMotion> SteadyContact<T> {
     #[inline]
     #[must_use]
     pub fn amplitude(&self) -> T::Scalar {
-        match self.table() {
+        match self.moving.table {
             Some(table) => table.amplitude(self.moving.beta),
             None => self.exact().amplitude(),
         }
@@ -235,7 +218,7 @@ impl<T: TabledMotion> SteadyContact<T> {
     #[inline]
     #[must_use]
     pub fn phase(&self) -> T::Scalar {
-        match self.table() {
+        match self.moving.table {
             Some(table) => table.phase(self.moving.beta),
             None => self.exact().phase(),
         }

@@ -2,11 +2,12 @@
 
 use super::digits::{above, to_decimals};
 use super::zeros::Zeros;
-use super::{Request, TableError, Tables};
+use super::{Fitted, Request, TableError, Tables};
 use crate::modal::Modal;
 use crate::scene::{
     Contact, Damping, Declared, Excitation, Mass, Node, Precision, Provide, Scene, Side, Spring,
 };
+use frictiongen_kernel::table::{Piece, Table};
 
 /// Equal masses and springs; the last mass driven, the contact between the first two.
 fn chain(count: usize, damping: Damping) -> Scene {
@@ -71,6 +72,16 @@ fn damped_zeros_lie_beside_the_axis() {
     assert!(zeros.loaded.iter().all(beside));
 }
 
+/// A piece in arrays, of limits alone to 1e-4.
+fn piece(fitted: &Fitted<f64>) -> Piece<f64, 1, 6> {
+    let of = fitted.coefficients[0].as_slice();
+    Piece {
+        from: fitted.from,
+        origin: fitted.origin,
+        coefficients: [of.try_into().expect("degree 5")],
+    }
+}
+
 /// Every r finds the piece whose range holds it, ends and boundaries and their neighbours included.
 #[test]
 fn every_r_finds_its_piece() {
@@ -78,33 +89,28 @@ fn every_r_finds_its_piece() {
         let modal = Modal::of(&chain(count, Damping::None));
         let tables = Tables::<f64>::build(&modal, request((0.2, 2.5), 1e-4)).expect("a table");
         let index = &tables.index;
+        let pieces: Vec<Piece<f64, 1, 6>> = tables.pieces.iter().map(piece).collect();
+        let table = Table {
+            low: index.low,
+            density: index.density,
+            halvings: index.halvings,
+            buckets: &index.buckets,
+            pieces: &pieces,
+        };
         let found = |r: f64| {
-            let bucket = (((r - index.low) * index.density) as usize).min(index.buckets.len() - 1);
-            let mut place = index.buckets[bucket];
-            for halving in (0..index.halvings).rev() {
-                let further = place + (1 << halving);
-                if tables
-                    .pieces
-                    .get(further)
-                    .is_some_and(|piece| piece.from <= r)
-                {
-                    place = further;
-                }
-            }
-            place
+            let from = table.piece(r).expect("a piece").from;
+            pieces.iter().position(|piece| piece.from == from)
         };
         let mut looked = 0;
         for (place, piece) in tables.pieces.iter().enumerate() {
-            assert_eq!(found(piece.from), place);
+            assert_eq!(found(piece.from), Some(place));
             if place > 0 {
-                assert_eq!(found(piece.from.next_down()), place - 1);
+                assert_eq!(found(piece.from.next_down()), Some(place - 1));
             }
             let next = tables.pieces.get(place + 1).map_or(2.5, |next| next.from);
             for k in 1..50 {
-                assert_eq!(
-                    found(piece.from + (next - piece.from) * f64::from(k) / 50.0),
-                    place
-                );
+                let r = piece.from + (next - piece.from) * f64::from(k) / 50.0;
+                assert_eq!(found(r), Some(place));
                 looked += 1;
             }
         }
