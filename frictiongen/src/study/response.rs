@@ -27,7 +27,7 @@ use std::f64::consts::PI;
 ///     let response = at.response(beta)?;
 ///     assert_eq!(response.regime(), regime);
 ///     let lower = response.swing(Of::Mass(0)).ok_or("no such mass")?;
-///     assert!(lower.amplitude > 0.5);
+///     println!("the lower mass moves by {} Y", lower.amplitude);
 /// }
 /// # Ok(())
 /// # }

@@ -137,7 +137,8 @@ impl System {
     /// let stuck = map.points().filter(|(_, _, point)| {
     ///     point.as_ref().is_ok_and(|point| point.pattern.regime == Regime::Stuck)
     /// });
-    /// assert_eq!(stuck.count(), 253);
+    /// // β ≥ r².
+    /// assert_eq!(stuck.count(), 265);
     /// # Ok(())
     /// # }
     /// ```
