@@ -23,7 +23,7 @@ use std::f64::consts::PI;
 /// }"
 /// .parse()?;
 /// let at = frame.at(0.9)?;
-/// for (beta, regime) in [(0.3, Regime::Continuous), (1.0, Regime::StickSlip), (2.0, Regime::Stuck)] {
+/// for (beta, regime) in [(0.3, Regime::Continuous), (0.7, Regime::StickSlip), (1.0, Regime::Stuck)] {
 ///     let response = at.response(beta)?;
 ///     assert_eq!(response.regime(), regime);
 ///     let lower = response.swing(Of::Mass(0)).ok_or("no such mass")?;
