@@ -7,7 +7,9 @@ mod args;
 mod asked;
 mod compile;
 mod csv;
+mod curve;
 mod decimal;
+mod destination;
 mod expand;
 mod failure;
 mod frequency;
@@ -15,8 +17,10 @@ mod friction;
 mod grid;
 mod harmonics;
 mod input;
+mod interrupt;
 mod json;
 mod limits;
+mod map;
 mod measure;
 mod number;
 mod orbit;
@@ -65,6 +69,8 @@ pub fn run(
         Command::Limits(arguments) => limits::run(arguments, out),
         Command::Response(arguments) => response::run(arguments, out),
         Command::Orbit(arguments) => orbit::run(arguments, out),
+        Command::Curve(arguments) => curve::run(arguments, out),
+        Command::Map(arguments) => map::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
     }?)

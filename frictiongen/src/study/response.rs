@@ -132,7 +132,15 @@ impl SystemResponse<'_> {
                 Some(moving(orbit.mass_at(index)?.largest()))
             }
             (Self::Stuck(_), Of::Contact) => Some(Swing::REST),
-            (Self::Stuck(stuck), Of::Mass(index)) => Some(moving(polar(stuck.mass_at(index)?))),
+            (Self::Stuck(stuck), Of::Mass(index)) => {
+                let (amplitude, phase) = polar(stuck.mass_at(index)?);
+                let at_rest = amplitude == 0.0;
+                Some(if at_rest {
+                    Swing::REST
+                } else {
+                    moving((amplitude, phase))
+                })
+            }
         }
     }
 

@@ -31,6 +31,8 @@ pub struct CurveRequest {
     pub harmonics: Vec<u32>,
     /// Whether each point has velocities and accelerations.
     pub rates: bool,
+    /// Whether the contact's motion is wanted with the opposite sign, as [`System::contact_is_reversed`] asks for.
+    pub turned: bool,
 }
 
 impl CurveRequest {
@@ -45,6 +47,7 @@ impl CurveRequest {
             widest: None,
             harmonics: Vec::new(),
             rates: false,
+            turned: false,
         }
     }
 

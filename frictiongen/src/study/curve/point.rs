@@ -1,6 +1,8 @@
 //! A point of a curve.
 
+use super::CurveRequest;
 use crate::study::response::{Size, Swing, SystemResponse};
+use crate::study::units::reversed_phase;
 use crate::{Complex, Of, Regime};
 
 /// The response at one frequency ratio.
@@ -40,24 +42,12 @@ impl CurvePoint {
     pub(super) fn of(
         r: f64,
         response: &SystemResponse<'_>,
-        of: &[Of],
-        harmonics: &[u32],
-        rates: bool,
+        request: &CurveRequest,
     ) -> Option<Self> {
-        let movement = |of: &Of| {
-            let all = harmonics.iter();
-            let both = || {
-                let velocity = response.largest(*of, Size::Velocity)?;
-                Some((velocity, response.largest(*of, Size::Acceleration)?))
-            };
-            Some(Movement {
-                swing: response.swing(*of)?,
-                rates: if rates { both() } else { None },
-                harmonics: all
-                    .map(|n| response.harmonic(*of, *n))
-                    .collect::<Option<_>>()?,
-            })
-        };
+        let movements = request.of.iter();
+        let movements = movements
+            .map(|of| Movement::of(response, *of, request))
+            .collect::<Option<_>>()?;
         let (stops, period) = match response {
             SystemResponse::StickSlip(orbit) => (orbit.stops(), orbit.period()),
             _ => (0, 1),
@@ -68,9 +58,44 @@ impl CurvePoint {
             stops,
             period,
             settled: response.is_settled(),
-            movements: of.iter().map(movement).collect::<Option<_>>()?,
+            movements,
             contact_force: response.contact_force(),
             friction_work: response.friction_work(),
         })
+    }
+}
+
+impl Movement {
+    fn of(response: &SystemResponse<'_>, of: Of, request: &CurveRequest) -> Option<Self> {
+        let both = || {
+            let velocity = response.largest(of, Size::Velocity)?;
+            Some((velocity, response.largest(of, Size::Acceleration)?))
+        };
+        let harmonics = request.harmonics.iter();
+        let movement = Self {
+            swing: response.swing(of)?,
+            rates: if request.rates { both() } else { None },
+            harmonics: harmonics
+                .map(|n| response.harmonic(of, *n))
+                .collect::<Option<_>>()?,
+        };
+        let turned = request.turned && of == Of::Contact;
+        Some(if turned {
+            movement.turned(response)
+        } else {
+            movement
+        })
+    }
+
+    /// The contact's motion with the opposite sign.
+    fn turned(mut self, response: &SystemResponse<'_>) -> Self {
+        self.swing.phase = self.swing.phase.map(|phase| match response {
+            SystemResponse::StickSlip(orbit) => orbit.reversed_contact_phase(),
+            _ => reversed_phase(phase),
+        });
+        for harmonic in &mut self.harmonics {
+            *harmonic = Complex::new(0.0 - harmonic.re, 0.0 - harmonic.im);
+        }
+        self
     }
 }

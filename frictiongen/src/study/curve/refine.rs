@@ -70,13 +70,7 @@ impl<'a> Refine<'a> {
 
     fn answer(&self, r: f64) -> Result<CurvePoint, Error> {
         let response = self.system.at(r)?.response(self.beta)?;
-        let CurveRequest {
-            of,
-            harmonics,
-            rates,
-            ..
-        } = self.request;
-        CurvePoint::of(r, &response, of, harmonics, *rates)
+        CurvePoint::of(r, &response, self.request)
             .ok_or_else(|| OutOfDomain { argument: "mass" }.into())
     }
 
