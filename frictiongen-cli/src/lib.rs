@@ -25,6 +25,8 @@ mod measure;
 mod number;
 mod orbit;
 mod output;
+#[cfg(feature = "pictures")]
+mod picture;
 mod progress;
 mod response;
 mod summary;

@@ -17,6 +17,8 @@
 //! ```
 
 mod axis;
+#[cfg(feature = "desk")]
+pub mod desk;
 mod draw;
 mod drawing;
 mod figure;
