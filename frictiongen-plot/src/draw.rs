@@ -115,20 +115,20 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
 /// Sketch and legend, side by side where there is room; returns where they end.
 fn below(canvas: &mut Canvas, figure: &Figure, legend: &Legend, room: f64, top: f64) -> f64 {
     let sketch = figure.sketch.as_ref();
-    let size = sketch.and_then(|sketch| Some((sketch, sketch.size()?)));
+    let size = sketch.and_then(|sketch| Some((sketch, sketch.size(room)?)));
     let Some((sketch, (wide, high))) = size else {
         let height = legend.draw(Some(canvas), (MARGIN, top), room);
         return top + height;
     };
     let beside = room - wide - 36.0;
     if legend.is_empty() || beside < legend.least() {
-        sketch.draw(canvas, (MARGIN + 0.5 * (room - wide).max(0.0), top));
+        sketch.draw(canvas, (MARGIN + 0.5 * (room - wide).max(0.0), top), room);
         let under = top + high + 8.0;
         return under + legend.draw(Some(canvas), (MARGIN, under), room);
     }
     let tall = legend.draw(None, (0.0, 0.0), beside);
     let both = high.max(tall);
-    sketch.draw(canvas, (MARGIN, top + 0.5 * (both - high)));
+    sketch.draw(canvas, (MARGIN, top + 0.5 * (both - high)), room);
     legend.draw(
         Some(canvas),
         (MARGIN + wide + 36.0, top + 0.5 * (both - tall)),

@@ -10,8 +10,10 @@ use crate::svg::{Canvas, Style};
 const WIDTH: f64 = 46.0;
 const HEIGHT: f64 = 44.0;
 const GAP: f64 = 58.0;
+/// What a mass and a gap shrink to at most.
+const LEAST: f64 = 0.48;
 /// A spring above the masses with its label.
-const LANE: f64 = 30.0;
+const LANE: f64 = 34.0;
 const TEXT: f64 = 14.0;
 const HATCH: f64 = 7.0;
 /// Between a mass and what it rubs on.
@@ -34,10 +36,13 @@ pub(crate) struct Drawing<'a> {
     base: bool,
     wall: bool,
     lanes: usize,
+    /// The widths of a mass and of a gap.
+    pitch: (f64, f64),
 }
 
 impl<'a> Drawing<'a> {
-    pub(crate) fn new(sketch: &'a Sketch) -> Option<Self> {
+    /// Parts come nearer to each other where there is less room than they would take.
+    pub(crate) fn new(sketch: &'a Sketch, room: f64) -> Option<Self> {
         let count = sketch.masses.len();
         if !(1..=Sketch::MOST).contains(&count) {
             return None;
@@ -64,6 +69,7 @@ impl<'a> Drawing<'a> {
             base: matches!(sketch.excitation, Excitation::Base { .. }),
             wall: false,
             lanes: 0,
+            pitch: (WIDTH, GAP),
         };
         let mut far: Vec<(usize, usize, &Spring)> = Vec::new();
         for spring in &sketch.springs {
@@ -93,6 +99,13 @@ impl<'a> Drawing<'a> {
             drawing.lanes = drawing.lanes.max(lane + 1);
             drawing.above.push((low, high, lane, spring));
         }
+        let (wide, _) = drawing.size();
+        let (last, _) = drawing.sides(count);
+        if room < wide {
+            // All but what stands to the right of the last mass and the base shrinks.
+            let share = ((room - (wide - last)) / last).clamp(LEAST, 1.0);
+            drawing.pitch = (share * WIDTH, share * GAP);
+        }
         Some(drawing)
     }
 
@@ -102,22 +115,21 @@ impl<'a> Drawing<'a> {
 
     /// The left edge of the first mass.
     fn start(&self) -> f64 {
-        if self.base { HATCH + GAP } else { 2.0 }
+        if self.base { HATCH + self.pitch.1 } else { 2.0 }
     }
 
     /// The two sides of a station.
     fn sides(&self, station: usize) -> (f64, f64) {
-        let pitch = WIDTH + GAP;
-        let left = self.start() + pitch * (station as f64 - 1.0);
+        let left = self.start() + (self.pitch.0 + self.pitch.1) * (station as f64 - 1.0);
         match station {
             0 => (HATCH, HATCH),
             _ if station == self.count() + 1 => (left, left),
-            _ => (left, left + WIDTH),
+            _ => (left, left + self.pitch.0),
         }
     }
 
     fn top(&self) -> f64 {
-        LANE * self.lanes as f64 + 6.0
+        LANE * self.lanes as f64 + 6.0 + self.over()
     }
 
     fn force(&self) -> Option<(usize, &'a Label)> {
@@ -143,7 +155,7 @@ impl<'a> Drawing<'a> {
     pub(crate) fn size(&self) -> Point {
         let (_, last) = self.sides(self.count());
         let wall = if self.wall {
-            last + GAP + HATCH
+            last + self.pitch.1 + HATCH
         } else {
             last + 2.0
         };
@@ -187,10 +199,10 @@ impl<'a> Drawing<'a> {
         }
         for (index, mass) in self.sketch.masses.iter().enumerate() {
             let (left, _) = self.sides(index + 1);
-            pen.rect((left, row, WIDTH, HEIGHT), MASS, Some(INK));
+            pen.rect((left, row, self.pitch.0, HEIGHT), MASS, Some(INK));
             pen.text(
                 mass,
-                (left + 0.5 * WIDTH, row + 0.5 * HEIGHT + 5.0),
+                (left + 0.5 * self.pitch.0, row + 0.5 * HEIGHT + 5.0),
                 Anchor::Middle,
                 INK,
             );
@@ -220,9 +232,15 @@ impl<'a> Drawing<'a> {
         }
     }
 
+    /// What an arrow over the row takes.
+    fn over(&self) -> f64 {
+        let over = self.force().is_some_and(|(mass, _)| !self.is_free(mass));
+        if over { 10.0 } else { 0.0 }
+    }
+
     /// The height of a lane's springs.
     fn lane(&self, lane: usize) -> f64 {
-        self.top() - 13.0 - LANE * lane as f64
+        self.top() - 14.0 - self.over() - LANE * lane as f64
     }
 
     fn far_spring(
@@ -234,7 +252,7 @@ impl<'a> Drawing<'a> {
     ) {
         let (row, y) = (self.top(), self.lane(lane));
         // Springs of one mass rise beside each other.
-        let shift = RISER - 4.0 * (lane % 4) as f64;
+        let shift = (RISER - 4.0 * (lane % 4) as f64) * self.pitch.0 / WIDTH;
         let end = |station: usize, sign: f64| {
             let (left, right) = self.sides(station);
             if left == right {
@@ -250,13 +268,15 @@ impl<'a> Drawing<'a> {
                 pen.line(&[(x, row), (x, y)], INK, 1.2);
             }
         }
-        let half = f64::min(0.5 * GAP, 0.5 * (to - from));
-        // Where the row has its own spring, the label stands apart from the middle of others.
-        let middle = 0.5 * (from + to);
+        // The zigzag is over a gap, where nothing rises.
+        let (low, high) = (low as f64, high as f64);
+        let gap = (0.5 * (low + high) - 0.5).floor().max(low) as usize;
+        let middle = 0.5 * (self.sides(gap).1 + self.sides(gap + 1).0);
+        let half = 0.5 * self.pitch.1;
         pen.line(&[(from, y), (middle - half, y)], INK, 1.2);
         pen.line(&[(middle + half, y), (to, y)], INK, 1.2);
         pen.spring(middle - half, middle + half, y);
-        pen.text(label, (middle + half + 2.0, y - 5.0), Anchor::Start, INK);
+        pen.text(label, (middle, y - 11.0), Anchor::Middle, INK);
     }
 
     fn friction(&self, pen: &mut Pen<'_>, contact: &Contact, row: f64) {
@@ -278,7 +298,7 @@ impl<'a> Drawing<'a> {
         if first != last {
             // An arm of the farther mass reaches under the nearer one.
             let (_, end) = self.sides(*last);
-            let arm = end - 0.5 * WIDTH;
+            let arm = end - 0.5 * self.pitch.0;
             pen.rect(
                 (middle - 18.0, floor, arm - middle + 18.0, 4.0),
                 MASS,
@@ -306,9 +326,9 @@ impl<'a> Drawing<'a> {
                 pen.arrow((x, y), (x + 38.0, y), FORCE);
                 pen.text(label, (x + 43.0, y + 5.0), Anchor::Start, FORCE);
             } else {
-                let y = row + 7.0;
+                let y = row + 8.0;
                 pen.arrow((x, y), (x + 36.0, y), FORCE);
-                pen.text(label, (x + 2.0, y - 6.0), Anchor::Start, FORCE);
+                pen.text(label, (x + 3.0, row - 4.0), Anchor::Start, FORCE);
             }
         }
         if let Excitation::Base { label } = &self.sketch.excitation {

@@ -183,10 +183,10 @@ fn inset(canvas: &mut Canvas, layer: &Inset, outer: &Frame, legend: &mut Legend)
         height: height * outer.rect.height,
     };
     let frame = Frame::new(&layer.panel, rect, true);
+    canvas.rect(frame.whole(&layer.panel), Some(PAPER), None);
     if layer.marked {
         mark(canvas, &layer.panel, outer, frame.rect);
     }
-    canvas.rect(frame.whole(&layer.panel), Some(PAPER), None);
     draw_panel(canvas, &layer.panel, &frame, legend);
 }
 
