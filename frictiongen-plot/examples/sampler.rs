@@ -148,6 +148,9 @@ fn responses() -> Figure {
         )
 }
 
+/// The names of the classes of a map.
+const STOPS: [&str; 5] = ["no stop", "1 stop", "2 stops", "3 stops", "4 stops"];
+
 /// Regions and maps.
 fn maps() -> Figure {
     let x = || Axis::new("frequency ratio *r*", 0.0, 2.0);
@@ -199,7 +202,12 @@ fn maps() -> Figure {
         (beta < upper(r)).then_some((count as usize).min(4))
     };
     let classes = (0..5)
-        .map(|i| (format!("{i}").into(), Fill::Class(i)))
+        .map(|i| {
+            (
+                STOPS.get(i).copied().unwrap_or_default().into(),
+                Fill::Class(i),
+            )
+        })
         .collect();
     let cells = Cells::Classes {
         classes,

@@ -1,6 +1,6 @@
 //! The page: title, panels in rows, sketch and legend, caption.
 
-use crate::figure::{Figure, Page};
+use crate::figure::{Figure, Page, Panel};
 use crate::frame::Frame;
 use crate::geometry::Rect;
 use crate::label::Label;
@@ -83,9 +83,13 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
     for row in figure.panels.chunks(columns) {
         let above = row.iter().map(Frame::above).fold(0.0, f64::max);
         let under = row.iter().map(Frame::under).fold(0.0, f64::max);
-        let widths: Vec<f64> = margins
+        // On a narrow page a colour bar takes room from its own panel alone.
+        let narrow = figure.page == Page::Narrow;
+        let own = |panel: &Panel, right: f64| if narrow { Frame::sides(panel).1 } else { right };
+        let widths: Vec<f64> = row
             .iter()
-            .map(|(left, right)| cell - left - right)
+            .zip(&margins)
+            .map(|(panel, (left, right))| cell - left - own(panel, *right))
             .collect();
         let least = widths.iter().copied().fold(f64::INFINITY, f64::min);
         let usual = (0.7 * least).clamp(200.0, 340.0);
@@ -99,7 +103,7 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
         } else {
             usual
         };
-        for (column, ((left, _), width)) in margins.iter().zip(widths).enumerate().take(row.len()) {
+        for (column, ((left, _), width)) in margins.iter().zip(widths).enumerate() {
             frames.push(Rect {
                 left: MARGIN + column as f64 * (cell + GAP) + left,
                 top: *y + above,
