@@ -1,181 +1,21 @@
-//! Where the parts of a sketch lie, and how they look.
+//! How the parts of a sketch look.
 
 use crate::geometry::Point;
 use crate::label::Label;
 use crate::layer::Anchor;
 use crate::palette::{INK, Rgb};
 use crate::pen::{Pen, TEXT};
-use crate::sketch::{Contact, End, Excitation, Sketch, Spring};
+use crate::plan::{HATCH, HEIGHT, PAD, Plan, WIDTH};
+use crate::sketch::{Contact, End, Excitation};
 use crate::svg::Canvas;
 
-const WIDTH: f64 = 46.0;
-const HEIGHT: f64 = 44.0;
-const GAP: f64 = 58.0;
-/// What a mass and a gap shrink to at most.
-const LEAST: f64 = 0.48;
-/// A spring above the masses with its label.
-const LANE: f64 = 34.0;
-const HATCH: f64 = 7.0;
-/// Between a mass and what it rubs on.
-const PAD: f64 = 7.0;
 /// How far a spring above stands from its mass's middle.
 const RISER: f64 = 11.0;
 const MASS: Rgb = Rgb(0xe9, 0xee, 0xf4);
 const FRICTION: Rgb = Rgb(0xb3, 0x3a, 0x1e);
 const FORCE: Rgb = Rgb(0x00, 0x5f, 0xad);
 
-/// A sketch with the places of its parts, from its upper left corner.
-#[derive(Debug)]
-pub(crate) struct Drawing<'a> {
-    sketch: &'a Sketch,
-    /// Springs in the row, by the gap they fill.
-    direct: Vec<(usize, &'a Spring)>,
-    /// Springs above it: from which station to which, and in which lane.
-    above: Vec<(usize, usize, usize, &'a Spring)>,
-    contact: Option<&'a Contact>,
-    base: bool,
-    wall: bool,
-    lanes: usize,
-    /// The widths of a mass and of a gap.
-    pitch: (f64, f64),
-}
-
-impl<'a> Drawing<'a> {
-    /// Parts come nearer to each other where there is less room than they would take.
-    pub(crate) fn new(sketch: &'a Sketch, room: f64) -> Option<Self> {
-        let count = sketch.masses.len();
-        if !(1..=Sketch::MOST).contains(&count) {
-            return None;
-        }
-        // Stations from left to right: the base, the masses, the wall.
-        let station = |end: End| match end {
-            End::Base => Some(0),
-            End::Mass(index) => (index < count).then_some(index + 1),
-            End::Wall => Some(count + 1),
-        };
-        let stations = |(a, b): (End, End)| {
-            let (a, b) = (station(a)?, station(b)?);
-            let (low, high) = (a.min(b), a.max(b));
-            (low != high && (low, high) != (0, count + 1)).then_some((low, high))
-        };
-        let mut drawing = Self {
-            sketch,
-            direct: Vec::new(),
-            above: Vec::new(),
-            contact: sketch
-                .contact
-                .as_ref()
-                .filter(|contact| stations(contact.between).is_some()),
-            base: matches!(sketch.excitation, Excitation::Base { .. }),
-            wall: false,
-            lanes: 0,
-            pitch: (WIDTH, GAP),
-        };
-        let mut far: Vec<(usize, usize, &Spring)> = Vec::new();
-        for spring in &sketch.springs {
-            let Some((low, high)) = stations(spring.between) else {
-                continue;
-            };
-            drawing.base |= low == 0;
-            drawing.wall |= high == count + 1;
-            if high == low + 1 && drawing.direct.iter().all(|(gap, _)| *gap != low) {
-                drawing.direct.push((low, spring));
-            } else {
-                far.push((low, high, spring));
-            }
-        }
-        if let Some(contact) = drawing.contact {
-            drawing.base |= [contact.between.0, contact.between.1].contains(&End::Base);
-        }
-        far.sort_by_key(|(low, high, _)| (high - low, *low));
-        for (low, high, spring) in far {
-            // The longer a spring, the higher: none crosses another's risers needlessly.
-            let taken = drawing
-                .above
-                .iter()
-                .filter(|(a, b, ..)| *a < high && low < *b)
-                .map(|(_, _, lane, _)| lane + 1);
-            let lane = taken.max().unwrap_or(0);
-            drawing.lanes = drawing.lanes.max(lane + 1);
-            drawing.above.push((low, high, lane, spring));
-        }
-        let (wide, _) = drawing.size();
-        let (last, _) = drawing.sides(count);
-        if room < wide {
-            // All but what stands to the right of the last mass and the base shrinks.
-            let share = ((room - (wide - last)) / last).clamp(LEAST, 1.0);
-            drawing.pitch = (share * WIDTH, share * GAP);
-        }
-        Some(drawing)
-    }
-
-    fn count(&self) -> usize {
-        self.sketch.masses.len()
-    }
-
-    /// The left edge of the first mass.
-    fn start(&self) -> f64 {
-        if self.base { HATCH + self.pitch.1 } else { 2.0 }
-    }
-
-    /// The two sides of a station.
-    fn sides(&self, station: usize) -> (f64, f64) {
-        let left = self.start() + (self.pitch.0 + self.pitch.1) * (station as f64 - 1.0);
-        match station {
-            0 => (HATCH, HATCH),
-            _ if station == self.count() + 1 => (left, left),
-            _ => (left, left + self.pitch.0),
-        }
-    }
-
-    fn top(&self) -> f64 {
-        LANE * self.lanes as f64 + 6.0 + self.over()
-    }
-
-    fn force(&self) -> Option<(usize, &'a Label)> {
-        match &self.sketch.excitation {
-            Excitation::Force { mass, label } if *mass < self.count() => Some((*mass, label)),
-            _ => None,
-        }
-    }
-
-    /// What stands under the masses.
-    fn under(&self) -> f64 {
-        let contact = match self.contact {
-            Some(_) => PAD + HATCH + TEXT + 6.0,
-            None => 2.0,
-        };
-        let base = match &self.sketch.excitation {
-            Excitation::Base { .. } => PAD + HATCH + TEXT + 10.0,
-            _ => 2.0,
-        };
-        contact.max(base)
-    }
-
-    pub(crate) fn size(&self) -> Point {
-        let (_, last) = self.sides(self.count());
-        let wall = if self.wall {
-            last + self.pitch.1 + HATCH
-        } else {
-            last + 2.0
-        };
-        let force = self.force().map_or(0.0, |(mass, label)| {
-            self.sides(mass + 1).1
-                + 46.0
-                + if self.is_free(mass) {
-                    label.width(TEXT)
-                } else {
-                    0.0
-                }
-        });
-        (wall.max(force), self.top() + HEIGHT + self.under())
-    }
-
-    /// Whether nothing stands to the right of a mass.
-    fn is_free(&self, mass: usize) -> bool {
-        mass + 1 == self.count() && !self.wall
-    }
-
+impl Plan<'_> {
     pub(crate) fn draw(&self, canvas: &mut Canvas, (left, top): Point) {
         let mut pen = Pen::new(canvas, (left, top));
         let row = self.top();
@@ -232,17 +72,6 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// What an arrow over the row takes.
-    fn over(&self) -> f64 {
-        let over = self.force().is_some_and(|(mass, _)| !self.is_free(mass));
-        if over { 10.0 } else { 0.0 }
-    }
-
-    /// The height of a lane's springs.
-    fn lane(&self, lane: usize) -> f64 {
-        self.top() - 14.0 - self.over() - LANE * lane as f64
-    }
-
     fn far_spring(
         &self,
         pen: &mut Pen<'_>,
@@ -294,7 +123,8 @@ impl<'a> Drawing<'a> {
         let (left, right) = self.sides(*first);
         let middle = 0.5 * (left + right);
         let floor = bottom + PAD;
-        pen.rect((middle - 13.0, bottom, 26.0, PAD), FRICTION, None);
+        let pad = f64::min(26.0, 0.7 * self.pitch.0);
+        pen.rect((middle - 0.5 * pad, bottom, pad, PAD), FRICTION, None);
         if first != last {
             // An arm of the farther mass reaches under the nearer one.
             let (_, end) = self.sides(*last);
@@ -327,7 +157,7 @@ impl<'a> Drawing<'a> {
                 pen.text(label, (x + 43.0, y + 5.0), Anchor::Start, FORCE);
             } else {
                 let y = row + 8.0;
-                pen.arrow((x, y), (x + 36.0, y), FORCE);
+                pen.arrow((x, y), (x + f64::min(36.0, 0.9 * self.pitch.1), y), FORCE);
                 pen.text(label, (x + 3.0, row - 4.0), Anchor::Start, FORCE);
             }
         }

@@ -31,6 +31,7 @@ mod number;
 mod palette;
 mod panel;
 mod pen;
+mod plan;
 #[cfg(feature = "png")]
 mod png;
 mod raster;

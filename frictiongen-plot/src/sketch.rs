@@ -1,7 +1,7 @@
 //! Sketches of mechanical systems: masses in a row, springs, the friction contact, the excitation.
 
-use crate::drawing::Drawing;
 use crate::label::Label;
+use crate::plan::Plan;
 use crate::svg::Canvas;
 
 /// What a spring or a contact ends on.
@@ -98,13 +98,13 @@ impl Sketch {
 
     /// Width and height in so much room, if it is drawn at all.
     pub(crate) fn size(&self, room: f64) -> Option<(f64, f64)> {
-        Drawing::new(self, room).map(|drawing| drawing.size())
+        Plan::new(self, room).map(|plan| plan.size())
     }
 
     /// Draws it with its upper left corner at a place.
     pub(crate) fn draw(&self, canvas: &mut Canvas, corner: (f64, f64), room: f64) {
-        if let Some(drawing) = Drawing::new(self, room) {
-            drawing.draw(canvas, corner);
+        if let Some(plan) = Plan::new(self, room) {
+            plan.draw(canvas, corner);
         }
     }
 }
