@@ -146,7 +146,7 @@ fn heading(figure: &Figure) -> Label {
         figure.title.clone()
     } else {
         let number = figure.number.replace(['\\', '*', '_', '^'], " ");
-        Label::new(&format!("**Figure {number}.**  ")).then(&figure.title)
+        Label::new(&format!("**Figure {number}.** ")).then(&figure.title)
     }
 }
 

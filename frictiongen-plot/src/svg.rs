@@ -53,7 +53,7 @@ impl Canvas {
         let (width, height) = (number(width.ceil()), number(height.ceil()));
         let mut text = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FAMILY}\">\n"
+             viewBox=\"0 0 {width} {height}\" role=\"img\" xml:space=\"preserve\" font-family=\"{FAMILY}\">\n"
         );
         for (name, content) in [("title", title), ("desc", description)] {
             if !content.is_empty() {

@@ -87,7 +87,7 @@ fn the_small_figure_is_as_recorded() {
 fn it_says_what_it_shows() {
     let svg = small().svg();
     assert!(svg.contains("role=\"img\""));
-    assert!(svg.contains("<title>Figure 1.  small &amp; simple</title>"));
+    assert!(svg.contains("<title>Figure 1. small &amp; simple</title>"));
     assert!(svg.contains("<desc>(a) title: X̄1 over x. Drawn are: class; region; x2; marks; stick-slip. βlim = 1.</desc>"));
 }
 
