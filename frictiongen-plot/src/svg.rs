@@ -2,8 +2,10 @@
 
 use crate::geometry::{Point, Rect};
 use crate::label::{Face, Label, Level};
-use crate::layer::{Anchor, Marker, Stroke};
+use crate::layer::Anchor;
 use crate::palette::{INK, PAPER, Rgb};
+use crate::stroke::{Marker, Stroke};
+use crate::xml::{data, escaped, number};
 use std::fmt::Write as _;
 
 /// Families that look alike and are about as wide; PNG has the first one embedded, under another name.
@@ -51,7 +53,7 @@ impl Canvas {
         let (width, height) = (number(width.ceil()), number(height.ceil()));
         let mut text = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FAMILY}\">\n"
+             viewBox=\"0 0 {width} {height}\" role=\"img\" xml:space=\"preserve\" font-family=\"{FAMILY}\">\n"
         );
         for (name, content) in [("title", title), ("desc", description)] {
             if !content.is_empty() {
@@ -70,7 +72,7 @@ impl Canvas {
 
     /// Lines of one look.
     pub(crate) fn lines(&mut self, lines: &[Vec<Point>], colour: Rgb, stroke: Stroke) {
-        let (width, dashes) = look(stroke);
+        let (width, dashes) = stroke.look();
         self.path(lines, colour, width, dashes);
     }
 
@@ -248,78 +250,12 @@ impl Canvas {
     }
 }
 
-/// The width and the dashes of a stroke.
-fn look(stroke: Stroke) -> (f64, &'static str) {
-    match stroke {
-        Stroke::Solid => (1.6, ""),
-        Stroke::DashDot => (1.6, "8 3 1.8 3"),
-        Stroke::Dotted => (1.8, "1.8 2.8"),
-        Stroke::Dashed => (1.4, "5.5 3.2"),
-        Stroke::Thin => (0.9, ""),
-    }
-}
-
-/// The data of a path.
-fn data(lines: &[Vec<Point>], end: &str) -> String {
-    let mut data = String::new();
-    for line in lines.iter().filter(|line| 1 < line.len()) {
-        let mut last = None;
-        for (x, y) in line.iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
-            let (x, y) = (number(*x), number(*y));
-            if last.as_ref() == Some(&(x.clone(), y.clone())) {
-                continue;
-            }
-            // Pairs after the first are lines.
-            let _ = write!(data, "{}{x} {y}", if last.is_none() { "M" } else { " " });
-            last = Some((x, y));
-        }
-        data.push_str(end);
-    }
-    data
-}
-
-/// A finite number with two decimals, none of them needless.
-pub(crate) fn number(value: f64) -> String {
-    let value = if value.is_finite() { value } else { 0.0 };
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".to_owned()
-    } else {
-        text.to_owned()
-    }
-}
-
-/// Text that XML takes for text; control characters, which it forbids, become spaces.
-fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            _ if character.is_control() || matches!(character, '\u{fffe}' | '\u{ffff}') => {
-                safe.push(' ')
-            }
-            _ => safe.push(character),
-        }
-    }
-    safe
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Canvas, Style, number};
+    use super::{Canvas, Style};
     use crate::label::Label;
     use crate::layer::Anchor;
     use crate::palette::INK;
-
-    #[test]
-    fn numbers_are_short_and_finite() {
-        let said = [1.0, -0.001, 0.125, 1e7, 10.5, f64::NAN, f64::INFINITY].map(number);
-        assert_eq!(said, ["1", "0", "0.12", "10000000", "10.5", "0", "0"]);
-    }
 
     #[test]
     fn text_has_real_subscripts_and_is_escaped() {
