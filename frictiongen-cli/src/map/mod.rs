@@ -91,7 +91,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     })?;
     if done < asked {
         return Err(Failure::new(format_args!(
-            "stopped: the first {done} of {asked} frequencies are done and written"
+            "stopped: {done} of {asked} frequencies are done and written"
         )));
     }
     Ok(())
