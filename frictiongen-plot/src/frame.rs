@@ -5,7 +5,8 @@ use crate::figure::Panel;
 use crate::geometry::Rect;
 use crate::layer::{Anchor, Cells, Layer};
 use crate::palette::{FRAME, Fill, GRID, INK};
-use crate::svg::{Canvas, Style};
+use crate::svg::Canvas;
+use crate::text::Style;
 use crate::ticks::{Tick, ticks};
 
 const TITLE: f64 = 14.5;

@@ -38,6 +38,7 @@ mod raster;
 mod sketch;
 mod stroke;
 mod svg;
+mod text;
 mod ticks;
 mod xml;
 
