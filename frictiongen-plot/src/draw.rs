@@ -8,7 +8,8 @@ use crate::layer::Anchor;
 use crate::legend::Legend;
 use crate::palette::SOFT;
 use crate::panel::draw_panel;
-use crate::svg::{Canvas, Style};
+use crate::svg::Canvas;
+use crate::text::Style;
 
 const MARGIN: f64 = 14.0;
 /// Between panels.

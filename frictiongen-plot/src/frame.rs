@@ -5,14 +5,15 @@ use crate::figure::Panel;
 use crate::geometry::Rect;
 use crate::layer::{Anchor, Cells, Layer};
 use crate::palette::{FRAME, Fill, GRID, INK};
-use crate::svg::{Canvas, Style};
+use crate::svg::Canvas;
+use crate::text::Style;
 use crate::ticks::{Tick, ticks};
 
 const TITLE: f64 = 14.5;
 const LABEL: f64 = 15.0;
 const TICK: f64 = 13.0;
 /// Ticks of an inset.
-const SMALL: f64 = 11.5;
+const SMALL: f64 = 12.0;
 /// From the frame to its tick labels.
 const OFF: f64 = 6.0;
 const BAR: f64 = 13.0;

@@ -6,7 +6,8 @@ use crate::label::Label;
 use crate::layer::Anchor;
 use crate::palette::{Colour, FRAME, Fill};
 use crate::stroke::{Marker, Stroke};
-use crate::svg::{Canvas, Style};
+use crate::svg::Canvas;
+use crate::text::Style;
 
 const SIZE: f64 = 14.0;
 const ROW: f64 = 21.0;

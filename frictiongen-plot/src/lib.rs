@@ -40,6 +40,7 @@ mod raster;
 mod sketch;
 mod stroke;
 mod svg;
+mod text;
 mod ticks;
 mod xml;
 

@@ -67,6 +67,22 @@ fn shifted<'a>(label: &mut Label, after: &'a [char], face: Face, level: Level) -
     rest
 }
 
+/// Letters with a bar, and what they are without.
+const BARRED: [(char, char); 12] = [
+    ('Ā', 'A'),
+    ('ā', 'a'),
+    ('Ē', 'E'),
+    ('ē', 'e'),
+    ('Ī', 'I'),
+    ('ī', 'i'),
+    ('Ō', 'O'),
+    ('ō', 'o'),
+    ('Ū', 'U'),
+    ('ū', 'u'),
+    ('Ȳ', 'Y'),
+    ('ȳ', 'y'),
+];
+
 /// One character; the subscript digits of Unicode, which few fonts have, become real subscripts.
 fn letter(label: &mut Label, character: char, face: Face, level: Level) {
     let code = character as u32;
@@ -75,13 +91,18 @@ fn letter(label: &mut Label, character: char, face: Face, level: Level) {
         .then(|| char::from_digit(code - 0x2080, 10))
         .flatten();
     let (character, level) = digit.map_or((character, level), |digit| (digit, Level::Sub));
-    // A bar is the combining macron; the combining overline is meant for runs.
-    let character = if character == '\u{305}' {
-        '\u{304}'
-    } else {
-        character
+    // A bar is the combining macron, also where Unicode has it in one with its letter or an overline for runs.
+    let (character, bar) = match character {
+        '\u{305}' => ('\u{304}', false),
+        _ => BARRED
+            .iter()
+            .find(|(barred, _)| *barred == character)
+            .map_or((character, false), |(_, bare)| (*bare, true)),
     };
     label.push(character.encode_utf8(&mut [0; 4]), face, level);
+    if bar {
+        label.push("\u{304}", face, level);
+    }
 }
 
 /// What stands before as many stars, and what after them.
@@ -141,6 +162,12 @@ mod tests {
         );
         assert_eq!(read("*β_lim*"), ["i:β", "i_:lim"]);
         assert_eq!(read("_{*n*}"), ["i_:n"]);
+    }
+
+    #[test]
+    fn a_bar_is_one_of_its_own() {
+        assert_eq!(read("*\u{233}*"), ["i:y\u{304}"]);
+        assert_eq!(read("*y\u{305}*"), ["i:y\u{304}"]);
     }
 
     #[test]

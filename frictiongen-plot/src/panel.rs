@@ -7,7 +7,8 @@ use crate::layer::{Across, Anchor, Guide, Layer, Line, Markers, Note, Region};
 use crate::legend::Legend;
 use crate::palette::{FRAME, PAPER};
 use crate::raster;
-use crate::svg::{Canvas, Style};
+use crate::svg::Canvas;
+use crate::text::Style;
 
 /// What a curve may lie off its drawn line, in pixels.
 const TOLERANCE: f64 = 0.02;

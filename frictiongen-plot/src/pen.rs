@@ -4,7 +4,8 @@ use crate::geometry::{Point, Rect};
 use crate::label::Label;
 use crate::layer::Anchor;
 use crate::palette::{INK, Rgb, SOFT};
-use crate::svg::{Canvas, Style};
+use crate::svg::Canvas;
+use crate::text::Style;
 
 /// The size of words.
 pub(crate) const TEXT: f64 = 14.0;

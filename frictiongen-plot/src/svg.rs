@@ -1,9 +1,7 @@
 //! The writer of SVG: a few elements, numbers of two decimals, text as text.
 
 use crate::geometry::{Point, Rect};
-use crate::label::{Face, Label, Level};
-use crate::layer::Anchor;
-use crate::palette::{INK, PAPER, Rgb};
+use crate::palette::{PAPER, Rgb};
 use crate::stroke::{Marker, Stroke};
 use crate::xml::{data, escaped, number};
 use std::fmt::Write as _;
@@ -12,39 +10,10 @@ use std::fmt::Write as _;
 const FAMILY: &str =
     "'STIX Two Text','Times New Roman',Times,'Liberation Serif','Noto Serif',serif";
 
-/// How text is set.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Style {
-    pub size: f64,
-    pub anchor: Anchor,
-    pub colour: Rgb,
-    /// Read from the bottom to the top.
-    pub upright: bool,
-    /// With a light edge that keeps it legible over lines.
-    pub halo: bool,
-}
-
-impl Style {
-    pub(crate) const fn new(size: f64, anchor: Anchor) -> Self {
-        Self {
-            size,
-            anchor,
-            colour: INK,
-            upright: false,
-            halo: false,
-        }
-    }
-
-    pub(crate) const fn coloured(mut self, colour: Rgb) -> Self {
-        self.colour = colour;
-        self
-    }
-}
-
 /// An SVG in the making.
 #[derive(Debug, Default)]
 pub(crate) struct Canvas {
-    body: String,
+    pub(crate) body: String,
 }
 
 impl Canvas {
@@ -189,89 +158,15 @@ impl Canvas {
         };
         let _ = writeln!(self.body, "<path d=\"{data}\" {look}/>");
     }
-
-    /// A line of text.
-    pub(crate) fn text(&mut self, label: &Label, (x, y): Point, style: Style) {
-        if label.is_empty() || !x.is_finite() || !y.is_finite() {
-            return;
-        }
-        let anchor = match style.anchor {
-            Anchor::Start => "",
-            Anchor::Middle => " text-anchor=\"middle\"",
-            Anchor::End => " text-anchor=\"end\"",
-        };
-        let (x, y) = (number(x), number(y));
-        let place = if style.upright {
-            format!("transform=\"translate({x} {y}) rotate(-90)\"")
-        } else {
-            format!("x=\"{x}\" y=\"{y}\"")
-        };
-        let halo = if style.halo {
-            format!(
-                " stroke=\"{PAPER}\" stroke-width=\"3\" stroke-opacity=\"0.8\" stroke-linejoin=\"round\" paint-order=\"stroke\""
-            )
-        } else {
-            String::new()
-        };
-        let _ = write!(
-            self.body,
-            "<text {place} font-size=\"{}\" fill=\"{}\"{anchor}{halo}>",
-            number(style.size),
-            style.colour
-        );
-        let mut drop = 0.0;
-        for span in label.spans() {
-            let text = escaped(&span.text);
-            let wanted = span.level.drop() * style.size;
-            let mut attributes = String::new();
-            if span.level != Level::Base {
-                let _ = write!(
-                    attributes,
-                    " font-size=\"{}\"",
-                    number(span.level.size() * style.size)
-                );
-            }
-            if wanted != drop {
-                let _ = write!(attributes, " dy=\"{}\"", number(wanted - drop));
-                drop = wanted;
-            }
-            attributes.push_str(match span.face {
-                Face::Regular => "",
-                Face::Italic => " font-style=\"italic\"",
-                Face::Bold => " font-weight=\"bold\"",
-            });
-            let _ = if attributes.is_empty() {
-                write!(self.body, "{text}")
-            } else {
-                write!(self.body, "<tspan{attributes}>{text}</tspan>")
-            };
-        }
-        self.body.push_str("</text>\n");
-    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Canvas, Style};
+    use super::Canvas;
     use crate::label::Label;
     use crate::layer::Anchor;
     use crate::palette::INK;
-
-    #[test]
-    fn text_has_real_subscripts_and_is_escaped() {
-        let mut canvas = Canvas::default();
-        canvas.text(
-            &Label::new("*β*_lim < 1"),
-            (1.0, 2.0),
-            Style::new(10.0, Anchor::Middle),
-        );
-        assert_eq!(
-            canvas.body,
-            "<text x=\"1\" y=\"2\" font-size=\"10\" fill=\"#222222\" text-anchor=\"middle\">\
-             <tspan font-style=\"italic\">β</tspan><tspan font-size=\"7.4\" dy=\"2.2\">lim</tspan>\
-             <tspan dy=\"-2.2\"> &lt; 1</tspan></text>\n"
-        );
-    }
+    use crate::text::Style;
 
     #[test]
     fn what_is_not_finite_is_left_out() {
