@@ -16,6 +16,9 @@ use std::f64::consts::TAU;
 /// The most samples of all motions of a history together, and the most cycles that are skipped.
 pub const MOST_SAMPLES: u64 = 10_000_000;
 
+/// The most events of a history.
+const MOST_EVENTS: usize = 1_000_000;
+
 /// What is asked of a run in time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HistoryRequest {
@@ -57,7 +60,7 @@ pub enum HistoryError {
     TooManySamples,
     /// More than [`MOST_SAMPLES`] cycles are skipped.
     TooManySkipped,
-    /// More than [`MOST_SAMPLES`] events, or no end of events at one instant.
+    /// More than a million events, or so many free vibrations in a cycle that they cannot be followed.
     TooManyEvents,
     /// The scene has no mass at this place.
     NoSuchMass(usize),
@@ -77,7 +80,10 @@ impl std::fmt::Display for HistoryError {
             Self::TooManySkipped => {
                 write!(f, "at most {MOST_SAMPLES} cycles can be skipped")
             }
-            Self::TooManyEvents => write!(f, "the contact has more events than can be listed"),
+            Self::TooManyEvents => write!(
+                f,
+                "the contact has more than {MOST_EVENTS} events, or the masses vibrate too often in a cycle to be followed"
+            ),
             Self::NoSuchMass(index) => write!(f, "the scene has no mass at place {index}"),
             Self::Solver(error) => error.fmt(f),
         }

@@ -1,6 +1,8 @@
 //! A run from rest or from a state, stopped at every sample.
 
-use super::{History, HistoryError, HistoryEvent, HistoryRequest, MOST_SAMPLES, check};
+use super::{
+    History, HistoryError, HistoryEvent, HistoryRequest, MOST_EVENTS, MOST_SAMPLES, check,
+};
 use crate::Of;
 use crate::study::{System, SystemSimulation};
 use frictiongen_kernel::simulation::Event;
@@ -8,9 +10,6 @@ use std::f64::consts::TAU;
 
 /// What is nearer than this to a sample, in τ, is at it: a few roundings of a phase.
 const NEAR: f64 = 16.0 * f64::EPSILON;
-
-/// More events than this at one instant are no motion.
-const MOST_AT_ONCE: usize = 1000;
 
 impl System {
     /// The motion over time from rest or from a state, sampled, with every event.
@@ -75,7 +74,7 @@ impl System {
             let to = end as f64 / samples as f64;
             let events = &mut history.events;
             follower.pass(request.skip + cycle, to, |follower, event| {
-                if MOST_SAMPLES <= events.len() as u64 {
+                if MOST_EVENTS <= events.len() {
                     return Err(HistoryError::TooManyEvents);
                 }
                 events.push(follower.event(event));
@@ -94,15 +93,14 @@ struct Follower<'a, 'o> {
 }
 
 impl Follower<'_, '_> {
-    /// Goes on to a part of a cycle, from event to event.
+    /// Goes on to a part of a cycle, from event to event; what has too many of them has no end.
     fn pass(
         &mut self,
         cycle: u64,
         part: f64,
         mut note: impl FnMut(&Self, Event) -> Result<(), HistoryError>,
     ) -> Result<(), HistoryError> {
-        let mut at_once = 0;
-        loop {
+        for _ in 0..MOST_EVENTS {
             // From the run's own clock each time: no rounding adds up.
             let whole = cycle as f64 - self.run.cycles() as f64;
             let left = whole * TAU + (TAU * part - self.run.phase());
@@ -110,14 +108,11 @@ impl Follower<'_, '_> {
                 return Ok(());
             }
             let segment = self.run.advance(left)?;
-            at_once = if segment.length > 0.0 { 0 } else { at_once + 1 };
-            if MOST_AT_ONCE < at_once {
-                return Err(HistoryError::TooManyEvents);
-            }
             if let Some(event) = segment.event {
                 note(self, event)?;
             }
         }
+        Err(HistoryError::TooManyEvents)
     }
 
     fn motion(&self, of: Of) -> (f64, f64) {

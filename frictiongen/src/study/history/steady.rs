@@ -17,7 +17,8 @@ impl SystemResponse<'_> {
     }
 
     /// One period of the steady state, sampled, with every event: τ counts from a maximum of the excitation, of several
-    /// from that of [`subharmonic`](Self::subharmonic).
+    /// from that of [`subharmonic`](Self::subharmonic). Where a stuck contact stays depends on what was before; here its
+    /// displacement is 0.
     ///
     /// ```
     /// use frictiongen::{Of, System};
