@@ -1,6 +1,7 @@
 //! Grids: `a:step:b`, a number, or a comma-separated list of those.
 
 use crate::decimal::{Decimal, Decimals};
+use crate::failure::Failure;
 use std::fmt;
 
 /// The most points of a grid, and of two grids together.
@@ -95,6 +96,15 @@ pub fn parse(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
         })?;
     }
     Ok(points)
+}
+
+/// Of a grid where one point is needed.
+pub fn several(quantity: Quantity, points: usize) -> Failure {
+    Failure::new(format_args!(
+        "{}: one {} is needed, and this is a grid of {points}",
+        quantity.option(),
+        quantity.name()
+    ))
 }
 
 /// Adds the points of one entry of the list.

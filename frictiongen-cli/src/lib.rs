@@ -1,4 +1,4 @@
-//! Limits, responses, steady states and emitted solvers of friction scenes, on the command line.
+//! Limits, responses, steady states, motions over time and emitted solvers of friction scenes, on the command line.
 //!
 //! Every command reads one description, computes with [`frictiongen::System`] and writes a table,
 //! CSV or JSON. The program's exit status is 0, or 2 with the reason on standard error.
@@ -10,6 +10,7 @@ mod csv;
 mod decimal;
 mod expand;
 mod failure;
+mod file;
 mod frequency;
 mod friction;
 mod grid;
@@ -25,6 +26,7 @@ mod progress;
 mod response;
 mod summary;
 mod table;
+mod time;
 
 use args::{Arguments, Command};
 use clap::Parser;
@@ -65,6 +67,7 @@ pub fn run(
         Command::Limits(arguments) => limits::run(arguments, out),
         Command::Response(arguments) => response::run(arguments, out),
         Command::Orbit(arguments) => orbit::run(arguments, out),
+        Command::Time(arguments) => time::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
     }?)
