@@ -2,7 +2,7 @@
 
 use crate::scenes::{BETWEEN, DAMPED, FRAME, SHAKEN, all, system};
 use frictiongen::kernel::simulation::Event;
-use frictiongen::study::HistoryRequest;
+use frictiongen::study::{HistoryRequest, SystemResponse};
 use frictiongen::{Of, Regime};
 
 #[test]
@@ -125,4 +125,52 @@ fn a_subharmonic_state_has_its_period() {
         let apart = run.tracks[0].displacement[index] - track.displacement[64 + index];
         assert!(apart.abs() < 1e-10, "{index}: {apart}");
     }
+}
+
+/// What holds a stuck contact has the modulus of the sliding limit, and is what a run says, also where masses beyond the
+/// contact absorb and V and H vanish together.
+#[test]
+fn what_holds_a_stuck_contact() {
+    let absorber =
+        "struct Absorber { masses: { a: 1, b: 0.5 }, springs: { base - a: 1, a - b: 0.32 },
+        contact: a - wall, excitation: a }";
+    let (mut worst, mut compared) = (0.0_f64, 0);
+    let own = 0.8;
+    for (text, r) in [
+        (absorber, own),
+        (absorber, own + 1e-7),
+        (absorber, 0.5),
+        (SHAKEN, 0.5),
+        (SHAKEN, 1.4),
+        (BETWEEN, 0.9),
+        (FRAME, 0.7),
+    ] {
+        let system = system(text);
+        let at = system.at(r).unwrap();
+        let beta = 3.0 * at.sliding_limit();
+        let response = at.response(beta).unwrap();
+        let SystemResponse::Stuck(stuck) = &response else {
+            panic!("it slides")
+        };
+        let limit = at.sliding_limit() * system.scene().stiction;
+        worst = worst.max((stuck.contact_force().norm() / limit - 1.0).abs());
+        let of = all(&system);
+        let steady = response.history(&of, 36).unwrap();
+        let start = steady.tracks.iter().skip(1);
+        let start = start.map(|track| (track.displacement[0], track.velocity[0]));
+        let request = HistoryRequest {
+            from: Some(start.unzip()),
+            cycles: 1,
+            samples: 36,
+            ..HistoryRequest::new(&of)
+        };
+        let run = system.history(r, beta, &request).unwrap();
+        // Some rounding of its velocity may have to die before it sticks.
+        for (run, steady) in run.friction.iter().zip(&steady.friction).skip(1) {
+            worst = worst.max((run - steady).abs() / limit);
+            compared += 1;
+        }
+    }
+    println!("{compared} forces, to {worst:.1e} of the largest");
+    assert!(compared == 7 * 36 && worst < 1e-12);
 }
