@@ -99,6 +99,43 @@ Grids:
 Exit status:
   0, or 2 with one line on standard error for each thing that is wrong.";
 
+const TIMES: &str = "\
+Motions:
+  contact and every mass, or those of --of. Each has a displacement, over P/k1 or for base motion
+  over Y, and a velocity, its derivative by tau = omega t; with a load, m and m/s. A mass's are
+  absolute, the contact's relative.
+  tau is 0 at a maximum of the excitation; skipped cycles count
+  contact.friction  over P, for base motion over k1 Y; with a load, N: against the sliding, and
+                    while the contact sticks what holds it
+  contact.state     stuck, or forward or backward by the sign of the relative velocity
+
+State to start from:
+  --from \"x1,x2;v1,v2\"  displacements, then velocities of all masses in the description's order, at a
+                        maximum of the excitation; with a load, in m and m/s. From rest without it.
+
+Steady states:
+  --steady, in any regime; an undamped one, or one of several, is that which is reached from rest.
+  Where a stuck contact stays depends on what was before: here its displacement is 0.
+
+Events:
+  stop, break-away, reversal (it turns without a stop): exact, between the first sample and the last
+
+Spectrum:
+  x = Re(sum of X exp(i n tau)): amplitude |X| and lag -arg X of every order n, rad or degrees of its
+  own cycle; order 0 is the mean. Orders are multiples of 1/cycles, up to half the samples of a cycle.
+  Of a run from its samples, tau from the first one; what vibrates faster is folded back, to some
+  10/samples^3 of the amplitude. With --steady exact, up to order 9999.
+  A run has a spectrum of lines only where it has settled: skip cycles, and take whole periods.
+
+";
+
+const ONE_POINT: &str = "\
+One frequency, above 0 and below infinity, and one friction. At most 10 million samples of all motions
+together.
+
+Exit status:
+  0, or 2 with one line on standard error for each thing that is wrong.";
+
 const CURVES: &str = "\
 Curves:
   The range is refined where a curve bends and at its peaks. A piece is what may be joined: it ends
@@ -172,6 +209,9 @@ pub enum Command {
     /// What the contact does over frequency and friction
     #[command(after_help = format!("{MAPS}{UNITS}{GRIDS}"))]
     Map(MapArguments),
+    /// Displacements, velocities, the friction force and events over time, and spectra
+    #[command(after_help = format!("{TIMES}{UNITS}{ONE_POINT}"))]
+    Time(TimeArguments),
     /// Tables of the limits and of the contact's motion, to a declared accuracy
     #[command(after_help = TABLES)]
     Compile(CompileArguments),
@@ -382,6 +422,53 @@ pub struct MapArguments {
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,
+}
+
+/// Of `frictiongen time`.
+#[derive(Debug, Args)]
+pub struct TimeArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// The frequency.
+    #[command(flatten)]
+    pub frequency: FrequencyArguments,
+    /// The friction.
+    #[command(flatten)]
+    pub friction: FrictionArguments,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
+    /// How many cycles of the excitation are written [default: 10]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub cycles: Option<String>,
+    /// How many cycles are passed before [default: 0]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub skip: Option<String>,
+    /// How many samples a cycle has, an even number [default: 200]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub samples: Option<String>,
+    /// From this state instead of rest: x1,...;v1,...
+    #[arg(long, value_name = "STATE", allow_hyphen_values = true)]
+    pub from: Option<String>,
+    /// One period of the steady state instead of a run
+    #[arg(long, conflicts_with_all = ["cycles", "skip", "from"])]
+    pub steady: bool,
+    /// Only this mass, or `contact`; may be given more than once [default: contact and every mass]
+    #[arg(long, value_name = "NAME")]
+    pub of: Vec<String>,
+    /// The events of the contact instead of samples
+    #[arg(long)]
+    pub events: bool,
+    /// The spectrum instead of samples
+    #[arg(long, conflicts_with = "events")]
+    pub spectrum: bool,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
+    /// Write to this file; its ending decides: .csv, .json, .svg, .png
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
 }
 
 /// In which form tables are written.

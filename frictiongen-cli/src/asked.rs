@@ -4,9 +4,13 @@ use crate::failure::Failure;
 use frictiongen::study::{SystemAt, SystemMotion, UnknownMass};
 use frictiongen::{Complex, Error, NoOrbit, NotContinuous, Of, OutOfDomain, Regime, System};
 use std::f64::consts::PI;
+use std::ops::RangeInclusive;
 
 /// The highest harmonic there may be.
-const MOST_HARMONICS: u32 = 9999;
+pub const MOST_HARMONICS: u32 = 9999;
+
+/// What the contact is called; no mass can be.
+pub const CONTACT: &str = "contact";
 
 /// A mass asked for.
 #[derive(Clone, Debug)]
@@ -17,39 +21,51 @@ pub struct Mass {
     pub name: String,
 }
 
+/// What moves: the contact or a mass.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Which.
+    pub of: Of,
+    /// Its name.
+    pub name: String,
+}
+
+impl From<Mass> for Part {
+    fn from(mass: Mass) -> Self {
+        Self {
+            of: Of::Mass(mass.index),
+            name: mass.name,
+        }
+    }
+}
+
 /// The highest harmonic asked for, if any is.
 pub fn harmonics(highest: Option<&str>) -> Result<Option<u32>, Failure> {
-    let Some(text) = highest else {
-        return Ok(None);
-    };
-    match text.trim().parse() {
-        Ok(highest @ 1..=MOST_HARMONICS) => Ok(Some(highest)),
-        _ => Err(Failure::new(format_args!(
-            "--harmonics `{text}`: a whole number from 1 to {MOST_HARMONICS} is needed"
-        ))),
-    }
+    let of = |text| whole("--harmonics", text, 1..=MOST_HARMONICS);
+    highest.map(of).transpose()
+}
+
+/// The whole number of an option.
+pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32, Failure> {
+    let number = text.trim().parse().ok();
+    number
+        .filter(|number| range.contains(number))
+        .ok_or_else(|| {
+            let (least, most) = range.into_inner();
+            Failure::new(format_args!(
+                "{option} `{text}`: a whole number from {least} to {most} is needed"
+            ))
+        })
 }
 
 /// The masses asked for, each once, or all.
 pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
-    let known = || system.scene().masses.iter().enumerate();
-    let all = known().map(|(index, mass)| Mass {
-        index,
-        name: mass.name.clone(),
-    });
     if names.is_empty() {
-        return Ok(all.collect());
+        return Ok(known(system).collect());
     }
     let mut masses: Vec<Mass> = Vec::new();
     for name in names {
-        let Some(mass) = all.clone().find(|mass| mass.name == *name) else {
-            let name = name.clone();
-            let known = known().map(|(_, mass)| mass.name.clone()).collect();
-            return Err(Failure::new(format_args!(
-                "--mass: {}",
-                UnknownMass { name, known }
-            )));
-        };
+        let mass = mass(system, "--mass", name)?;
         if masses.iter().all(|known| known.index != mass.index) {
             masses.push(mass);
         }
@@ -57,48 +73,47 @@ pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
     Ok(masses)
 }
 
-/// What the contact is called; no mass can be.
-pub const CONTACT: &str = "contact";
-
-/// A motion asked for.
-#[derive(Clone, Debug)]
-pub struct Part {
-    /// Whose.
-    pub of: Of,
-    /// Its name.
-    pub name: String,
-}
-
-/// The motions asked for, each once, or all: the contact's, then the masses'.
+/// What was asked for by name, nothing twice, or the contact and all masses.
 pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
-    let contact = Part {
+    let contact = || Part {
         of: Of::Contact,
         name: CONTACT.to_owned(),
     };
-    let masses = system.scene().masses.iter().enumerate();
-    let masses = masses.map(|(index, mass)| Part {
-        of: Of::Mass(index),
-        name: mass.name.clone(),
-    });
-    let all: Vec<Part> = std::iter::once(contact).chain(masses).collect();
     if names.is_empty() {
-        return Ok(all);
+        let masses = known(system).map(Part::from);
+        return Ok(std::iter::once(contact()).chain(masses).collect());
     }
     let mut parts: Vec<Part> = Vec::new();
     for name in names {
-        let Some(part) = all.iter().find(|part| part.name == *name) else {
-            let known = all.iter().map(|part| part.name.clone()).collect();
-            let name = name.clone();
+        if parts.iter().any(|part| part.name == *name) {
             return Err(Failure::new(format_args!(
-                "--of: {}",
-                UnknownMass { name, known }
+                "--of `{name}`: it is given twice"
             )));
-        };
-        if parts.iter().all(|known| known.of != part.of) {
-            parts.push(part.clone());
         }
+        parts.push(match name.as_str() {
+            CONTACT => contact(),
+            name => mass(system, "--of", name)?.into(),
+        });
     }
     Ok(parts)
+}
+
+/// All masses.
+fn known(system: &System) -> impl Iterator<Item = Mass> + '_ {
+    let masses = system.scene().masses.iter().enumerate();
+    masses.map(|(index, mass)| Mass {
+        index,
+        name: mass.name.clone(),
+    })
+}
+
+/// The mass of a name.
+fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
+    known(system).find(|mass| mass.name == name).ok_or_else(|| {
+        let (name, known) = (name.to_owned(), known(system).map(|mass| mass.name));
+        let known = known.collect();
+        Failure::new(format_args!("{option}: {}", UnknownMass { name, known }))
+    })
 }
 
 /// The regime in a word.

@@ -1,8 +1,8 @@
 //! `frictiongen compile`: tables of a declared accuracy, their figures, or them as code or data.
 
 use crate::args::{CompileArguments, TableFormat};
-use crate::expand::write_file;
 use crate::failure::Failure;
+use crate::file::write_file;
 use frictiongen::System;
 use frictiongen::kernel::table::Factor;
 use frictiongen::study::InvalidScene;

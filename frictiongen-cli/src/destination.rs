@@ -1,11 +1,10 @@
 //! Where a command's answer goes, and in which form: the ending of a file decides.
 
 use crate::args::FormatArguments;
-use crate::failure::{Failure, reason};
-use std::ffi::OsString;
-use std::fs;
+use crate::failure::Failure;
+use crate::file;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// In which form an answer is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,15 +37,15 @@ impl FormatArguments {
 pub struct Destination<'a> {
     /// In which form.
     pub form: Form,
-    /// To which file; otherwise to standard output.
-    path: Option<&'a Path>,
+    /// To which file, which must not be the description; otherwise to standard output.
+    file: Option<(&'a Path, Option<&'a Path>)>,
 }
 
 impl<'a> Destination<'a> {
     /// As the options say; `draws` if the command does.
     pub fn of(
         path: Option<&'a Path>,
-        description: Option<&Path>,
+        description: Option<&'a Path>,
         format: &FormatArguments,
         draws: bool,
     ) -> Result<Self, Failure> {
@@ -54,7 +53,7 @@ impl<'a> Destination<'a> {
         let Some(path) = path else {
             return Ok(Self {
                 form: asked,
-                path: None,
+                file: None,
             });
         };
         let shown = path.display();
@@ -74,121 +73,38 @@ impl<'a> Destination<'a> {
                     ".csv or .json"
                 };
                 return Err(Failure::new(format_args!(
-                    "--output {shown}: the file's name ends in {endings}"
+                    "--output `{shown}`: the name of a file ends in {endings}"
                 )));
             }
         };
         if asked != Form::Table && asked != form {
+            let option = if asked == Form::Csv {
+                "--csv"
+            } else {
+                "--json"
+            };
             return Err(Failure::new(format_args!(
-                "--output {shown}: its ending says another format than the option"
-            )));
-        }
-        if description.is_some_and(|description| is_same(description, path)) {
-            return Err(Failure::new(format_args!(
-                "cannot write {shown}: it is the description itself"
+                "--output `{shown}`: its name says {}, and {option} is given",
+                ending.unwrap_or_default().to_uppercase()
             )));
         }
         // Said before a long computation, not after it.
-        let folder = path
-            .parent()
-            .filter(|folder| !folder.as_os_str().is_empty());
-        if folder.is_some_and(|folder| !folder.is_dir()) {
-            return Err(Failure::new(format_args!(
-                "cannot write {shown}: there is no such folder"
-            )));
-        }
-        if path.is_dir() {
-            return Err(Failure::new(format_args!(
-                "cannot write {shown}: it is a folder"
-            )));
-        }
+        file::check(path, description)?;
         Ok(Self {
             form,
-            path: Some(path),
+            file: Some((path, description)),
         })
     }
 
-    /// Writes the answer: to a file beside the asked one, which takes its place when all is written.
+    /// Writes the answer.
     pub fn write(
         &self,
         out: &mut dyn Write,
         answer: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
-        let Some(path) = self.path else {
-            return answer(out);
-        };
-        let part = beside(path);
-        let failed = |error: &std::io::Error| {
-            Failure::new(format_args!(
-                "cannot write {}: {}",
-                path.display(),
-                reason(error)
-            ))
-        };
-        let written = fs::File::create(&part)
-            .map_err(|error| failed(&error))
-            .and_then(|mut file| {
-                // Standard output is not what could not be written.
-                let mut watched = Watched {
-                    file: &mut file,
-                    error: None,
-                };
-                let answered = answer(&mut watched);
-                match watched.error {
-                    Some(error) => Err(failed(&error)),
-                    None => answered,
-                }?;
-                file.sync_all().map_err(|error| failed(&error))
-            });
-        let moved = written.and_then(|()| fs::rename(&part, path).map_err(|error| failed(&error)));
-        if moved.is_err() {
-            // What is left of it helps nobody.
-            let _ = fs::remove_file(&part);
+        match self.file {
+            Some((path, description)) => file::write_with(path, description, answer),
+            None => answer(out),
         }
-        moved
-    }
-}
-
-/// A name beside a file's that no other run takes.
-fn beside(path: &Path) -> PathBuf {
-    let mut name = OsString::from(".");
-    name.push(path.file_name().unwrap_or_default());
-    name.push(format!(".{}.part", std::process::id()));
-    path.with_file_name(name)
-}
-
-/// A file whose first error is kept, for a message that names it.
-struct Watched<'a> {
-    file: &'a mut fs::File,
-    error: Option<std::io::Error>,
-}
-
-impl Watched<'_> {
-    fn noted<T>(&mut self, result: std::io::Result<T>) -> std::io::Result<T> {
-        result.map_err(|error| {
-            let kind = error.kind();
-            self.error.get_or_insert(error);
-            kind.into()
-        })
-    }
-}
-
-impl Write for Watched<'_> {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        let written = self.file.write(bytes);
-        self.noted(written)
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        let flushed = self.file.flush();
-        self.noted(flushed)
-    }
-}
-
-/// Whether two paths are the same file.
-pub fn is_same(one: &Path, other: &Path) -> bool {
-    match (fs::canonicalize(one), fs::canonicalize(other)) {
-        (Ok(one), Ok(other)) => one == other,
-        _ => false,
     }
 }

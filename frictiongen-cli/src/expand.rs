@@ -1,12 +1,10 @@
 //! `frictiongen expand`: the Rust that the macro emits.
 
 use crate::args::ExpandArguments;
-use crate::destination::is_same;
-use crate::failure::{Failure, reason};
+use crate::failure::Failure;
+use crate::file::write_file;
 use frictiongen_codegen::{Limits, pretty};
-use std::fs;
 use std::io::Write;
-use std::path::Path;
 
 /// Runs the command.
 pub fn run(arguments: &ExpandArguments, out: &mut dyn Write) -> Result<(), Failure> {
@@ -24,16 +22,4 @@ pub fn run(arguments: &ExpandArguments, out: &mut dyn Write) -> Result<(), Failu
             Ok(out.flush()?)
         }
     }
-}
-
-/// Writes the source to a file, which must not be the description.
-pub fn write_file(path: &Path, description: Option<&Path>, source: &str) -> Result<(), Failure> {
-    let shown = path.display();
-    if description.is_some_and(|description| is_same(description, path)) {
-        return Err(Failure::new(format_args!(
-            "cannot write {shown}: it is the description itself"
-        )));
-    }
-    fs::write(path, source)
-        .map_err(|error| Failure::new(format_args!("cannot write {shown}: {}", reason(&error))))
 }

@@ -201,6 +201,14 @@ impl Frequencies {
         }
     }
 
+    /// The only one.
+    pub fn only(&self, system: &System) -> Result<Frequency, Failure> {
+        match *self.given {
+            [given] => Ok(self.of(system, given)),
+            _ => Err(grid::several(self.quantity, self.len())),
+        }
+    }
+
     /// How many there are.
     pub fn len(&self) -> usize {
         self.given.len()

@@ -88,6 +88,14 @@ impl Frictions {
         self.quantity == Quantity::FrictionForce
     }
 
+    /// The only one.
+    pub fn only(&self) -> Result<Friction, Failure> {
+        match *self.given {
+            [given] => Ok(self.of(given)),
+            _ => Err(grid::several(self.quantity, self.len())),
+        }
+    }
+
     /// How many there are.
     pub fn len(&self) -> usize {
         self.given.len()

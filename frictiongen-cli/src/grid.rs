@@ -1,6 +1,7 @@
 //! Grids: `a:step:b`, a number, or a comma-separated list of those.
 
 use crate::decimal::{Decimal, Decimals};
+use crate::failure::Failure;
 use std::fmt;
 
 /// The most points of a grid, and of two grids together.
@@ -129,6 +130,15 @@ pub fn band(text: &str, quantity: Quantity) -> Result<[f64; 3], GridError> {
         entry: text.to_owned(),
         problem,
     })
+}
+
+/// Of a grid where one point is needed.
+pub fn several(quantity: Quantity, points: usize) -> Failure {
+    Failure::new(format_args!(
+        "{}: one {} is needed, and this is a grid of {points}",
+        quantity.option(),
+        quantity.name()
+    ))
 }
 
 /// Adds the points of one entry of the list.

@@ -16,7 +16,11 @@ pub struct Writer<'a> {
 
 impl<'a> Writer<'a> {
     /// Writes everything before the points.
-    pub fn begin(out: &'a mut dyn Write, summary: &Summary) -> io::Result<Self> {
+    pub fn begin(
+        out: &'a mut dyn Write,
+        summary: &Summary,
+        head: &[(String, Json)],
+    ) -> io::Result<Self> {
         let list = |values: &[f64]| numbers(values.iter().copied());
         writeln!(out, "{{")?;
         writeln!(out, "\"version\": {VERSION},")?;
@@ -34,6 +38,9 @@ impl<'a> Writer<'a> {
             writeln!(out, "\"load\": {},", Json::Object(load))?;
         }
         writeln!(out, "\"resonances\": {},", list(&summary.resonances))?;
+        for (name, value) in head {
+            writeln!(out, "\"{name}\": {value},")?;
+        }
         write!(out, "\"points\": [")?;
         Ok(Self { out, empty: true })
     }

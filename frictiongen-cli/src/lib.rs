@@ -1,4 +1,4 @@
-//! Limits, responses, steady states and emitted solvers of friction scenes, on the command line.
+//! Limits, responses, steady states, motions over time and emitted solvers of friction scenes, on the command line.
 //!
 //! Every command reads one description, computes with [`frictiongen::System`] and writes a table,
 //! CSV or JSON. The program's exit status is 0, or 2 with the reason on standard error.
@@ -12,6 +12,7 @@ mod decimal;
 mod destination;
 mod expand;
 mod failure;
+mod file;
 mod frequency;
 mod friction;
 mod grid;
@@ -31,6 +32,7 @@ mod progress;
 mod response;
 mod summary;
 mod table;
+mod time;
 
 use args::{Arguments, Command};
 use clap::Parser;
@@ -73,6 +75,7 @@ pub fn run(
         Command::Orbit(arguments) => orbit::run(arguments, out),
         Command::Curve(arguments) => curve::run(arguments, out),
         Command::Map(arguments) => map::run(arguments, out),
+        Command::Time(arguments) => time::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
     }?)

@@ -84,6 +84,16 @@ impl Measure {
         self.scale.map_or(ratio, |scale| scale.displacement(ratio))
     }
 
+    /// A velocity, at an angular frequency.
+    pub fn velocity(&self, rate: f64, omega: f64) -> f64 {
+        self.scale.map_or(rate, |scale| scale.velocity(rate, omega))
+    }
+
+    /// A force.
+    pub fn force(&self, ratio: f64) -> f64 {
+        self.scale.map_or(ratio, |scale| scale.friction(ratio))
+    }
+
     /// A phase.
     pub fn angle(&self, radians: f64) -> f64 {
         match self.scale {
@@ -97,6 +107,16 @@ impl Measure {
         self.named(name, "_m")
     }
 
+    /// The name of a velocity, with its unit.
+    pub fn velocity_name(&self, name: &str) -> String {
+        self.named(name, "_m_s")
+    }
+
+    /// The name of a force, with its unit.
+    pub fn force_name(&self, name: &str) -> String {
+        self.named(name, "_N")
+    }
+
     /// The name of a phase, with its unit.
     pub fn angle_name(&self, name: &str) -> String {
         self.named(name, "_deg")
@@ -107,21 +127,10 @@ impl Measure {
         format!("{name}{unit}")
     }
 
-    /// A force over P.
-    pub fn force(&self, ratio: f64) -> f64 {
-        self.scale.map_or(ratio, |scale| scale.friction(ratio))
-    }
-
-    /// dx̄/dτ, at the angular frequency ω; a velocity where the load is known.
-    pub fn velocity(&self, rate: f64, omega: f64) -> f64 {
-        self.scale
-            .map_or(rate, |scale| scale.displacement(rate) * omega)
-    }
-
     /// d²x̄/dτ², at the angular frequency ω; an acceleration where the load is known.
     pub fn acceleration(&self, rate: f64, omega: f64) -> f64 {
         self.scale
-            .map_or(rate, |scale| scale.displacement(rate) * omega * omega)
+            .map_or(rate, |scale| scale.velocity(rate, omega) * omega)
     }
 
     /// The work of a cycle over P²/k₁; the mean power where the load is known.
@@ -142,6 +151,20 @@ impl Measure {
             (Some(_), _) => "(m)",
             (None, true) => "(of Y)",
             (None, false) => "(of P/k1)",
+        }
+    }
+
+    /// The unit of a velocity, in a heading.
+    pub fn velocity_title(&self) -> &'static str {
+        self.scale.map_or(self.length_title(), |_| "(m/s)")
+    }
+
+    /// The unit of a force, in a heading.
+    pub fn force_title(&self) -> &'static str {
+        match (self.scale, self.base_motion) {
+            (Some(_), _) => "(N)",
+            (None, true) => "(of k1 Y)",
+            (None, false) => "(of P)",
         }
     }
 

@@ -26,6 +26,14 @@ pub trait Report {
     fn names(&self) -> Vec<String>;
     /// A point's line in the CSV.
     fn record<'a>(&'a self, point: &'a Self::Point) -> Vec<Value<'a>>;
+    /// What the JSON says once, after the scene.
+    fn head(&self) -> Vec<(String, serde_json::Value)> {
+        Vec::new()
+    }
+    /// What the table says once, after the scene: a title and a text, and the rest.
+    fn preamble(&self) -> Vec<(&'static str, String)> {
+        Vec::new()
+    }
     /// A point in the JSON.
     fn json(&self, point: &Self::Point) -> serde_json::Value;
 }
@@ -43,7 +51,7 @@ pub fn print<R: Report>(
     let mut out = BufWriter::with_capacity(1 << 16, out);
     let mut progress = Progress::new(report.len(), "points");
     if form == Form::Json {
-        let mut writer = json::Writer::begin(&mut out, summary)?;
+        let mut writer = json::Writer::begin(&mut out, summary, &report.head())?;
         report.each(&mut |point| {
             progress.step();
             Ok(writer.point(&report.json(point))?)
@@ -56,7 +64,7 @@ pub fn print<R: Report>(
             Ok(csv::row(&mut out, &report.record(point))?)
         })?;
     } else {
-        summary.write(&mut out)?;
+        summary.write(&mut out, &report.preamble())?;
         let columns = report.columns();
         table::header(&mut out, &columns)?;
         report.each(&mut |point| {

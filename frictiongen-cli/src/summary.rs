@@ -52,8 +52,8 @@ impl Summary {
         if self.base_motion { "F/(k1 Y)" } else { "F/P" }
     }
 
-    /// The preamble of a table.
-    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+    /// The preamble of a table, with what its report adds.
+    pub fn write(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
         writeln!(out, "{}: {}", self.scene, self.description)?;
         writeln!(out)?;
         let frequencies = row(&self.natural_frequencies);
@@ -70,6 +70,9 @@ impl Summary {
         )?;
         if let Some(load) = self.measure.description(computed) {
             writeln!(out, "load                         {load}")?;
+        }
+        for (title, text) in more {
+            writeln!(out, "{title:<27}  {text}")?;
         }
         writeln!(out)
     }

@@ -12,6 +12,7 @@ const WORDS: &[&str] = &[
     "limits",
     "response",
     "orbit",
+    "time",
     "expand",
     "FILE",
     "--",
@@ -24,6 +25,14 @@ const WORDS: &[&str] = &[
     "--base",
     "--mass",
     "--harmonics",
+    "--cycles",
+    "--skip",
+    "--samples",
+    "--from",
+    "--steady",
+    "--of",
+    "--events",
+    "--spectrum",
     "--json",
     "--csv",
     "--help",
@@ -89,6 +98,11 @@ fn taken(input: &Input, file: &Path) -> Result<(), String> {
         return Ok(());
     }
     if words.iter().any(|word| dense(word)) && words.first() != Some(&"limits") {
+        return Ok(());
+    }
+    // As long is a run of many cycles.
+    let many = |word: &&str| word.bytes().filter(u8::is_ascii_digit).count() > 4;
+    if words.first() == Some(&"time") && words.iter().any(many) {
         return Ok(());
     }
     let named = words.iter().map(|word| match *word {

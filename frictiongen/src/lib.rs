@@ -48,7 +48,7 @@
 //! | `at.motion(beta)` | the exact continuous motion, `FrameMotion`, or [`NotContinuous`] |
 //! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::response::motion::Motion): `largest` (both of them by one search), `amplitude`, `phase`, `amplitude_monoharmonic`, `displacement`, `velocity`, `harmonic` |
 //! | `at.stuck()` | the response with the contact stuck, or [`StuckResonance`] |
-//! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `period` (1, or up to 64 cycles if it is subharmonic), `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
+//! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `period` (1, or up to 64 cycles if it is subharmonic), `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `intervals`, `friction`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
 //! | `at.orbit_or_last_cycles(beta)` | the same; where the motion does not settle, its last 64 cycles, with `is_settled()` false |
 //! | `Frame::simulation(r, beta)`, `simulation_from(r, beta, state)` | the exact motion in time, `FrameSimulation`: `next` and `advance` give its [`Segment`](kernel::simulation::Segment)s, `upper()` where a mass is |
 //! | `Frame::limits_without_search(r)` | β_lim with S at τ → 0, and β*_lim: the shortest way, where nothing else is asked of r |

@@ -2,7 +2,7 @@
 //! each point.
 
 use super::point::{Movement, Point, Question, answer};
-use crate::asked::Mass;
+use crate::asked::{CONTACT, Mass};
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
@@ -29,9 +29,6 @@ pub struct OrbitReport {
     /// Which harmonics.
     pub orders: Vec<u32>,
 }
-
-/// What the contact is called; no mass can be.
-const CONTACT: &str = "contact";
 
 /// What a point says once, beside frequency and friction.
 const ONCE: [&str; 8] = [

@@ -219,9 +219,38 @@ where
     /// times the period.  It is 0 at a maximum of the excitation; of several, at the one next to
     /// [`origin`](Self::origin).
     pub fn sticking_intervals(&self) -> impl Iterator<Item = (S, S)> + '_ {
-        self.segments()
-            .filter(|mark| mark.contact_state.contact == Contact::Stuck)
-            .map(|mark| (self.within(self.angle(&mark)) * S::pi(), mark.length))
+        let stuck = |contact: &Contact| *contact == Contact::Stuck;
+        let intervals = self
+            .intervals()
+            .filter(move |(_, _, contact)| stuck(contact));
+        intervals.map(|(start, length, _)| (start, length))
+    }
+
+    /// What the contact does, one interval after the other, all around the period: start, as of
+    /// [`sticking_intervals`](Self::sticking_intervals), length, and whether it sticks or which way it slides.  What
+    /// the contact does where the last one ends and the first one begins may be the same.
+    pub fn intervals(&self) -> impl Iterator<Item = (S, S, Contact)> + '_ {
+        self.segments().map(|mark| {
+            let start = self.within(self.angle(&mark)) * S::pi();
+            (start, mark.length, mark.contact_state.contact)
+        })
+    }
+
+    /// What the contact does at τ, counted from where the relative motion leaves its maximum, and the friction force in
+    /// it over P: β while it slides, what holds it while it sticks; positive against positive sliding.
+    pub fn friction(&self, tau: S) -> (Contact, S) {
+        let Some((mut segments, mark, since)) = Segments::at(self, tau) else {
+            return (Contact::Stuck, S::constant(0.0));
+        };
+        let contact = mark.contact_state.contact;
+        if contact != Contact::Stuck {
+            return (contact, contact.sign::<S>() * self.setting.beta);
+        }
+        let (modes, held) = self.setting.split(segments.parts());
+        let (force, _) = self
+            .setting
+            .stick(modes, held, &mark.contact_state, mark.length);
+        (contact, force.local(since).value)
     }
 
     /// Whether every motion repeats with the opposite sign after half a period.

@@ -199,31 +199,10 @@ where
     }
 
     fn asked(&self, tau: S, question: impl Fn(&Sum<'_, S>, S) -> S) -> S {
-        let (zero, two) = (S::constant(0.0), S::constant(2.0));
-        let orbit = self.orbit;
-        let t = orbit.origin + tau * S::inverse_pi();
-        // The mark that stands last before it.
-        let mut found: Option<(usize, S)> = None;
-        for (index, mark) in orbit.marks().iter().enumerate() {
-            let since =
-                orbit.within(t - mark.contact_state.t - two * (mark.cycle - orbit.origin_cycle));
-            if found.is_none_or(|(_, best)| since < best) {
-                found = Some((index, since));
-            }
-        }
-        let Some((index, mut since)) = found else {
-            return zero;
+        let Some((mut segments, mark, since)) = Segments::at(self.orbit, tau) else {
+            return S::constant(0.0);
         };
-        let mut segments = Segments::from(orbit, index);
-        while let Some(mark) = segments.next() {
-            let turns = mark.length * S::inverse_pi();
-            if since < turns || !segments.follows() {
-                let sum = self.aimed(segments.parts(), &mark);
-                return question(&sum, since * S::pi());
-            }
-            since = since - turns;
-        }
-        zero
+        question(&self.aimed(segments.parts(), &mark), since)
     }
 
     fn each(&self, mut question: impl FnMut(&SegmentStart<S>, &Sum<'_, S>)) {

@@ -42,6 +42,34 @@ where
         }
     }
 
+    /// The segment that holds an instant τ after the orbit's own, and how far into it that is.
+    pub(super) fn at(
+        orbit: &'o Orbit<'a, S, P, V, C>,
+        tau: S,
+    ) -> Option<(Self, SegmentStart<S>, S)> {
+        let two = S::constant(2.0);
+        let t = orbit.origin + tau * S::inverse_pi();
+        // The mark that stands last before it.
+        let mut found: Option<(usize, S)> = None;
+        for (index, mark) in orbit.marks().iter().enumerate() {
+            let since =
+                orbit.within(t - mark.contact_state.t - two * (mark.cycle - orbit.origin_cycle));
+            if found.is_none_or(|(_, best)| since < best) {
+                found = Some((index, since));
+            }
+        }
+        let (index, mut since) = found?;
+        let mut segments = Self::from(orbit, index);
+        while let Some(mark) = segments.next() {
+            let turns = mark.length * S::inverse_pi();
+            if since < turns || !segments.follows() {
+                return Some((segments, mark, since * S::pi()));
+            }
+            since = since - turns;
+        }
+        None
+    }
+
     /// The state at the start of the segment given last.
     pub(super) fn parts(&mut self) -> &mut [Part<S>] {
         let orbit = self.orbit;

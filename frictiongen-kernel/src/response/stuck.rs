@@ -70,6 +70,17 @@ impl<T: ProvidesStuck> Stuck<T> {
         &self.at
     }
 
+    /// A of the force Re(A e^{iτ}) over P that holds the contact, V/H (6.11, 6.27, 6.33); positive against positive
+    /// sliding.  Its modulus is μβ*_lim.
+    #[must_use]
+    pub fn contact_force(&self) -> Complex<T::Scalar> {
+        if let Some(force) = self.at.absorbed_force() {
+            return complex::real(force);
+        }
+        let sums = &self.at.contact;
+        complex::mul(sums.v, complex::reciprocal(sums.h, true), true)
+    }
+
     /// The same as [`mass_at`](Self::mass_at); rest if there is no such mass.
     #[inline]
     #[must_use]

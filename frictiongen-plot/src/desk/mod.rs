@@ -2,12 +2,14 @@
 
 mod curves;
 mod map;
+mod motions;
 mod regimes;
 mod scales;
 mod sketch;
 
 pub use curves::{Drawn, Reading, curve_figure, keys, lines, panel};
 pub use map::{Shade, map_figure, map_panel};
+pub use motions::{history_figure, spectrum_figure};
 pub use regimes::{limit_lines, regimes};
 pub use scales::Scales;
 pub use sketch::sketch;

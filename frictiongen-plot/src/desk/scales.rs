@@ -12,6 +12,8 @@ pub struct Scales {
     /// What a load makes of the groups, if it is known.
     load: Option<LoadScale>,
     base_motion: bool,
+    /// ω in rad/s, if times are in seconds.
+    omega: Option<f64>,
 }
 
 impl Scales {
@@ -21,6 +23,7 @@ impl Scales {
         Self {
             hertz: None,
             load: None,
+            omega: None,
             base_motion: system.scene().excitation == Excitation::Base,
         }
     }
@@ -40,6 +43,77 @@ impl Scales {
         Self {
             load: Some(load),
             ..self
+        }
+    }
+
+    /// Times in seconds, of a motion at an angular frequency in rad/s.
+    #[must_use]
+    pub fn at(self, omega: f64) -> Self {
+        Self {
+            omega: Some(omega),
+            ..self
+        }
+    }
+
+    /// Whether times are in seconds.
+    #[must_use]
+    pub fn in_seconds(&self) -> bool {
+        self.omega.is_some()
+    }
+
+    /// τ on its axis.
+    #[must_use]
+    pub fn time(&self, tau: f64) -> f64 {
+        self.omega.map_or(tau, |omega| tau / omega)
+    }
+
+    /// What stands along that axis.
+    #[must_use]
+    pub fn time_label(&self) -> Label {
+        match self.omega {
+            Some(_) => "time (s)".into(),
+            None => "*τ* = *ωt*".into(),
+        }
+    }
+
+    /// A derivative by τ of what is drawn, on its axis.
+    #[must_use]
+    pub fn rate(&self, slope: f64) -> f64 {
+        self.omega.map_or(slope, |omega| slope * omega)
+    }
+
+    /// What stands along that axis.
+    #[must_use]
+    pub fn rate_label(&self) -> Label {
+        match (self.load, self.omega) {
+            (Some(_), Some(_)) => "velocity (mm/s)".into(),
+            _ => "d*x̄*/d*τ*".into(),
+        }
+    }
+
+    /// An order of the excitation on its axis.
+    #[must_use]
+    pub fn order(&self, order: f64) -> f64 {
+        self.omega
+            .map_or(order, |omega| order * omega / std::f64::consts::TAU)
+    }
+
+    /// What stands along that axis.
+    #[must_use]
+    pub fn order_label(&self) -> Label {
+        match self.omega {
+            Some(_) => "frequency (Hz)".into(),
+            None => "order of the excitation's frequency".into(),
+        }
+    }
+
+    /// What stands along an axis of displacements in time.
+    #[must_use]
+    pub fn displacement_label(&self) -> Label {
+        match (self.load, self.base_motion) {
+            (Some(_), _) => "displacement (mm)".into(),
+            (None, true) => "displacement over *Y*".into(),
+            (None, false) => "displacement over *P*/*k*_1".into(),
         }
     }
 

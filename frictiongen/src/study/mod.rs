@@ -6,6 +6,8 @@ mod compiled;
 #[cfg(feature = "desk")]
 mod curve;
 mod error;
+#[cfg(feature = "desk")]
+mod history;
 mod large;
 #[cfg(feature = "desk")]
 mod map;
@@ -24,6 +26,11 @@ pub use compiled::{CompiledAt, CompiledContact, CompiledMotion, CompiledSystem};
 pub use curve::{Curve, CurveError, CurvePoint, CurveRequest, End, Gap, Movement, Piece};
 pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
+#[cfg(feature = "desk")]
+pub use history::{
+    History, HistoryError, HistoryEvent, HistoryRequest, MOST_SAMPLES, SpectralLine, Spectrum,
+    Track,
+};
 #[cfg(feature = "desk")]
 pub use map::{Boundary, LimitLines, Map, MapColumn, MapPoint, MapRequest, Pattern};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};

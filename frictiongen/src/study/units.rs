@@ -74,6 +74,24 @@ impl<S: Float> LoadScale<S> {
         ratio * self.length
     }
 
+    /// x, a length → x̄.
+    #[must_use]
+    pub fn displacement_ratio(&self, displacement: S) -> S {
+        displacement / self.length
+    }
+
+    /// dx̄/dτ → dx/dt, a velocity, at the angular frequency ω in rad/s.
+    #[must_use]
+    pub fn velocity(&self, rate: S, omega: S) -> S {
+        rate * self.length * omega
+    }
+
+    /// dx/dt → dx̄/dτ, at the angular frequency ω in rad/s.
+    #[must_use]
+    pub fn velocity_ratio(&self, velocity: S, omega: S) -> S {
+        velocity / self.length / omega
+    }
+
     /// β, or a limit of it → the friction force F.
     #[must_use]
     pub fn friction(&self, beta: S) -> S {
@@ -97,6 +115,12 @@ pub fn angular_frequency<S: Float>(hertz: S) -> S {
 #[must_use]
 pub fn hertz<S: Float>(omega: S) -> S {
     omega / (S::constant(2.0) * S::pi())
+}
+
+/// τ → seconds, at the angular frequency ω in rad/s.
+#[must_use]
+pub fn seconds<S: Float>(tau: S, omega: S) -> S {
+    tau / omega
 }
 
 /// The lag of a motion → that of the motion with the opposite sign, half a turn away, in (−π, π].

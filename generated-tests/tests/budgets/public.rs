@@ -148,6 +148,8 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
         "motion in time and its steady states: stick_slip",
         &[
             "orbit::Orbit::contact",
+            "orbit::Orbit::friction",
+            "orbit::Orbit::intervals",
             "orbit::Orbit::is_marginal",
             "orbit::Orbit::is_settled",
             "orbit::Orbit::is_stable",

@@ -1,0 +1,151 @@
+//! Writes files, whole or not at all: beside their place, and then moved there.
+
+use crate::failure::{Failure, reason};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Writes a text to a file, which must not be the description.
+pub fn write_file(path: &Path, description: Option<&Path>, text: &str) -> Result<(), Failure> {
+    write_with(path, description, |out| Ok(out.write_all(text.as_bytes())?))
+}
+
+/// Writes a file, which must not be the description. Where that fails, what was there before stays.
+pub fn write_with(
+    path: &Path,
+    description: Option<&Path>,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    check(path, description)?;
+    let refused = |error: &io::Error| refusal(path, error);
+    let place = Place::of(path);
+    let file = place.open().map_err(|error| refused(&error))?;
+    let mut out = Noting { file, error: None };
+    let written = match write(&mut out) {
+        // It is the file that could not be written.
+        Err(failure) => Err(out.error.as_ref().map_or(failure, refused)),
+        Ok(()) => place.keep().map_err(|error| refused(&error)),
+    };
+    if written.is_err() {
+        place.discard();
+    }
+    written
+}
+
+/// Nothing, if a file can stand there and is not the description.
+pub fn check(path: &Path, description: Option<&Path>) -> Result<(), Failure> {
+    if description.is_some_and(|description| is_same(description, path)) {
+        return Err(Failure::new(format_args!(
+            "cannot write {}: it is the description itself",
+            path.display()
+        )));
+    }
+    let is_folder = fs::metadata(folder(path)).map(|folder| folder.is_dir());
+    let kind = match (is_folder, path.is_dir()) {
+        (Err(error), _) => error.kind(),
+        (Ok(false), _) => io::ErrorKind::NotFound,
+        (Ok(true), true) => io::ErrorKind::IsADirectory,
+        (Ok(true), false) => return Ok(()),
+    };
+    Err(refusal(path, &kind.into()))
+}
+
+fn refusal(path: &Path, error: &io::Error) -> Failure {
+    Failure::new(format_args!(
+        "cannot write {}: {}",
+        path.display(),
+        reason(error)
+    ))
+}
+
+/// The folder of a file.
+fn folder(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+fn is_same(one: &Path, other: &Path) -> bool {
+    match (fs::canonicalize(one), fs::canonicalize(other)) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => false,
+    }
+}
+
+/// Where a file is to be, and where it is written first; nowhere else for what is no file, as a device.
+struct Place {
+    last: PathBuf,
+    first: Option<PathBuf>,
+}
+
+impl Place {
+    fn of(path: &Path) -> Self {
+        // A link stays one.
+        let last = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let is_file = fs::metadata(&last).map_or(true, |found| found.is_file());
+        let beside = last.file_name().map(|name| {
+            let name = name.to_string_lossy();
+            folder(&last).join(format!(".{name}.{}.part", std::process::id()))
+        });
+        Self {
+            first: beside.filter(|_| is_file),
+            last,
+        }
+    }
+
+    fn open(&self) -> io::Result<File> {
+        let Some(first) = &self.first else {
+            return OpenOptions::new().write(true).open(&self.last);
+        };
+        if let Ok(found) = fs::metadata(&self.last) {
+            // What must not be written over is told before.
+            OpenOptions::new().write(true).open(&self.last)?;
+            let file = File::create(first)?;
+            fs::set_permissions(first, found.permissions())?;
+            return Ok(file);
+        }
+        File::create(first)
+    }
+
+    fn keep(&self) -> io::Result<()> {
+        match &self.first {
+            Some(first) => fs::rename(first, &self.last),
+            None => Ok(()),
+        }
+    }
+
+    fn discard(&self) {
+        if let Some(first) = &self.first {
+            // It may never have been made.
+            let _ = fs::remove_file(first);
+        }
+    }
+}
+
+/// A file that notes why it could not be written.
+struct Noting {
+    file: File,
+    error: Option<io::Error>,
+}
+
+impl Noting {
+    fn noted<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
+        result.inspect_err(|error| {
+            // Its kind has the reason.
+            self.error = Some(error.kind().into());
+        })
+    }
+}
+
+impl Write for Noting {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.file.write(bytes);
+        self.noted(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let flushed = self.file.flush();
+        self.noted(flushed)
+    }
+}

@@ -1,0 +1,99 @@
+//! What is asked of a motion over time: how much of it, and from where.
+
+use super::motion::Course;
+use crate::args::TimeArguments;
+use crate::asked::whole;
+use crate::failure::Failure;
+use frictiongen::System;
+use frictiongen::study::MOST_SAMPLES;
+
+/// The most cycles, cycles skipped and samples of a cycle.
+const MOST: u32 = MOST_SAMPLES as u32;
+
+/// How much of a motion.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked {
+    /// Cycles that are written.
+    pub cycles: u32,
+    /// Cycles that are passed before.
+    pub skip: u32,
+    /// Samples of a cycle.
+    pub samples: u32,
+    /// One period of the steady state instead.
+    pub steady: bool,
+    /// Whether its spectrum is written.
+    pub spectrum: bool,
+}
+
+impl Asked {
+    /// As the options say.
+    pub fn parse(arguments: &TimeArguments) -> Result<Self, Failure> {
+        let number = |option, text: &Option<String>, least, default| match text {
+            Some(text) => whole(option, text, least..=MOST),
+            None => Ok(default),
+        };
+        let asked = Self {
+            cycles: number("--cycles", &arguments.cycles, 1, 10)?,
+            skip: number("--skip", &arguments.skip, 0, 0)?,
+            samples: number("--samples", &arguments.samples, 2, 200)?,
+            steady: arguments.steady,
+            spectrum: arguments.spectrum,
+        };
+        if asked.samples.is_multiple_of(2) {
+            Ok(asked)
+        } else {
+            Err(Failure::new(format_args!(
+                "--samples `{}`: an even number is needed",
+                asked.samples
+            )))
+        }
+    }
+}
+
+/// Displacements and velocities of all masses, as groups.
+pub type Start = (Vec<f64>, Vec<f64>);
+
+/// The state of `--from`, in the units of the load if there is one.
+pub fn start(text: &str, system: &System, course: &Course) -> Result<Start, Failure> {
+    let refuse = |why: &str| Failure::new(format_args!("--from `{text}`: {why}"));
+    let halves: Vec<&str> = text.split(';').collect();
+    let [displacements, velocities] = *halves else {
+        return Err(refuse(
+            "write x1,...;v1,...: the displacements of all masses, a semicolon, their velocities",
+        ));
+    };
+    let masses = system.scene().masses.len();
+    let numbers = |list: &str, what: &str, ratio: &dyn Fn(f64) -> f64| {
+        let values: Vec<&str> = list.split(',').map(str::trim).collect();
+        if values.len() != masses {
+            return Err(refuse(&format!(
+                "the number of {what} is {}, that of the masses {masses}",
+                values.len()
+            )));
+        }
+        let one = |value: &&str| {
+            let number: Option<f64> = value.parse().ok();
+            let number = number.filter(|number| number.is_finite());
+            let number = number.ok_or_else(|| match value.is_empty() {
+                true => refuse("a number is missing"),
+                false => refuse(&format!("`{value}` is not a finite number")),
+            })?;
+            let group = ratio(number);
+            match group.is_finite() {
+                true => Ok(group),
+                false => Err(refuse(&format!("with this load `{value}` is too large"))),
+            }
+        };
+        values
+            .iter()
+            .map(one)
+            .collect::<Result<Vec<f64>, Failure>>()
+    };
+    let scale = course.measure.scale();
+    let displacement = |x| scale.map_or(x, |scale| scale.displacement_ratio(x));
+    let velocity = |v| scale.map_or(v, |scale| scale.velocity_ratio(v, course.omega));
+    Ok((
+        numbers(displacements, "displacements", &displacement)?,
+        numbers(velocities, "velocities", &velocity)?,
+    ))
+}

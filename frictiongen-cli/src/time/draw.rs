@@ -1,0 +1,43 @@
+//! Draws motions over time and spectra.
+
+use super::motion::Motion;
+use super::spectrum::SpectrumReport;
+use crate::destination::Form;
+use crate::failure::Failure;
+use crate::picture;
+use frictiongen::System;
+use frictiongen_plot::Label;
+use frictiongen_plot::desk::{history_figure, spectrum_figure};
+use std::io::Write;
+
+/// Draws the motion, or its spectrum.
+pub fn draw(
+    system: &System,
+    motion: &Motion,
+    spectrum: bool,
+    form: Form,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let course = &motion.course;
+    let mut scales = picture::scales(system, false, &course.measure);
+    if course.in_seconds {
+        scales = scales.at(course.omega);
+    }
+    let parts: Vec<Label> = course.parts.iter().map(picture::part_name).collect();
+    let title = Label::verbatim(&system.scene().name);
+    let figure = if spectrum {
+        let report = SpectrumReport::of(motion);
+        spectrum_figure(title, report.spectra(), &parts, &scales)
+    } else {
+        let turned = course.measure.turns_contact();
+        history_figure(title, &motion.history, &parts, turned, &scales)
+    };
+    let point = motion.preamble().into_iter().map(|(_, what)| what);
+    let caption = point.collect::<Vec<_>>().join("; ");
+    picture::write(
+        figure.with_caption(Label::verbatim(&caption)),
+        system,
+        form,
+        out,
+    )
+}

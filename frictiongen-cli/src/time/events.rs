@@ -1,0 +1,87 @@
+//! Writes the events of a motion, one a line.
+
+use super::motion::Motion;
+use crate::asked::CONTACT;
+use crate::failure::Failure;
+use crate::number::Value;
+use crate::output::{Report, Visitor};
+use crate::table::Column;
+use frictiongen::kernel::simulation::Event;
+use frictiongen::study::HistoryEvent;
+use serde_json::Value as Json;
+
+/// The events of a motion.
+pub struct EventsReport<'m> {
+    /// Of this motion.
+    pub motion: &'m Motion,
+}
+
+/// An event in a word.
+fn word(event: Event) -> &'static str {
+    match event {
+        Event::Stop => "stop",
+        Event::Slip => "break-away",
+        Event::Reversal => "reversal",
+    }
+}
+
+impl Report for EventsReport<'_> {
+    type Point = HistoryEvent;
+
+    fn len(&self) -> usize {
+        self.motion.history.events.len()
+    }
+
+    fn each(&self, visit: Visitor<'_, HistoryEvent>) -> Result<(), Failure> {
+        self.motion.history.events.iter().try_for_each(visit)
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        let unit = self.motion.course.measure.length_title();
+        let mut columns = self.motion.time_columns();
+        columns.extend([
+            Column::words(&["event"], ["break-away"]),
+            Motion::state_column(),
+        ]);
+        let parts = self.motion.course.parts.iter();
+        columns.extend(parts.map(|part| Column::computed(&[&part.name, "displacement", unit])));
+        columns
+    }
+
+    fn rows<'a>(&'a self, event: &'a HistoryEvent) -> Vec<Vec<Value<'a>>> {
+        vec![self.record(event)]
+    }
+
+    fn names(&self) -> Vec<String> {
+        let time = self.motion.time_names().iter();
+        let mut names: Vec<String> = time.map(|name| (*name).to_owned()).collect();
+        names.extend(["event".to_owned(), format!("{CONTACT}.state")]);
+        let displacement = self.motion.course.measure.length_name("displacement");
+        let parts = self.motion.course.parts.iter();
+        names.extend(parts.map(|part| Motion::name(part, &displacement)));
+        names
+    }
+
+    fn record<'a>(&'a self, event: &'a HistoryEvent) -> Vec<Value<'a>> {
+        let mut record: Vec<Value<'a>> = self.motion.time(event.tau);
+        record.extend([
+            word(event.event).into(),
+            self.motion.state(event.contact).into(),
+        ]);
+        let parts = self.motion.course.parts.iter().zip(&event.displacements);
+        record.extend(parts.map(|(part, value)| self.motion.displacement(part.of, *value)));
+        record
+    }
+
+    fn head(&self) -> Vec<(String, Json)> {
+        self.motion.head()
+    }
+
+    fn preamble(&self) -> Vec<(&'static str, String)> {
+        self.motion.preamble()
+    }
+
+    fn json(&self, event: &HistoryEvent) -> Json {
+        self.motion.json(self.names(), &self.record(event))
+    }
+}

@@ -1,0 +1,78 @@
+//! `frictiongen time`: displacements, velocities, the friction force and events over time, and spectra.
+
+mod asked;
+#[cfg(feature = "pictures")]
+mod draw;
+mod events;
+mod motion;
+mod samples;
+mod spectrum;
+
+use crate::args::TimeArguments;
+use crate::asked::parts;
+use crate::destination::Destination;
+#[cfg(feature = "pictures")]
+use crate::destination::Form;
+use crate::failure::Failure;
+use crate::frequency::Frequencies;
+use crate::friction::Frictions;
+use crate::measure::Measure;
+use crate::output;
+use crate::summary::Summary;
+use asked::{Asked, start};
+use events::EventsReport;
+use frictiongen::System;
+use frictiongen_codegen::Limits;
+use motion::{Course, Motion};
+use samples::SamplesReport;
+use spectrum::SpectrumReport;
+use std::io::Write;
+
+/// Runs the command.
+pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let destination = Destination::of(
+        arguments.output.as_deref(),
+        arguments.file.path(),
+        &arguments.format,
+        !arguments.events,
+    )?;
+    let form = destination.form;
+    let asked = Asked::parse(arguments)?;
+    let frequencies = Frequencies::parse(&arguments.frequency, true)?;
+    let frictions = Frictions::parse(&arguments.friction, Some(&frequencies))?;
+    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let system = System::try_from(description.scene).map_err(Failure::new)?;
+    let parts = parts(&system, &arguments.of)?;
+    frequencies.check(&system)?;
+    let measure = Measure::of(&arguments.load, &system)?;
+    let frictions = frictions.under(&measure)?;
+    let frequency = frequencies.only(&system)?;
+    let friction = frictions.only()?;
+    let summary = Summary::of(&system, frequencies.are_physical(), measure);
+    let course = Course {
+        omega: system.angular_frequency(frequency.r),
+        in_seconds: frequencies.are_physical() || measure.scale().is_some(),
+        frequency: (frequencies.names(), frequency),
+        friction: (frictions.names(), friction),
+        measure,
+        parts,
+    };
+    let from = arguments.from.as_deref();
+    let from = from.map(|text| start(text, &system, &course)).transpose()?;
+    let motion = Motion::of(&system, course, &asked, from)?;
+    let write = |out: &mut dyn Write| {
+        #[cfg(feature = "pictures")]
+        if matches!(form, Form::Svg | Form::Png) {
+            return draw::draw(&system, &motion, arguments.spectrum, form, out);
+        }
+        if arguments.events {
+            output::print(&EventsReport { motion: &motion }, &summary, form, out)
+        } else if arguments.spectrum {
+            let report = SpectrumReport::of(&motion);
+            output::print(&report, &summary, form, out)
+        } else {
+            output::print(&SamplesReport { motion: &motion }, &summary, form, out)
+        }
+    };
+    destination.write(out, write)
+}

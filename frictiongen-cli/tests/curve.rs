@@ -1,0 +1,366 @@
+//! `frictiongen curve` and `frictiongen map`: what they write, pictures, and what cannot be asked.
+
+mod common;
+
+use common::{BLOCK, FRAME, failure, output};
+use std::path::PathBuf;
+
+fn lines(arguments: &[&str]) -> Vec<Vec<String>> {
+    let (command, rest) = arguments.split_first().unwrap();
+    let text = output("", &[&[*command, FRAME][..], rest].concat());
+    let row = |line: &str| line.split(',').map(str::to_owned).collect();
+    text.lines().map(row).collect()
+}
+
+fn number(text: &str) -> f64 {
+    text.parse().unwrap()
+}
+
+fn command(arguments: &[&str]) -> std::process::Command {
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_frictiongen"));
+    command.args(arguments);
+    command
+}
+
+/// A folder of this test's own.
+fn folder(name: &str) -> PathBuf {
+    let folder =
+        std::env::temp_dir().join(format!("frictiongen-curve-{}-{name}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// Points of a curve are what `response` says there, in units as in groups.
+#[test]
+fn points_are_responses() {
+    let of = ["--of", "upper", "--of", "contact"];
+    let curve = [
+        "curve",
+        "--hz",
+        "1.2:6",
+        "--friction",
+        "1.5",
+        "--base",
+        "0.002",
+        "--csv",
+    ];
+    let curve = lines(&[&curve[..], &of].concat());
+    let names = &curve[0];
+    let place = |name: &str| names.iter().position(|found| found == name).unwrap();
+    let (hz, upper, phase) = (
+        place("frequency_Hz"),
+        place("upper.amplitude_m"),
+        place("upper.phase_deg"),
+    );
+    assert!(curve.len() > 150);
+    let mut regimes: Vec<String> = Vec::new();
+    for row in curve.iter().skip(1).step_by(9) {
+        let arguments = [
+            "response",
+            "--hz",
+            &row[hz],
+            "--friction",
+            "1.5",
+            "--base",
+            "0.002",
+            "--csv",
+        ];
+        let response = lines(&arguments);
+        let there = |name: &str| {
+            let place = response[0].iter().position(|found| found == name).unwrap();
+            response[1][place].clone()
+        };
+        assert_eq!(there("regime"), row[place("regime")], "{row:?}");
+        let amplitude = number(&there("upper.amplitude_m"));
+        assert!(
+            (amplitude - number(&row[upper])).abs() < 1e-9 * amplitude.max(1e-6),
+            "{row:?}"
+        );
+        if amplitude > 1e-9 {
+            let lag = number(&there("upper.phase_deg")) - number(&row[phase]);
+            assert!(
+                lag.abs() < 1e-6 || (lag.abs() - 360.0).abs() < 1e-6,
+                "{row:?}"
+            );
+        }
+        regimes.push(row[place("regime")].clone());
+    }
+    for regime in ["continuous", "stick-slip", "stuck"] {
+        assert!(regimes.iter().any(|found| found == regime), "{regime}");
+    }
+}
+
+/// The friction's power with a load is its work a cycle times the frequency, in watts.
+#[test]
+fn power_is_work_times_frequency() {
+    let physical = lines(&[
+        "curve",
+        "--hz",
+        "1.9:2.1",
+        "--friction",
+        "1",
+        "--base",
+        "0.002",
+        "--csv",
+    ]);
+    let groups = lines(&[
+        "curve",
+        "--hz",
+        "1.9:2.1",
+        "--beta",
+        "0.42016806722689076",
+        "--csv",
+    ]);
+    let place =
+        |rows: &[Vec<String>], name: &str| rows[0].iter().position(|found| found == name).unwrap();
+    let (power, work) = (
+        place(&physical, "friction_power_W"),
+        place(&groups, "friction_work"),
+    );
+    let (hz, force) = (
+        place(&physical, "frequency_Hz"),
+        place(&physical, "contact_force_N"),
+    );
+    for (one, other) in physical.iter().zip(&groups).skip(1) {
+        // k₁Y² = 1190 · 0.002².
+        let expected = number(&other[work]) * 1190.0 * 4e-6 * number(&one[hz]);
+        assert!((number(&one[power]) - expected).abs() < 1e-12 + 1e-9 * expected);
+        assert!((number(&one[force]) - 1.0).abs() < 1e-12);
+    }
+}
+
+/// A map's rows are the grid, and its boundaries lie between cells that differ.
+#[test]
+fn maps_and_their_boundaries() {
+    let grid = ["--r", "0.2:0.2:2", "--beta", "0.1:0.1:1"];
+    let map = lines(&[&["map", "--csv", "--of", "upper"][..], &grid].concat());
+    assert_eq!(map.len(), 101);
+    assert_eq!(
+        map[0].join(","),
+        "r,beta,regime,region,period,stops,reversals,stuck_fraction,upper.amplitude"
+    );
+    let boundaries = lines(&[&["map", "--csv", "--boundaries", "4"][..], &grid].concat());
+    assert_eq!(boundaries[0].join(","), "r,beta,width,below,above");
+    for boundary in &boundaries[1..] {
+        let column: Vec<_> = map[1..]
+            .iter()
+            .filter(|row| row[0] == boundary[0])
+            .collect();
+        let beta = number(&boundary[1]);
+        let pair = column
+            .windows(2)
+            .find(|pair| number(&pair[0][1]) <= beta && beta <= number(&pair[1][1]));
+        let pair = pair.expect("two cells");
+        assert_ne!(pair[0][3], pair[1][3], "{boundary:?}");
+    }
+}
+
+/// The ending decides; a picture of either kind is one, and the same twice.
+#[test]
+fn pictures() {
+    let folder = folder("pictures");
+    let scene = FRAME;
+    let commands: [&[&str]; 4] = [
+        &["curve", scene, "--r", "0.3:2", "--beta", "0.1,0.5"],
+        &[
+            "map",
+            scene,
+            "--r",
+            "0.2:0.2:2",
+            "--beta",
+            "0:0.1:1",
+            "--boundaries",
+            "2",
+        ],
+        &[
+            "map",
+            scene,
+            "--r",
+            "0.2:0.2:2",
+            "--beta",
+            "0:0.1:1",
+            "--shade",
+            "amplitude",
+            "--of",
+            "lower",
+        ],
+        &[
+            "time",
+            scene,
+            "--r",
+            "0.5",
+            "--beta",
+            "0.3",
+            "--steady",
+            "--spectrum",
+        ],
+    ];
+    for (index, command) in commands.iter().enumerate() {
+        let mut seen: Vec<Vec<u8>> = Vec::new();
+        for name in ["one.svg", "two.svg", "one.PNG"] {
+            let path = folder.join(format!("{index}-{name}"));
+            let arguments = [command, &["-o", path.to_str().unwrap()][..]].concat();
+            assert_eq!(output("", &arguments), "");
+            seen.push(std::fs::read(path).unwrap());
+        }
+        assert_eq!(seen[0], seen[1], "{command:?}");
+        assert!(
+            seen[0].starts_with(b"<svg") && seen[0].ends_with(b"</svg>\n"),
+            "{command:?}"
+        );
+        assert!(!String::from_utf8_lossy(&seen[0]).contains("NaN"));
+        assert!(seen[2].starts_with(b"\x89PNG\r\n\x1a\n"), "{command:?}");
+    }
+    std::fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn what_cannot_be_asked() {
+    let folder = folder("bad");
+    let there = folder.join("there.csv");
+    std::fs::write(&there, "kept").unwrap();
+    let nowhere = folder.join("no/where.csv");
+    let (folder_name, nowhere) = (folder.to_str().unwrap(), nowhere.to_str().unwrap());
+    let cases: Vec<(Vec<&str>, String)> = vec![
+        (
+            vec!["curve", "--r", "0.5:0.5", "--beta", "1"],
+            "--r `0.5:0.5`: the range from 0.5 to 0.5 has no width".to_owned(),
+        ),
+        (
+            vec!["curve", "--r", "0:1", "--beta", "1"],
+            "--r `0:1`: a motion in time needs a frequency ratio above 0 and below infinity; `limits` and `response` answer there too".to_owned(),
+        ),
+        (
+            vec!["curve", "--hz", "1", "--beta", "1"],
+            "--hz `1`: a range a:b or a:step:b is needed".to_owned(),
+        ),
+        (
+            vec!["curve", "--r", "0.5:0:1", "--beta", "1"],
+            "--r `0.5:0:1`: the step must not be 0".to_owned(),
+        ),
+        (
+            vec!["curve", "--r", "0.5:1e-9:1", "--beta", "1"],
+            "--r `0.5:1e-9:1`: more than 10000000 points, the most there may be".to_owned(),
+        ),
+        (
+            vec!["curve", "--r", "0.5:1", "--friction", "-2", "--force", "1"],
+            "--friction `-2`: a friction force is not negative".to_owned(),
+        ),
+        (
+            vec!["curve", "--r", "0.5:1", "--friction", "2"],
+            "--friction needs the amplitude of the load: give --force".to_owned(),
+        ),
+        (
+            vec!["curve", "--r", "0.5:1", "--beta", "1", "--of", "roof"],
+            "--of: there is no mass `roof`; the masses are block".to_owned(),
+        ),
+        (
+            vec!["curve", "--r", "0.5:1", "--beta", "1", "--accuracy", "0"],
+            "the accuracy of a curve is between 1e-9 and 1".to_owned(),
+        ),
+        (
+            vec!["curve", "--r", "0.5:1", "--beta", "1", "-o", "curve.txt"],
+            "--output `curve.txt`: the name of a file ends in .csv, .json, .svg or .png".to_owned(),
+        ),
+        (
+            vec!["curve", "--r", "0.5:1", "--beta", "1", "-o", nowhere],
+            format!("cannot write {nowhere}: there is no such file or folder"),
+        ),
+        (
+            vec!["map", "--r", "0.5", "--beta", "1", "-o", "map.svg"],
+            "a picture of a map needs two frequencies and two frictions".to_owned(),
+        ),
+        (
+            vec!["map", "--r", "0.5", "--beta", "0:0.1:1", "--boundaries", "40"],
+            "--boundaries `40`: a whole number from 1 to 12 is needed".to_owned(),
+        ),
+        (
+            vec!["map", "--r", "inf", "--beta", "1"],
+            "r is outside the domain: it must be a number, not negative and not NaN; a motion in time needs it clear of 0 and infinity too".to_owned(),
+        ),
+    ];
+    for (arguments, message) in cases {
+        assert_eq!(
+            failure(BLOCK, &arguments),
+            [format!("frictiongen: {message}")],
+            "{arguments:?}"
+        );
+    }
+    assert_eq!(std::fs::read_to_string(&there).unwrap(), "kept");
+    let names: Vec<_> = std::fs::read_dir(folder_name).unwrap().collect();
+    assert_eq!(names.len(), 1, "nothing else is left");
+    std::fs::remove_dir_all(folder).unwrap();
+}
+
+/// A device without space: one line, and no file half written.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk() {
+    let arguments = ["limits", "--r", "0.1:0.001:2", "--csv"];
+    let mut command = command(&arguments);
+    let full = std::fs::OpenOptions::new()
+        .write(true)
+        .open("/dev/full")
+        .unwrap();
+    command
+        .stdout(full)
+        .stderr(std::process::Stdio::piped())
+        .stdin(std::process::Stdio::piped());
+    let mut run = command.spawn().unwrap();
+    std::io::Write::write_all(&mut run.stdin.take().unwrap(), BLOCK.as_bytes()).unwrap();
+    let output = run.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    let lines = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(
+        lines,
+        "frictiongen: cannot write the output: no space is left\n"
+    );
+}
+
+/// Ctrl-C in the middle of a map keeps whole columns, and says how many.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_interrupted_map_is_kept() {
+    let folder = folder("interrupted");
+    let (scene, out) = (folder.join("slow.friction"), folder.join("map.csv"));
+    // Four masses with little damping: a column takes long.
+    let slow = "struct Slow { masses: { a: 1, b: 1, c: 1, d: 1 }, springs: { base - a: 1, a - b: 1, b - c: 1, c - d: 1 },
+                contact: b - wall, excitation: d, damping: modal(0.004), stiction: 1.2 }";
+    std::fs::write(&scene, slow).unwrap();
+    let arguments = [
+        "map",
+        scene.to_str().unwrap(),
+        "--r",
+        "0.2:0.001:2",
+        "--beta",
+        "0.01:0.01:1",
+        "-o",
+        out.to_str().unwrap(),
+    ];
+    let mut command = command(&arguments);
+    command
+        .stdin(std::process::Stdio::null())
+        .stderr(std::process::Stdio::piped());
+    let run = command.spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_secs(3));
+    let pressed = std::process::Command::new("kill")
+        .args(["-INT", &run.id().to_string()])
+        .status()
+        .unwrap();
+    assert!(pressed.success());
+    let output = run.wait_with_output().unwrap();
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    let words = told
+        .strip_prefix("frictiongen: stopped: ")
+        .expect("that it was stopped");
+    let done: usize = words.split(' ').next().unwrap().parse().unwrap();
+    assert!(
+        words.ends_with("of 1801 frequencies are done and written\n"),
+        "{told}"
+    );
+    let written = std::fs::read_to_string(out).unwrap();
+    assert_eq!(written.lines().count(), 1 + 100 * done);
+    assert!(written.ends_with('\n'));
+    std::fs::remove_dir_all(folder).unwrap();
+}

@@ -1,0 +1,151 @@
+//! Motions over time, phase portraits and spectra.
+
+use super::scales::Scales;
+use crate::{Across, Axis, Colour, Figure, Guide, Label, Line, Panel, Point, Stroke};
+use frictiongen::study::{History, Spectrum, Track};
+use std::f64::consts::PI;
+
+/// A spectrum is drawn down to this share of its largest line.
+const FLOOR: f64 = 1e-5;
+
+/// Displacements and the friction force over time, and the phase portraits. Of the contact's motion with the opposite sign
+/// if it is `turned`.
+#[must_use]
+pub fn history_figure(
+    title: impl Into<Label>,
+    history: &History,
+    parts: &[Label],
+    turned: bool,
+    scales: &Scales,
+) -> Figure {
+    let sign = |track: &Track| {
+        if turned && track.of == frictiongen::Of::Contact {
+            -1.0
+        } else {
+            1.0
+        }
+    };
+    let times: Vec<f64> = (0..history.len())
+        .map(|index| scales.time(history.tau(index)))
+        .collect();
+    let ends = (
+        times.first().copied().unwrap_or(0.0),
+        times.last().copied().unwrap_or(1.0),
+    );
+    let axis = || {
+        let axis = Axis::new(scales.time_label(), ends.0, ends.1);
+        if scales.in_seconds() || 40.0 * PI < ends.1 - ends.0 {
+            axis
+        } else {
+            axis.in_pi()
+        }
+    };
+    let length = |track: &Track, values: &[f64]| -> Vec<f64> {
+        values
+            .iter()
+            .map(|value| sign(track) * scales.length(*value))
+            .collect()
+    };
+    let over = |values: &[f64]| -> Vec<Point> {
+        times.iter().copied().zip(values.iter().copied()).collect()
+    };
+    let mut drawn = Vec::new();
+    let mut portraits = Vec::new();
+    for (index, (track, name)) in history.tracks.iter().zip(parts).enumerate() {
+        let (x, v) = (
+            length(track, &track.displacement),
+            length(track, &track.velocity),
+        );
+        let v: Vec<f64> = v.into_iter().map(|value| scales.rate(value)).collect();
+        let colour = Colour::Series(index);
+        drawn.push(Line::new(
+            name.clone(),
+            colour,
+            Stroke::Solid,
+            vec![over(&x)],
+        ));
+        let path = x.iter().copied().zip(v).collect();
+        portraits.push(Line::new(name.clone(), colour, Stroke::Solid, vec![path]));
+    }
+    let all = |lines: &[Line], read: fn(&Point) -> f64| -> Vec<f64> {
+        lines
+            .iter()
+            .flat_map(|line| &line.pieces)
+            .flatten()
+            .map(read)
+            .collect()
+    };
+    let displacements = Axis::fitted(scales.displacement_label(), all(&drawn, |point| point.1));
+    let mut moves = Panel::new("displacement", axis(), displacements.clone());
+    for line in &drawn {
+        moves = moves.with(line.clone());
+    }
+    let sign = if turned { -1.0 } else { 1.0 };
+    let force: Vec<f64> = history
+        .friction
+        .iter()
+        .map(|force| sign * scales.friction(*force))
+        .collect();
+    let range = Axis::fitted(scales.friction_label(), force.iter().copied());
+    let pulls = Panel::new("friction force in the contact", axis(), range)
+        .with(Guide::new(Across::Y(0.0)))
+        .with(Line::unnamed(
+            Colour::Black,
+            Stroke::Solid,
+            vec![over(&force)],
+        ));
+    let across = Axis::fitted(
+        scales.displacement_label(),
+        all(&portraits, |point| point.0),
+    );
+    let up = Axis::fitted(scales.rate_label(), all(&portraits, |point| point.1));
+    let mut phase = Panel::new("phase portrait", across, up);
+    for line in portraits {
+        phase = phase.with(line);
+    }
+    Figure::new("", title, 2, vec![moves, pulls, phase])
+}
+
+/// The lines of spectra, one panel for each motion.
+#[must_use]
+pub fn spectrum_figure(
+    title: impl Into<Label>,
+    spectra: &[Spectrum],
+    parts: &[Label],
+    scales: &Scales,
+) -> Figure {
+    let panels = spectra
+        .iter()
+        .zip(parts)
+        .enumerate()
+        .map(|(index, (spectrum, part))| {
+            let lines = spectrum.lines.iter();
+            let lines: Vec<Point> = lines
+                .map(|line| (scales.order(line.order), scales.length(line.amplitude())))
+                .collect();
+            let most = lines.iter().map(|line| line.1).fold(0.0, f64::max);
+            let floor = FLOOR * most;
+            let stems: Vec<Vec<Point>> = lines
+                .into_iter()
+                .filter(|line| floor < line.1)
+                .map(|(order, size)| vec![(order, floor), (order, size)])
+                .collect();
+            let last = stems
+                .iter()
+                .flatten()
+                .map(|point| point.0)
+                .fold(scales.order(1.0), f64::max);
+            let x = Axis::new(scales.order_label(), 0.0, last * 1.04);
+            let y = if most > 0.0 {
+                Axis::log(scales.length_label(), floor, 2.0 * most)
+            } else {
+                Axis::new(scales.length_label(), 0.0, 1.0)
+            };
+            Panel::new(part.clone(), x, y).with(Line::unnamed(
+                Colour::Series(index),
+                Stroke::Solid,
+                stems,
+            ))
+        });
+    Figure::new("", title, 2, panels.collect())
+}

@@ -1,0 +1,141 @@
+//! A run from rest or from a state, stopped at every sample.
+
+use super::{
+    History, HistoryError, HistoryEvent, HistoryRequest, MOST_EVENTS, MOST_SAMPLES, check,
+};
+use crate::Of;
+use crate::study::{System, SystemSimulation};
+use frictiongen_kernel::simulation::Event;
+use std::f64::consts::TAU;
+
+/// What is nearer than this to a sample, in τ, is at it: a few roundings of a phase.
+const NEAR: f64 = 16.0 * f64::EPSILON;
+
+impl System {
+    /// The motion over time from rest or from a state, sampled, with every event.
+    ///
+    /// ```
+    /// use frictiongen::kernel::simulation::Event;
+    /// use frictiongen::study::HistoryRequest;
+    /// use frictiongen::{Of, System};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: System = "struct Block {
+    ///     masses: { block: 1 },
+    ///     springs: { base - block: 1 },
+    ///     contact: block - wall,
+    ///     excitation: block,
+    /// }"
+    /// .parse()?;
+    /// let request = HistoryRequest { skip: 100, ..HistoryRequest::new(&[Of::Mass(0)]) };
+    /// let history = block.history(0.3, 0.4, &request)?;
+    /// assert_eq!(history.len(), 10 * 200 + 1);
+    /// // It stops twice a cycle.
+    /// let stops = history.events.iter().filter(|event| event.event == Event::Stop);
+    /// assert_eq!(stops.count(), 20);
+    /// // The phase portrait: displacement over velocity.
+    /// let track = &history.tracks[0];
+    /// let portrait: Vec<(f64, f64)> =
+    ///     track.displacement.iter().copied().zip(track.velocity.iter().copied()).collect();
+    /// assert_eq!(portrait.len(), history.len());
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`HistoryError`] for what cannot be asked, and for r, β or a state outside the domain.
+    pub fn history(
+        &self,
+        r: f64,
+        beta: f64,
+        request: &HistoryRequest,
+    ) -> Result<History, HistoryError> {
+        let masses = self.scene().masses.len();
+        check(&request.of, masses, request.cycles, request.samples)?;
+        if MOST_SAMPLES < request.skip {
+            return Err(HistoryError::TooManySkipped);
+        }
+        let run = match &request.from {
+            None => self.simulation(r, beta)?,
+            Some((x, v)) => self.simulation_from(r, beta, (x, v))?,
+        };
+        let mut history = History::new(request.skip, request.cycles, request.samples, &request.of);
+        let mut follower = Follower {
+            run,
+            of: &request.of,
+        };
+        for cycle in 0..request.skip {
+            follower.pass(cycle, 1.0, |_, _| Ok(()))?;
+        }
+        follower.sample(&mut history);
+        let samples = u64::from(request.samples);
+        for index in 0..samples * u64::from(request.cycles) {
+            let (cycle, end) = (index / samples, index % samples + 1);
+            let to = end as f64 / samples as f64;
+            let events = &mut history.events;
+            follower.pass(request.skip + cycle, to, |follower, event| {
+                if MOST_EVENTS <= events.len() {
+                    return Err(HistoryError::TooManyEvents);
+                }
+                events.push(follower.event(event));
+                Ok(())
+            })?;
+            follower.sample(&mut history);
+        }
+        Ok(history)
+    }
+}
+
+/// A run that is followed, and what is noted of it.
+struct Follower<'a, 'o> {
+    run: SystemSimulation<'a>,
+    of: &'o [Of],
+}
+
+impl Follower<'_, '_> {
+    /// Goes on to a part of a cycle, from event to event; what has too many of them has no end.
+    fn pass(
+        &mut self,
+        cycle: u64,
+        part: f64,
+        mut note: impl FnMut(&Self, Event) -> Result<(), HistoryError>,
+    ) -> Result<(), HistoryError> {
+        for _ in 0..MOST_EVENTS {
+            // From the run's own clock each time: no rounding adds up.
+            let whole = cycle as f64 - self.run.cycles() as f64;
+            let left = whole * TAU + (TAU * part - self.run.phase());
+            if !(NEAR < left) {
+                return Ok(());
+            }
+            let segment = self.run.advance(left)?;
+            if let Some(event) = segment.event {
+                note(self, event)?;
+            }
+        }
+        Err(HistoryError::TooManyEvents)
+    }
+
+    fn motion(&self, of: Of) -> (f64, f64) {
+        match of {
+            Of::Contact => self.run.relative(),
+            Of::Mass(index) => {
+                let moment = self.run.run().mass(index);
+                (moment.displacement(), moment.velocity())
+            }
+        }
+    }
+
+    fn sample(&self, history: &mut History) {
+        let motions = self.of.iter().map(|of| self.motion(*of));
+        history.push(motions, (self.run.contact(), self.run.friction()));
+    }
+
+    fn event(&self, event: Event) -> HistoryEvent {
+        HistoryEvent {
+            tau: TAU * (self.run.cycles() as f64) + self.run.phase(),
+            event,
+            contact: self.run.contact(),
+            displacements: self.of.iter().map(|of| self.motion(*of).0).collect(),
+        }
+    }
+}

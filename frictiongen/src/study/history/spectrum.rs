@@ -1,0 +1,135 @@
+//! What frequencies a motion has: exactly, of a steady state, or of the samples of a run.
+
+use super::History;
+use crate::study::SystemResponse;
+use crate::{Complex, Of};
+use rustfft::FftPlanner;
+use std::f64::consts::PI;
+
+/// A motion as a sum of harmonics and what lies between them, x̄ = Re Σ X e^{inτ}.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spectrum {
+    /// Whose motion.
+    pub of: Of,
+    /// With ascending order, from the mean on.
+    pub lines: Vec<SpectralLine>,
+}
+
+/// One component of a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpectralLine {
+    /// n, its frequency over the excitation's.
+    pub order: f64,
+    /// X in Re(X e^{inτ}), where τ counts from a maximum of the excitation: over P/k₁, for base motion over Y. Of order 0
+    /// it is the mean.
+    pub component: Complex<f64>,
+}
+
+impl SpectralLine {
+    /// |X|, the amplitude of the cosine.
+    #[must_use]
+    pub fn amplitude(&self) -> f64 {
+        self.component.re.hypot(self.component.im)
+    }
+
+    /// The lag of its maximum, rad of its own cycle, in (−π, π].
+    #[must_use]
+    pub fn phase(&self) -> f64 {
+        let lag = -self.component.im.atan2(self.component.re);
+        if lag == -PI { PI } else { lag }
+    }
+}
+
+impl History {
+    /// The spectrum of a motion from its samples, by a fast Fourier transform over whole cycles, which need no window; none
+    /// if the motion was not asked for.
+    ///
+    /// Orders are multiples of 1 over the number of cycles, up to half the samples of a cycle. τ counts from the first
+    /// sample. What vibrates faster is folded back: where friction reverses, harmonics fall with the third power of their
+    /// order, and so does the error of a harmonic with the number of samples. Of a steady state
+    /// [`SystemResponse::spectrum`] is exact.
+    ///
+    /// ```
+    /// use frictiongen::study::HistoryRequest;
+    /// use frictiongen::{Of, System};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: System = "struct Block {
+    ///     masses: { block: 1 },
+    ///     springs: { base - block: 1 },
+    ///     contact: block - wall,
+    ///     excitation: block,
+    ///     damping: modal(0.02),
+    /// }"
+    /// .parse()?;
+    /// let request = HistoryRequest { skip: 1000, cycles: 4, ..HistoryRequest::new(&[Of::Contact]) };
+    /// let spectrum = block.history(0.3, 0.4, &request)?.spectrum(Of::Contact).ok_or("not asked for")?;
+    /// let third = spectrum.lines[3 * 4];
+    /// assert_eq!(third.order, 3.0);
+    /// let exact = block.at(0.3)?.response(0.4)?.harmonic(Of::Contact, 3).ok_or("no such mass")?;
+    /// assert!((third.amplitude() - exact.norm()).abs() < 1e-6);
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn spectrum(&self, of: Of) -> Option<Spectrum> {
+        let values = self.track(of)?.whole();
+        let mut values: Vec<Complex<f64>> = values
+            .iter()
+            .map(|value| Complex::new(*value, 0.0))
+            .collect();
+        let count = values.len();
+        FftPlanner::new()
+            .plan_fft_forward(count)
+            .process(&mut values);
+        let one_sided = |(index, value): (usize, &Complex<f64>)| {
+            // The mean and the last line have no counterpart of negative order.
+            let sides = if index == 0 || index == count / 2 {
+                1.0
+            } else {
+                2.0
+            };
+            SpectralLine {
+                order: index as f64 / f64::from(self.cycles),
+                component: *value * (sides / count as f64),
+            }
+        };
+        let lines = values.iter().take(count / 2 + 1).enumerate();
+        Some(Spectrum {
+            of,
+            lines: lines.map(one_sided).collect(),
+        })
+    }
+}
+
+impl SystemResponse<'_> {
+    /// X in Re(X e^{ikτ/p}), the component of order k/p of the contact or of a mass, where p is the
+    /// [`period`](Self::period) in cycles of the excitation; none if there is no such mass. Every p-th is a
+    /// [`harmonic`](Self::harmonic). τ counts from the maximum of the excitation next to where the relative motion in the
+    /// contact leaves its maximum.
+    #[must_use]
+    pub fn subharmonic(&self, of: Of, k: u32) -> Option<Complex<f64>> {
+        match (self, of) {
+            (Self::StickSlip(orbit), Of::Contact) => Some(orbit.contact().subharmonic(k)),
+            (Self::StickSlip(orbit), Of::Mass(index)) => Some(orbit.mass_at(index)?.subharmonic(k)),
+            _ => self.harmonic(of, k),
+        }
+    }
+
+    /// The spectrum of the contact or of a mass up to an order, exact; none if there is no such mass. Where the motion does
+    /// not settle it is that of its last 64 cycles, as if they repeated.
+    #[must_use]
+    pub fn spectrum(&self, of: Of, highest: u32) -> Option<Spectrum> {
+        let period = self.period();
+        let lines = (0..=highest.saturating_mul(period)).map(|k| {
+            Some(SpectralLine {
+                order: f64::from(k) / f64::from(period),
+                component: self.subharmonic(of, k)?,
+            })
+        });
+        Some(Spectrum {
+            of,
+            lines: lines.collect::<Option<_>>()?,
+        })
+    }
+}

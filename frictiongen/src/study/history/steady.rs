@@ -1,0 +1,202 @@
+//! One period of a steady state, from the closed forms and from the steady state with stops.
+
+use super::{History, HistoryError, HistoryEvent, check, phase};
+use crate::study::{SystemMotion, SystemOrbit, SystemResponse, SystemStuck};
+use crate::{Complex, NoOrbit, Of, OutOfDomain};
+use frictiongen_kernel::simulation::{Contact, Event};
+use std::f64::consts::{PI, TAU};
+
+impl SystemResponse<'_> {
+    /// After how many cycles of the excitation the motion repeats.
+    #[must_use]
+    pub fn period(&self) -> u32 {
+        match self {
+            Self::StickSlip(orbit) => orbit.period(),
+            _ => 1,
+        }
+    }
+
+    /// One period of the steady state, sampled, with every event: τ counts from a maximum of the excitation, of several
+    /// from that of [`subharmonic`](Self::subharmonic). Where a stuck contact stays depends on what was before; here its
+    /// displacement is 0.
+    ///
+    /// ```
+    /// use frictiongen::{Of, System};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: System = "struct Block {
+    ///     masses: { block: 1 },
+    ///     springs: { base - block: 1 },
+    ///     contact: block - wall,
+    ///     excitation: block,
+    /// }"
+    /// .parse()?;
+    /// let response = block.at(0.3)?.response(0.4)?;
+    /// let history = response.history(&[Of::Contact], 400)?;
+    /// // Two stops and two break-aways, and the last sample is the first.
+    /// assert_eq!(history.events.len(), 4);
+    /// let contact = &history.tracks[0].displacement;
+    /// assert!((contact[400] - contact[0]).abs() < 1e-14);
+    /// assert!(history.friction.iter().all(|force| force.abs() <= 0.4 + 1e-14));
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`HistoryError`] for what cannot be asked, for r = 0 and r = ∞, where there is no cycle, and where the motion does
+    /// not settle: there a run shows what it does.
+    pub fn history(&self, of: &[Of], samples: u32) -> Result<History, HistoryError> {
+        let (masses, r) = match self {
+            Self::Continuous(motion) => {
+                let at = motion.at();
+                (at.scene().scene().masses.len(), at.frequency_ratio())
+            }
+            // There is none at 0 and ∞.
+            Self::StickSlip(orbit) => (orbit.system.scene().masses.len(), 1.0),
+            Self::Stuck(stuck) => {
+                let at = stuck.at();
+                (at.scene().scene().masses.len(), at.frequency_ratio())
+            }
+        };
+        check(of, masses, self.period(), samples)?;
+        if !(0.0 < r && r.is_finite()) {
+            return Err(OutOfDomain { argument: "r" }.into());
+        }
+        if !self.is_settled() {
+            return Err(HistoryError::Solver(NoOrbit::Unsettled.into()));
+        }
+        let mut history = History::new(0, self.period(), samples, of);
+        match self {
+            Self::Continuous(motion) => continuous(&mut history, motion, of),
+            Self::StickSlip(orbit) => with_stops(&mut history, orbit, of),
+            Self::Stuck(stuck) => held(&mut history, stuck, of),
+        }
+        Ok(history)
+    }
+}
+
+/// τ of all samples of so many cycles, and of their end.
+fn instants(history: &History) -> impl Iterator<Item = f64> + use<> {
+    let samples = u64::from(history.samples);
+    let all = 0..=samples * u64::from(history.cycles);
+    all.map(move |index| TAU * ((index / samples) as f64) + phase(index % samples, samples))
+}
+
+/// The contact slides all the time, and turns at its maximum and its minimum.
+fn continuous(history: &mut History, motion: &SystemMotion<'_>, of: &[Of]) {
+    let friction = motion.friction();
+    let (lag, beta) = (friction.phase, friction.beta);
+    let motions: Vec<_> = of
+        .iter()
+        .filter_map(|of| match of {
+            Of::Contact => Some(motion.contact()),
+            Of::Mass(index) => motion.mass_at(*index),
+        })
+        .collect();
+    let sliding = |tau: f64| {
+        // Half-cycles since the maximum.
+        let half = ((tau - lag) / PI).floor();
+        if half.rem_euclid(2.0) < 1.0 {
+            (Contact::Backward, -beta)
+        } else {
+            (Contact::Forward, beta)
+        }
+    };
+    for tau in instants(history) {
+        let since = tau - lag;
+        let moments = motions
+            .iter()
+            .map(|motion| (motion.displacement(since), motion.velocity(since)));
+        history.push(moments, sliding(tau));
+    }
+    let turn = |tau: f64, contact: Contact| HistoryEvent {
+        tau: within(tau, TAU),
+        event: Event::Reversal,
+        contact,
+        displacements: motions
+            .iter()
+            .map(|motion| motion.displacement(tau - lag))
+            .collect(),
+    };
+    history.events = vec![
+        turn(lag, Contact::Backward),
+        turn(lag + PI, Contact::Forward),
+    ];
+    history.events.sort_by(|a, b| a.tau.total_cmp(&b.tau));
+}
+
+/// The contact stops, or turns more than twice.
+fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
+    let origin = orbit.origin();
+    let motions: Vec<_> = of
+        .iter()
+        .filter_map(|of| match of {
+            Of::Contact => Some(orbit.contact()),
+            Of::Mass(index) => orbit.mass_at(*index),
+        })
+        .collect();
+    for tau in instants(history) {
+        let since = tau - origin;
+        let contact = orbit.friction(since);
+        let moments = motions.iter().zip(of).map(|(motion, of)| {
+            let velocity = match (of, contact.0) {
+                (Of::Contact, Contact::Stuck) => 0.0,
+                _ => motion.velocity(since),
+            };
+            (motion.displacement(since), velocity)
+        });
+        history.push(moments, contact);
+    }
+    let intervals: Vec<(f64, Contact)> = orbit
+        .intervals()
+        .map(|(start, _, contact)| (start, contact))
+        .collect();
+    // Each after the one before it, the first after the last.
+    let before = intervals.iter().cycle().skip(intervals.len().max(1) - 1);
+    for ((tau, contact), (_, last)) in intervals.iter().zip(before) {
+        let event = match (last, contact) {
+            (last, contact) if last == contact => continue,
+            (_, Contact::Stuck) => Event::Stop,
+            (Contact::Stuck, _) => Event::Slip,
+            _ => Event::Reversal,
+        };
+        history.events.push(HistoryEvent {
+            tau: *tau,
+            event,
+            contact: *contact,
+            displacements: motions
+                .iter()
+                .map(|motion| motion.displacement(tau - origin))
+                .collect(),
+        });
+    }
+    history.events.sort_by(|a, b| a.tau.total_cmp(&b.tau));
+}
+
+/// The contact never slides.
+fn held(history: &mut History, stuck: &SystemStuck<'_>, of: &[Of]) {
+    let force = stuck.contact_force();
+    let amplitudes: Vec<Complex<f64>> = of
+        .iter()
+        .filter_map(|of| match of {
+            Of::Contact => Some(Complex::new(0.0, 0.0)),
+            Of::Mass(index) => stuck.mass_at(*index),
+        })
+        .collect();
+    for tau in instants(history) {
+        let (sine, cosine) = tau.sin_cos();
+        let moments = amplitudes.iter().map(|amplitude| {
+            let displacement = amplitude.re * cosine - amplitude.im * sine;
+            let velocity = -(amplitude.re * sine) - amplitude.im * cosine;
+            (displacement, velocity)
+        });
+        let holding = force.re * cosine - force.im * sine;
+        history.push(moments, (Contact::Stuck, holding));
+    }
+}
+
+/// τ in [0, period).
+fn within(tau: f64, period: f64) -> f64 {
+    let within = tau - (tau / period).floor() * period;
+    if within < period { within } else { 0.0 }
+}
