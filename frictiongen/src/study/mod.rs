@@ -17,6 +17,7 @@ pub use builder::Builder;
 pub use compiled::{CompiledAt, CompiledContact, CompiledMotion, CompiledSystem};
 pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
+pub use frictiongen_kernel::orbit::NoDerivative;
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
 pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
 pub use sensitivity::{Sensitive, Varied};

@@ -2,5 +2,6 @@
 
 mod answers;
 mod differences;
+mod orbits;
 mod scene;
 mod single;
