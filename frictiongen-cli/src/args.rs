@@ -88,6 +88,29 @@ Quantities:
 
 ";
 
+const SENSITIVITIES: &str = "\
+Parameters:
+  m, k      each mass and spring
+  zeta i    the damping ratio of mode i; a, b of Rayleigh damping
+  mu        static over kinetic friction force
+  F, P or Y, f  with a load: friction force, load and frequency in Hz. All derivatives are taken at
+            constant values of the others, so that the first mass and spring move r and beta
+  beta, r   without a load: derivatives are taken at constant r and beta
+
+Answers:
+  exact       derivatives of the closed form, of the steady state with stops, or of the stuck response
+  bend        none: an event is about to come or to go, or a limit is met
+  marginal    none: the steady state is one of a continuum
+  degenerate  none: two modes coincide and move apart, or the contact is about to drive a mode
+  otherwise   why there is no steady state, in the words of `orbit`
+
+Quantities:
+  X, d/dp     on the first line the answer, then its derivative with respect to the parameter
+  (p/X) d/dp  by how many per cent X changes for one per cent of p; of a phase p d/dp
+  limits      beta_lim and beta*_lim at this frequency; with a load in N
+
+";
+
 const GRIDS_IN_TIME: &str = "\
 Grids:
   A grid is a number, a range a:step:b (b included), or a comma-separated list of those:
@@ -132,6 +155,9 @@ pub enum Command {
     /// The steady state from rest over frequency and friction, stops included
     #[command(after_help = format!("{ORBITS}{UNITS}{GRIDS_IN_TIME}"))]
     Orbit(OrbitArguments),
+    /// The derivatives of amplitude, phase and limits with respect to every parameter, in any regime
+    #[command(after_help = format!("{SENSITIVITIES}{UNITS}{GRIDS_IN_TIME}"))]
+    Sensitivity(SensitivityArguments),
     /// Tables of the limits and of the contact's motion, to a declared accuracy
     #[command(after_help = TABLES)]
     Compile(CompileArguments),
@@ -260,6 +286,29 @@ pub struct OrbitArguments {
     /// Also the harmonics X_0, X_1, ... up to this one
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
+}
+
+/// Of `frictiongen sensitivity`.
+#[derive(Debug, Args)]
+pub struct SensitivityArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// The frequency.
+    #[command(flatten)]
+    pub frequency: FrequencyArguments,
+    /// The friction.
+    #[command(flatten)]
+    pub friction: FrictionArguments,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
+    /// Of this mass, or of `contact`
+    #[arg(long, value_name = "NAME")]
+    pub of: String,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,

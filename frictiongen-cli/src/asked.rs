@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use frictiongen::study::{SystemAt, SystemMotion, UnknownMass};
-use frictiongen::{Complex, NoOrbit, NotContinuous, OutOfDomain, System};
+use frictiongen::{Complex, NoOrbit, NotContinuous, Of, OutOfDomain, System};
 use std::f64::consts::PI;
 
 /// The highest harmonic there may be.
@@ -55,6 +55,15 @@ pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
         }
     }
     Ok(masses)
+}
+
+/// The motion of an option: a mass, or the contact.
+pub fn motion(system: &System, option: &str, name: &str) -> Result<Of, Failure> {
+    system.motion_named(name).map_err(|error| {
+        Failure::new(format_args!(
+            "{option}: {error}; the motion in the contact is `contact`"
+        ))
+    })
 }
 
 /// The regime in a word, the same in every command.

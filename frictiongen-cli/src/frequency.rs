@@ -37,6 +37,11 @@ pub struct Frequency {
 }
 
 impl Frequency {
+    /// In Hz, as given or from r.
+    pub fn hertz(&self, system: &System) -> f64 {
+        self.hertz.unwrap_or_else(|| system.hertz(self.r))
+    }
+
     /// Its cells.
     pub fn values(&self) -> Vec<Value<'static>> {
         let before = [self.hertz, self.omega].into_iter().flatten();

@@ -23,6 +23,7 @@ mod orbit;
 mod output;
 mod progress;
 mod response;
+mod sensitivity;
 mod summary;
 mod table;
 
@@ -65,6 +66,7 @@ pub fn run(
         Command::Limits(arguments) => limits::run(arguments, out),
         Command::Response(arguments) => response::run(arguments, out),
         Command::Orbit(arguments) => orbit::run(arguments, out),
+        Command::Sensitivity(arguments) => sensitivity::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
     }?)

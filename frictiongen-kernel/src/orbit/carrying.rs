@@ -24,6 +24,8 @@ const GRAZE: f64 = 1e-9;
 /// Two steps of Newton's method may leave this much between them, of the size of what they find.
 const ALIKE: f64 = 1e-6;
 
+/// What rounding of `f64` leaves of a derivative, of the state's size.
+const ROUNDING: f64 = 1e-14;
 /// r and β within this share of those of the steady state are the same.
 const SAME: f64 = 1e-12;
 
@@ -321,7 +323,9 @@ fn closed_in<S: Float>(
                 }
             }
         }
-        if !(apart <= alike * size) {
+        // A derivative of 0 has no size of its own; the first step's is rounded as the state is.
+        let rounding = cycle_map.scale() * S::constant(ROUNDING);
+        if !(apart <= alike * size + rounding) {
             return Err(NoDerivative::Graze);
         }
     }

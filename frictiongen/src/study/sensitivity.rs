@@ -258,7 +258,7 @@ impl<S: Float> System<S> {
 }
 
 /// What a description says in numbers.
-fn quantities(scene: &Scene) -> Vec<Quantity> {
+pub(super) fn quantities(scene: &Scene) -> Vec<Quantity> {
     let masses = (0..scene.masses.len()).map(Quantity::Mass);
     let springs = (0..scene.springs.len()).map(Quantity::Stiffness);
     let mut all: Vec<Quantity> = masses.chain(springs).collect();

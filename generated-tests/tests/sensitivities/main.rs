@@ -3,5 +3,6 @@
 mod answers;
 mod differences;
 mod orbits;
+mod physical;
 mod scene;
 mod single;
