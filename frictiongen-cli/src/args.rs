@@ -122,6 +122,40 @@ Grids:
 Exit status:
   0, or 2 with one line on standard error for each thing that is wrong.";
 
+const CURVES: &str = "\
+Curves:
+  The range is refined where a curve bends and at its peaks. A piece is what may be joined: it ends
+  where the regime changes, at a pole, at a jump, and where there is no answer.
+  answer   closed form, orbit, or last 64 cycles of a motion that does not settle; otherwise why
+           there is none, in the words of `orbit`
+  force    largest friction force of the cycle over P (base motion: k1 Y); with a load, N
+  work     that friction takes out of a cycle over P^2/k1 (base motion: k1 Y^2); with a load, the
+           mean power in W
+
+";
+
+const RANGES: &str = "\
+Ranges:
+  A range of frequencies is a:b, above 0; a:step:b also says how far apart points are at most.
+  Frictions are a number, a range a:step:b, or a comma-separated list of those.
+
+Exit status:
+  0, or 2 with one line on standard error for each thing that is wrong.";
+
+const MAPS: &str = "\
+Regions:
+  continuous        the contact slides all the time
+  stuck             it never slides
+  n stops           it stops n times in a cycle of the excitation
+  sliding reversals its direction changes without a stop, in a motion other than the continuous one
+  subharmonic       the motion repeats after several cycles
+  unsettled         it does not repeat; otherwise why there is no answer, in the words of `orbit`
+A region's boundary with the continuous and the stuck regime is a limit, exactly. --boundaries traces
+the others by halving: each digit takes the motion longer to settle. 3 are a picture's.
+Ctrl-C keeps the frequencies that are done.
+
+";
+
 const TABLES: &str = "\
 What the description declares (accuracy, range, side, budget) holds where no option says otherwise.
 
@@ -158,6 +192,12 @@ pub enum Command {
     /// The derivatives of amplitude, phase and limits with respect to every parameter, in any regime
     #[command(after_help = format!("{SENSITIVITIES}{UNITS}{GRIDS_IN_TIME}"))]
     Sensitivity(SensitivityArguments),
+    /// Responses along frequency in every regime, refined where they bend
+    #[command(after_help = format!("{CURVES}{UNITS}{RANGES}"))]
+    Curve(CurveArguments),
+    /// What the contact does over frequency and friction
+    #[command(after_help = format!("{MAPS}{UNITS}{GRIDS}"))]
+    Map(MapArguments),
     /// Tables of the limits and of the contact's motion, to a declared accuracy
     #[command(after_help = TABLES)]
     Compile(CompileArguments),
@@ -286,6 +326,85 @@ pub struct OrbitArguments {
     /// Also the harmonics X_0, X_1, ... up to this one
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
+}
+
+/// Of `frictiongen curve`.
+#[derive(Debug, Args)]
+pub struct CurveArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// The frequency.
+    #[command(flatten)]
+    pub frequency: FrequencyArguments,
+    /// The friction.
+    #[command(flatten)]
+    pub friction: FrictionArguments,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
+    /// Only this mass, or `contact`; may be given more than once [default: all]
+    #[arg(long, value_name = "NAME")]
+    pub of: Vec<String>,
+    /// How far a straight line between neighbours may stray, relative to the curve [default: 5e-4]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    pub accuracy: Option<String>,
+    /// Also the harmonics X_1, X_2, ... up to this one
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub harmonics: Option<String>,
+    /// Also velocities and accelerations
+    #[arg(long)]
+    pub rates: bool,
+    /// Write to this file; its ending decides: .csv, .json, .svg, .png
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
+}
+
+/// What the colours of a map tell.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Shade {
+    /// What the contact does: regimes, and how often it stops.
+    #[default]
+    Regime,
+    /// The part of the period for which the contact sticks.
+    Stuck,
+    /// The amplitude of the first motion asked for.
+    Amplitude,
+}
+
+/// Of `frictiongen map`.
+#[derive(Debug, Args)]
+pub struct MapArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// The frequency.
+    #[command(flatten)]
+    pub frequency: FrequencyArguments,
+    /// The friction.
+    #[command(flatten)]
+    pub friction: FrictionArguments,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
+    /// Only the amplitude of this mass, or `contact`; may be given more than once [default: all]
+    #[arg(long, value_name = "NAME")]
+    pub of: Vec<String>,
+    /// In place of the points, the boundaries between them, to this many significant digits
+    #[arg(long, value_name = "DIGITS", allow_hyphen_values = true)]
+    pub boundaries: Option<String>,
+    /// What the colours of a picture tell
+    #[arg(long, value_enum, default_value_t)]
+    pub shade: Shade,
+    /// Write to this file; its ending decides: .csv, .json, .svg, .png
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,

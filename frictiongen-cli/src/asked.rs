@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use frictiongen::study::{SystemAt, SystemMotion, UnknownMass};
-use frictiongen::{Complex, NoOrbit, NotContinuous, Of, OutOfDomain, System};
+use frictiongen::{Complex, Error, NoOrbit, NotContinuous, Of, OutOfDomain, Regime, System};
 use std::f64::consts::PI;
 
 /// The highest harmonic there may be.
@@ -57,13 +57,75 @@ pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
     Ok(masses)
 }
 
-/// The motion of an option: a mass, or the contact.
-pub fn motion(system: &System, option: &str, name: &str) -> Result<Of, Failure> {
-    system.motion_named(name).map_err(|error| {
-        Failure::new(format_args!(
-            "{option}: {error}; the motion in the contact is `contact`"
-        ))
-    })
+/// What the contact is called; no mass can be.
+pub const CONTACT: &str = "contact";
+
+/// A motion asked for.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Whose.
+    pub of: Of,
+    /// Its name.
+    pub name: String,
+}
+
+/// The motions asked for, each once, or all: the contact's, then the masses'.
+pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
+    let contact = Part {
+        of: Of::Contact,
+        name: CONTACT.to_owned(),
+    };
+    let masses = system.scene().masses.iter().enumerate();
+    let masses = masses.map(|(index, mass)| Part {
+        of: Of::Mass(index),
+        name: mass.name.clone(),
+    });
+    let all: Vec<Part> = std::iter::once(contact).chain(masses).collect();
+    if names.is_empty() {
+        return Ok(all);
+    }
+    let mut parts: Vec<Part> = Vec::new();
+    for name in names {
+        let Some(part) = all.iter().find(|part| part.name == *name) else {
+            let known = all.iter().map(|part| part.name.clone()).collect();
+            let name = name.clone();
+            return Err(Failure::new(format_args!(
+                "--of: {}",
+                UnknownMass { name, known }
+            )));
+        };
+        if parts.iter().all(|known| known.of != part.of) {
+            parts.push(part.clone());
+        }
+    }
+    Ok(parts)
+}
+
+/// The one motion asked for.
+pub fn part(system: &System, name: &str) -> Result<Part, Failure> {
+    let mut parts = parts(system, &[name.to_owned()])?;
+    parts
+        .pop()
+        .ok_or_else(|| Failure::new("--of: give the motion"))
+}
+
+/// The regime in a word.
+pub fn regime_name(regime: Regime) -> &'static str {
+    match regime {
+        Regime::Continuous => "continuous",
+        Regime::StickSlip => "stick-slip",
+        Regime::Stuck => "stuck",
+        _ => "",
+    }
+}
+
+/// Why there is no response, in a word.
+pub fn no_answer(error: Error) -> &'static str {
+    match error {
+        Error::NoOrbit(error) => reason(error),
+        Error::NotContinuous(_) | Error::StuckResonance(_) => "unbounded",
+        _ => "no cycle",
+    }
 }
 
 /// The regime in a word, the same in every command.
@@ -72,9 +134,9 @@ pub fn regime(
     motion: &Result<SystemMotion<'_>, NotContinuous>,
 ) -> Result<&'static str, OutOfDomain> {
     Ok(match motion {
-        Ok(_) => "continuous",
-        Err(NotContinuous::StickSlip) => "stick-slip",
-        Err(NotContinuous::Stuck) if at.stuck().is_ok() => "stuck",
+        Ok(_) => regime_name(Regime::Continuous),
+        Err(NotContinuous::StickSlip) => regime_name(Regime::StickSlip),
+        Err(NotContinuous::Stuck) if at.stuck().is_ok() => regime_name(Regime::Stuck),
         // On an undamped resonance, of the chain or of the chain with its contact stuck.
         Err(NotContinuous::Stuck | NotContinuous::Unbounded) => "unbounded",
         Err(_) => return Err(OutOfDomain { argument: "beta" }),

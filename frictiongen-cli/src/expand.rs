@@ -1,6 +1,7 @@
 //! `frictiongen expand`: the Rust that the macro emits.
 
 use crate::args::ExpandArguments;
+use crate::destination::is_same;
 use crate::failure::{Failure, reason};
 use frictiongen_codegen::{Limits, pretty};
 use std::fs;
@@ -35,11 +36,4 @@ pub fn write_file(path: &Path, description: Option<&Path>, source: &str) -> Resu
     }
     fs::write(path, source)
         .map_err(|error| Failure::new(format_args!("cannot write {shown}: {}", reason(&error))))
-}
-
-fn is_same(one: &Path, other: &Path) -> bool {
-    match (fs::canonicalize(one), fs::canonicalize(other)) {
-        (Ok(one), Ok(other)) => one == other,
-        _ => false,
-    }
 }

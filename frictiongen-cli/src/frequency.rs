@@ -16,6 +16,134 @@ enum Unit {
     Omega,
 }
 
+/// A range of frequencies, all of them.
+#[derive(Clone, Debug)]
+pub struct Band {
+    /// The lowest r.
+    pub from: f64,
+    /// The highest.
+    pub to: f64,
+    /// How far apart points are at most, in r.
+    pub widest: Option<f64>,
+    unit: Unit,
+}
+
+impl Band {
+    /// The range that a:b or a:step:b says.
+    pub fn parse(arguments: &FrequencyArguments, system: &System) -> Result<Self, Failure> {
+        let (text, unit) = given(arguments)?;
+        let quantity = unit.quantity(true);
+        let [from, step, to] = grid::band(text, quantity).map_err(Failure::new)?;
+        let ratio = |value: f64| unit.frequency(system, value).r;
+        let band = Self {
+            from: ratio(from),
+            to: ratio(to),
+            widest: (0.0 < step).then(|| ratio(step)),
+            unit,
+        };
+        let lost = [from, to]
+            .into_iter()
+            .find(|value| !survives(*value, ratio(*value)));
+        match lost {
+            Some(value) => Err(too_far(quantity, value)),
+            None => Ok(band),
+        }
+    }
+
+    /// Whether it is given in a unit.
+    pub fn is_physical(&self) -> bool {
+        self.unit != Unit::Ratio
+    }
+
+    /// A frequency of it.
+    pub fn frequency(&self, system: &System, r: f64) -> Frequency {
+        let omega = system.angular_frequency(r);
+        match self.unit {
+            Unit::Ratio => Frequency::of_ratio(r),
+            Unit::Hertz => Frequency {
+                hertz: Some(units::hertz(omega)),
+                ..Frequency::of_ratio(r)
+            },
+            Unit::Omega => Frequency {
+                r,
+                hertz: Some(units::hertz(omega)),
+                omega: Some(omega),
+            },
+        }
+    }
+
+    /// The columns of the table.
+    pub fn columns(&self) -> Vec<Column> {
+        let titles: &[&[&str]] = match self.unit {
+            Unit::Ratio => &[&["r"]],
+            Unit::Hertz => &[&["frequency", "(Hz)"], &["r"]],
+            Unit::Omega => &[&["frequency", "(Hz)"], &["omega", "(rad/s)"], &["r"]],
+        };
+        titles.iter().map(|title| Column::computed(title)).collect()
+    }
+
+    /// The names of the cells.
+    pub fn names(&self) -> &'static [&'static str] {
+        self.unit.names()
+    }
+}
+
+/// The option that is given, and its unit.
+fn given(arguments: &FrequencyArguments) -> Result<(&str, Unit), Failure> {
+    match (&arguments.r, &arguments.hz, &arguments.omega) {
+        (Some(r), ..) => Ok((r, Unit::Ratio)),
+        (_, Some(hz), _) => Ok((hz, Unit::Hertz)),
+        (.., Some(omega)) => Ok((omega, Unit::Omega)),
+        (None, None, None) => Err(Failure::new("give --r, --hz or --omega")),
+    }
+}
+
+fn too_far(quantity: Quantity, given: f64) -> Failure {
+    Failure::new(format_args!(
+        "{} `{given:?}`: its frequency ratio is too small or too large to compute with",
+        quantity.option()
+    ))
+}
+
+impl Unit {
+    /// What a frequency is read as; of a motion in time, which needs a cycle, or not.
+    fn quantity(self, in_time: bool) -> Quantity {
+        match (self, in_time) {
+            (Self::Ratio, false) => Quantity::FrequencyRatio,
+            (Self::Ratio, true) => Quantity::FrequencyRatioInTime,
+            (Self::Hertz, false) => Quantity::Hertz,
+            (Self::Hertz, true) => Quantity::HertzInTime,
+            (Self::Omega, false) => Quantity::Omega,
+            (Self::Omega, true) => Quantity::OmegaInTime,
+        }
+    }
+
+    fn frequency(self, system: &System, given: f64) -> Frequency {
+        match self {
+            Self::Ratio => Frequency::of_ratio(given),
+            Self::Hertz => Frequency {
+                r: system.frequency_ratio_at_hertz(given),
+                hertz: Some(given),
+                omega: None,
+            },
+            Self::Omega => Frequency {
+                r: system.frequency_ratio(given),
+                hertz: Some(units::hertz(given)),
+                omega: Some(given),
+            },
+        }
+    }
+
+    /// The names of the cells.
+    fn names(self) -> &'static [&'static str] {
+        match self {
+            Self::Ratio => &["r"],
+            Self::Hertz => &["frequency_Hz", "r"],
+            Self::Omega => &["frequency_Hz", "omega_rad_s", "r"],
+        }
+    }
+}
+
 /// A grid of frequencies.
 #[derive(Clone, Debug)]
 pub struct Frequencies {
@@ -42,6 +170,14 @@ impl Frequency {
         self.hertz.unwrap_or_else(|| system.hertz(self.r))
     }
 
+    fn of_ratio(r: f64) -> Self {
+        Self {
+            r,
+            hertz: None,
+            omega: None,
+        }
+    }
+
     /// Its cells.
     pub fn values(&self) -> Vec<Value<'static>> {
         let before = [self.hertz, self.omega].into_iter().flatten();
@@ -52,20 +188,8 @@ impl Frequency {
 impl Frequencies {
     /// The grid; of a motion in time, which needs a cycle, or not.
     pub fn parse(arguments: &FrequencyArguments, in_time: bool) -> Result<Self, Failure> {
-        let (text, unit) = match (&arguments.r, &arguments.hz, &arguments.omega) {
-            (Some(r), ..) => (r, Unit::Ratio),
-            (_, Some(hz), _) => (hz, Unit::Hertz),
-            (.., Some(omega)) => (omega, Unit::Omega),
-            (None, None, None) => return Err(Failure::new("give --r, --hz or --omega")),
-        };
-        let quantity = match (unit, in_time) {
-            (Unit::Ratio, false) => Quantity::FrequencyRatio,
-            (Unit::Ratio, true) => Quantity::FrequencyRatioInTime,
-            (Unit::Hertz, false) => Quantity::Hertz,
-            (Unit::Hertz, true) => Quantity::HertzInTime,
-            (Unit::Omega, false) => Quantity::Omega,
-            (Unit::Omega, true) => Quantity::OmegaInTime,
-        };
+        let (text, unit) = given(arguments)?;
+        let quantity = unit.quantity(in_time);
         Ok(Self {
             given: grid::parse(text, quantity).map_err(Failure::new)?,
             unit,
@@ -78,10 +202,7 @@ impl Frequencies {
         let lost = |given: &&f64| !survives(**given, self.of(system, **given).r);
         match self.given.iter().find(lost) {
             None => Ok(()),
-            Some(given) => Err(Failure::new(format_args!(
-                "{} `{given:?}`: its frequency ratio is too small or too large to compute with",
-                self.quantity.option()
-            ))),
+            Some(given) => Err(too_far(self.quantity, *given)),
         }
     }
 
@@ -101,23 +222,7 @@ impl Frequencies {
     }
 
     fn of(&self, system: &System, given: f64) -> Frequency {
-        match self.unit {
-            Unit::Ratio => Frequency {
-                r: given,
-                hertz: None,
-                omega: None,
-            },
-            Unit::Hertz => Frequency {
-                r: system.frequency_ratio_at_hertz(given),
-                hertz: Some(given),
-                omega: None,
-            },
-            Unit::Omega => Frequency {
-                r: system.frequency_ratio(given),
-                hertz: Some(units::hertz(given)),
-                omega: Some(given),
-            },
-        }
+        self.unit.frequency(system, given)
     }
 
     /// The columns of the table.
@@ -136,10 +241,6 @@ impl Frequencies {
 
     /// The names of the cells.
     pub fn names(&self) -> &'static [&'static str] {
-        match self.unit {
-            Unit::Ratio => &["r"],
-            Unit::Hertz => &["frequency_Hz", "r"],
-            Unit::Omega => &["frequency_Hz", "omega_rad_s", "r"],
-        }
+        self.unit.names()
     }
 }

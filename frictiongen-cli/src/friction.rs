@@ -40,10 +40,10 @@ impl Friction {
 }
 
 impl Frictions {
-    /// The grid, which together with that of the frequencies is not too long.
+    /// The grid, which together with that of the frequencies, if there is one, is not too long.
     pub fn parse(
         arguments: &FrictionArguments,
-        frequencies: &Frequencies,
+        frequencies: Option<&Frequencies>,
     ) -> Result<Self, Failure> {
         let (text, quantity) = match (&arguments.beta, &arguments.friction) {
             (Some(beta), _) => (beta, Quantity::FrictionRatio),
@@ -51,7 +51,8 @@ impl Frictions {
             (None, None) => return Err(Failure::new("give --beta or --friction")),
         };
         let given = grid::parse(text, quantity).map_err(Failure::new)?;
-        if frequencies.len().saturating_mul(given.len()) > MOST_POINTS {
+        let crowded = |of: &&Frequencies| MOST_POINTS < of.len().saturating_mul(given.len());
+        if let Some(frequencies) = frequencies.filter(crowded) {
             let (first, second) = (frequencies.quantity.option(), quantity.option());
             return Err(Failure::new(format_args!(
                 "{first} and {second}: more than {MOST_POINTS} points together, the most there may be"

@@ -97,6 +97,40 @@ pub fn parse(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
     Ok(points)
 }
 
+/// The ends of a range a:b or a:step:b, and the step between them, 0 if none is given.
+pub fn band(text: &str, quantity: Quantity) -> Result<[f64; 3], GridError> {
+    let parts: Vec<&str> = text.split(':').collect();
+    let ends = |first: &str, step: &str, last: &str| -> Result<[f64; 3], String> {
+        let [first, last] = [number(first, quantity)?, number(last, quantity)?];
+        let step = number(step, Quantity::FrictionRatio)?;
+        admit(first, quantity)?;
+        admit(last, quantity)?;
+        if !(first < last) {
+            return Err(format!("the range from {first:?} to {last:?} has no width"));
+        }
+        if !(0.0 <= step && step.is_finite()) {
+            return Err("the step must be above 0".to_owned());
+        }
+        if 0.0 < step {
+            room(0, (last - first) / step)?;
+        }
+        Ok([first, step, last])
+    };
+    let found = match parts.as_slice() {
+        [first, last] => ends(first, "0", last),
+        [first, step, last] if step.trim().parse() == Ok(0.0) => {
+            ends(first, "0", last).and(Err("the step must not be 0".to_owned()))
+        }
+        [first, step, last] => ends(first, step, last),
+        _ => Err("a range a:b or a:step:b is needed".to_owned()),
+    };
+    found.map_err(|problem| GridError {
+        option: quantity.option(),
+        entry: text.to_owned(),
+        problem,
+    })
+}
+
 /// Adds the points of one entry of the list.
 fn extend(points: &mut Vec<f64>, entry: &str, quantity: Quantity) -> Result<(), String> {
     let mut parts = entry.split(':');

@@ -5,6 +5,9 @@ use crate::summary::Summary;
 use serde_json::Value as Json;
 use std::io::{self, Write};
 
+/// Of the object's form: it grows when a field is renamed or means something else.
+const VERSION: u32 = 1;
+
 /// Writes the object.
 pub struct Writer<'a> {
     out: &'a mut dyn Write,
@@ -16,6 +19,7 @@ impl<'a> Writer<'a> {
     pub fn begin(out: &'a mut dyn Write, summary: &Summary) -> io::Result<Self> {
         let list = |values: &[f64]| numbers(values.iter().copied());
         writeln!(out, "{{")?;
+        writeln!(out, "\"version\": {VERSION},")?;
         writeln!(out, "\"scene\": {},", Json::from(summary.scene.as_str()))?;
         let frequencies = list(&summary.natural_frequencies);
         writeln!(out, "\"natural_frequencies\": {frequencies},")?;

@@ -7,7 +7,9 @@ mod args;
 mod asked;
 mod compile;
 mod csv;
+mod curve;
 mod decimal;
+mod destination;
 mod expand;
 mod failure;
 mod frequency;
@@ -15,8 +17,10 @@ mod friction;
 mod grid;
 mod harmonics;
 mod input;
+mod interrupt;
 mod json;
 mod limits;
+mod map;
 mod measure;
 mod number;
 mod orbit;
@@ -67,6 +71,8 @@ pub fn run(
         Command::Response(arguments) => response::run(arguments, out),
         Command::Orbit(arguments) => orbit::run(arguments, out),
         Command::Sensitivity(arguments) => sensitivity::run(arguments, out),
+        Command::Curve(arguments) => curve::run(arguments, out),
+        Command::Map(arguments) => map::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
     }?)

@@ -20,13 +20,13 @@ pub fn run(arguments: &LimitsArguments, out: &mut dyn Write) -> Result<(), Failu
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;
     let measure = Measure::of(&arguments.load, &system)?;
-    let summary = Summary::of(&system, &frequencies, measure);
+    let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let report = LimitsReport {
         system,
         frequencies,
         scale: measure.scale(),
     };
-    output::print(&report, &summary, &arguments.format, out)
+    output::print(&report, &summary, arguments.format.form(), out)
 }
 
 /// The limits, by the names of their cells.

@@ -116,6 +116,35 @@ impl Measure {
         format!("{name}{unit}")
     }
 
+    /// A force over P.
+    pub fn force(&self, ratio: f64) -> f64 {
+        self.scale.map_or(ratio, |scale| scale.friction(ratio))
+    }
+
+    /// dx̄/dτ, at the angular frequency ω; a velocity where the load is known.
+    pub fn velocity(&self, rate: f64, omega: f64) -> f64 {
+        self.scale
+            .map_or(rate, |scale| scale.displacement(rate) * omega)
+    }
+
+    /// d²x̄/dτ², at the angular frequency ω; an acceleration where the load is known.
+    pub fn acceleration(&self, rate: f64, omega: f64) -> f64 {
+        self.scale
+            .map_or(rate, |scale| scale.displacement(rate) * omega * omega)
+    }
+
+    /// The work of a cycle over P²/k₁; the mean power where the load is known.
+    pub fn power(&self, work: f64, omega: f64) -> f64 {
+        self.scale.map_or(work, |scale| {
+            scale.displacement(scale.friction(work)) * omega / (2.0 * std::f64::consts::PI)
+        })
+    }
+
+    /// A name with one of two endings: without a load, and with one.
+    pub fn name(&self, ratio: &str, physical: &str) -> String {
+        self.scale.map_or(ratio, |_| physical).to_owned()
+    }
+
     /// The unit of a displacement, in a heading.
     pub fn length_title(&self) -> &'static str {
         match (self.scale, self.base_motion) {

@@ -1,6 +1,6 @@
 //! Writes what a command computes, point by point, in the format asked for.
 
-use crate::args::FormatArguments;
+use crate::destination::Form;
 use crate::failure::Failure;
 use crate::number::Value;
 use crate::progress::Progress;
@@ -37,19 +37,19 @@ pub type Visitor<'a, P> = &'a mut dyn FnMut(&P) -> Result<(), Failure>;
 pub fn print<R: Report>(
     report: &R,
     summary: &Summary,
-    format: &FormatArguments,
+    form: Form,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let mut out = BufWriter::with_capacity(1 << 16, out);
-    let mut progress = Progress::new(report.len());
-    if format.json {
+    let mut progress = Progress::new(report.len(), "points");
+    if form == Form::Json {
         let mut writer = json::Writer::begin(&mut out, summary)?;
         report.each(&mut |point| {
             progress.step();
             Ok(writer.point(&report.json(point))?)
         })?;
         writer.end()?;
-    } else if format.csv {
+    } else if form == Form::Csv {
         csv::header(&mut out, &report.names())?;
         report.each(&mut |point| {
             progress.step();

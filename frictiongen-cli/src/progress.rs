@@ -12,18 +12,20 @@ const PACE: Duration = Duration::from_millis(200);
 pub struct Progress {
     total: usize,
     done: usize,
+    what: &'static str,
     next: Option<Instant>,
     shown: bool,
 }
 
 impl Progress {
-    /// Of a run over so many points.
-    pub fn new(total: usize) -> Self {
+    /// Of a run over so many points, or whatever they are.
+    pub fn new(total: usize, what: &'static str) -> Self {
         // With the output on the same terminal, the lines themselves tell.
         let watched = io::stderr().is_terminal() && !io::stdout().is_terminal();
         Self {
             total,
             done: 0,
+            what,
             next: watched.then(|| Instant::now() + PATIENCE),
             shown: false,
         }
@@ -31,7 +33,12 @@ impl Progress {
 
     /// One more point is done.
     pub fn step(&mut self) {
-        self.done += 1;
+        self.reach(self.done + 1);
+    }
+
+    /// So many are done.
+    pub fn reach(&mut self, done: usize) {
+        self.done = done;
         let Some(next) = self.next else { return };
         let now = Instant::now();
         if now >= next {
@@ -39,8 +46,8 @@ impl Progress {
             self.shown = true;
             let percent = self.done.saturating_mul(100) / self.total.max(1);
             write(&format!(
-                "\rfrictiongen: {percent:>3} % of {} points",
-                self.total
+                "\rfrictiongen: {percent:>3} % of {} {}",
+                self.total, self.what
             ));
         }
     }

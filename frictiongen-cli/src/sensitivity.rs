@@ -1,7 +1,7 @@
 //! `frictiongen sensitivity`: the derivatives of a response and of both limits, a line for each parameter.
 
 use crate::args::SensitivityArguments;
-use crate::asked;
+use crate::asked::{self, Part};
 use crate::failure::Failure;
 use crate::frequency::{Frequencies, Frequency};
 use crate::friction::{Friction, Frictions};
@@ -10,31 +10,30 @@ use crate::number::Value;
 use crate::output::{self, Report, Visitor};
 use crate::summary::Summary;
 use crate::table::Column;
+use frictiongen::System;
 use frictiongen::study::{NoDerivative, OperatingPoint, ParameterSensitivity, Slope, StudyError};
-use frictiongen::{Error, Of, Regime, System};
 use frictiongen_codegen::Limits;
 use std::io::Write;
 
 /// Runs the command.
 pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.frequency, true)?;
-    let frictions = Frictions::parse(&arguments.friction, &frequencies)?;
+    let frictions = Frictions::parse(&arguments.friction, Some(&frequencies))?;
     let description = arguments.file.description(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
-    let of = asked::motion(&system, "--of", &arguments.of)?;
+    let part = asked::part(&system, &arguments.of)?;
     frequencies.check(&system)?;
     let measure = Measure::of(&arguments.load, &system)?;
     let frictions = frictions.under(&measure)?;
-    let summary = Summary::of(&system, &frequencies, measure);
+    let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let report = SensitivityReport {
         system,
         frequencies,
         frictions,
         measure,
-        of,
-        name: arguments.of.clone(),
+        part,
     };
-    output::print(&report, &summary, &arguments.format, out)
+    output::print(&report, &summary, arguments.format.form(), out)
 }
 
 struct SensitivityReport {
@@ -42,8 +41,7 @@ struct SensitivityReport {
     frequencies: Frequencies,
     frictions: Frictions,
     measure: Measure,
-    of: Of,
-    name: String,
+    part: Part,
 }
 
 /// The derivatives with respect to one parameter at one point, or why there are none.
@@ -179,7 +177,7 @@ impl Report for SensitivityReport {
                     first: true,
                     found: None,
                 };
-                let known = match self.system.response_sensitivities(asked, self.of) {
+                let known = match self.system.response_sensitivities(asked, self.part.of) {
                     Ok(known) => known,
                     Err(error) => {
                         let answer = reason(&error).ok_or_else(|| Failure::new(&error))?;
@@ -187,11 +185,7 @@ impl Report for SensitivityReport {
                         continue;
                     }
                 };
-                let regime = match known.regime {
-                    Regime::Continuous => "continuous",
-                    Regime::Stuck => "stuck",
-                    _ => "stick-slip",
-                };
+                let regime = asked::regime_name(known.regime);
                 for (place, sensitivity) in known.parameters.into_iter().enumerate() {
                     let parameter = sensitivity.parameter;
                     visit(&Point {
@@ -231,7 +225,7 @@ impl Report for SensitivityReport {
         for ((place, (_, title)), unit) in ANSWERS.iter().enumerate().zip(self.units()) {
             let relative = if place == 1 { "p d/dp" } else { "(p/X) d/dp" };
             let title = if place == 0 {
-                format!("{title} {}", self.name)
+                format!("{title} {}", self.part.name)
             } else {
                 (*title).to_owned()
             };
@@ -325,11 +319,7 @@ fn reason(error: &StudyError) -> Option<&'static str> {
             NoDerivative::Degenerate => "degenerate",
             _ => "bend",
         },
-        StudyError::Solver(Error::NoOrbit(error)) => asked::reason(*error),
-        StudyError::Solver(Error::StuckResonance(_)) => "unbounded",
-        StudyError::Solver(Error::NotContinuous(frictiongen::NotContinuous::Unbounded)) => {
-            "unbounded"
-        }
+        StudyError::Solver(error) => asked::no_answer(*error),
         _ => return None,
     })
 }

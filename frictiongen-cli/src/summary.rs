@@ -1,6 +1,5 @@
 //! What stands before the numbers: which scene, its natural frequencies, its groups.
 
-use crate::frequency::Frequencies;
 use crate::measure::Measure;
 use crate::number::computed;
 use frictiongen::System;
@@ -32,11 +31,11 @@ pub struct Summary {
 
 impl Summary {
     /// Of a system.
-    pub fn of(system: &System, frequencies: &Frequencies, measure: Measure) -> Self {
+    pub fn of(system: &System, physical: bool, measure: Measure) -> Self {
         let scene = system.scene();
         let natural_frequencies = system.natural_frequencies();
         let in_hertz = || natural_frequencies.iter().copied().map(units::hertz);
-        let hertz = frequencies.are_physical().then(|| in_hertz().collect());
+        let hertz = physical.then(|| in_hertz().collect());
         Self {
             scene: scene.name.clone(),
             natural_frequencies,

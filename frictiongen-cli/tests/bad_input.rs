@@ -119,7 +119,7 @@ fn every_error_of_a_description_is_on_its_own_line() {
 #[test]
 fn arguments() {
     let cases: &[(&[&str], &str)] = &[
-        (&["map"], "error: unrecognized subcommand 'map'"),
+        (&["chart"], "error: unrecognized subcommand 'chart'"),
         (
             &["limits"],
             "error: the following required arguments were not provided:",

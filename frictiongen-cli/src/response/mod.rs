@@ -19,7 +19,7 @@ use std::io::Write;
 /// Runs the command.
 pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.frequency, false)?;
-    let frictions = Frictions::parse(&arguments.friction, &frequencies)?;
+    let frictions = Frictions::parse(&arguments.friction, Some(&frequencies))?;
     let orders = match asked::harmonics(arguments.harmonics.as_deref())? {
         Some(highest) => (1..=highest).step_by(2).collect(),
         None => Vec::new(),
@@ -30,7 +30,7 @@ pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Fai
     frequencies.check(&system)?;
     let measure = Measure::of(&arguments.load, &system)?;
     let frictions = frictions.under(&measure)?;
-    let summary = Summary::of(&system, &frequencies, measure);
+    let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let report = ResponseReport {
         system,
         frequencies,
@@ -39,5 +39,5 @@ pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Fai
         masses,
         orders,
     };
-    output::print(&report, &summary, &arguments.format, out)
+    output::print(&report, &summary, arguments.format.form(), out)
 }

@@ -2,7 +2,7 @@
 //! point.
 
 use super::point::{Movement, Point, Question};
-use crate::asked::Mass;
+use crate::asked::{CONTACT, Mass};
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
@@ -29,9 +29,6 @@ pub struct ResponseReport {
     /// Which harmonics.
     pub orders: Vec<u32>,
 }
-
-/// What the contact is called; no mass can be.
-const CONTACT: &str = "contact";
 
 impl ResponseReport {
     /// The names of the parts that move.

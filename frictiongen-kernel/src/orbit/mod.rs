@@ -15,6 +15,7 @@ mod matrix;
 mod motion;
 mod newton;
 mod provides;
+mod rates;
 mod record;
 mod segments;
 mod shooting;
@@ -136,6 +137,12 @@ where
         Segments::from(self, 0)
     }
 
+    /// β = F/P.
+    #[must_use]
+    pub fn beta(&self) -> S {
+        self.setting.beta
+    }
+
     /// After how many cycles of the excitation the motion repeats: 1, or up to [`MAX_PERIOD`] for a subharmonic state.
     #[must_use]
     pub fn period(&self) -> u32 {
@@ -168,6 +175,24 @@ where
         let stuck = self.sticking_intervals();
         let sum = stuck.fold(S::constant(0.0), |sum, (_, length)| sum + length);
         sum * S::inverse_pi() * S::constant(0.5) / self.cycles()
+    }
+
+    /// How far the contact slides in a period, ∮|dz̄|.  The friction force takes β times as much work out of the motion.
+    #[must_use]
+    pub fn sliding_distance(&self) -> S {
+        let zero = S::constant(0.0);
+        let mut distance = zero;
+        let mut last: Option<SegmentStart<S>> = None;
+        // Within a segment the direction of sliding does not change.
+        for mark in self.segments() {
+            if let Some(last) = last {
+                distance = distance + (mark.relative - last.relative).abs();
+            }
+            last = Some(mark);
+        }
+        let around = last.zip(self.marks().first());
+        let closing = around.map_or(zero, |(last, first)| (first.relative - last.relative).abs());
+        distance + closing
     }
 
     /// The period, in cycles.

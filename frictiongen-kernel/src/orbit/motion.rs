@@ -2,7 +2,7 @@
 
 use super::gauss::{PANEL, SIXTEEN};
 use super::segments::Segments;
-use super::{Orbit, SegmentStart};
+use super::{Orbit, SegmentStart, rates};
 use crate::number::complex::{self, Complex};
 use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
@@ -76,6 +76,26 @@ where
     /// dx̄/dτ at τ, counted from where the relative motion in the contact leaves its maximum.
     pub fn velocity(&self, tau: S) -> S {
         self.asked(tau, |sum, tau| sum.local(tau).slope)
+    }
+
+    /// d²x̄/dτ² at τ, counted from where the relative motion in the contact leaves its maximum.  It jumps where the contact
+    /// turns, stops or breaks away; there it is that of what follows.
+    pub fn acceleration(&self, tau: S) -> S {
+        self.asked(tau, |sum, tau| sum.local(tau).curve)
+    }
+
+    /// The largest |dx̄/dτ| of the period.
+    pub fn largest_velocity(&self) -> S {
+        let mut largest = S::constant(0.0);
+        self.each(|_, sum| largest = largest.max(rates::largest_slope(sum)));
+        largest
+    }
+
+    /// The largest |d²x̄/dτ²| of the period, on either side of its jumps.
+    pub fn largest_acceleration(&self) -> S {
+        let mut largest = S::constant(0.0);
+        self.each(|_, sum| largest = largest.max(rates::largest_curve(sum)));
+        largest
     }
 
     /// X_n, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the excitation; X_0 is the mean.

@@ -3,11 +3,16 @@
 mod at;
 mod builder;
 mod compiled;
+#[cfg(feature = "desk")]
+mod curve;
 mod error;
 mod large;
+#[cfg(feature = "desk")]
+mod map;
 mod motion;
 mod orbit;
 mod physical;
+mod response;
 mod sensitivity;
 mod simulation;
 mod system;
@@ -16,12 +21,17 @@ pub mod units;
 pub use at::SystemAt;
 pub use builder::Builder;
 pub use compiled::{CompiledAt, CompiledContact, CompiledMotion, CompiledSystem};
+#[cfg(feature = "desk")]
+pub use curve::{Curve, CurveError, CurvePoint, CurveRequest, End, Gap, Movement, Piece};
 pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
 pub use frictiongen_kernel::orbit::NoDerivative;
+#[cfg(feature = "desk")]
+pub use map::{Boundary, LimitLines, Map, MapColumn, MapPoint, MapRequest, Pattern};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
 pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
 pub use physical::{OperatingPoint, Parameter, ParameterSensitivity, ResponseSensitivities, Slope};
+pub use response::{Size, Swing, SystemResponse};
 pub use sensitivity::{Sensitive, Varied};
 pub use simulation::SystemSimulation;
 pub use system::System;

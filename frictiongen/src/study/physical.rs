@@ -7,8 +7,8 @@ use super::error::{StudyError, UnknownMass};
 use super::sensitivity::{Sensitive, Varied, quantities};
 use super::system::System;
 use super::units::{Load, angular_frequency, reversed_phase};
-use super::{NoDerivative, SystemOrbit};
-use crate::{NotContinuous, Of, OutOfDomain, Regime};
+use super::{NoDerivative, SystemOrbit, SystemResponse};
+use crate::{Of, OutOfDomain, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::{Float, Scalar};
@@ -242,14 +242,11 @@ impl System {
         }
         let (r, beta) = self.groups_at(point)?;
         let at = self.at(r)?;
-        let (regime, orbit) = match at.motion(beta) {
-            Ok(_) => (Regime::Continuous, None),
-            Err(NotContinuous::StickSlip) => (Regime::StickSlip, Some(at.orbit(beta)?)),
-            Err(NotContinuous::Stuck) => {
-                at.stuck()?;
-                (Regime::Stuck, None)
-            }
-            Err(error) => return Err(error.into()),
+        let response = at.response(beta)?;
+        let regime = response.regime();
+        let orbit = match &response {
+            SystemResponse::StickSlip(orbit) => Some(&**orbit),
+            _ => None,
         };
         let mut parameters = Vec::new();
         let unvaried = self.unvaried();
@@ -260,7 +257,7 @@ impl System {
             };
             let varied = own.as_ref().unwrap_or(&unvaried);
             let groups = groups(self, varied, point, parameter);
-            let answers = self.answers(varied, &groups, (regime, orbit.as_ref()), (point, of))?;
+            let answers = self.answers(varied, &groups, (regime, orbit), (point, of))?;
             let slope = |answer| slope(answer, value);
             let amplitude = slope(answers.amplitude * groups.length).ok_or(NoDerivative::Graze)?;
             parameters.push(ParameterSensitivity {

@@ -46,6 +46,7 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
             "number::scalar::Scalar::replaced",
             "number::scalar::Scalar::select",
             "modal_sum::search::Peak::effort",
+            "orbit::Orbit::beta",
         ],
     ),
     (
@@ -158,6 +159,7 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
             "orbit::Orbit::origin",
             "orbit::Orbit::period",
             "orbit::Orbit::reversals",
+            "orbit::Orbit::sliding_distance",
             "orbit::Orbit::sticking_intervals",
             "orbit::Orbit::stops",
             "orbit::Orbit::stuck_fraction",

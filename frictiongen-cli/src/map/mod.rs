@@ -1,0 +1,101 @@
+//! `frictiongen map`: what the contact does over frequency and friction.
+
+mod lines;
+mod points;
+mod region;
+
+use crate::args::MapArguments;
+use crate::asked;
+use crate::destination::{Destination, Form};
+use crate::failure::Failure;
+use crate::frequency::Frequencies;
+use crate::friction::Frictions;
+use crate::interrupt;
+use crate::measure::Measure;
+use crate::output;
+use crate::progress::Progress;
+use crate::summary::Summary;
+use frictiongen::System;
+use frictiongen::study::MapRequest;
+use frictiongen_codegen::Limits;
+use lines::BoundaryReport;
+use points::MapReport;
+use std::io::Write;
+use std::sync::Mutex;
+
+/// The most digits of a boundary.
+const MOST_DIGITS: u32 = 12;
+
+/// Runs the command.
+pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let destination = Destination::of(
+        arguments.output.as_deref(),
+        arguments.file.path(),
+        &arguments.format,
+        true,
+    )?;
+    let digits = arguments.boundaries.as_deref().map(digits).transpose()?;
+    let frequencies = Frequencies::parse(&arguments.frequency, false)?;
+    let frictions = Frictions::parse(&arguments.friction, Some(&frequencies))?;
+    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let system = System::try_from(description.scene).map_err(Failure::new)?;
+    frequencies.check(&system)?;
+    let parts = asked::parts(&system, &arguments.of)?;
+    let measure = Measure::of(&arguments.load, &system)?;
+    let frictions = frictions.under(&measure)?;
+    let request = MapRequest {
+        r: frequencies
+            .iter(&system)
+            .map(|frequency| frequency.r)
+            .collect(),
+        beta: frictions.iter().map(|friction| friction.beta).collect(),
+        of: parts.iter().map(|part| part.of).collect(),
+    };
+    interrupt::watch();
+    let progress = Mutex::new(Progress::new(request.r.len(), "frequencies"));
+    let map = system.map(&request, |done| {
+        if let Ok(mut progress) = progress.lock() {
+            progress.reach(done);
+        }
+        !interrupt::pressed()
+    });
+    drop(progress);
+    let map = map.map_err(Failure::new)?;
+    let (done, asked) = (map.columns.len(), request.r.len());
+    let summary = Summary::of(&system, frequencies.are_physical(), measure);
+    let boundaries = digits.map(|digits| system.boundaries(&map, digits));
+    let report = MapReport {
+        system,
+        frequencies,
+        frictions,
+        measure,
+        parts,
+        map,
+    };
+    destination.write(out, |out| match (destination.form, boundaries) {
+        (Form::Svg | Form::Png, _) => Err(Failure::new("pictures are not drawn yet")),
+        (form, Some(boundaries)) => {
+            let report = BoundaryReport {
+                map: &report,
+                boundaries,
+            };
+            output::print(&report, &summary, form, out)
+        }
+        (form, None) => output::print(&report, &summary, form, out),
+    })?;
+    if done < asked {
+        return Err(Failure::new(format_args!(
+            "stopped: the first {done} of {asked} frequencies are done and written"
+        )));
+    }
+    Ok(())
+}
+
+fn digits(text: &str) -> Result<u32, Failure> {
+    match text.trim().parse() {
+        Ok(digits @ 1..=MOST_DIGITS) => Ok(digits),
+        _ => Err(Failure::new(format_args!(
+            "--boundaries `{text}`: a whole number from 1 to {MOST_DIGITS} is needed"
+        ))),
+    }
+}

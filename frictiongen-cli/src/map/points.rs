@@ -1,0 +1,169 @@
+//! Writes the points of a map.
+
+use super::region;
+use crate::asked::{Part, regime_name};
+use crate::failure::Failure;
+use crate::frequency::{Frequencies, Frequency};
+use crate::friction::{Friction, Frictions};
+use crate::measure::Measure;
+use crate::number::Value;
+use crate::output::{Report, Visitor};
+use crate::table::Column;
+use frictiongen::study::{Map, MapPoint};
+use frictiongen::{Error, System};
+use serde_json::Value as Json;
+use std::borrow::Cow;
+
+/// What is computed.
+pub struct MapReport {
+    /// Of which system.
+    pub system: System,
+    /// At which frequencies.
+    pub frequencies: Frequencies,
+    /// At which friction.
+    pub frictions: Frictions,
+    /// In which units.
+    pub measure: Measure,
+    /// Of which motions.
+    pub parts: Vec<Part>,
+    /// The map.
+    pub map: Map,
+}
+
+/// A point, with its region's name.
+pub struct Point {
+    frequency: Frequency,
+    friction: Friction,
+    region: Cow<'static, str>,
+    found: Result<MapPoint, Error>,
+}
+
+impl MapReport {
+    fn once<'a>(&self, point: &'a Point) -> Vec<Value<'a>> {
+        let mut values = point.frequency.values();
+        values.extend(point.friction.values());
+        let found = point.found.as_ref().ok();
+        let pattern = found.map(|found| found.pattern);
+        let count = |value: Option<usize>| value.map_or(Value::Missing, Value::Count);
+        // Of a motion that does not repeat nothing is counted.
+        let counted = pattern.filter(|pattern| 0 < pattern.period);
+        values.extend([
+            pattern.map_or(Value::Missing, |pattern| regime_name(pattern.regime).into()),
+            Value::Text(&point.region),
+            count(counted.map(|pattern| pattern.period as usize)),
+            count(counted.map(|pattern| pattern.stops)),
+            count(counted.map(|pattern| pattern.reversals)),
+            found.map(|found| found.stuck_fraction).into(),
+        ]);
+        values
+    }
+
+    fn once_names(&self) -> Vec<&'static str> {
+        let counts = vec![
+            "regime",
+            "region",
+            "period",
+            "stops",
+            "reversals",
+            "stuck_fraction",
+        ];
+        [
+            self.frequencies.names().to_vec(),
+            self.frictions.names().to_vec(),
+            counts,
+        ]
+        .concat()
+    }
+
+    fn amplitudes(&self, point: &Point) -> Vec<Value<'static>> {
+        let found = point.found.as_ref().ok();
+        let amplitude = |index: usize| found?.amplitudes.get(index).copied();
+        let places = 0..self.parts.len();
+        places
+            .map(|index| {
+                amplitude(index)
+                    .map(|size| self.measure.length(size))
+                    .into()
+            })
+            .collect()
+    }
+
+    fn amplitude_names(&self) -> impl Iterator<Item = String> {
+        let parts = self.parts.iter();
+        parts.map(|part| {
+            self.measure
+                .length_name(&format!("{}.amplitude", part.name))
+        })
+    }
+}
+
+impl Report for MapReport {
+    type Point = Point;
+
+    fn len(&self) -> usize {
+        self.map.columns.len().saturating_mul(self.map.beta.len())
+    }
+
+    fn each(&self, visit: Visitor<'_, Point>) -> Result<(), Failure> {
+        let frequencies: Vec<Frequency> = self.frequencies.iter(&self.system).collect();
+        for column in &self.map.columns {
+            // A map that was cancelled lacks some.
+            let Some(frequency) = frequencies.iter().find(|frequency| frequency.r == column.r)
+            else {
+                continue;
+            };
+            for (friction, found) in self.frictions.iter().zip(&column.points) {
+                let pattern = match found {
+                    Ok(found) => Ok(found.pattern),
+                    Err(error) => Err(*error),
+                };
+                visit(&Point {
+                    frequency: *frequency,
+                    friction,
+                    region: region::name(pattern),
+                    found: found.clone(),
+                })?;
+            }
+        }
+        Ok(())
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        let mut columns = self.frequencies.columns();
+        columns.extend(self.frictions.columns());
+        columns.extend([
+            Column::words(&["regime"], ["continuous"]),
+            Column::words(&["region"], ["sliding reversals"]),
+            Column::counts(&["period"]),
+            Column::counts(&["stops"]),
+            Column::counts(&["reversals"]),
+            Column::computed(&["stuck"]),
+        ]);
+        let unit = self.measure.length_title();
+        let parts = self.parts.iter();
+        columns.extend(parts.map(|part| Column::computed(&[&part.name, "amplitude", unit])));
+        columns
+    }
+
+    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Value<'a>>> {
+        vec![self.record(point)]
+    }
+
+    fn names(&self) -> Vec<String> {
+        let once = self.once_names().into_iter().map(str::to_owned);
+        once.chain(self.amplitude_names()).collect()
+    }
+
+    fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
+        self.once(point)
+            .into_iter()
+            .chain(self.amplitudes(point))
+            .collect()
+    }
+
+    fn json(&self, point: &Point) -> Json {
+        let names = self.names().into_iter();
+        let values = self.record(point).into_iter().map(|value| value.json());
+        Json::Object(names.zip(values).collect())
+    }
+}

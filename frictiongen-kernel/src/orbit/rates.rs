@@ -1,0 +1,64 @@
+//! The largest velocity and acceleration within a segment.
+//!
+//! Places are taken sixteen to a half-turn of the fastest motion, and every extreme between them is refined.  Two extremes
+//! within one such step would differ by less than a thousandth; that is all this search can miss.
+
+use crate::number::scalar::Float;
+use crate::simulation::Sum;
+
+/// Places to a half-turn of the fastest motion.
+const PLACES: f64 = 16.0;
+/// The most places in a segment.
+const MOST: f64 = 4096.0;
+/// Steps of a refinement: each keeps 0.62 of an interval, so that these leave rounding.
+const STEPS: usize = 40;
+
+/// The largest |f′|.
+pub(super) fn largest_slope<S: Float>(sum: &Sum<'_, S>) -> S {
+    largest(sum, |tau| sum.local(tau).slope.abs())
+}
+
+/// The largest |f″|.
+pub(super) fn largest_curve<S: Float>(sum: &Sum<'_, S>) -> S {
+    largest(sum, |tau| sum.local(tau).curve.abs())
+}
+
+/// The largest value of `size` over the reach of a sum.
+fn largest<S: Float>(sum: &Sum<'_, S>, size: impl Fn(S) -> S) -> S {
+    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    let wanted = sum.rate * sum.reach * S::inverse_pi() * S::constant(PLACES);
+    let places = -(-wanted.max(S::constant(8.0)).min(S::constant(MOST))).floor();
+    let step = sum.reach / places;
+    let (mut before, mut here) = (zero, size(zero));
+    let mut best = here;
+    let mut place = one;
+    while place <= places {
+        let next = size(step * place);
+        best = best.max(next);
+        if before <= here && next <= here && one < place {
+            best = best.max(summit(step * (place - one - one), step * place, &size));
+        }
+        (before, here) = (here, next);
+        place = place + one;
+    }
+    best
+}
+
+/// The summit between two places, by golden sections.
+fn summit<S: Float>(mut low: S, mut high: S, size: &impl Fn(S) -> S) -> S {
+    let golden = S::constant(0.618_033_988_749_894_8);
+    let (mut a, mut b) = (high - (high - low) * golden, low + (high - low) * golden);
+    let (mut at_a, mut at_b) = (size(a), size(b));
+    for _ in 0..STEPS {
+        if at_a < at_b {
+            (low, a, at_a) = (a, b, at_b);
+            b = low + (high - low) * golden;
+            at_b = size(b);
+        } else {
+            (high, b, at_b) = (b, a, at_a);
+            a = high - (high - low) * golden;
+            at_a = size(a);
+        }
+    }
+    at_a.max(at_b)
+}

@@ -1,0 +1,181 @@
+//! The page: title, panels in rows, sketch and legend, caption.
+
+use crate::figure::{Figure, Page};
+use crate::frame::Frame;
+use crate::geometry::Rect;
+use crate::label::Label;
+use crate::layer::Anchor;
+use crate::legend::Legend;
+use crate::palette::SOFT;
+use crate::panel::draw_panel;
+use crate::svg::{Canvas, Style};
+
+const MARGIN: f64 = 14.0;
+/// Between panels.
+const GAP: f64 = 22.0;
+const TITLE: f64 = 16.0;
+const CAPTION: f64 = 13.0;
+/// Distance of lines of text, in their size.
+const LEADING: f64 = 1.3;
+
+/// The whole figure as SVG.
+pub(crate) fn figure(figure: &Figure) -> String {
+    let most = if figure.page == Page::Narrow { 1 } else { 2 };
+    let columns = figure
+        .columns
+        .clamp(1, most)
+        .min(figure.panels.len().max(1));
+    let width = match (figure.page, columns) {
+        (Page::Narrow, _) => 400.0,
+        (Page::Wide, 1) => 640.0,
+        (Page::Wide, _) => 900.0,
+    };
+    let room = width - 2.0 * MARGIN;
+    let mut canvas = Canvas::default();
+    let heading = heading(figure);
+    let mut y = MARGIN
+        + text(
+            &mut canvas,
+            &heading,
+            MARGIN,
+            room,
+            Style::new(TITLE, Anchor::Start),
+        );
+    let mut legend = Legend::default();
+    for (index, rect) in rows(figure, columns, room, &mut y).into_iter().enumerate() {
+        if let Some(panel) = figure.panels.get(index) {
+            draw_panel(
+                &mut canvas,
+                panel,
+                &Frame::new(panel, rect, false),
+                &mut legend,
+            );
+        }
+    }
+    for key in &figure.keys {
+        legend.add(&key.name, key.sample);
+    }
+    y = below(&mut canvas, figure, &legend, room, y);
+    if !figure.caption.is_empty() {
+        let style = Style::new(CAPTION, Anchor::Start).coloured(SOFT);
+        y += 6.0 + text(&mut canvas, &figure.caption, y + 6.0, room, style);
+    }
+    canvas.document(
+        (width, y + 0.6 * MARGIN),
+        &heading.plain(),
+        &description(figure, &legend),
+    )
+}
+
+/// The frames of all panels; moves `y` below them.
+fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
+    let cell = (room - GAP * (columns - 1) as f64) / columns as f64;
+    // Frames stand exactly below each other: a column has the margins of its neediest panel.
+    let margins: Vec<(f64, f64)> = (0..columns)
+        .map(|column| {
+            let panels = figure.panels.iter().skip(column).step_by(columns);
+            panels.map(Frame::sides).fold((0.0, 0.0), |most, sides| {
+                (f64::max(most.0, sides.0), f64::max(most.1, sides.1))
+            })
+        })
+        .collect();
+    let mut frames = Vec::new();
+    for row in figure.panels.chunks(columns) {
+        let above = row.iter().map(Frame::above).fold(0.0, f64::max);
+        let under = row.iter().map(Frame::under).fold(0.0, f64::max);
+        let widths: Vec<f64> = margins
+            .iter()
+            .map(|(left, right)| cell - left - right)
+            .collect();
+        let least = widths.iter().copied().fold(f64::INFINITY, f64::min);
+        let usual = (0.7 * least).clamp(200.0, 340.0);
+        let asked = row
+            .iter()
+            .filter_map(|panel| panel.height)
+            .filter(|height| height.is_finite())
+            .fold(0.0, f64::max);
+        let height = if 0.0 < asked {
+            asked.clamp(60.0, 4000.0)
+        } else {
+            usual
+        };
+        for (column, ((left, _), width)) in margins.iter().zip(widths).enumerate().take(row.len()) {
+            frames.push(Rect {
+                left: MARGIN + column as f64 * (cell + GAP) + left,
+                top: *y + above,
+                width,
+                height,
+            });
+        }
+        *y += above + height + under + 10.0;
+    }
+    frames
+}
+
+/// Sketch and legend, side by side where there is room; returns where they end.
+fn below(canvas: &mut Canvas, figure: &Figure, legend: &Legend, room: f64, top: f64) -> f64 {
+    let sketch = figure.sketch.as_ref();
+    let size = sketch.and_then(|sketch| Some((sketch, sketch.size()?)));
+    let Some((sketch, (wide, high))) = size else {
+        let height = legend.draw(Some(canvas), (MARGIN, top), room);
+        return top + height;
+    };
+    let beside = room - wide - 36.0;
+    if legend.is_empty() || beside < legend.least() {
+        sketch.draw(canvas, (MARGIN + 0.5 * (room - wide).max(0.0), top));
+        let under = top + high + 8.0;
+        return under + legend.draw(Some(canvas), (MARGIN, under), room);
+    }
+    let tall = legend.draw(None, (0.0, 0.0), beside);
+    let both = high.max(tall);
+    sketch.draw(canvas, (MARGIN, top + 0.5 * (both - high)));
+    legend.draw(
+        Some(canvas),
+        (MARGIN + wide + 36.0, top + 0.5 * (both - tall)),
+        beside,
+    );
+    top + both
+}
+
+fn heading(figure: &Figure) -> Label {
+    if figure.number.is_empty() {
+        figure.title.clone()
+    } else {
+        let number = figure.number.replace(['\\', '*', '_', '^'], " ");
+        Label::new(&format!("**Figure {number}.**  ")).then(&figure.title)
+    }
+}
+
+/// Wrapped text; returns its height.
+fn text(canvas: &mut Canvas, label: &Label, top: f64, room: f64, style: Style) -> f64 {
+    let lines = label.wrapped(style.size, room / 1.03);
+    for (index, line) in lines.iter().enumerate() {
+        let baseline = top + style.size + LEADING * style.size * index as f64;
+        canvas.text(line, (MARGIN, baseline), style);
+    }
+    LEADING * style.size * lines.len() as f64
+}
+
+/// The figure in words, for readers who do not see it.
+fn description(figure: &Figure, legend: &Legend) -> String {
+    let mut sentences: Vec<String> = figure
+        .panels
+        .iter()
+        .map(|panel| {
+            let (x, y) = (panel.x.label.plain(), panel.y.label.plain());
+            let over = format!("{y} over {x}.");
+            if panel.title.is_empty() {
+                over
+            } else {
+                format!("{}: {over}", panel.title.plain())
+            }
+        })
+        .collect();
+    if !legend.is_empty() {
+        sentences.push(format!("Drawn are: {}.", legend.names().join("; ")));
+    }
+    if !figure.caption.is_empty() {
+        sentences.push(figure.caption.plain());
+    }
+    sentences.join(" ")
+}

@@ -1,0 +1,387 @@
+//! Labels: text with real subscripts, superscripts and italic symbols.
+
+use crate::metrics::advance;
+
+/// How a run of text is cut.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Face {
+    /// Upright.
+    #[default]
+    Regular,
+    /// Slanted, for symbols.
+    Italic,
+    /// Heavy, for headings.
+    Bold,
+}
+
+/// Where a run of text stands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Level {
+    /// On the line.
+    #[default]
+    Base,
+    /// Below it, smaller.
+    Sub,
+    /// Above it, smaller.
+    Sup,
+}
+
+impl Level {
+    /// The size of its letters, relative to the line's.
+    pub(crate) const fn size(self) -> f64 {
+        match self {
+            Self::Base => 1.0,
+            Self::Sub | Self::Sup => 0.74,
+        }
+    }
+
+    /// How far below the line it stands, relative to the line's size.
+    pub(crate) const fn drop(self) -> f64 {
+        match self {
+            Self::Base => 0.0,
+            Self::Sub => 0.22,
+            Self::Sup => -0.36,
+        }
+    }
+}
+
+/// A run of text of one kind.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Span {
+    /// What it says.
+    pub text: String,
+    /// How it is cut.
+    pub face: Face,
+    /// Where it stands.
+    pub level: Level,
+}
+
+/// A line of text, read from simple markup.
+///
+/// | markup | means |
+/// |---|---|
+/// | `*r*` | italic |
+/// | `**(a)**` | bold |
+/// | `_1`, `_lim`, `_{fft}` | subscript: the digits or the letters that follow, or what the braces hold |
+/// | `^2`, `^*`, `^{−3}` | superscript, alike |
+/// | `X̄` | a bar: the combining macron, U+0304, after its letter |
+/// | `\_`, `\^`, `\*`, `\\` | the character itself |
+///
+/// A star that nothing closes is a star.
+///
+/// ```
+/// use frictiongen_plot::Label;
+/// assert_eq!(Label::new("*X̄*_1 at *β*_lim").plain(), "X̄1 at βlim");
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Label {
+    spans: Vec<Span>,
+}
+
+impl Label {
+    /// Reads markup.
+    #[must_use]
+    pub fn new(markup: &str) -> Self {
+        let mut label = Self::default();
+        let characters: Vec<char> = markup.chars().collect();
+        label.read(&characters, Face::Regular, Level::Base);
+        label
+    }
+
+    /// Text that means just what it says.
+    #[must_use]
+    pub fn verbatim(text: &str) -> Self {
+        let mut label = Self::default();
+        label.push(text, Face::Regular, Level::Base);
+        label
+    }
+
+    /// Its runs.
+    #[must_use]
+    pub fn spans(&self) -> &[Span] {
+        &self.spans
+    }
+
+    /// Whether it says nothing.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.spans.is_empty()
+    }
+
+    /// Its text without any markup.
+    #[must_use]
+    pub fn plain(&self) -> String {
+        self.spans.iter().map(|span| span.text.as_str()).collect()
+    }
+
+    /// This label and then another.
+    #[must_use]
+    pub fn then(mut self, other: &Self) -> Self {
+        for span in &other.spans {
+            self.push(&span.text, span.face, span.level);
+        }
+        self
+    }
+
+    /// How wide it is at a size, in the embedded fonts.
+    pub(crate) fn width(&self, size: f64) -> f64 {
+        self.spans
+            .iter()
+            .map(|span| {
+                let advances = span.text.chars().map(|c| u32::from(advance(span.face, c)));
+                f64::from(advances.sum::<u32>()) * 1e-3 * span.level.size() * size
+            })
+            .sum()
+    }
+
+    /// Lines that are no wider than so much, unless a word is.
+    pub(crate) fn wrapped(&self, size: f64, width: f64) -> Vec<Self> {
+        let mut lines = Vec::new();
+        let mut line = Self::default();
+        for word in self.words() {
+            let longer = line.clone().then(&word);
+            if line.is_empty() || longer.trimmed().width(size) <= width {
+                line = longer;
+            } else {
+                lines.push(line.trimmed());
+                line = word;
+            }
+        }
+        lines.push(line.trimmed());
+        lines.retain(|line| !line.is_empty());
+        lines
+    }
+
+    /// Its words, each with the space after it.
+    fn words(&self) -> Vec<Self> {
+        let mut words = Vec::new();
+        let mut word = Self::default();
+        for span in &self.spans {
+            for part in span.text.split_inclusive(' ') {
+                word.push(part, span.face, span.level);
+                if part.ends_with(' ') && span.level == Level::Base {
+                    words.push(std::mem::take(&mut word));
+                }
+            }
+        }
+        words.push(word);
+        words
+    }
+
+    fn trimmed(&self) -> Self {
+        let mut label = self.clone();
+        if let Some(last) = label.spans.last_mut() {
+            last.text.truncate(last.text.trim_end().len());
+        }
+        label.spans.retain(|span| !span.text.is_empty());
+        label
+    }
+
+    fn push(&mut self, text: &str, face: Face, level: Level) {
+        if text.is_empty() {
+            return;
+        }
+        match self.spans.last_mut() {
+            Some(last) if last.face == face && last.level == level => last.text.push_str(text),
+            _ => self.spans.push(Span {
+                text: text.to_owned(),
+                face,
+                level,
+            }),
+        }
+    }
+
+    fn read(&mut self, markup: &[char], face: Face, level: Level) {
+        let mut rest = markup;
+        while let [first, after @ ..] = rest {
+            rest = match (*first, level) {
+                ('\\', _) => match after {
+                    [escaped, after @ ..] => {
+                        self.letter(*escaped, face, level);
+                        after
+                    }
+                    [] => after,
+                },
+                ('*', _) => self.starred(after, face, level),
+                ('_', Level::Base) => self.shifted(after, face, Level::Sub),
+                ('^', Level::Base) => self.shifted(after, face, Level::Sup),
+                (character, _) => {
+                    self.letter(character, face, level);
+                    after
+                }
+            };
+        }
+    }
+
+    /// What follows a star: emphasised text, or more after a star that stands for itself.
+    fn starred<'a>(&mut self, after: &'a [char], face: Face, level: Level) -> &'a [char] {
+        let (marks, inner) = match after {
+            ['*', inner @ ..] => (2, inner),
+            _ => (1, after),
+        };
+        // A star before a space multiplies.
+        if inner.first() != Some(&' ')
+            && let Some((inner, rest)) = closed(inner, marks)
+        {
+            let emphasis = match (face, marks) {
+                (Face::Italic, 1) | (Face::Bold, 2) => Face::Regular,
+                (_, 1) => Face::Italic,
+                _ => Face::Bold,
+            };
+            self.read(inner, emphasis, level);
+            rest
+        } else {
+            self.letter('*', face, level);
+            after
+        }
+    }
+
+    /// What follows `_` or `^`.
+    fn shifted<'a>(&mut self, after: &'a [char], face: Face, level: Level) -> &'a [char] {
+        if let ['{', inner @ ..] = after
+            && let Some(end) = inner.iter().position(|c| *c == '}')
+            && let (inner, [_, rest @ ..]) = inner.split_at(end)
+        {
+            self.read(inner, face, level);
+            return rest;
+        }
+        let alike = |kind: fn(&char) -> bool| after.iter().take_while(|c| kind(c)).count();
+        let digits = alike(|c| c.is_ascii_digit());
+        let letters = alike(|c| c.is_alphabetic());
+        let (inner, rest) = after.split_at(digits.max(letters).max(1).min(after.len()));
+        for character in inner {
+            self.letter(*character, face, level);
+        }
+        rest
+    }
+
+    /// One character; the subscript digits of Unicode, which few fonts have, become real subscripts.
+    fn letter(&mut self, character: char, face: Face, level: Level) {
+        let code = character as u32;
+        let digit = (0x2080..=0x2089)
+            .contains(&code)
+            .then(|| char::from_digit(code - 0x2080, 10))
+            .flatten();
+        let (character, level) = digit.map_or((character, level), |digit| (digit, Level::Sub));
+        // A bar is the combining macron; the combining overline is meant for runs.
+        let character = if character == '\u{305}' {
+            '\u{304}'
+        } else {
+            character
+        };
+        self.push(character.encode_utf8(&mut [0; 4]), face, level);
+    }
+}
+
+/// What stands before as many stars, and what after them.
+fn closed(markup: &[char], marks: usize) -> Option<(&[char], &[char])> {
+    let mut at = 0;
+    while let Some(rest) = markup.get(at..) {
+        match rest {
+            ['\\' | '^', _, ..] => at += 2,
+            ['*', '*', ..] if marks == 2 && at != 0 => {
+                return Some((markup.get(..at)?, markup.get(at + 2..)?));
+            }
+            ['*', ..] if marks == 1 && at != 0 => {
+                return Some((markup.get(..at)?, markup.get(at + 1..)?));
+            }
+            [_, ..] => at += 1,
+            [] => return None,
+        }
+    }
+    None
+}
+
+impl From<&str> for Label {
+    fn from(markup: &str) -> Self {
+        Self::new(markup)
+    }
+}
+
+impl From<String> for Label {
+    fn from(markup: String) -> Self {
+        Self::new(&markup)
+    }
+}
+
+impl From<&Self> for Label {
+    fn from(label: &Self) -> Self {
+        label.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Face, Label, Level};
+
+    /// Runs as `face level text`, short.
+    fn read(markup: &str) -> Vec<String> {
+        let name = |span: &super::Span| {
+            let face = match span.face {
+                Face::Regular => "",
+                Face::Italic => "i",
+                Face::Bold => "b",
+            };
+            let level = match span.level {
+                Level::Base => "",
+                Level::Sub => "_",
+                Level::Sup => "^",
+            };
+            format!("{face}{level}:{}", span.text)
+        };
+        Label::new(markup).spans().iter().map(name).collect()
+    }
+
+    #[test]
+    fn reads_markup() {
+        assert_eq!(read("β_lim"), [":β", "_:lim"]);
+        assert_eq!(read("*β*^*_lim"), ["i:β", "^:*", "_:lim"]);
+        assert_eq!(
+            read("*F*/(*k*_1*Y*)"),
+            ["i:F", ":/(", "i:k", "_:1", "i:Y", ":)"]
+        );
+        assert_eq!(read("*X̄*_{1, fft} = 2"), ["i:X̄", "_:1, fft", ": = 2"]);
+        assert_eq!(read("10^{−3}"), [":10", "^:−3"]);
+        assert_eq!(
+            read("**Figure 6.6** *m*₁"),
+            ["b:Figure 6.6", ": ", "i:m", "_:1"]
+        );
+        assert_eq!(read("*β_lim*"), ["i:β", "i_:lim"]);
+        assert_eq!(read("_{*n*}"), ["i_:n"]);
+    }
+
+    #[test]
+    fn keeps_what_is_no_markup() {
+        assert_eq!(read("a * b * c"), [":a * b * c"]);
+        assert_eq!(read("**"), [":**"]);
+        assert_eq!(read(r"a\_b\*c\\"), [r":a_b*c\"]);
+        assert_eq!(read("x_"), [":x"]);
+        assert_eq!(read("x_{1"), [":x", "_:{", ":1"]);
+        assert_eq!(read("\\"), Vec::<String>::new());
+        assert_eq!(read(""), Vec::<String>::new());
+        assert_eq!(Label::verbatim("a_b").plain(), "a_b");
+    }
+
+    #[test]
+    fn a_bar_takes_no_room() {
+        let bare = Label::new("*X*_1").width(10.0);
+        assert!(5.0 < bare && bare < 20.0);
+        assert_eq!(Label::new("*X̄*_1").width(10.0), bare);
+        assert_eq!(Label::new("*X\u{305}*_1"), Label::new("*X\u{304}*_1"));
+    }
+
+    #[test]
+    fn wraps_between_words() {
+        let label = Label::new("one *two* three_4 five");
+        let lines: Vec<String> = label.wrapped(10.0, 42.0).iter().map(Label::plain).collect();
+        assert_eq!(lines, ["one two", "three4", "five"]);
+        assert!(
+            label
+                .wrapped(10.0, 42.0)
+                .iter()
+                .all(|line| line.width(10.0) <= 42.0)
+        );
+        assert_eq!(label.wrapped(10.0, 0.0).len(), 4);
+        assert!(Label::default().wrapped(10.0, 42.0).is_empty());
+    }
+}

@@ -1,0 +1,195 @@
+//! The legend: one entry for each name, in columns.
+
+use crate::figure::Sample;
+use crate::geometry::Rect;
+use crate::label::Label;
+use crate::layer::{Anchor, Marker, Stroke};
+use crate::palette::{Colour, FRAME, Fill};
+use crate::svg::{Canvas, Style};
+
+const SIZE: f64 = 14.0;
+const ROW: f64 = 21.0;
+/// The length of a sample.
+const SAMPLE: f64 = 34.0;
+const SPACE: f64 = 8.0;
+const GAP: f64 = 24.0;
+
+/// Curves and markers of one name share an entry.
+#[derive(Debug)]
+struct Entry {
+    name: Label,
+    line: Option<(Colour, Stroke)>,
+    marker: Option<(Colour, Marker)>,
+    fill: Option<Fill>,
+}
+
+/// What was drawn under which name.
+#[derive(Debug, Default)]
+pub(crate) struct Legend {
+    entries: Vec<Entry>,
+}
+
+impl Legend {
+    /// Notes a name; what it already stands for stays.
+    pub(crate) fn add(&mut self, name: &Label, sample: Sample) {
+        if name.is_empty() {
+            return;
+        }
+        let known = self.entries.iter().position(|entry| entry.name == *name);
+        let place = known.unwrap_or_else(|| {
+            self.entries.push(Entry {
+                name: name.clone(),
+                line: None,
+                marker: None,
+                fill: None,
+            });
+            self.entries.len() - 1
+        });
+        let Some(entry) = self.entries.get_mut(place) else {
+            return;
+        };
+        match sample {
+            Sample::Line(colour, stroke) => _ = entry.line.get_or_insert((colour, stroke)),
+            Sample::Marker(colour, marker) => _ = entry.marker.get_or_insert((colour, marker)),
+            Sample::Fill(fill) => _ = entry.fill.get_or_insert(fill),
+        }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// All names, for readers who do not see.
+    pub(crate) fn names(&self) -> Vec<String> {
+        self.entries
+            .iter()
+            .map(|entry| entry.name.plain())
+            .collect()
+    }
+
+    /// The least width that holds it.
+    pub(crate) fn least(&self) -> f64 {
+        self.widths(1).iter().sum()
+    }
+
+    /// Draws the legend no wider than so much, and says how high it is.  A missing canvas only measures.
+    pub(crate) fn draw(
+        &self,
+        canvas: Option<&mut Canvas>,
+        (left, top): (f64, f64),
+        width: f64,
+    ) -> f64 {
+        let most = self.entries.len().max(1);
+        // Full rows look better than as many columns as fit.
+        let fits = |columns: &usize| self.widths(*columns).iter().sum::<f64>() - GAP <= width;
+        let columns = (1..=most).rev().find(fits).unwrap_or(1);
+        let columns = most.div_ceil(most.div_ceil(columns));
+        let widths = self.widths(columns);
+        let mut y = top;
+        let mut sheet = canvas;
+        for row in self.entries.chunks(columns) {
+            let mut x = left;
+            let mut lines = 1;
+            for (entry, column) in row.iter().zip(&widths) {
+                let wrapped = entry.name.wrapped(SIZE, (width - SAMPLE - SPACE).max(60.0));
+                if let Some(canvas) = sheet.as_deref_mut() {
+                    entry.sample(canvas, (x, y + 0.5 * ROW));
+                    for (index, line) in wrapped.iter().enumerate() {
+                        let baseline = y + 0.5 * ROW + 0.33 * SIZE + ROW * index as f64;
+                        canvas.text(
+                            line,
+                            (x + SAMPLE + SPACE, baseline),
+                            Style::new(SIZE, Anchor::Start),
+                        );
+                    }
+                }
+                lines = lines.max(wrapped.len());
+                x += column;
+            }
+            y += ROW * lines as f64;
+        }
+        y - top
+    }
+
+    /// The widths of so many columns, each with the gap after it.
+    fn widths(&self, columns: usize) -> Vec<f64> {
+        let mut widths = vec![0.0_f64; columns];
+        for row in self.entries.chunks(columns) {
+            for (width, entry) in widths.iter_mut().zip(row) {
+                // Another font may be a little wider.
+                *width = width.max(SAMPLE + SPACE + 1.04 * entry.name.width(SIZE) + GAP);
+            }
+        }
+        widths
+    }
+}
+
+impl Entry {
+    fn sample(&self, canvas: &mut Canvas, (x, y): (f64, f64)) {
+        if let Some(fill) = self.fill {
+            let rect = Rect {
+                left: x + 4.0,
+                top: y - 6.5,
+                width: SAMPLE - 8.0,
+                height: 13.0,
+            };
+            canvas.rect(rect, Some(fill.rgb()), Some((FRAME, 0.6)));
+        }
+        if let Some((colour, stroke)) = self.line {
+            canvas.lines(&[vec![(x, y), (x + SAMPLE, y)]], colour.rgb(), stroke);
+        }
+        if let Some((colour, marker)) = self.marker {
+            canvas.markers(&[(x + 0.5 * SAMPLE, y)], colour.rgb(), marker);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Legend, ROW};
+    use crate::figure::Sample;
+    use crate::layer::{Marker, Stroke};
+    use crate::palette::Colour;
+
+    #[test]
+    fn a_name_has_one_entry() {
+        let mut legend = Legend::default();
+        for series in 0..3 {
+            legend.add(
+                &"a".into(),
+                Sample::Line(Colour::Series(series), Stroke::Solid),
+            );
+            legend.add(
+                &"b".into(),
+                Sample::Marker(Colour::Series(series), Marker::Circle),
+            );
+            legend.add(
+                &"a".into(),
+                Sample::Marker(Colour::Series(series), Marker::Cross),
+            );
+            legend.add(&"".into(), Sample::Marker(Colour::Black, Marker::Cross));
+        }
+        assert_eq!(legend.names(), ["a", "b"]);
+        assert_eq!(
+            legend.entries[0].line,
+            Some((Colour::Series(0), Stroke::Solid))
+        );
+        assert_eq!(
+            legend.entries[0].marker,
+            Some((Colour::Series(0), Marker::Cross))
+        );
+    }
+
+    #[test]
+    fn it_is_as_high_as_its_rows() {
+        let mut legend = Legend::default();
+        for name in ["one", "two", "three", "four"] {
+            legend.add(&name.into(), Sample::Line(Colour::Black, Stroke::Solid));
+        }
+        assert_eq!(legend.draw(None, (0.0, 0.0), 1000.0), ROW);
+        // Three would fit: two and two are tidier.
+        assert_eq!(legend.draw(None, (0.0, 0.0), 290.0), 2.0 * ROW);
+        assert_eq!(legend.draw(None, (0.0, 0.0), 1.0), 4.0 * ROW);
+        assert!(legend.least() < 120.0);
+    }
+}

@@ -1,0 +1,48 @@
+//! Figures of a paper's kind: curves, maps, insets, legends and sketches of mass-spring chains, as SVG and PNG.
+//!
+//! Data go in, bytes come out, the same on every host: numbers are written with two decimals of a pixel, no system
+//! library and no system font takes part.  Values that are not finite never reach a file; they break a line.
+//!
+//! ```
+//! use frictiongen_plot::{Axis, Colour, Figure, Line, Panel, Stroke};
+//!
+//! let response: Vec<(f64, f64)> = (0..=200)
+//!     .map(|i| f64::from(i) * 0.0125)
+//!     .map(|r| (r, 1.0 / (1.0 - r * r).abs()))
+//!     .collect();
+//! let panel = Panel::new("", Axis::new("frequency ratio *r*", 0.0, 2.5), Axis::new("*X̄*_1", 0.0, 5.0))
+//!     .with(Line::new("*β* = 0", Colour::Series(0), Stroke::Solid, vec![response]));
+//! let figure = Figure::new("2.4", "amplitude of the mass", 1, vec![panel]);
+//! assert!(figure.svg().starts_with("<svg"));
+//! ```
+
+mod axis;
+mod draw;
+mod drawing;
+mod figure;
+mod frame;
+mod geometry;
+mod label;
+mod layer;
+mod legend;
+mod metrics;
+mod palette;
+mod panel;
+#[cfg(feature = "png")]
+mod png;
+mod raster;
+mod sketch;
+mod svg;
+mod ticks;
+
+pub use axis::{Axis, Scale, Unit};
+pub use figure::{Figure, Inset, Key, Page, Panel, Sample};
+pub use geometry::Point;
+pub use label::{Face, Label, Level, Span};
+pub use layer::{
+    Across, Anchor, Cells, Guide, Layer, Line, Marker, Markers, Note, Raster, Region, Stroke,
+};
+pub use palette::{Colour, Fill};
+#[cfg(feature = "png")]
+pub use png::PlotError;
+pub use sketch::{Contact, End, Excitation, Sketch, Spring};

@@ -1,0 +1,202 @@
+//! Sketches of mechanical systems: masses in a row, springs, the friction contact, the excitation.
+
+use crate::drawing::Drawing;
+use crate::label::Label;
+use crate::svg::Canvas;
+
+/// What a spring or a contact ends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum End {
+    /// A mass, counted from zero.
+    Mass(usize),
+    /// The base on the left, which may move.
+    Base,
+    /// What never moves: the floor, and a wall on the right.
+    Wall,
+}
+
+/// A spring between two ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Spring {
+    /// Its ends, in any order.
+    pub between: (End, End),
+    /// What stands beside it.
+    pub label: Label,
+}
+
+/// The friction contact between two ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Contact {
+    /// Its ends, in any order.
+    pub between: (End, End),
+    /// What stands beside it.
+    pub label: Label,
+}
+
+/// What moves the system.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Excitation {
+    /// Nothing.
+    #[default]
+    None,
+    /// A force on a mass.
+    Force {
+        /// The mass, counted from zero.
+        mass: usize,
+        /// What stands beside the arrow.
+        label: Label,
+    },
+    /// The motion of the base.
+    Base {
+        /// What stands beside the arrow.
+        label: Label,
+    },
+}
+
+/// A mechanical system as a sketch.  Up to [`Sketch::MOST`] masses are drawn, and nothing of a longer chain.
+/// What ends on a mass that does not exist is left out.
+///
+/// ```
+/// use frictiongen_plot::{Contact, End, Excitation, Sketch, Spring};
+/// let sketch = Sketch {
+///     masses: vec!["*m*_1".into(), "*m*_2".into()],
+///     springs: vec![
+///         Spring { between: (End::Base, End::Mass(0)), label: "*k*_1".into() },
+///         Spring { between: (End::Mass(0), End::Mass(1)), label: "*k*_2".into() },
+///     ],
+///     contact: Some(Contact { between: (End::Mass(1), End::Wall), label: "*F*".into() }),
+///     excitation: Excitation::Base { label: "*y*(*t*)".into() },
+/// };
+/// assert!(sketch.svg().is_some());
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Sketch {
+    /// The names of the masses, from left to right.
+    pub masses: Vec<Label>,
+    /// The springs.
+    pub springs: Vec<Spring>,
+    /// The contact.
+    pub contact: Option<Contact>,
+    /// What moves the system.
+    pub excitation: Excitation,
+}
+
+impl Sketch {
+    /// The most masses that are drawn.
+    pub const MOST: usize = 6;
+
+    /// The sketch alone as SVG; nothing where there are no masses or too many.
+    #[must_use]
+    pub fn svg(&self) -> Option<String> {
+        let (width, height) = self.size()?;
+        let mut canvas = Canvas::default();
+        self.draw(&mut canvas, (MARGIN, MARGIN));
+        let masses: Vec<String> = self.masses.iter().map(Label::plain).collect();
+        let title = format!("Sketch of a chain of masses: {}", masses.join(", "));
+        Some(canvas.document((width + 2.0 * MARGIN, height + 2.0 * MARGIN), &title, ""))
+    }
+
+    /// Width and height, if it is drawn at all.
+    pub(crate) fn size(&self) -> Option<(f64, f64)> {
+        Drawing::new(self).map(|drawing| drawing.size())
+    }
+
+    /// Draws it with its upper left corner at a place.
+    pub(crate) fn draw(&self, canvas: &mut Canvas, corner: (f64, f64)) {
+        if let Some(drawing) = Drawing::new(self) {
+            drawing.draw(canvas, corner);
+        }
+    }
+}
+
+const MARGIN: f64 = 8.0;
+
+#[cfg(test)]
+mod tests {
+    use super::{Contact, End, Excitation, Sketch, Spring};
+
+    fn chain(count: usize) -> Sketch {
+        let ends = |index: usize| match index {
+            0 => (End::Base, End::Mass(0)),
+            _ => (End::Mass(index - 1), End::Mass(index)),
+        };
+        Sketch {
+            masses: (1..=count).map(|i| format!("*m*_{i}").into()).collect(),
+            springs: (0..count)
+                .map(|i| Spring {
+                    between: ends(i),
+                    label: format!("*k*_{}", i + 1).into(),
+                })
+                .collect(),
+            contact: None,
+            excitation: Excitation::None,
+        }
+    }
+
+    #[test]
+    fn draws_up_to_six_masses() {
+        for count in 1..=6 {
+            let svg = chain(count).svg().unwrap();
+            assert_eq!(svg.matches(">m</tspan>").count(), count);
+            assert_eq!(svg.matches(">k</tspan>").count(), count);
+            assert!(!svg.contains("NaN"));
+        }
+        assert_eq!(chain(0).svg(), None);
+        assert_eq!(chain(7).svg(), None);
+    }
+
+    #[test]
+    fn leaves_out_what_ends_nowhere() {
+        let mut sketch = chain(2);
+        let plain = sketch.svg();
+        for between in [
+            (End::Mass(2), End::Mass(0)),
+            (End::Mass(1), End::Mass(1)),
+            (End::Base, End::Wall),
+        ] {
+            sketch.springs.push(Spring {
+                between,
+                label: "no".into(),
+            });
+            sketch.contact = Some(Contact {
+                between,
+                label: "no".into(),
+            });
+        }
+        sketch.excitation = Excitation::Force {
+            mass: 9,
+            label: "no".into(),
+        };
+        assert_eq!(sketch.svg(), plain);
+    }
+
+    #[test]
+    fn far_springs_and_contacts_take_room() {
+        let mut sketch = chain(3);
+        let (width, height) = sketch.size().unwrap();
+        sketch.springs.push(Spring {
+            between: (End::Mass(0), End::Mass(2)),
+            label: "a".into(),
+        });
+        let (same, higher) = sketch.size().unwrap();
+        assert!(same == width && height < higher);
+        sketch.springs.push(Spring {
+            between: (End::Wall, End::Mass(1)),
+            label: "b".into(),
+        });
+        let (wider, highest) = sketch.size().unwrap();
+        assert!(width < wider && higher < highest);
+        for between in [
+            (End::Mass(0), End::Wall),
+            (End::Mass(2), End::Base),
+            (End::Mass(2), End::Mass(0)),
+        ] {
+            sketch.contact = Some(Contact {
+                between,
+                label: "*F*".into(),
+            });
+            assert!(highest < sketch.size().unwrap().1, "{between:?}");
+            assert!(sketch.svg().unwrap().contains(">F</tspan>"));
+        }
+    }
+}

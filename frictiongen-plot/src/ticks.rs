@@ -1,0 +1,400 @@
+//! Where an axis has ticks, and what they say.
+
+use crate::axis::{Axis, Scale, Unit};
+use crate::label::Label;
+use std::f64::consts::PI;
+
+/// A tick.
+#[derive(Clone, Debug)]
+pub(crate) struct Tick {
+    pub value: f64,
+    /// Empty for a tick between others.
+    pub label: Label,
+}
+
+/// The ticks of an axis, at most some `count` with labels.
+pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
+    let (low, high) = axis.range();
+    let count = count.max(2);
+    match (axis.scale, axis.unit) {
+        (Scale::Log, _) => log(low, high, count),
+        (Scale::Linear, Unit::Plain) => plain(low, high, count),
+        (Scale::Linear, Unit::Degrees) => {
+            let steps = [1, 2, 5, 10, 15, 30, 45, 90, 180, 360, 720, 1440];
+            let step = steps
+                .into_iter()
+                .find(|step| multiples(low, high, f64::from(*step)) <= count as f64);
+            match step {
+                Some(step) if 3.0 <= multiples(low, high, f64::from(step)) => {
+                    whole(low, high, f64::from(step), |k| {
+                        number(k * i64::from(step), 0)
+                    })
+                }
+                _ => plain(low, high, count),
+            }
+        }
+        (Scale::Linear, Unit::Pi) => {
+            let steps = [
+                (1, 12),
+                (1, 6),
+                (1, 4),
+                (1, 2),
+                (1, 1),
+                (2, 1),
+                (5, 1),
+                (10, 1),
+                (20, 1),
+                (50, 1),
+            ];
+            let size = |(up, down): (i64, i64)| PI * up as f64 / down as f64;
+            let step = steps
+                .into_iter()
+                .find(|step| multiples(low, high, size(*step)) <= count as f64);
+            match step {
+                Some((up, down)) if 3.0 <= multiples(low, high, size((up, down))) => {
+                    whole(low, high, size((up, down)), |k| of_pi(k * up, down))
+                }
+                _ => plain(low / PI, high / PI, count)
+                    .into_iter()
+                    .map(|tick| Tick {
+                        value: (tick.value * PI).clamp(low, high),
+                        label: if tick.value == 0.0 {
+                            tick.label
+                        } else {
+                            tick.label.then(&Label::verbatim("π"))
+                        },
+                    })
+                    .collect(),
+            }
+        }
+    }
+}
+
+/// How many multiples of a step lie in a range, which may miss its last one by roundings.
+fn multiples(low: f64, high: f64, step: f64) -> f64 {
+    let (from, to) = bounds(low, high, step);
+    to - from + 1.0
+}
+
+fn bounds(low: f64, high: f64, step: f64) -> (f64, f64) {
+    let slack = 1e-9 * (high / step - low / step).abs();
+    ((low / step - slack).ceil(), (high / step + slack).floor())
+}
+
+fn whole(low: f64, high: f64, step: f64, label: impl Fn(i64) -> Label) -> Vec<Tick> {
+    let (from, to) = bounds(low, high, step);
+    // As many as were counted before; a range of any size ends here.
+    (0..=64)
+        .map(|i| from as i64 + i)
+        .take_while(|k| *k as f64 <= to)
+        .map(|k| Tick {
+            value: (k as f64 * step).clamp(low, high),
+            label: label(k),
+        })
+        .collect()
+}
+
+/// Multiples of 1, 2 or 5 times a power of ten.
+fn plain(low: f64, high: f64, count: usize) -> Vec<Tick> {
+    let span = 2.0 * (0.5 * high / count as f64 - 0.5 * low / count as f64);
+    let first = exponent(span);
+    for power in first..=first + 1 {
+        for digit in [1_i64, 2, 5] {
+            let step = decimal(digit, power);
+            if 0.0 < step && step.is_finite() && multiples(low, high, step) <= count as f64 {
+                let (from, to) = bounds(low, high, step);
+                return (0..=64)
+                    .map(|i| from as i64 + i)
+                    .take_while(|k| *k as f64 <= to)
+                    .map(|k| Tick {
+                        value: decimal(k * digit, power).clamp(low, high),
+                        label: number(k * digit, power),
+                    })
+                    .collect();
+            }
+        }
+    }
+    [low, high]
+        .map(|value| Tick {
+            value,
+            label: Label::verbatim(&format!("{value:e}")),
+        })
+        .to_vec()
+}
+
+/// Decades, with 2 and 5 between where there are few, and no labels on what is between.
+fn log(low: f64, high: f64, count: usize) -> Vec<Tick> {
+    let (first, last) = (exponent(low), exponent(high));
+    let decades = libm::log10(high) - libm::log10(low);
+    if decades < 0.7 {
+        return plain(low, high, count);
+    }
+    let every = ((last - first + 1) as usize).div_ceil(count).max(1) as i32;
+    let digits: &[i64] = if decades < 2.0 { &[1, 2, 5] } else { &[1] };
+    let between = if decades < 7.0 { 9 } else { 1 };
+    let simple = -2 <= first && last <= 4;
+    let mut ticks = Vec::new();
+    for power in first..=last {
+        for digit in 1..=between {
+            let value = decimal(digit, power);
+            if !(low * (1.0 - 1e-9) <= value && value <= high * (1.0 + 1e-9)) {
+                continue;
+            }
+            let named = digits.contains(&digit) && power.rem_euclid(every) == 0;
+            if !named && between == 1 {
+                continue;
+            }
+            let label = match (named, simple) {
+                (false, _) => Label::default(),
+                (true, true) => number(digit, power),
+                (true, false) => scientific(digit, power),
+            };
+            ticks.push(Tick {
+                value: value.clamp(low, high),
+                label,
+            });
+        }
+    }
+    ticks
+}
+
+/// The power of ten of a positive number's first digit.
+fn exponent(value: f64) -> i32 {
+    let text = format!("{value:e}");
+    let after = text.split_once('e').map(|(_, after)| after.parse());
+    after.and_then(Result::ok).unwrap_or(0)
+}
+
+/// `digits` times a power of ten, as near as there is a number.
+fn decimal(digits: i64, power: i32) -> f64 {
+    format!("{digits}e{power}").parse().unwrap_or(0.0)
+}
+
+/// `digits` times a power of ten, with nothing needless.
+fn number(digits: i64, power: i32) -> Label {
+    let (digits, power) = shortest(digits, power);
+    let length = digits.unsigned_abs().to_string().len() as i32;
+    if digits == 0 {
+        return Label::verbatim("0");
+    }
+    // The place of the first digit, and of the last.
+    if 5 < power + length || power < -6 {
+        return scientific(digits, power);
+    }
+    let all = digits.unsigned_abs().to_string();
+    let text = if 0 <= power {
+        format!("{all}{}", "0".repeat(power as usize))
+    } else {
+        let places = power.unsigned_abs() as usize;
+        let all = format!("{all:0>width$}", width = places + 1);
+        let (before, after) = all.split_at(all.len() - places);
+        format!("{before}.{after}")
+    };
+    Label::verbatim(&format!("{}{text}", if digits < 0 { "−" } else { "" }))
+}
+
+/// With a power of ten, whose one is left out before it.
+fn scientific(digits: i64, power: i32) -> Label {
+    let (digits, power) = shortest(digits, power);
+    let sign = if digits < 0 { "−" } else { "" };
+    let all = digits.unsigned_abs().to_string();
+    let (first, rest) = all.split_at(1);
+    let power = power + rest.len() as i32;
+    let point = if rest.is_empty() { "" } else { "." };
+    let size = if all == "1" {
+        String::new()
+    } else {
+        format!("{first}{point}{rest}×")
+    };
+    let minus = if power < 0 { "−" } else { "" };
+    Label::new(&format!(
+        "{sign}{size}10^{{{minus}{}}}",
+        power.unsigned_abs()
+    ))
+}
+
+fn shortest(mut digits: i64, mut power: i32) -> (i64, i32) {
+    while digits != 0 && digits % 10 == 0 {
+        digits /= 10;
+        power += 1;
+    }
+    (digits, power)
+}
+
+/// A fraction of π.
+fn of_pi(up: i64, down: i64) -> Label {
+    let shared = greatest_divisor(up.unsigned_abs(), down.unsigned_abs()).max(1) as i64;
+    let (up, down) = (up / shared, down / shared);
+    let sign = if up < 0 { "−" } else { "" };
+    let size = if up.unsigned_abs() == 1 {
+        String::new()
+    } else {
+        up.unsigned_abs().to_string()
+    };
+    match (up, down) {
+        (0, _) => Label::verbatim("0"),
+        (_, 1) => Label::verbatim(&format!("{sign}{size}π")),
+        _ => Label::verbatim(&format!("{sign}{size}π/{down}")),
+    }
+}
+
+fn greatest_divisor(a: u64, b: u64) -> u64 {
+    if b == 0 {
+        a
+    } else {
+        greatest_divisor(b, a % b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{number, ticks};
+    use crate::axis::Axis;
+
+    fn said(axis: &Axis, count: usize) -> Vec<String> {
+        let named = ticks(axis, count)
+            .into_iter()
+            .filter(|tick| !tick.label.is_empty());
+        named.map(|tick| tick.label.plain()).collect()
+    }
+
+    #[test]
+    fn linear_axes() {
+        assert_eq!(
+            said(&Axis::new("", 0.0, 2.5), 7),
+            ["0", "0.5", "1", "1.5", "2", "2.5"]
+        );
+        assert_eq!(
+            said(&Axis::new("", -0.3, 0.1), 6),
+            ["−0.3", "−0.2", "−0.1", "0", "0.1"]
+        );
+        assert_eq!(
+            said(&Axis::new("", 0.0, 0.3), 4),
+            ["0", "0.1", "0.2", "0.3"]
+        );
+        assert_eq!(
+            said(&Axis::new("", 0.0, 40_000.0), 5),
+            ["0", "10000", "20000", "30000", "40000"]
+        );
+        assert_eq!(
+            said(&Axis::new("", 0.0, 2e6), 5),
+            ["0", "5×105", "106", "1.5×106", "2×106"]
+        );
+        assert_eq!(
+            said(&Axis::new("", 0.0, 1e-300), 3),
+            ["0", "5×10−301", "10−300"]
+        );
+        assert_eq!(said(&Axis::new("", 5.0, 1.0), 5), ["1", "2", "3", "4", "5"]);
+    }
+
+    #[test]
+    fn degrees_and_multiples_of_pi() {
+        let degrees = |low, high| said(&Axis::new("", low, high).degrees(), 7);
+        assert_eq!(
+            degrees(0.0, 270.0),
+            ["0", "45", "90", "135", "180", "225", "270"]
+        );
+        assert_eq!(
+            said(&Axis::new("", -90.0, 270.0).degrees(), 6),
+            ["−90", "0", "90", "180", "270"]
+        );
+        assert_eq!(degrees(0.0, 0.5), ["0", "0.1", "0.2", "0.3", "0.4", "0.5"]);
+        let pi = std::f64::consts::PI;
+        let turns = |low: f64, high: f64| said(&Axis::new("", low, high).in_pi(), 7);
+        assert_eq!(turns(0.0, 2.0 * pi), ["0", "π/2", "π", "3π/2", "2π"]);
+        assert_eq!(
+            turns(-pi, pi / 2.0),
+            ["−π", "−3π/4", "−π/2", "−π/4", "0", "π/4", "π/2"]
+        );
+        assert_eq!(turns(0.0, 4.0 * pi), ["0", "π", "2π", "3π", "4π"]);
+        assert_eq!(
+            turns(0.0, 0.1 * pi),
+            ["0", "0.02π", "0.04π", "0.06π", "0.08π", "0.1π"]
+        );
+    }
+
+    #[test]
+    fn logarithmic_axes() {
+        assert_eq!(
+            said(&Axis::log("", 0.01, 100.0), 7),
+            ["0.01", "0.1", "1", "10", "100"]
+        );
+        assert_eq!(
+            said(&Axis::log("", 1e-6, 1.0), 8),
+            ["10−6", "10−5", "10−4", "10−3", "10−2", "10−1", "100"]
+        );
+        assert_eq!(
+            said(&Axis::log("", 1e-12, 1.0), 5),
+            ["10−12", "10−9", "10−6", "10−3", "100"]
+        );
+        assert_eq!(
+            said(&Axis::log("", 0.1, 2.0), 7),
+            ["0.1", "0.2", "0.5", "1", "2"]
+        );
+        assert_eq!(
+            said(&Axis::log("", 1.0, 3.0), 5),
+            ["1", "1.5", "2", "2.5", "3"]
+        );
+        assert!(20 < ticks(&Axis::log("", 0.01, 100.0), 7).len());
+    }
+
+    #[test]
+    fn any_range_has_a_few_ticks_inside() {
+        let odd = [
+            0.0,
+            1.0,
+            -1.0,
+            1e-300,
+            5e-324,
+            1e300,
+            f64::MAX,
+            f64::MIN,
+            f64::NAN,
+            f64::INFINITY,
+            1.0 + 1e-16,
+            0.1,
+            123_456.789,
+        ];
+        let mut checked = 0;
+        for low in odd {
+            for high in odd {
+                let linear = Axis::new("", low, high);
+                for axis in [
+                    linear.clone().degrees(),
+                    linear.clone().in_pi(),
+                    Axis::log("", low, high),
+                    linear,
+                ] {
+                    let found = ticks(&axis, 7);
+                    let (from, to) = axis.range();
+                    let named = found.iter().filter(|tick| !tick.label.is_empty()).count();
+                    assert!((2..=9).contains(&named), "{axis:?}: {named}");
+                    assert!(
+                        found
+                            .iter()
+                            .all(|tick| from <= tick.value && tick.value <= to),
+                        "{axis:?}"
+                    );
+                    let said = found.iter().map(|tick| tick.label.plain());
+                    assert!(
+                        said.into_iter()
+                            .all(|text| !text.contains("NaN") && !text.contains("inf"))
+                    );
+                    checked += 1;
+                }
+            }
+        }
+        assert_eq!(checked, 4 * 13 * 13);
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!(number(10, -1).plain(), "1");
+        assert_eq!(number(-5, -2).plain(), "−0.05");
+        assert_eq!(number(15, -1).plain(), "1.5");
+        assert_eq!(number(0, 5).plain(), "0");
+        assert_eq!(number(12, 3).plain(), "12000");
+        assert_eq!(number(1, -6).plain(), "0.000001");
+        assert_eq!(number(-1, 7).plain(), "−107");
+    }
+}

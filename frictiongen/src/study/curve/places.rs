@@ -1,0 +1,217 @@
+//! Where a curve is cut, and where its refinement starts.
+
+use super::{CurveRequest, End};
+use crate::study::system::System;
+use crate::{Of, Regime};
+
+/// Intervals of the first grid.
+const INTERVALS: usize = 160;
+/// The odd sub-harmonics of a resonance that are looked at, at most.
+const MOST_SUBHARMONICS: usize = 25;
+/// How near, relatively, a curve goes to a pole.
+const NEAR_POLE: f64 = 1e-5;
+/// Where it is seen whether there is one.
+const POLE: f64 = 1e-9;
+/// Steps of a search for a regime between places of another: each keeps 0.62 of an interval.
+const STEPS: usize = 60;
+
+/// A place in r.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub r: f64,
+    /// Why the curve is cut between here and the next place, if it is.
+    pub cut: Option<End>,
+}
+
+/// The places of a curve, ascending: both ends, resonances, their sub-harmonics, a grid, and on both sides of every cut.
+pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<Place> {
+    let search = Search { system, beta };
+    let mut poles = Vec::new();
+    let mut grid = grid(request);
+    for resonance in search.resonances() {
+        if search.is_pole(resonance, &request.of) {
+            poles.push(resonance);
+        } else {
+            grid.push(resonance);
+        }
+        let orders = (1..=MOST_SUBHARMONICS).map(|i| (2 * i + 1) as f64);
+        grid.extend(orders.map(|order| resonance / order));
+    }
+    let sides = |pole: &f64| [pole * (1.0 - NEAR_POLE), pole * (1.0 + NEAR_POLE)];
+    grid.extend(poles.iter().flat_map(sides));
+    grid.retain(|r| request.from <= *r && *r <= request.to);
+    grid.sort_by(f64::total_cmp);
+    grid.dedup();
+    let is_pole = |left: f64, right: f64| poles.iter().any(|pole| left < *pole && *pole < right);
+    search.cut(&grid, is_pole)
+}
+
+/// Evenly spaced places, both ends among them.
+fn grid(request: &CurveRequest) -> Vec<f64> {
+    let width = request.to - request.from;
+    let wanted = request.widest.map_or(0.0, |widest| (width / widest).ceil());
+    // A grid asked for that is too fine for any memory is refused by the command; here it is bounded.
+    let count = wanted.max(INTERVALS as f64).min(1e7) as usize;
+    let inner = (1..count).map(|i| request.from + width * i as f64 / count as f64);
+    let mut grid: Vec<f64> = inner.collect();
+    grid.extend([request.from, request.to]);
+    // Towards r = 0 what happens is spaced as the sub-harmonics are.
+    let mut low = request.from * 1.05;
+    while low < request.to * 0.1 && grid.len() < count + 200 {
+        grid.push(low);
+        low *= 1.05;
+    }
+    grid
+}
+
+struct Search<'a> {
+    system: &'a System,
+    beta: f64,
+}
+
+impl Search<'_> {
+    /// Frequency ratios of the resonances of the chain, and of the chain with its contact held.
+    fn resonances(&self) -> Vec<f64> {
+        let held = self.system.dynamics().held;
+        let free = self.system.resonances().iter().copied();
+        free.chain(held.iter().map(|mode| mode.frequency)).collect()
+    }
+
+    /// Whether an amplitude grows without bound towards a resonance.
+    fn is_pole(&self, resonance: f64, of: &[Of]) -> bool {
+        let largest = |distance: f64| -> Option<f64> {
+            let r = resonance * (1.0 - distance);
+            let response = self.system.at(r).ok()?.response(self.beta).ok()?;
+            let sizes = of
+                .iter()
+                .filter_map(|of| Some(response.swing(*of)?.amplitude));
+            Some(sizes.fold(0.0, f64::max))
+        };
+        match (largest(10.0 * POLE), largest(POLE)) {
+            // Of a pole the amplitude is ten times as large there.
+            (Some(far), Some(near)) => 5.0 * far < near,
+            _ => false,
+        }
+    }
+
+    /// ln(β/β_lim) and ln(β/β*_lim): the contact slides all the time where both are negative, is stuck where the second
+    /// is not.
+    fn margins(&self, r: f64) -> (f64, f64) {
+        match self.system.at(r) {
+            Ok(at) => {
+                let limits = at.limits();
+                let over = |limit: f64| (self.beta / limit).ln();
+                (over(limits.continuous), over(limits.sliding))
+            }
+            Err(_) => (f64::NAN, f64::NAN),
+        }
+    }
+
+    fn regime(&self, r: f64) -> Option<Regime> {
+        self.system.at(r).ok()?.limits().regime(self.beta).ok()
+    }
+
+    /// The places, with those at which the regime changes.
+    fn cut(&self, grid: &[f64], is_pole: impl Fn(f64, f64) -> bool) -> Vec<Place> {
+        let mut all = grid.to_vec();
+        all.extend(self.hidden(grid));
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        let regimes: Vec<_> = all.iter().map(|r| self.regime(*r)).collect();
+        let mut places = Vec::new();
+        for (pair, regimes) in all.windows(2).zip(regimes.windows(2)) {
+            let (&[left, right], [first, second]) = (pair, regimes) else {
+                continue;
+            };
+            if is_pole(left, right) {
+                places.push(Place {
+                    r: left,
+                    cut: Some(End::Pole),
+                });
+            } else if first == second {
+                places.push(Place { r: left, cut: None });
+            } else {
+                let (low, high) = self.boundary(left, right, *first);
+                if left < low {
+                    places.push(Place { r: left, cut: None });
+                }
+                places.push(Place {
+                    r: low,
+                    cut: Some(End::Boundary),
+                });
+                if high < right {
+                    places.push(Place { r: high, cut: None });
+                }
+            }
+        }
+        places.extend(all.last().map(|r| Place { r: *r, cut: None }));
+        places
+    }
+
+    /// The neighbouring numbers between which the regime of the first place ends.
+    fn boundary(&self, mut low: f64, mut high: f64, regime: Option<Regime>) -> (f64, f64) {
+        loop {
+            let middle = 0.5 * (low + high);
+            if !(low < middle && middle < high) {
+                return (low, high);
+            }
+            if self.regime(middle) == regime {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+    }
+
+    /// Places of another regime between three neighbours of one.
+    fn hidden(&self, grid: &[f64]) -> Vec<f64> {
+        let margins: Vec<_> = grid.iter().map(|r| self.margins(*r)).collect();
+        let mut found = Vec::new();
+        for (places, margins) in grid.windows(3).zip(margins.windows(3)) {
+            let (&[left, _, right], &[a, b, c]) = (places, margins) else {
+                continue;
+            };
+            for (read, sign) in [
+                (continuous as Read, 1.0),
+                (continuous, -1.0),
+                (sliding, 1.0),
+                (sliding, -1.0),
+            ] {
+                let [a, b, c] = [a, b, c].map(|margins| sign * read(margins));
+                // All on one side of the limit, the middle nearest to it.
+                if a < 0.0 && b < 0.0 && c < 0.0 && a <= b && c <= b {
+                    found.extend(self.beyond(left, right, read, sign));
+                }
+            }
+        }
+        found
+    }
+
+    /// Where a margin is largest between two places, if it is positive there.
+    fn beyond(&self, mut low: f64, mut high: f64, read: Read, sign: f64) -> Option<f64> {
+        let value = |r: f64| sign * read(self.margins(r));
+        let golden = 0.618_033_988_749_894_8;
+        for _ in 0..STEPS {
+            let (a, b) = (high - (high - low) * golden, low + (high - low) * golden);
+            let (at_a, at_b) = (value(a), value(b));
+            match (0.0 <= at_a, 0.0 <= at_b) {
+                (true, _) => return Some(a),
+                (_, true) => return Some(b),
+                _ if at_a < at_b => low = a,
+                _ => high = b,
+            }
+        }
+        None
+    }
+}
+
+/// One of the two margins.
+type Read = fn((f64, f64)) -> f64;
+
+fn continuous(margins: (f64, f64)) -> f64 {
+    margins.0
+}
+
+fn sliding(margins: (f64, f64)) -> f64 {
+    margins.1
+}

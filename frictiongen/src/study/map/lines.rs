@@ -1,0 +1,87 @@
+//! Both limits over frequency, as finely as they bend.
+
+use crate::study::system::System;
+use crate::{Limits, OutOfDomain};
+
+/// The places of the first grid.
+const PLACES: usize = 400;
+/// The odd sub-harmonics of a resonance, where an undamped β_lim vanishes, that are looked at.
+const MOST_SUBHARMONICS: usize = 25;
+/// Two places nearer than this, relatively, are not parted.
+const NARROW: f64 = 1e-9;
+
+/// Both limits over frequency.
+#[derive(Clone, Debug)]
+pub struct LimitLines {
+    /// r with the limits there, ascending. A limit may be infinite.
+    pub points: Vec<(f64, Limits<f64>)>,
+}
+
+impl System {
+    /// Both limits from one frequency ratio to another. A straight line between neighbours strays from β/(1 + β) by no
+    /// more than `accuracy`.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] unless 0 ≤ from < to < ∞.
+    pub fn limit_lines(
+        &self,
+        from: f64,
+        to: f64,
+        accuracy: f64,
+    ) -> Result<LimitLines, OutOfDomain> {
+        if !(0.0 <= from && from < to && to.is_finite()) {
+            return Err(OutOfDomain { argument: "r" });
+        }
+        let step = (to - from) / PLACES as f64;
+        let mut places: Vec<f64> = (0..PLACES).map(|i| from + step * i as f64).collect();
+        places.push(to);
+        for resonance in self.resonances() {
+            let orders = (0..=MOST_SUBHARMONICS).map(|i| (2 * i + 1) as f64);
+            places.extend(orders.map(|order| resonance / order));
+        }
+        places.retain(|r| from <= *r && *r <= to);
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let mut points = Vec::new();
+        for r in places {
+            let right = (r, self.at(r)?.limits());
+            if let Some(left) = points.last().copied() {
+                self.between(left, right, accuracy.max(1e-12), &mut points)?;
+            }
+            points.push(right);
+        }
+        Ok(LimitLines { points })
+    }
+
+    fn between(
+        &self,
+        left: (f64, Limits<f64>),
+        right: (f64, Limits<f64>),
+        accuracy: f64,
+        points: &mut Vec<(f64, Limits<f64>)>,
+    ) -> Result<(), OutOfDomain> {
+        let r = 0.5 * (left.0 + right.0);
+        if !(left.0 < r && r < right.0) || right.0 - left.0 <= NARROW * right.0 {
+            return Ok(());
+        }
+        let middle = (r, self.at(r)?.limits());
+        let strays = |read: fn(&Limits<f64>) -> f64| {
+            let [a, m, b] = [left, middle, right].map(|(_, limits)| share(read(&limits)));
+            accuracy < (m - 0.5 * (a + b)).abs()
+        };
+        let bends = strays(|limits| limits.continuous) || strays(|limits| limits.sliding);
+        if bends {
+            self.between(left, middle, accuracy, points)?;
+        }
+        points.push(middle);
+        if bends {
+            self.between(middle, right, accuracy, points)?;
+        }
+        Ok(())
+    }
+}
+
+/// β/(1 + β), 1 where a limit is infinite.
+fn share(beta: f64) -> f64 {
+    1.0 - 1.0 / (1.0 + beta)
+}
