@@ -88,6 +88,24 @@ Quantities:
 
 ";
 
+const OPTIMA: &str = "\
+What is searched:
+  The largest amplitude over the band a:b at one friction, over all regimes: about every resonance,
+  of the chain and of the chain with its contact stuck, their sub-harmonics, where the regime
+  changes, and on a grid between. The least of it between no friction and so much that the contact
+  is stuck over the whole band; infinite where an undamped resonance is not bounded.
+
+Quantities:
+  friction     in N with a load, else beta
+  what limits it  equal peaks: one rises with friction, another falls; or one peak at its least
+  above the best  the friction between which the largest amplitude is within 1, 5 and 10 per cent
+  per cent of it  how the optimum moves with each parameter, while friction follows; with a load
+
+Exit status:
+  0, or 2 with one line on standard error for each thing that is wrong.
+
+";
+
 const SENSITIVITIES: &str = "\
 Parameters:
   m, k      each mass and spring
@@ -192,6 +210,9 @@ pub enum Command {
     /// The derivatives of amplitude, phase and limits with respect to every parameter, in any regime
     #[command(after_help = format!("{SENSITIVITIES}{UNITS}{GRIDS_IN_TIME}"))]
     Sensitivity(SensitivityArguments),
+    /// The friction that keeps the largest amplitude over a band of frequencies smallest
+    #[command(after_help = format!("{OPTIMA}{UNITS}"))]
+    Optimum(OptimumArguments),
     /// Responses along frequency in every regime, refined where they bend
     #[command(after_help = format!("{CURVES}{UNITS}{RANGES}"))]
     Curve(CurveArguments),
@@ -428,6 +449,30 @@ pub struct SensitivityArguments {
     /// Of this mass, or of `contact`
     #[arg(long, value_name = "NAME")]
     pub of: String,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
+}
+
+/// Of `frictiongen optimum`.
+#[derive(Debug, Args)]
+pub struct OptimumArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// The band a:b.
+    #[command(flatten)]
+    pub frequency: FrequencyArguments,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
+    /// The amplitude of this mass, or of `contact`
+    #[arg(long, value_name = "NAME")]
+    pub of: String,
+    /// Choose a spring `a - b` or the damping `zeta 1` of a mode too; `=from:to` says where
+    /// [default: from a quarter to four times its value]
+    #[arg(long, value_name = "WHAT", allow_hyphen_values = true)]
+    pub vary: Option<String>,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,

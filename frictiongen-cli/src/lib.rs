@@ -23,6 +23,7 @@ mod limits;
 mod map;
 mod measure;
 mod number;
+mod optimum;
 mod orbit;
 mod output;
 mod progress;
@@ -73,6 +74,7 @@ pub fn run(
         Command::Sensitivity(arguments) => sensitivity::run(arguments, out),
         Command::Curve(arguments) => curve::run(arguments, out),
         Command::Map(arguments) => map::run(arguments, out),
+        Command::Optimum(arguments) => optimum::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
     }?)

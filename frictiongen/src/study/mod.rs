@@ -10,6 +10,7 @@ mod large;
 #[cfg(feature = "desk")]
 mod map;
 mod motion;
+mod optimum;
 mod orbit;
 mod physical;
 mod response;
@@ -29,6 +30,9 @@ pub use frictiongen_kernel::orbit::NoDerivative;
 #[cfg(feature = "desk")]
 pub use map::{Boundary, LimitLines, Map, MapColumn, MapPoint, MapRequest, Pattern};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
+pub use optimum::{
+    FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumPeak, OptimumRequest, Tolerance, Vary,
+};
 pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
 pub use physical::{OperatingPoint, Parameter, ParameterSensitivity, ResponseSensitivities, Slope};
 pub use response::{Size, Swing, SystemResponse};

@@ -7,8 +7,8 @@ use super::error::{StudyError, UnknownMass};
 use super::sensitivity::{Sensitive, Varied, quantities};
 use super::system::System;
 use super::units::{Load, angular_frequency, reversed_phase};
-use super::{NoDerivative, SystemOrbit, SystemResponse};
-use crate::{Of, OutOfDomain, Regime};
+use super::{NoDerivative, SystemResponse};
+use crate::{Complex, Of, OutOfDomain, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::{Float, Scalar};
@@ -244,10 +244,6 @@ impl System {
         let at = self.at(r)?;
         let response = at.response(beta)?;
         let regime = response.regime();
-        let orbit = match &response {
-            SystemResponse::StickSlip(orbit) => Some(&**orbit),
-            _ => None,
-        };
         let mut parameters = Vec::new();
         let unvaried = self.unvaried();
         for (parameter, value) in parameters_of(&self.scene, point, self) {
@@ -257,7 +253,7 @@ impl System {
             };
             let varied = own.as_ref().unwrap_or(&unvaried);
             let groups = groups(self, varied, point, parameter);
-            let answers = self.answers(varied, &groups, (regime, orbit), (point, of))?;
+            let answers = self.answers(varied, &groups, &response, (point, of))?;
             let slope = |answer| slope(answer, value);
             let amplitude = slope(answers.amplitude * groups.length).ok_or(NoDerivative::Graze)?;
             parameters.push(ParameterSensitivity {
@@ -299,55 +295,14 @@ impl System {
         &self,
         varied: &Varied,
         groups: &Groups,
-        (regime, orbit): (Regime, Option<&SystemOrbit<'_>>),
+        response: &SystemResponse<'_>,
         (point, of): (OperatingPoint, Of),
     ) -> Result<Answers, StudyError> {
         let Groups { r, beta, .. } = *groups;
         let at = varied.at(r)?;
         let physical = matches!(point, OperatingPoint::Physical { .. });
         let turned = physical && of == Of::Contact && self.contact_is_reversed();
-        let lag = |phase: Sensitive| {
-            if turned { reversed_phase(phase) } else { phase }
-        };
-        let (amplitude, phase) = match (regime, orbit) {
-            (_, Some(orbit)) => {
-                let orbit = varied.orbit_along(orbit, r, beta)?;
-                let motion = match of {
-                    Of::Contact => orbit.contact(),
-                    Of::Mass(index) => orbit.orbit.mass(index),
-                };
-                let (amplitude, phase) = motion.largest();
-                let phase = if turned {
-                    orbit.reversed_contact_phase()
-                } else {
-                    phase
-                };
-                (amplitude, Some(phase))
-            }
-            (Regime::Stuck, _) => {
-                let zero = Sensitive::constant(0.0);
-                let still = match of {
-                    Of::Contact => None,
-                    Of::Mass(index) => at.stuck()?.mass_at(index),
-                };
-                match still {
-                    Some(motion) if !(motion.re.vanishes() && motion.im.vanishes()) => (
-                        motion.re.hypot(motion.im),
-                        Some(-(motion.im.atan2(motion.re))),
-                    ),
-                    _ => (zero, None),
-                }
-            }
-            _ => {
-                let motion = at.motion(beta)?;
-                let motion = match of {
-                    Of::Contact => Some(motion.contact()),
-                    Of::Mass(index) => motion.mass_at(index),
-                };
-                let motion = motion.ok_or(NoDerivative::Graze)?;
-                (motion.amplitude(), Some(lag(motion.phase())))
-            }
-        };
+        let (amplitude, phase) = swing(varied, response, (r, beta), of, turned)?;
         Ok(Answers {
             amplitude,
             phase,
@@ -355,6 +310,54 @@ impl System {
             sliding_limit: at.sliding_limit(),
         })
     }
+}
+
+/// Amplitude and phase with their derivatives, of a response that is known; no phase of what does not move.  `turned` asks
+/// for the contact's motion with the opposite sign.
+pub(super) fn swing(
+    varied: &Varied,
+    response: &SystemResponse<'_>,
+    (r, beta): (Sensitive, Sensitive),
+    of: Of,
+    turned: bool,
+) -> Result<(Sensitive, Option<Sensitive>), StudyError> {
+    let (amplitude, phase) = match response {
+        SystemResponse::StickSlip(orbit) => {
+            let orbit = varied.orbit_along(orbit, r, beta)?;
+            let motion = match of {
+                Of::Contact => orbit.contact(),
+                Of::Mass(index) => orbit.orbit.mass(index),
+            };
+            let (amplitude, phase) = motion.largest();
+            if turned {
+                return Ok((amplitude, Some(orbit.reversed_contact_phase())));
+            }
+            (amplitude, phase)
+        }
+        SystemResponse::Stuck(_) => {
+            let still = match of {
+                Of::Contact => None,
+                Of::Mass(index) => varied.at(r)?.stuck()?.mass_at(index),
+            };
+            let moves =
+                |motion: &Complex<Sensitive>| !(motion.re.vanishes() && motion.im.vanishes());
+            let Some(motion) = still.filter(moves) else {
+                return Ok((Sensitive::constant(0.0), None));
+            };
+            (motion.re.hypot(motion.im), -(motion.im.atan2(motion.re)))
+        }
+        SystemResponse::Continuous(_) => {
+            let motion = varied.at(r)?.motion(beta)?;
+            let motion = match of {
+                Of::Contact => Some(motion.contact()),
+                Of::Mass(index) => motion.mass_at(index),
+            };
+            let motion = motion.ok_or(NoDerivative::Graze)?;
+            (motion.amplitude(), motion.phase())
+        }
+    };
+    let phase = if turned { reversed_phase(phase) } else { phase };
+    Ok((amplitude, Some(phase)))
 }
 
 /// What the response depends on, with its values.
