@@ -13,6 +13,7 @@ use super::system::System;
 use super::units::{Load, angular_frequency};
 use crate::{Of, Regime};
 use amplitude::Friction;
+use frictiongen_kernel::Scalar;
 use peaks::Band;
 use search::{Kind, Least};
 pub use vary::Vary;
@@ -55,6 +56,8 @@ pub enum OptimumError {
     NoSuchQuantity,
     /// Its range is not above 0, finite and of some width.
     Range,
+    /// Nothing damps this mode, counted from 0: the contact does not touch it, and the load drives it.
+    Undamped(usize),
     /// At every friction a resonance within the band is unbounded.
     Unbounded,
     /// The motion does not depend on friction and is at rest.
@@ -70,6 +73,13 @@ impl std::fmt::Display for OptimumError {
             Self::Load(error) => return error.fmt(f),
             Self::NoSuchQuantity => "only a spring, or the damping ratio of a mode of a scene with modal damping, can be varied",
             Self::Range => "a range is above 0 and finite, its end above its start",
+            Self::Undamped(mode) => {
+                return write!(
+                    f,
+                    "no friction bounds the motion: nothing damps mode {}, which the load drives and the contact does not touch",
+                    mode + 1
+                );
+            }
             Self::Unbounded => {
                 "no friction bounds the amplitude over this band: it contains an undamped resonance"
             }
@@ -242,6 +252,15 @@ impl<'s> Problem<'s> {
             && index >= original.scene.masses.len()
         {
             return Err(original.unknown(&index.to_string()).into());
+        }
+        let modal = original.modal();
+        let constants = modal.damping_ratios.iter().zip(&modal.loads);
+        let mut constants = constants.zip(&modal.contacts);
+        let lost = constants.position(|((zeta, load), contact)| {
+            zeta.is_zero() && contact.is_zero() && !load.is_zero()
+        });
+        if let Some(mode) = lost {
+            return Err(OptimumError::Undamped(mode));
         }
         if let Some(load) = request.load {
             original.load_scale(load)?;
