@@ -170,7 +170,7 @@ fn one_mass_is_best_stuck() {
 fn as_by_brute_force() {
     for (text, name, band, window) in [
         (FRAME, "lower", [0.3, 2.0], [0.0, 8.0]),
-        (ABSORBER, "a", [0.5, 1.6], [0.0, 2.0]),
+        (ABSORBER, "a", [0.5, 1.6], [0.1, 0.6]),
     ] {
         let (system, request) = asked(text, name, band[0], band[1]);
         let (optimum, seconds) = optimum(&system, &request);

@@ -13,7 +13,6 @@ use super::system::System;
 use super::units::{Load, angular_frequency};
 use crate::{Of, Regime};
 use amplitude::Friction;
-use frictiongen_kernel::Scalar;
 use peaks::Band;
 use search::{Kind, Least};
 pub use vary::Vary;

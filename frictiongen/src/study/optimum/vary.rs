@@ -19,7 +19,7 @@ pub struct Vary {
 }
 
 /// Values of the scan.
-const SCAN: usize = 12;
+const SCAN: usize = 10;
 /// Steps of the search between two of them.
 const STEPS: usize = 48;
 /// How near to the optimum, in the logarithm of the quantity.
@@ -85,7 +85,7 @@ pub(super) fn solved(problem: &Problem<'_>, vary: &Vary) -> Result<Optimum, Opti
         let band = Band::new(&system, problem.request.of, problem.ratios(&system));
         // Beside a known optimum it lies near; where it does not, all is looked at.
         let near = near.and_then(|near| {
-            let width = (4.0 * (value / near.value).ln().abs()).clamp(1e-6, 0.2);
+            let width = (4.0 * (value / near.value).ln().abs()).clamp(1e-6, 0.5);
             let least = search::least_near(&band, near.least.at.beta, width)?;
             let inner =
                 least.scan.first()?.beta < least.at.beta && least.at.beta < least.scan.last()?.beta;
@@ -104,7 +104,10 @@ pub(super) fn solved(problem: &Problem<'_>, vary: &Vary) -> Result<Optimum, Opti
     };
     let (low, high) = (vary.from.ln(), vary.to.ln());
     let places = (0..=SCAN).map(|place| (low + (high - low) * place as f64 / SCAN as f64).exp());
-    let mut scan: Vec<Chosen> = places.filter_map(|value| at(value, None)).collect();
+    let mut scan: Vec<Chosen> = Vec::new();
+    for value in places {
+        scan.extend(at(value, scan.last()));
+    }
     let best = scan
         .iter()
         .enumerate()
