@@ -1,15 +1,18 @@
 /* A plain exact event stepper, as a peer for frictiongen's orbits.
  *
  *   stepper MASSES CONTACT EXCITED ZETA R BETA [MOST_CYCLES [RUNS]]
+ *   stepper MASSES CONTACT EXCITED ZETA - MU [MOST_CYCLES]
  *
  * A chain of equal masses and springs held by the base, one contact of mass CONTACT with the wall,
  * a harmonic force on mass EXCITED (0: the base moves and the wall with it), modal damping ZETA,
- * mu = 1.  It starts from rest in relative motion, goes in steps of 1/50 cycle by the exact
+ * mu = 1 or as given.  It starts from rest in relative motion, goes in steps of 1/50 cycle by the exact
  * propagator of whatever phase the contact is in, sees events as changes of sign at the end of a
  * step, bisects them to 1e-12, and ends when the state repeats from cycle to cycle to 1e-9.
  *
  * Prints: microseconds (median of RUNS), cycles, whether it repeats, stops and reversals of the last
  * cycle, amplitude of the relative motion in the contact, amplitude of the mass in contact.
+ * With - it reads pairs of r and beta and prints a line for each without the time; the time of all
+ * goes to standard error.
  */
 #include <complex.h>
 #include <math.h>
@@ -18,12 +21,15 @@
 #include <string.h>
 #include <time.h>
 
-enum { MOST = 10, STATES = 2 * MOST, STEPS = 50 };
+#ifndef STEPS
+#define STEPS 50
+#endif
+enum { MOST = 10, STATES = 2 * MOST };
 static const double PI = 3.14159265358979323846, REPEATS = 1e-9, EVENT = 1e-12;
 
 typedef struct {
     int n, j, base;              /* masses, place of the contact, base motion */
-    double r, beta;
+    double r, beta, mu;
     double k[MOST][MOST], c[MOST][MOST], p[MOST]; /* x'' = p cos t - c x' - k x, friction apart */
     double phi[MOST][MOST];      /* [mode][mass] */
     double w[MOST], zeta;        /* frequencies of the modes over that of the excitation */
@@ -119,7 +125,7 @@ static int place(const Scene *s, int i) { return i < s->j ? i : i + 1; }
 
 static void prepare(Scene *s, int n, int contact, int excited, double zeta, double r, double beta) {
     memset(s, 0, sizeof *s);
-    s->n = n; s->j = contact - 1; s->base = excited == 0; s->r = r; s->beta = beta; s->zeta = zeta;
+    s->n = n; s->j = contact - 1; s->base = excited == 0; s->r = r; s->beta = beta; s->zeta = zeta; s->mu = 1;
     double chain[MOST][MOST] = {{0}}, lambda[MOST], r2 = r * r, h = 2 * PI / STEPS;
     for (int i = 0; i < n; i++) {
         chain[i][i] = i + 1 < n ? 2 : 1;
@@ -227,7 +233,7 @@ static State after(const Scene *s, const State *x, double t, int whole) {
 
 /* Whether the phase has ended by this state. */
 static int over(const Scene *s, const State *x) {
-    return x->way ? x->way * of(s, x->u, s->j) <= 0 : fabs(load(s, x)) > s->beta;
+    return x->way ? x->way * of(s, x->u, s->j) <= 0 : fabs(load(s, x)) > s->mu * s->beta;
 }
 
 static void look(const Scene *s, const State *x, Found *found) {
@@ -239,7 +245,7 @@ static void look(const Scene *s, const State *x, Found *found) {
 static Found follow(const Scene *s, int most) {
     State x = {0}, before;
     Found found = {0};
-    x.way = fabs(load(s, &x)) > s->beta ? (load(s, &x) > 0 ? 1 : -1) : 0;
+    x.way = fabs(load(s, &x)) > s->mu * s->beta ? (load(s, &x) > 0 ? 1 : -1) : 0;
     for (found.cycles = 1; found.cycles <= most; found.cycles++) {
         before = x;
         found.stops = found.reversals = 0;
@@ -258,7 +264,7 @@ static Found follow(const Scene *s, int most) {
                 }
                 y = after(s, &x, high, 0);
                 double force = load(s, &y);
-                if (x.way && fabs(force) <= s->beta) { y.way = 0; found.stops++; }
+                if (x.way && fabs(force) <= s->mu * s->beta) { y.way = 0; found.stops++; }
                 else { found.reversals += x.way != 0; y.way = force > 0 ? 1 : -1; }
                 if (x.way) look(s, &y, &found);
                 x = y;
@@ -283,21 +289,41 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return t.tv_sec + 1e-9 * t.tv_nsec;
+}
+
+static int many(int n, int contact, int excited, double zeta, double mu, int most) {
+    double r, beta, all = 0;
+    while (scanf("%lf %lf", &r, &beta) == 2) {
+        Scene s;
+        double start = now();
+        prepare(&s, n, contact, excited, zeta, r, beta);
+        s.mu = mu;
+        Found found = follow(&s, most);
+        all += now() - start;
+        printf("%d %d %d %d %.17g\n", found.cycles, found.repeats, found.stops, found.reversals, found.contact);
+    }
+    fprintf(stderr, "%.6f\n", all);
+    return 0;
+}
+
 int main(int count, char **text) {
     if (count < 7) { fprintf(stderr, "stepper MASSES CONTACT EXCITED ZETA R BETA [MOST_CYCLES [RUNS]]\n"); return 2; }
     int n = atoi(text[1]), contact = atoi(text[2]), excited = atoi(text[3]);
     int most = count > 7 ? atoi(text[7]) : 20000, runs = count > 8 ? atoi(text[8]) : 1;
     if (n < 1 || n > MOST || contact < 1 || contact > n || excited < 0 || excited > n || runs < 1) return 2;
+    if (!strcmp(text[5], "-")) return many(n, contact, excited, atof(text[4]), atof(text[6]), most);
     double *times = malloc(runs * sizeof *times);
     Scene s;
     Found found;
     for (int i = 0; i < runs; i++) {
-        struct timespec a, b;
-        clock_gettime(CLOCK_MONOTONIC, &a);
+        double start = now();
         prepare(&s, n, contact, excited, atof(text[4]), atof(text[5]), atof(text[6]));
         found = follow(&s, most);
-        clock_gettime(CLOCK_MONOTONIC, &b);
-        times[i] = 1e6 * (b.tv_sec - a.tv_sec) + 1e-3 * (b.tv_nsec - a.tv_nsec);
+        times[i] = 1e6 * (now() - start);
     }
     qsort(times, runs, sizeof *times, ascending);
     printf("%.3f %d %s %d %d %.17g %.17g\n", times[runs / 2], found.cycles,

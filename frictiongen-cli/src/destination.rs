@@ -43,12 +43,12 @@ pub struct Destination<'a> {
 }
 
 impl<'a> Destination<'a> {
-    /// As the options say; `pictures` if the command draws.
+    /// As the options say; `draws` if the command does.
     pub fn of(
         path: Option<&'a Path>,
         description: Option<&Path>,
         format: &FormatArguments,
-        pictures: bool,
+        draws: bool,
     ) -> Result<Self, Failure> {
         let asked = format.form();
         let Some(path) = path else {
@@ -61,6 +61,7 @@ impl<'a> Destination<'a> {
         let ending = path
             .extension()
             .map(|ending| ending.to_string_lossy().to_lowercase());
+        let pictures = draws && cfg!(feature = "pictures");
         let form = match ending.as_deref() {
             Some("csv") => Form::Csv,
             Some("json") => Form::Json,

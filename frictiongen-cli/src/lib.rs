@@ -26,6 +26,8 @@ mod number;
 mod optimum;
 mod orbit;
 mod output;
+#[cfg(feature = "pictures")]
+mod picture;
 mod progress;
 mod response;
 mod sensitivity;

@@ -130,7 +130,7 @@ fn responses() -> Figure {
             Stroke::Dashed,
             vec![limit],
         ))
-        .with(Note::new("*P*_1", (0.03, 1.0), Anchor::Start))
+        .with(Note::new("*P*_1", (0.99, 2.75), Anchor::Middle))
         .with_inset(Inset {
             place: (0.62, 0.08, 0.34, 0.42),
             marked: true,
@@ -147,6 +147,9 @@ fn responses() -> Figure {
              *X̄*_1 ≈ 0 the lag is left out.",
         )
 }
+
+/// The names of the classes of a map.
+const STOPS: [&str; 5] = ["no stop", "1 stop", "2 stops", "3 stops", "4 stops"];
 
 /// Regions and maps.
 fn maps() -> Figure {
@@ -199,7 +202,12 @@ fn maps() -> Figure {
         (beta < upper(r)).then_some((count as usize).min(4))
     };
     let classes = (0..5)
-        .map(|i| (format!("{i} stops").into(), Fill::Class(i)))
+        .map(|i| {
+            (
+                STOPS.get(i).copied().unwrap_or_default().into(),
+                Fill::Class(i),
+            )
+        })
         .collect();
     let cells = Cells::Classes {
         classes,
@@ -295,8 +303,11 @@ fn maps() -> Figure {
 /// Multiples of π, jumps, values that are not finite.
 fn times() -> Figure {
     let stuck = |tau: f64| (1.4 * tau.cos()).clamp(-1.0, 1.0);
-    let mut wild = curve(0.0, 2.0 * PI, 600, |tau| 0.4 * tau.tan());
-    wild.push((1.0, f64::NAN));
+    // A pole is not a line: a value that is not finite breaks it.
+    let mut wild = curve(0.0, 0.5 * PI, 600, |tau| 0.4 * tau.tan());
+    wild.push((0.5 * PI, f64::NAN));
+    wild.extend(curve(0.501 * PI, 1.499 * PI, 600, |tau| 0.4 * tau.tan()));
+    let last = curve(1.501 * PI, 2.0 * PI, 600, |tau| 0.4 * tau.tan());
     let panel = Panel::new(
         "",
         Axis::new("*τ*", 0.0, 2.0 * PI).in_pi(),
@@ -318,7 +329,7 @@ fn times() -> Figure {
         "0.4 tan *τ*",
         Colour::Grey,
         Stroke::Thin,
-        vec![wild],
+        vec![wild, last],
     ));
     Figure::new(
         "4.12",

@@ -1,6 +1,6 @@
 //! The page: title, panels in rows, sketch and legend, caption.
 
-use crate::figure::{Figure, Page};
+use crate::figure::{Figure, Page, Panel};
 use crate::frame::Frame;
 use crate::geometry::Rect;
 use crate::label::Label;
@@ -8,7 +8,8 @@ use crate::layer::Anchor;
 use crate::legend::Legend;
 use crate::palette::SOFT;
 use crate::panel::draw_panel;
-use crate::svg::{Canvas, Style};
+use crate::svg::Canvas;
+use crate::text::Style;
 
 const MARGIN: f64 = 14.0;
 /// Between panels.
@@ -83,9 +84,13 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
     for row in figure.panels.chunks(columns) {
         let above = row.iter().map(Frame::above).fold(0.0, f64::max);
         let under = row.iter().map(Frame::under).fold(0.0, f64::max);
-        let widths: Vec<f64> = margins
+        // On a narrow page a colour bar takes room from its own panel alone.
+        let narrow = figure.page == Page::Narrow;
+        let own = |panel: &Panel, right: f64| if narrow { Frame::sides(panel).1 } else { right };
+        let widths: Vec<f64> = row
             .iter()
-            .map(|(left, right)| cell - left - right)
+            .zip(&margins)
+            .map(|(panel, (left, right))| cell - left - own(panel, *right))
             .collect();
         let least = widths.iter().copied().fold(f64::INFINITY, f64::min);
         let usual = (0.7 * least).clamp(200.0, 340.0);
@@ -99,7 +104,7 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
         } else {
             usual
         };
-        for (column, ((left, _), width)) in margins.iter().zip(widths).enumerate().take(row.len()) {
+        for (column, ((left, _), width)) in margins.iter().zip(widths).enumerate() {
             frames.push(Rect {
                 left: MARGIN + column as f64 * (cell + GAP) + left,
                 top: *y + above,
@@ -115,20 +120,20 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
 /// Sketch and legend, side by side where there is room; returns where they end.
 fn below(canvas: &mut Canvas, figure: &Figure, legend: &Legend, room: f64, top: f64) -> f64 {
     let sketch = figure.sketch.as_ref();
-    let size = sketch.and_then(|sketch| Some((sketch, sketch.size()?)));
+    let size = sketch.and_then(|sketch| Some((sketch, sketch.size(room)?)));
     let Some((sketch, (wide, high))) = size else {
         let height = legend.draw(Some(canvas), (MARGIN, top), room);
         return top + height;
     };
     let beside = room - wide - 36.0;
     if legend.is_empty() || beside < legend.least() {
-        sketch.draw(canvas, (MARGIN + 0.5 * (room - wide).max(0.0), top));
+        sketch.draw(canvas, (MARGIN + 0.5 * (room - wide).max(0.0), top), room);
         let under = top + high + 8.0;
         return under + legend.draw(Some(canvas), (MARGIN, under), room);
     }
     let tall = legend.draw(None, (0.0, 0.0), beside);
     let both = high.max(tall);
-    sketch.draw(canvas, (MARGIN, top + 0.5 * (both - high)));
+    sketch.draw(canvas, (MARGIN, top + 0.5 * (both - high)), room);
     legend.draw(
         Some(canvas),
         (MARGIN + wide + 36.0, top + 0.5 * (both - tall)),
@@ -142,7 +147,7 @@ fn heading(figure: &Figure) -> Label {
         figure.title.clone()
     } else {
         let number = figure.number.replace(['\\', '*', '_', '^'], " ");
-        Label::new(&format!("**Figure {number}.**  ")).then(&figure.title)
+        Label::new(&format!("**Figure {number}.** ")).then(&figure.title)
     }
 }
 

@@ -2,9 +2,10 @@
 
 use crate::axis::Axis;
 use crate::label::Label;
-use crate::layer::{Layer, Marker, Stroke};
+use crate::layer::Layer;
 use crate::palette::{Colour, Fill};
 use crate::sketch::Sketch;
+use crate::stroke::{Marker, Stroke};
 
 /// For what width a figure is laid out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -5,14 +5,15 @@ use crate::figure::Panel;
 use crate::geometry::Rect;
 use crate::layer::{Anchor, Cells, Layer};
 use crate::palette::{FRAME, Fill, GRID, INK};
-use crate::svg::{Canvas, Style};
+use crate::svg::Canvas;
+use crate::text::Style;
 use crate::ticks::{Tick, ticks};
 
 const TITLE: f64 = 14.5;
 const LABEL: f64 = 15.0;
 const TICK: f64 = 13.0;
 /// Ticks of an inset.
-const SMALL: f64 = 11.5;
+const SMALL: f64 = 12.0;
 /// From the frame to its tick labels.
 const OFF: f64 = 6.0;
 const BAR: f64 = 13.0;
@@ -27,6 +28,8 @@ pub(crate) struct Frame {
     y_ticks: Vec<Tick>,
     /// The size of tick labels, and of axis labels.
     sizes: (f64, f64),
+    /// Whether lines may run under the words.
+    halo: bool,
 }
 
 impl Frame {
@@ -41,14 +44,15 @@ impl Frame {
             x: Mapping::new(&panel.x, rect.left, rect.right()),
             y: Mapping::new(&panel.y, rect.bottom(), rect.top),
             x_ticks: level_ticks(&panel.x, rect.width, sizes.0),
-            y_ticks: upright_ticks(&panel.y, rect.height),
+            y_ticks: upright_ticks(&panel.y, rect.height, sizes.0),
             sizes,
+            halo: inset,
         }
     }
 
     /// What the axes take to the left and to the right of a frame of the usual height.
     pub(crate) fn sides(panel: &Panel) -> (f64, f64) {
-        let ticks = upright_ticks(&panel.y, panel.height.unwrap_or(260.0));
+        let ticks = upright_ticks(&panel.y, panel.height.unwrap_or(260.0), TICK);
         let label = if panel.y.label.is_empty() {
             0.0
         } else {
@@ -63,7 +67,10 @@ impl Frame {
             };
             12.0 + BAR
                 + OFF
-                + widest(&upright_ticks(bar, panel.height.unwrap_or(260.0)), TICK)
+                + widest(
+                    &upright_ticks(bar, panel.height.unwrap_or(260.0), TICK),
+                    TICK,
+                )
                 + label
         });
         (left, right)
@@ -151,7 +158,14 @@ impl Frame {
             let length = if tick.label.is_empty() { 2.5 } else { 4.5 };
             marks.push(vec![(x, rect.bottom()), (x, rect.bottom() - length)]);
             let place = (x, rect.bottom() + OFF + 0.78 * tick_size);
-            canvas.text(&tick.label, place, Style::new(tick_size, Anchor::Middle));
+            canvas.text(
+                &tick.label,
+                place,
+                Style {
+                    halo: self.halo,
+                    ..Style::new(tick_size, Anchor::Middle)
+                },
+            );
         }
         for tick in &self.y_ticks {
             let Some(y) = self.y.at(tick.value) else {
@@ -162,7 +176,10 @@ impl Frame {
             canvas.text(
                 &tick.label,
                 (rect.left - OFF, y + 0.32 * tick_size),
-                Style::new(tick_size, Anchor::End),
+                Style {
+                    halo: self.halo,
+                    ..Style::new(tick_size, Anchor::End)
+                },
             );
         }
         canvas.path(&marks, FRAME, 0.9, "");
@@ -212,7 +229,7 @@ impl Frame {
         }
         canvas.rect(rect, None, Some((FRAME, 0.9)));
         let mapping = Mapping::new(axis, rect.bottom(), rect.top);
-        let ticks = upright_ticks(axis, rect.height);
+        let ticks = upright_ticks(axis, rect.height, TICK);
         let mut marks = Vec::new();
         for tick in &ticks {
             let Some(y) = mapping.at(tick.value) else {
@@ -255,7 +272,7 @@ fn widest(ticks: &[Tick], size: f64) -> f64 {
 
 /// As many ticks as their labels leave room for.
 fn level_ticks(axis: &Axis, width: f64, size: f64) -> Vec<Tick> {
-    let most = ((width / 55.0) as usize).clamp(2, 8);
+    let most = ((width / (3.6 * size)) as usize).clamp(3, 8);
     for count in (3..=most).rev() {
         let found = ticks(axis, count);
         let named = found.iter().filter(|tick| !tick.label.is_empty()).count();
@@ -266,6 +283,6 @@ fn level_ticks(axis: &Axis, width: f64, size: f64) -> Vec<Tick> {
     ticks(axis, 2)
 }
 
-fn upright_ticks(axis: &Axis, height: f64) -> Vec<Tick> {
-    ticks(axis, ((height / 36.0) as usize).clamp(2, 8))
+fn upright_ticks(axis: &Axis, height: f64, size: f64) -> Vec<Tick> {
+    ticks(axis, ((height / (2.7 * size)) as usize).clamp(3, 8))
 }

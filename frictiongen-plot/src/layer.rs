@@ -4,6 +4,7 @@ use crate::axis::Axis;
 use crate::geometry::Point;
 use crate::label::Label;
 use crate::palette::{Colour, Fill};
+use crate::stroke::{Marker, Stroke};
 
 /// One thing in a panel.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,37 +21,6 @@ pub enum Layer {
     Note(Note),
     /// A straight line across the panel.
     Guide(Guide),
-}
-
-/// How a line is dashed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Stroke {
-    /// Unbroken; for continuous motion.
-    #[default]
-    Solid,
-    /// Dashes and dots; for stick-slip motion.
-    DashDot,
-    /// Dots; for stuck motion.
-    Dotted,
-    /// Dashes; for limits.
-    Dashed,
-    /// Unbroken and thin; for what is there to compare with.
-    Thin,
-}
-
-/// The shape of a marker.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Marker {
-    /// An open circle.
-    Circle,
-    /// A filled dot.
-    Dot,
-    /// An open square.
-    Square,
-    /// An open triangle.
-    Triangle,
-    /// A cross.
-    Cross,
 }
 
 /// A curve in pieces, which are never joined.  A value that is not finite ends a piece.

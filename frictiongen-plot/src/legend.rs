@@ -3,9 +3,11 @@
 use crate::figure::Sample;
 use crate::geometry::Rect;
 use crate::label::Label;
-use crate::layer::{Anchor, Marker, Stroke};
+use crate::layer::Anchor;
 use crate::palette::{Colour, FRAME, Fill};
-use crate::svg::{Canvas, Style};
+use crate::stroke::{Marker, Stroke};
+use crate::svg::Canvas;
+use crate::text::Style;
 
 const SIZE: f64 = 14.0;
 const ROW: f64 = 21.0;
@@ -148,8 +150,8 @@ impl Entry {
 mod tests {
     use super::{Legend, ROW};
     use crate::figure::Sample;
-    use crate::layer::{Marker, Stroke};
     use crate::palette::Colour;
+    use crate::stroke::{Marker, Stroke};
 
     #[test]
     fn a_name_has_one_entry() {

@@ -17,6 +17,8 @@
 //! ```
 
 mod axis;
+#[cfg(feature = "desk")]
+pub mod desk;
 mod draw;
 mod drawing;
 mod figure;
@@ -25,24 +27,30 @@ mod geometry;
 mod label;
 mod layer;
 mod legend;
+mod markup;
 mod metrics;
+mod number;
 mod palette;
 mod panel;
+mod pen;
+mod plan;
 #[cfg(feature = "png")]
 mod png;
 mod raster;
 mod sketch;
+mod stroke;
 mod svg;
+mod text;
 mod ticks;
+mod xml;
 
 pub use axis::{Axis, Scale, Unit};
 pub use figure::{Figure, Inset, Key, Page, Panel, Sample};
 pub use geometry::Point;
 pub use label::{Face, Label, Level, Span};
-pub use layer::{
-    Across, Anchor, Cells, Guide, Layer, Line, Marker, Markers, Note, Raster, Region, Stroke,
-};
+pub use layer::{Across, Anchor, Cells, Guide, Layer, Line, Markers, Note, Raster, Region};
 pub use palette::{Colour, Fill};
 #[cfg(feature = "png")]
 pub use png::PlotError;
 pub use sketch::{Contact, End, Excitation, Sketch, Spring};
+pub use stroke::{Marker, Stroke};

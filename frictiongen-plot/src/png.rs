@@ -31,18 +31,8 @@ pub(crate) fn render(svg: &str, scale: f32) -> Result<Vec<u8>, PlotError> {
     if !scale.is_finite() || scale <= 0.0 {
         return Err(PlotError::Scale(scale));
     }
-    let mut fonts = usvg::fontdb::Database::new();
-    for font in FONTS {
-        fonts.load_font_data(font.to_vec());
-    }
-    fonts.set_serif_family("Plot Serif");
-    let options = usvg::Options {
-        fontdb: Arc::new(fonts),
-        font_family: "Plot Serif".to_owned(),
-        ..usvg::Options::default()
-    };
     let drawing = |error: &dyn std::fmt::Display| PlotError::Drawing(error.to_string());
-    let tree = usvg::Tree::from_str(svg, &options).map_err(|error| drawing(&error))?;
+    let tree = usvg::Tree::from_str(svg, &options()).map_err(|error| drawing(&error))?;
     let (width, height) = (
         (tree.size().width() * scale).round(),
         (tree.size().height() * scale).round(),
@@ -55,4 +45,96 @@ pub(crate) fn render(svg: &str, scale: f32) -> Result<Vec<u8>, PlotError> {
     let transform = tiny_skia::Transform::from_scale(scale, scale);
     resvg::render(&tree, transform, &mut pixels.as_mut());
     pixels.encode_png().map_err(|error| drawing(&error))
+}
+
+/// The embedded fonts, whatever family a text asks for.
+fn options() -> usvg::Options<'static> {
+    let mut fonts = usvg::fontdb::Database::new();
+    for font in FONTS {
+        fonts.load_font_source(usvg::fontdb::Source::Binary(Arc::new(font)));
+    }
+    fonts.set_serif_family("Plot Serif");
+    usvg::Options {
+        fontdb: Arc::new(fonts),
+        font_family: "Plot Serif".to_owned(),
+        ..usvg::Options::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FONTS, PlotError, options, render, usvg};
+    use crate::label::Face;
+    use crate::metrics::advance;
+
+    /// How wide the renderer sets one character.
+    fn set(character: char, style: &str) -> Option<f64> {
+        let text = character
+            .to_string()
+            .replace('&', "&amp;")
+            .replace('<', "&lt;");
+        let svg = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='99' height='99'>\
+             <text y='50' font-size='50' font-family='serif' {style}>{text}</text></svg>"
+        );
+        let tree = usvg::Tree::from_str(&svg, &options()).unwrap();
+        let text = tree.root().children().first()?.bounding_box();
+        Some(f64::from(text.width()) / 50.0)
+    }
+
+    #[test]
+    fn widths_are_those_of_the_embedded_fonts() {
+        let faces = [
+            (Face::Regular, ""),
+            (Face::Italic, "font-style='italic'"),
+            (Face::Bold, "font-weight='bold'"),
+        ];
+        let mut compared = 0;
+        for (face, style) in faces {
+            for character in ('!'..='~').chain('α'..='ω').chain(['Δ', 'Φ', 'Ω']) {
+                let wide = set(character, style).unwrap();
+                let listed = f64::from(advance(face, character)) * 1e-3;
+                assert!(
+                    (wide - listed).abs() < 0.002,
+                    "{character} {style}: {wide}, {listed}"
+                );
+                compared += 1;
+            }
+        }
+        assert_eq!(compared, 3 * (94 + 25 + 3));
+    }
+
+    #[test]
+    fn every_symbol_of_the_figures_has_a_glyph() {
+        let mut fonts = usvg::fontdb::Database::new();
+        assert_eq!(
+            FONTS
+                .iter()
+                .map(|font| fonts
+                    .load_font_source(usvg::fontdb::Source::Binary(std::sync::Arc::new(*font)))
+                    .len())
+                .sum::<usize>(),
+            4
+        );
+        // What has no glyph is set as nothing or as a box of one width.
+        let lost = set('\u{4e00}', "");
+        for character in "−×°±≤≥≈≠→←∞√∂∑≪≫≅∼·…–—′‘’“”".chars()
+        {
+            assert!(
+                set(character, "") != lost && set(character, "").is_some(),
+                "{character}"
+            );
+        }
+    }
+
+    #[test]
+    fn an_impossible_picture_is_an_error() {
+        let svg = crate::Figure::default().svg();
+        for scale in [0.0, -1.0, f32::INFINITY] {
+            assert_eq!(render(&svg, scale), Err(PlotError::Scale(scale)));
+        }
+        assert!(matches!(render(&svg, f32::NAN), Err(PlotError::Scale(_))));
+        assert!(matches!(render(&svg, 1e3), Err(PlotError::TooLarge(..))));
+        assert!(matches!(render("<svg", 1.0), Err(PlotError::Drawing(_))));
+    }
 }

@@ -1,7 +1,7 @@
 //! Sketches of mechanical systems: masses in a row, springs, the friction contact, the excitation.
 
-use crate::drawing::Drawing;
 use crate::label::Label;
+use crate::plan::Plan;
 use crate::svg::Canvas;
 
 /// What a spring or a contact ends on.
@@ -88,32 +88,34 @@ impl Sketch {
     /// The sketch alone as SVG; nothing where there are no masses or too many.
     #[must_use]
     pub fn svg(&self) -> Option<String> {
-        let (width, height) = self.size()?;
+        let (width, height) = self.size(ALONE)?;
         let mut canvas = Canvas::default();
-        self.draw(&mut canvas, (MARGIN, MARGIN));
+        self.draw(&mut canvas, (MARGIN, MARGIN), ALONE);
         let masses: Vec<String> = self.masses.iter().map(Label::plain).collect();
         let title = format!("Sketch of a chain of masses: {}", masses.join(", "));
         Some(canvas.document((width + 2.0 * MARGIN, height + 2.0 * MARGIN), &title, ""))
     }
 
-    /// Width and height, if it is drawn at all.
-    pub(crate) fn size(&self) -> Option<(f64, f64)> {
-        Drawing::new(self).map(|drawing| drawing.size())
+    /// Width and height in so much room, if it is drawn at all.
+    pub(crate) fn size(&self, room: f64) -> Option<(f64, f64)> {
+        Plan::new(self, room).map(|plan| plan.size())
     }
 
     /// Draws it with its upper left corner at a place.
-    pub(crate) fn draw(&self, canvas: &mut Canvas, corner: (f64, f64)) {
-        if let Some(drawing) = Drawing::new(self) {
-            drawing.draw(canvas, corner);
+    pub(crate) fn draw(&self, canvas: &mut Canvas, corner: (f64, f64), room: f64) {
+        if let Some(plan) = Plan::new(self, room) {
+            plan.draw(canvas, corner);
         }
     }
 }
 
 const MARGIN: f64 = 8.0;
+/// The room of a sketch alone.
+const ALONE: f64 = 1000.0;
 
 #[cfg(test)]
 mod tests {
-    use super::{Contact, End, Excitation, Sketch, Spring};
+    use super::{ALONE, Contact, End, Excitation, Sketch, Spring};
 
     fn chain(count: usize) -> Sketch {
         let ends = |index: usize| match index {
@@ -173,18 +175,18 @@ mod tests {
     #[test]
     fn far_springs_and_contacts_take_room() {
         let mut sketch = chain(3);
-        let (width, height) = sketch.size().unwrap();
+        let (width, height) = sketch.size(ALONE).unwrap();
         sketch.springs.push(Spring {
             between: (End::Mass(0), End::Mass(2)),
             label: "a".into(),
         });
-        let (same, higher) = sketch.size().unwrap();
+        let (same, higher) = sketch.size(ALONE).unwrap();
         assert!(same == width && height < higher);
         sketch.springs.push(Spring {
             between: (End::Wall, End::Mass(1)),
             label: "b".into(),
         });
-        let (wider, highest) = sketch.size().unwrap();
+        let (wider, highest) = sketch.size(ALONE).unwrap();
         assert!(width < wider && higher < highest);
         for between in [
             (End::Mass(0), End::Wall),
@@ -195,7 +197,7 @@ mod tests {
                 between,
                 label: "*F*".into(),
             });
-            assert!(highest < sketch.size().unwrap().1, "{between:?}");
+            assert!(highest < sketch.size(ALONE).unwrap().1, "{between:?}");
             assert!(sketch.svg().unwrap().contains(">F</tspan>"));
         }
     }

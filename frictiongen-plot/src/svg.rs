@@ -1,48 +1,19 @@
 //! The writer of SVG: a few elements, numbers of two decimals, text as text.
 
 use crate::geometry::{Point, Rect};
-use crate::label::{Face, Label, Level};
-use crate::layer::{Anchor, Marker, Stroke};
-use crate::palette::{INK, PAPER, Rgb};
+use crate::palette::{PAPER, Rgb};
+use crate::stroke::{Marker, Stroke};
+use crate::xml::{data, escaped, number};
 use std::fmt::Write as _;
 
 /// Families that look alike and are about as wide; PNG has the first one embedded, under another name.
 const FAMILY: &str =
     "'STIX Two Text','Times New Roman',Times,'Liberation Serif','Noto Serif',serif";
 
-/// How text is set.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Style {
-    pub size: f64,
-    pub anchor: Anchor,
-    pub colour: Rgb,
-    /// Read from the bottom to the top.
-    pub upright: bool,
-    /// With a light edge that keeps it legible over lines.
-    pub halo: bool,
-}
-
-impl Style {
-    pub(crate) const fn new(size: f64, anchor: Anchor) -> Self {
-        Self {
-            size,
-            anchor,
-            colour: INK,
-            upright: false,
-            halo: false,
-        }
-    }
-
-    pub(crate) const fn coloured(mut self, colour: Rgb) -> Self {
-        self.colour = colour;
-        self
-    }
-}
-
 /// An SVG in the making.
 #[derive(Debug, Default)]
 pub(crate) struct Canvas {
-    body: String,
+    pub(crate) body: String,
 }
 
 impl Canvas {
@@ -51,7 +22,7 @@ impl Canvas {
         let (width, height) = (number(width.ceil()), number(height.ceil()));
         let mut text = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FAMILY}\">\n"
+             viewBox=\"0 0 {width} {height}\" role=\"img\" xml:space=\"preserve\" font-family=\"{FAMILY}\">\n"
         );
         for (name, content) in [("title", title), ("desc", description)] {
             if !content.is_empty() {
@@ -70,7 +41,7 @@ impl Canvas {
 
     /// Lines of one look.
     pub(crate) fn lines(&mut self, lines: &[Vec<Point>], colour: Rgb, stroke: Stroke) {
-        let (width, dashes) = look(stroke);
+        let (width, dashes) = stroke.look();
         self.path(lines, colour, width, dashes);
     }
 
@@ -187,155 +158,15 @@ impl Canvas {
         };
         let _ = writeln!(self.body, "<path d=\"{data}\" {look}/>");
     }
-
-    /// A line of text.
-    pub(crate) fn text(&mut self, label: &Label, (x, y): Point, style: Style) {
-        if label.is_empty() || !x.is_finite() || !y.is_finite() {
-            return;
-        }
-        let anchor = match style.anchor {
-            Anchor::Start => "",
-            Anchor::Middle => " text-anchor=\"middle\"",
-            Anchor::End => " text-anchor=\"end\"",
-        };
-        let (x, y) = (number(x), number(y));
-        let place = if style.upright {
-            format!("transform=\"translate({x} {y}) rotate(-90)\"")
-        } else {
-            format!("x=\"{x}\" y=\"{y}\"")
-        };
-        let halo = if style.halo {
-            format!(
-                " stroke=\"{PAPER}\" stroke-width=\"3\" stroke-opacity=\"0.8\" stroke-linejoin=\"round\" paint-order=\"stroke\""
-            )
-        } else {
-            String::new()
-        };
-        let _ = write!(
-            self.body,
-            "<text {place} font-size=\"{}\" fill=\"{}\"{anchor}{halo}>",
-            number(style.size),
-            style.colour
-        );
-        let mut drop = 0.0;
-        for span in label.spans() {
-            let text = escaped(&span.text);
-            let wanted = span.level.drop() * style.size;
-            let mut attributes = String::new();
-            if span.level != Level::Base {
-                let _ = write!(
-                    attributes,
-                    " font-size=\"{}\"",
-                    number(span.level.size() * style.size)
-                );
-            }
-            if wanted != drop {
-                let _ = write!(attributes, " dy=\"{}\"", number(wanted - drop));
-                drop = wanted;
-            }
-            attributes.push_str(match span.face {
-                Face::Regular => "",
-                Face::Italic => " font-style=\"italic\"",
-                Face::Bold => " font-weight=\"bold\"",
-            });
-            let _ = if attributes.is_empty() {
-                write!(self.body, "{text}")
-            } else {
-                write!(self.body, "<tspan{attributes}>{text}</tspan>")
-            };
-        }
-        self.body.push_str("</text>\n");
-    }
-}
-
-/// The width and the dashes of a stroke.
-fn look(stroke: Stroke) -> (f64, &'static str) {
-    match stroke {
-        Stroke::Solid => (1.6, ""),
-        Stroke::DashDot => (1.6, "8 3 1.8 3"),
-        Stroke::Dotted => (1.8, "1.8 2.8"),
-        Stroke::Dashed => (1.4, "5.5 3.2"),
-        Stroke::Thin => (0.9, ""),
-    }
-}
-
-/// The data of a path.
-fn data(lines: &[Vec<Point>], end: &str) -> String {
-    let mut data = String::new();
-    for line in lines.iter().filter(|line| 1 < line.len()) {
-        let mut last = None;
-        for (x, y) in line.iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
-            let (x, y) = (number(*x), number(*y));
-            if last.as_ref() == Some(&(x.clone(), y.clone())) {
-                continue;
-            }
-            // Pairs after the first are lines.
-            let _ = write!(data, "{}{x} {y}", if last.is_none() { "M" } else { " " });
-            last = Some((x, y));
-        }
-        data.push_str(end);
-    }
-    data
-}
-
-/// A finite number with two decimals, none of them needless.
-pub(crate) fn number(value: f64) -> String {
-    let value = if value.is_finite() { value } else { 0.0 };
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".to_owned()
-    } else {
-        text.to_owned()
-    }
-}
-
-/// Text that XML takes for text; control characters, which it forbids, become spaces.
-fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            _ if character.is_control() || matches!(character, '\u{fffe}' | '\u{ffff}') => {
-                safe.push(' ')
-            }
-            _ => safe.push(character),
-        }
-    }
-    safe
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Canvas, Style, number};
+    use super::Canvas;
     use crate::label::Label;
     use crate::layer::Anchor;
     use crate::palette::INK;
-
-    #[test]
-    fn numbers_are_short_and_finite() {
-        let said = [1.0, -0.001, 0.125, 1e7, 10.5, f64::NAN, f64::INFINITY].map(number);
-        assert_eq!(said, ["1", "0", "0.12", "10000000", "10.5", "0", "0"]);
-    }
-
-    #[test]
-    fn text_has_real_subscripts_and_is_escaped() {
-        let mut canvas = Canvas::default();
-        canvas.text(
-            &Label::new("*β*_lim < 1"),
-            (1.0, 2.0),
-            Style::new(10.0, Anchor::Middle),
-        );
-        assert_eq!(
-            canvas.body,
-            "<text x=\"1\" y=\"2\" font-size=\"10\" fill=\"#222222\" text-anchor=\"middle\">\
-             <tspan font-style=\"italic\">β</tspan><tspan font-size=\"7.4\" dy=\"2.2\">lim</tspan>\
-             <tspan dy=\"-2.2\"> &lt; 1</tspan></text>\n"
-        );
-    }
+    use crate::text::Style;
 
     #[test]
     fn what_is_not_finite_is_left_out() {

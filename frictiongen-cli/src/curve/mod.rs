@@ -1,5 +1,7 @@
 //! `frictiongen curve`: responses along frequency in every regime.
 
+#[cfg(feature = "pictures")]
+mod draw;
 mod report;
 
 use crate::args::CurveArguments;
@@ -73,9 +75,8 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         curves,
     };
     destination.write(out, |out| match destination.form {
-        Form::Table | Form::Csv | Form::Json => {
-            output::print(&report, &summary, destination.form, out)
-        }
-        Form::Svg | Form::Png => Err(Failure::new("pictures are not drawn yet")),
+        #[cfg(feature = "pictures")]
+        Form::Svg | Form::Png => draw::draw(&report, destination.form, out),
+        form => output::print(&report, &summary, form, out),
     })
 }

@@ -1,5 +1,7 @@
 //! `frictiongen map`: what the contact does over frequency and friction.
 
+#[cfg(feature = "pictures")]
+mod draw;
 mod lines;
 mod points;
 mod region;
@@ -73,7 +75,11 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
         map,
     };
     destination.write(out, |out| match (destination.form, boundaries) {
-        (Form::Svg | Form::Png, _) => Err(Failure::new("pictures are not drawn yet")),
+        #[cfg(feature = "pictures")]
+        (form @ (Form::Svg | Form::Png), boundaries) => {
+            let boundaries = boundaries.unwrap_or_default();
+            draw::draw(&report, &boundaries, arguments.shade, form, out)
+        }
         (form, Some(boundaries)) => {
             let report = BoundaryReport {
                 map: &report,
@@ -85,7 +91,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     })?;
     if done < asked {
         return Err(Failure::new(format_args!(
-            "stopped: the first {done} of {asked} frequencies are done and written"
+            "stopped: {done} of {asked} frequencies are done and written"
         )));
     }
     Ok(())

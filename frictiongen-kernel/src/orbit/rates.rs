@@ -31,6 +31,10 @@ fn largest<S: Float>(sum: &Sum<'_, S>, size: impl Fn(S) -> S) -> S {
     let step = sum.reach / places;
     let (mut before, mut here) = (zero, size(zero));
     let mut best = here;
+    // An extreme beside an end is between no three places.
+    for from in [zero, sum.reach - step] {
+        best = best.max(summit(from, from + step, &size));
+    }
     let mut place = one;
     while place <= places {
         let next = size(step * place);

@@ -182,7 +182,8 @@ impl SystemResponse<'_> {
     }
 
     /// The largest friction force of the period over P: β while the contact slides, μβ where it stops and breaks away,
-    /// and what holds it where it never slides, μβ*_lim.
+    /// and what holds it where it never slides, μβ*_lim. A contact that came to rest off its middle carries a constant
+    /// force beside.
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         match self {

@@ -38,8 +38,10 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
         grid.extend(orders.map(|order| resonance / order));
     }
     let sides = |pole: &f64| [pole * (1.0 - NEAR_POLE), pole * (1.0 + NEAR_POLE)];
-    grid.extend(poles.iter().flat_map(sides));
-    grid.retain(|r| request.from <= *r && *r <= request.to);
+    let beside = |r: &f64| poles.iter().any(|pole| (r / pole - 1.0).abs() <= NEAR_POLE);
+    grid.retain(|r| request.from <= *r && *r <= request.to && !beside(r));
+    let sides = poles.iter().flat_map(sides);
+    grid.extend(sides.filter(|r| request.from <= *r && *r <= request.to));
     grid.sort_by(f64::total_cmp);
     grid.dedup();
     let is_pole = |left: f64, right: f64| poles.iter().any(|pole| left < *pole && *pole < right);
@@ -128,24 +130,38 @@ impl Search<'_> {
                     r: left,
                     cut: Some(End::Pole),
                 });
-            } else if first == second {
-                places.push(Place { r: left, cut: None });
             } else {
-                let (low, high) = self.boundary(left, right, *first);
-                if left < low {
-                    places.push(Place { r: left, cut: None });
-                }
-                places.push(Place {
-                    r: low,
-                    cut: Some(End::Boundary),
-                });
-                if high < right {
-                    places.push(Place { r: high, cut: None });
-                }
+                self.change(left, right, [*first, *second], &mut places);
             }
         }
         places.extend(all.last().map(|r| Place { r: *r, cut: None }));
         places
+    }
+
+    /// Adds the first of two places, and the sides of every boundary between it and the second.
+    fn change(
+        &self,
+        left: f64,
+        right: f64,
+        [first, second]: [Option<Regime>; 2],
+        places: &mut Vec<Place>,
+    ) {
+        if first == second {
+            places.push(Place { r: left, cut: None });
+            return;
+        }
+        let (low, high) = self.boundary(left, right, first);
+        if left < low {
+            places.push(Place { r: left, cut: None });
+        }
+        places.push(Place {
+            r: low,
+            cut: Some(End::Boundary),
+        });
+        if high < right {
+            // From the continuous regime to the stuck one there may be stick-slip between.
+            self.change(high, right, [self.regime(high), second], places);
+        }
     }
 
     /// The neighbouring numbers between which the regime of the first place ends.

@@ -10,8 +10,13 @@ use std::f64::consts::PI;
 
 /// Two places nearer than this, relatively, that still differ are on two sides of a jump.
 const NARROW: f64 = 1e-7;
-/// The same for motions that do not settle, whose amplitudes scatter.
-const NARROW_UNSETTLED: f64 = 1e-3;
+/// The same where amplitudes scatter: of motions that do not settle, and where the motion from rest ends in one or another
+/// of several steady states, however near its neighbours are.
+const NARROW_SCATTERED: f64 = 1e-3;
+/// So many jumps between two places of the first grid are each found; beyond, the motion scatters.
+const MOST_JUMPS: u32 = 4;
+/// Up to which distance, relatively, the place is sought at which the contact begins to stop in another way.
+const NARROW_PATTERN: f64 = 1e-4;
 /// Up to which distance, relatively, the end of a gap is sought.
 const NARROW_GAP: f64 = 1e-7;
 /// Below this share of the largest amplitude of the first grid a bend is not followed.
@@ -81,30 +86,37 @@ impl<'a> Refine<'a> {
         };
         let mut nodes = vec![left.clone()];
         if left.cut.is_none() {
-            self.between(left, right, &mut nodes);
+            self.between(left, right, false, &mut nodes, &mut 0);
         }
         nodes
     }
 
-    /// Adds the nodes that lie between two, the first of which is the last of `nodes`.
-    fn between(&self, left: &Node, right: &Node, nodes: &mut Vec<Node>) {
+    /// Adds the nodes that lie between two, the first of which is the last of `nodes`.  An interval is done when it and the
+    /// one that it is a half of are straight: in the middle alone a bend may pass by chance.
+    fn between(
+        &self,
+        left: &Node,
+        right: &Node,
+        was_straight: bool,
+        nodes: &mut Vec<Node>,
+        jumps: &mut u32,
+    ) {
         let width = right.r - left.r;
-        let cut = |nodes: &mut Vec<Node>, end: End| {
-            if let Some(last) = nodes.last_mut() {
-                last.cut = Some(end);
-            }
-        };
         let narrow = match (&left.answer, &right.answer) {
-            (Ok(a), Ok(b)) if a.settled && b.settled => NARROW,
-            (Ok(_), Ok(_)) => NARROW_UNSETTLED,
+            (Ok(a), Ok(b)) if a.settled && b.settled && *jumps < MOST_JUMPS => NARROW,
+            (Ok(_), Ok(_)) => NARROW_SCATTERED,
             // Answers of no place between are of no use.
             (Err(a), Err(b)) if a == b => return,
             _ => NARROW_GAP,
         };
         if width <= narrow * right.r {
-            match (&left.answer, &right.answer) {
-                (Ok(a), Ok(b)) if !self.touch(a, b) => cut(nodes, End::Jump),
-                _ => {}
+            let apart = match (&left.answer, &right.answer) {
+                (Ok(a), Ok(b)) => !self.touch(a, b),
+                _ => false,
+            };
+            if let Some(last) = nodes.last_mut().filter(|_| apart) {
+                last.cut = Some(End::Jump);
+                *jumps += 1;
             }
             return;
         }
@@ -118,16 +130,19 @@ impl<'a> Refine<'a> {
             cut: None,
         };
         let straight = match (&left.answer, &middle.answer, &right.answer) {
-            (Ok(a), Ok(m), Ok(b)) => self.is_straight(a, m, b),
+            (Ok(a), Ok(m), Ok(b)) => {
+                self.is_straight(a, m, b) && (alike([a, m, b]) || width <= NARROW_PATTERN * r)
+            }
             (Err(a), Err(m), Err(b)) => a == m && m == b,
             _ => false,
         };
-        if !straight {
-            self.between(left, &middle, nodes);
+        let done = straight && was_straight;
+        if !done {
+            self.between(left, &middle, straight, nodes, jumps);
         }
         nodes.push(middle.clone());
-        if !straight {
-            self.between(&middle, right, nodes);
+        if !done {
+            self.between(&middle, right, straight, nodes, jumps);
         }
     }
 
@@ -192,6 +207,14 @@ impl<'a> Refine<'a> {
             gaps: builder.gaps,
         }
     }
+}
+
+/// Whether the contact does the same at three points.
+fn alike(points: [&CurvePoint; 3]) -> bool {
+    let pattern = |point: &CurvePoint| (point.stops, point.period, point.settled);
+    points
+        .iter()
+        .all(|point| pattern(point) == pattern(points[0]))
 }
 
 /// Phase differences in (−π, π].

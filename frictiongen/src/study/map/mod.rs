@@ -117,7 +117,8 @@ impl MapPoint {
 impl System {
     /// The response at every pair of a frequency ratio and a friction ratio, on all cores.
     ///
-    /// Each steady state is the one that is reached from rest, whatever its neighbours are.
+    /// Where the contact can slide all the time the response is the closed form, elsewhere the steady state that is reached
+    /// from rest, whatever the neighbours are. For μ > 1 another steady state may exist beside the closed form.
     ///
     /// ```
     /// use frictiongen::study::MapRequest;

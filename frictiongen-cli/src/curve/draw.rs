@@ -1,0 +1,30 @@
+//! Draws curves.
+
+use super::report::CurveReport;
+use crate::destination::Form;
+use crate::failure::Failure;
+use crate::picture;
+use frictiongen_plot::desk::{Drawn, curve_figure};
+use frictiongen_plot::{Colour, Label};
+use std::io::Write;
+
+/// Draws the curves: amplitude and phase of each motion.
+pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
+    let scales = picture::scales(&report.system, report.band.is_physical(), &report.measure);
+    let curves = report.curves.iter().enumerate();
+    let drawn: Vec<Drawn<'_>> = curves
+        .map(|(index, (friction, curve))| Drawn {
+            curve,
+            name: scales.friction_name(friction.beta),
+            colour: Colour::Series(index),
+        })
+        .collect();
+    let parts: Vec<Label> = report.parts.iter().map(picture::part_name).collect();
+    let title = Label::verbatim(&report.system.scene().name);
+    picture::write(
+        curve_figure(title, &drawn, &parts, &scales),
+        &report.system,
+        form,
+        out,
+    )
+}

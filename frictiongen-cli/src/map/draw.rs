@@ -1,0 +1,64 @@
+//! Draws maps.
+
+use super::points::MapReport;
+use crate::args::Shade;
+use crate::destination::Form;
+use crate::failure::Failure;
+use crate::picture;
+use frictiongen::study::Boundary;
+use frictiongen_plot::Label;
+use frictiongen_plot::desk::{self, map_figure};
+use std::io::Write;
+
+/// How far a limit may stray from its line, in β/(1 + β).
+const LINES: f64 = 2e-4;
+
+/// Draws a map, with the limits over it.
+pub fn draw(
+    report: &MapReport,
+    boundaries: &[Boundary],
+    shade: Shade,
+    form: Form,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let map = &report.map;
+    let ends = map
+        .columns
+        .iter()
+        .fold((f64::INFINITY, 0.0_f64), |(low, high), column| {
+            (low.min(column.r), high.max(column.r))
+        });
+    if !(ends.0 < ends.1) || map.beta.len() < 2 {
+        return Err(Failure::new(
+            "a picture of a map needs two frequencies and two frictions",
+        ));
+    }
+    let lines = report
+        .system
+        .limit_lines(ends.0, ends.1, LINES)
+        .map_err(Failure::new)?;
+    let shade = match shade {
+        Shade::Regime => desk::Shade::Regime,
+        Shade::Stuck => desk::Shade::Stuck,
+        Shade::Amplitude => desk::Shade::Amplitude(0),
+    };
+    let scales = picture::scales(
+        &report.system,
+        report.frequencies.are_physical(),
+        &report.measure,
+    );
+    let name = &report.system.scene().name;
+    let title = match (shade, report.parts.first()) {
+        (desk::Shade::Amplitude(_), Some(part)) => format!("{name}: {}", part.name),
+        _ => name.clone(),
+    };
+    let figure = map_figure(
+        Label::verbatim(&title),
+        map,
+        &lines,
+        boundaries,
+        shade,
+        &scales,
+    );
+    picture::write(figure, &report.system, form, out)
+}

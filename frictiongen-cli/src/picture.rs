@@ -1,0 +1,46 @@
+//! Pictures: what is drawn, and the file that it goes to.
+
+use crate::asked::Part;
+use crate::destination::Form;
+use crate::failure::Failure;
+use crate::measure::Measure;
+use frictiongen::System;
+use frictiongen_plot::desk::{Scales, sketch};
+use frictiongen_plot::{Figure, Label};
+use std::io::Write;
+
+/// Pixels of a PNG for each of the SVG's.
+const SCALE: f32 = 2.0;
+
+/// In what the axes count.
+pub fn scales(system: &System, in_hertz: bool, measure: &Measure) -> Scales {
+    let mut scales = Scales::groups(system);
+    if in_hertz {
+        scales = scales.in_hertz(system);
+    }
+    match measure.scale() {
+        Some(load) => scales.under(load),
+        None => scales,
+    }
+}
+
+/// What a motion is called over its panel.
+pub fn part_name(part: &Part) -> Label {
+    Label::verbatim(&part.name)
+}
+
+/// Writes a figure of a system, with its sketch.
+pub fn write(
+    figure: Figure,
+    system: &System,
+    form: Form,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let figure = figure.with_sketch(sketch(system.scene(), true));
+    let bytes = match form {
+        Form::Png => figure.png(SCALE).map_err(Failure::new)?,
+        _ => figure.svg().into_bytes(),
+    };
+    out.write_all(&bytes)?;
+    Ok(out.flush()?)
+}

@@ -1,0 +1,317 @@
+//! Responses along frequency: strokes tell the regime, colours the friction.
+
+use super::scales::Scales;
+use crate::{Axis, Colour, Figure, Key, Label, Line, Marker, Markers, Panel, Point, Stroke};
+use frictiongen::Regime;
+use frictiongen::study::{Curve, CurvePoint, End, Piece};
+
+/// What of a motion is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// The amplitude of the motion.
+    Amplitude,
+    /// Its phase in degrees.
+    Phase,
+    /// The amplitude of a harmonic, by its place among those asked for.
+    Harmonic(usize),
+    /// The phase of a harmonic in degrees.
+    HarmonicPhase(usize),
+}
+
+/// A curve, with what the legend calls it and its colour.
+#[derive(Clone, Debug)]
+pub struct Drawn<'a> {
+    /// The curve.
+    pub curve: &'a Curve,
+    /// Its name.
+    pub name: Label,
+    /// Its colour.
+    pub colour: Colour,
+}
+
+/// Neighbours whose phases differ by more, rad, are not joined.
+const TURN: f64 = 0.6;
+/// A phase is left out where its amplitude is below this share of the piece's median.
+const VANISHING: f64 = 2e-3;
+
+/// The stroke of a regime.
+fn stroke(regime: Regime) -> Stroke {
+    match regime {
+        Regime::Stuck => Stroke::Dotted,
+        Regime::StickSlip => Stroke::DashDot,
+        _ => Stroke::Solid,
+    }
+}
+
+/// What the strokes mean.
+#[must_use]
+pub fn keys() -> Vec<Key> {
+    vec![
+        Key::stroke("continuous", Stroke::Solid),
+        Key::stroke("stick-slip", Stroke::DashDot),
+        Key::stroke("stuck", Stroke::Dotted),
+    ]
+}
+
+impl Reading {
+    fn is_phase(self) -> bool {
+        matches!(self, Self::Phase | Self::HarmonicPhase(_))
+    }
+
+    /// Amplitude and phase of a motion, by its place among those asked for.
+    fn polar(self, point: &CurvePoint, part: usize) -> Option<(f64, Option<f64>)> {
+        let movement = point.movements.get(part)?;
+        Some(match self {
+            Self::Amplitude | Self::Phase => (movement.swing.amplitude, movement.swing.phase),
+            Self::Harmonic(index) | Self::HarmonicPhase(index) => {
+                let x = movement.harmonics.get(index)?;
+                let size = x.re.hypot(x.im);
+                (size, (0.0 < size).then(|| -x.im.atan2(x.re)))
+            }
+        })
+    }
+}
+
+/// The curve of one motion, piece by piece, each with its regime and its points on paper.
+fn traced(
+    curve: &Curve,
+    part: usize,
+    reading: Reading,
+    scales: &Scales,
+) -> Vec<(Regime, Vec<Vec<Point>>)> {
+    let mut last = None;
+    let pieces = curve.pieces.iter().map(|piece| {
+        let runs = if reading.is_phase() {
+            phases(piece, part, reading, scales, &mut last)
+        } else {
+            let points = piece.points.iter();
+            let placed = points.filter_map(|point| {
+                let (size, _) = reading.polar(point, part)?;
+                Some((scales.frequency(point.r), scales.length(size)))
+            });
+            vec![placed.collect()]
+        };
+        (piece.regime, runs)
+    });
+    pieces.collect()
+}
+
+/// The phases of a piece in degrees, continuous along each run; the first run begins near where the last one ended.
+fn phases(
+    piece: &Piece,
+    part: usize,
+    reading: Reading,
+    scales: &Scales,
+    last: &mut Option<f64>,
+) -> Vec<Vec<Point>> {
+    let mut sizes: Vec<f64> = piece
+        .points
+        .iter()
+        .filter_map(|point| Some(reading.polar(point, part)?.0))
+        .collect();
+    sizes.sort_by(f64::total_cmp);
+    let least = VANISHING * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+    let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
+    let mut before: Option<f64> = None;
+    for point in &piece.points {
+        let polar = reading.polar(point, part);
+        let phase = polar
+            .filter(|(size, _)| least <= *size)
+            .and_then(|(_, phase)| phase);
+        let Some(phase) = phase else {
+            runs.push(Vec::new());
+            before = None;
+            continue;
+        };
+        let near = |other: f64| phase - ((phase - other) / FULL).round() * FULL;
+        let joined = before.filter(|before| (near(*before) - before).abs() < TURN);
+        let turned = match joined {
+            Some(before) => near(before),
+            None => {
+                runs.push(Vec::new());
+                // Of all turns the one next to the last run; lags are mostly between 0 and a half turn.
+                near(last.unwrap_or(0.25 * FULL))
+            }
+        };
+        before = Some(turned);
+        *last = before;
+        if let Some(run) = runs.last_mut() {
+            run.push((scales.frequency(point.r), turned.to_degrees()));
+        }
+    }
+    runs.retain(|run| 1 < run.len());
+    runs
+}
+
+const FULL: f64 = std::f64::consts::TAU;
+
+/// The lines of one motion of a curve. The legend names the curve once, whatever its regimes are.
+#[must_use]
+pub fn lines(
+    drawn: &Drawn<'_>,
+    part: usize,
+    reading: Reading,
+    scales: &Scales,
+) -> Vec<crate::Layer> {
+    let mut layers: Vec<crate::Layer> = Vec::new();
+    let traced = traced(drawn.curve, part, reading, scales);
+    let mut named = false;
+    for regime in [Regime::Continuous, Regime::StickSlip, Regime::Stuck] {
+        let of_regime = traced.iter().filter(|(of, _)| *of == regime);
+        let runs: Vec<Vec<Point>> = of_regime.flat_map(|(_, runs)| runs.clone()).collect();
+        if runs.iter().all(|run| run.len() < 2) {
+            continue;
+        }
+        let line = Line::unnamed(drawn.colour, stroke(regime), runs);
+        let name = (!named).then(|| drawn.name.clone());
+        named = true;
+        layers.push(Line { name, ..line }.into());
+    }
+    if !reading.is_phase() {
+        // Of a motion that does not settle the amplitudes scatter.
+        let lone = drawn
+            .curve
+            .pieces
+            .iter()
+            .filter(|piece| piece.points.len() == 1);
+        let points = lone
+            .flat_map(|piece| &piece.points)
+            .filter(|point| !point.settled);
+        let placed: Vec<Point> = points
+            .filter_map(|point| {
+                let (size, _) = reading.polar(point, part)?;
+                Some((scales.frequency(point.r), scales.length(size)))
+            })
+            .collect();
+        if !placed.is_empty() {
+            layers.push(Markers::unnamed(drawn.colour, Marker::Dot, placed).into());
+        }
+    }
+    layers
+}
+
+/// A panel of one motion of several curves, its range fitted to them.
+#[must_use]
+pub fn panel(
+    title: impl Into<Label>,
+    drawn: &[Drawn<'_>],
+    part: usize,
+    reading: Reading,
+    scales: &Scales,
+) -> Panel {
+    let ends = drawn
+        .iter()
+        .flat_map(|drawn| &drawn.curve.pieces)
+        .flat_map(|piece| {
+            [piece.points.first(), piece.points.last()]
+                .into_iter()
+                .flatten()
+                .map(|point| scales.frequency(point.r))
+        });
+    let (low, high) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), r| {
+        (low.min(r), high.max(r))
+    });
+    // An axis that begins just above 0 begins at 0.
+    let low = if low < 0.25 * high { 0.0 } else { low };
+    let x = Axis::new(scales.frequency_label(), low, high);
+    let y = if reading.is_phase() {
+        phase_axis(drawn, part, reading, scales)
+    } else {
+        Axis::new(
+            scales.length_label(),
+            0.0,
+            top(drawn, part, reading, scales),
+        )
+    };
+    let mut panel = Panel::new(title, x, y);
+    for drawn in drawn {
+        for layer in lines(drawn, part, reading, scales) {
+            panel = panel.with(layer);
+        }
+    }
+    panel
+}
+
+fn phase_axis(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> Axis {
+    let (mut low, mut high) = (0.0_f64, 180.0_f64);
+    for drawn in drawn {
+        for (_, runs) in traced(drawn.curve, part, reading, scales) {
+            for (_, phase) in runs.into_iter().flatten() {
+                (low, high) = (low.min(phase), high.max(phase));
+            }
+        }
+    }
+    // To whole eighths of a turn: a phase may stray from 0 and 180 by rounding.
+    let step = |value: f64| (value / 45.0).abs() - 1e-6;
+    let (low, high) = (-45.0 * step(low).ceil().max(0.0), 45.0 * step(high).ceil());
+    Axis::new("phase *φ* (degrees)", low, high).degrees()
+}
+
+/// The upper end of an axis of amplitudes: all of them, or nine tenths of the range where one grows without bound.
+fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f64 {
+    let mut largest = 0.0_f64;
+    for drawn in drawn {
+        let pieces = &drawn.curve.pieces;
+        let pole = pieces
+            .iter()
+            .any(|piece| piece.start == End::Pole || piece.end == End::Pole);
+        let read = |point: &CurvePoint| Some((point.r, reading.polar(point, part)?.0));
+        let points = || {
+            pieces
+                .iter()
+                .flat_map(|piece| &piece.points)
+                .filter_map(read)
+        };
+        let most = points().fold(0.0, |most, (_, size)| size.max(most));
+        let shown = if pole {
+            spread(&points().collect::<Vec<_>>()).min(most)
+        } else {
+            most
+        };
+        largest = largest.max(scales.length(shown));
+    }
+    if largest > 0.0 { 1.06 * largest } else { 1.0 }
+}
+
+/// What the amplitude exceeds over a tenth of the range only, times a little.
+fn spread(points: &[(f64, f64)]) -> f64 {
+    let mut parts: Vec<(f64, f64)> = points
+        .windows(2)
+        .filter_map(|pair| match pair {
+            [a, b] => Some((a.1.max(b.1), (b.0 - a.0).max(0.0))),
+            _ => None,
+        })
+        .collect();
+    parts.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let whole: f64 = parts.iter().map(|part| part.1).sum();
+    let mut seen = 0.0;
+    for (size, width) in parts {
+        seen += width;
+        if 0.1 * whole <= seen {
+            return 1.3 * size;
+        }
+    }
+    0.0
+}
+
+/// Amplitude and phase of every motion asked for, one row each.
+#[must_use]
+pub fn curve_figure(
+    title: impl Into<Label>,
+    drawn: &[Drawn<'_>],
+    parts: &[Label],
+    scales: &Scales,
+) -> Figure {
+    let mut panels = Vec::new();
+    for (index, part) in parts.iter().enumerate() {
+        panels.push(panel(
+            part.clone(),
+            drawn,
+            index,
+            Reading::Amplitude,
+            scales,
+        ));
+        panels.push(panel(part.clone(), drawn, index, Reading::Phase, scales));
+    }
+    Figure::new("", title, 2, panels).with_keys(keys())
+}

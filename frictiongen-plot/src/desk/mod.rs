@@ -1,0 +1,13 @@
+//! Pictures of what a [`System`](frictiongen::System) answers: curves, regimes, maps, the system itself.
+
+mod curves;
+mod map;
+mod regimes;
+mod scales;
+mod sketch;
+
+pub use curves::{Drawn, Reading, curve_figure, keys, lines, panel};
+pub use map::{Shade, map_figure, map_panel};
+pub use regimes::{limit_lines, regimes};
+pub use scales::Scales;
+pub use sketch::sketch;

@@ -1,0 +1,113 @@
+//! Regimes over frequency and friction: both limits, and the areas between them.
+
+use super::scales::Scales;
+use crate::{Axis, Colour, Fill, Label, Line, Panel, Point, Region, Stroke};
+use frictiongen::study::LimitLines;
+
+/// Both limits as lines, up to a friction ratio somewhat above `top`.
+#[must_use]
+pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour) -> [Line; 2] {
+    let line = |name: &str, stroke, read: fn(f64, f64) -> f64| {
+        let points = lines.points.iter();
+        let place = |(r, limits): &(f64, frictiongen::Limits<f64>)| -> Point {
+            let beta = read(limits.continuous, limits.sliding).min(4.0 * top);
+            (scales.frequency(*r), scales.friction(beta))
+        };
+        Line::new(name, colour, stroke, vec![points.map(place).collect()])
+    };
+    [
+        line(
+            "*β*_lim, continuous below",
+            Stroke::Solid,
+            |continuous, _| continuous,
+        ),
+        line("*β*_lim^*, stuck above", Stroke::Dashed, |_, sliding| {
+            sliding
+        }),
+    ]
+}
+
+/// The regimes up to a friction ratio: areas with their names, and both limits.
+#[must_use]
+pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &Scales) -> Panel {
+    let ends = |read: fn(&[(f64, frictiongen::Limits<f64>)]) -> Option<f64>| read(&lines.points);
+    let low = ends(|points| points.first().map(|point| point.0)).unwrap_or(0.0);
+    let high = ends(|points| points.last().map(|point| point.0)).unwrap_or(1.0);
+    let x = Axis::new(
+        scales.frequency_label(),
+        scales.frequency(low),
+        scales.frequency(high),
+    );
+    let y = Axis::new(scales.friction_label(), 0.0, scales.friction(top));
+    let mut panel = Panel::new(title, x, y);
+    let beyond = 4.0 * top;
+    for (name, fill, lower, upper) in [
+        ("continuous", 0, Edge::Zero, Edge::Continuous),
+        ("stick-slip", 1, Edge::Continuous, Edge::Sliding),
+        ("stuck", 2, Edge::Sliding, Edge::Beyond),
+    ] {
+        let places: Vec<(f64, f64, f64)> = lines
+            .points
+            .iter()
+            .map(|(r, limits)| (*r, lower.of(limits, beyond), upper.of(limits, beyond)))
+            .collect();
+        let drawn: Vec<_> = places
+            .iter()
+            .map(|(r, low, high)| {
+                (
+                    scales.frequency(*r),
+                    scales.friction(*low),
+                    scales.friction(*high),
+                )
+            })
+            .collect();
+        let mut region = Region::between(name, Fill::Class(fill), &drawn);
+        if let Some((r, beta)) = roomiest(&places, top) {
+            region = region.named_at((scales.frequency(r), scales.friction(beta)));
+        }
+        panel = panel.with(region);
+    }
+    let [continuous, sliding] = limit_lines(lines, top, scales, Colour::Black);
+    panel.with(continuous).with(sliding)
+}
+
+/// A side of an area.
+#[derive(Clone, Copy)]
+enum Edge {
+    Zero,
+    Continuous,
+    Sliding,
+    Beyond,
+}
+
+impl Edge {
+    fn of(self, limits: &frictiongen::Limits<f64>, beyond: f64) -> f64 {
+        let beta = match self {
+            Self::Zero => 0.0,
+            Self::Continuous => limits.continuous.min(limits.sliding),
+            Self::Sliding => limits.sliding,
+            Self::Beyond => beyond,
+        };
+        beta.min(beyond)
+    }
+}
+
+/// Where an area has the most room for its name, if it has enough: the middle of the highest place around which it stays
+/// high.
+fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
+    let first = places.first()?.0;
+    let width = places.last()?.0 - first;
+    let reach = 0.07 * width;
+    let mut best: Option<(f64, f64, f64)> = None;
+    for at in (2..=46).map(|i| first + width * f64::from(i) / 48.0) {
+        let near = places.iter().filter(|place| (place.0 - at).abs() <= reach);
+        let (low, high) = near.fold((0.0_f64, top), |(low, high), place| {
+            (low.max(place.1), high.min(place.2))
+        });
+        let height = high - low;
+        if 0.06 * top < height && best.is_none_or(|best| best.2 < height) {
+            best = Some((at, 0.5 * (low + high), height));
+        }
+    }
+    best.map(|(r, beta, _)| (r, beta))
+}

@@ -1,0 +1,116 @@
+//! In what an axis counts: groups, or physical units.
+
+use crate::Label;
+use frictiongen::System;
+use frictiongen::study::{LoadScale, scene::Excitation};
+
+/// In what frequencies, frictions and displacements are counted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scales {
+    /// r → Hz, if frequencies are in Hz.
+    hertz: Option<f64>,
+    /// What a load makes of the groups, if it is known.
+    load: Option<LoadScale>,
+    base_motion: bool,
+}
+
+impl Scales {
+    /// Groups: r, β, x̄.
+    #[must_use]
+    pub fn groups(system: &System) -> Self {
+        Self {
+            hertz: None,
+            load: None,
+            base_motion: system.scene().excitation == Excitation::Base,
+        }
+    }
+
+    /// Frequencies in Hz.
+    #[must_use]
+    pub fn in_hertz(self, system: &System) -> Self {
+        Self {
+            hertz: Some(system.hertz(1.0)),
+            ..self
+        }
+    }
+
+    /// Forces in N, displacements in mm.
+    #[must_use]
+    pub fn under(self, load: LoadScale) -> Self {
+        Self {
+            load: Some(load),
+            ..self
+        }
+    }
+
+    /// r on its axis.
+    #[must_use]
+    pub fn frequency(&self, r: f64) -> f64 {
+        self.hertz.map_or(r, |hertz| r * hertz)
+    }
+
+    /// What stands along that axis.
+    #[must_use]
+    pub fn frequency_label(&self) -> Label {
+        match self.hertz {
+            Some(_) => "frequency (Hz)".into(),
+            None => "frequency ratio *r*".into(),
+        }
+    }
+
+    /// β on its axis.
+    #[must_use]
+    pub fn friction(&self, beta: f64) -> f64 {
+        self.load.map_or(beta, |load| load.friction(beta))
+    }
+
+    /// What stands along that axis.
+    #[must_use]
+    pub fn friction_label(&self) -> Label {
+        match self.load {
+            Some(_) => "friction force *F* (N)".into(),
+            None => "friction ratio *β*".into(),
+        }
+    }
+
+    /// A friction, as a legend names it.
+    #[must_use]
+    pub fn friction_name(&self, beta: f64) -> Label {
+        let value = short(self.friction(beta));
+        match self.load {
+            Some(_) => format!("*F* = {value} N").into(),
+            None => format!("*β* = {value}").into(),
+        }
+    }
+
+    /// A displacement on its axis: in mm, or as a ratio.
+    #[must_use]
+    pub fn length(&self, ratio: f64) -> f64 {
+        self.load
+            .map_or(ratio, |load| load.displacement(ratio) * 1e3)
+    }
+
+    /// What stands along that axis.
+    #[must_use]
+    pub fn length_label(&self) -> Label {
+        match (self.load, self.base_motion) {
+            (Some(_), _) => "amplitude (mm)".into(),
+            (None, true) => "amplitude over *Y*".into(),
+            (None, false) => "amplitude over *P*/*k*_1".into(),
+        }
+    }
+}
+
+/// A number in a legend: four digits, without needless noughts.
+fn short(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    let decimals = (3.0 - value.abs().log10().floor()).clamp(0.0, 12.0) as usize;
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}

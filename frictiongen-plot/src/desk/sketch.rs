@@ -1,0 +1,53 @@
+//! The system as a sketch.
+
+use crate::{Contact, End, Excitation, Label, Sketch, Spring};
+use frictiongen::study::scene::{self, Node, Scene};
+
+/// The sketch of a scene: masses and springs with the names that the theory gives them, or with the scene's own.
+#[must_use]
+pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
+    let end = |node: Node| match node {
+        Node::Mass(index) => End::Mass(index),
+        Node::Base => End::Base,
+        Node::Wall => End::Wall,
+    };
+    let single = scene.masses.len() == 1;
+    let masses = scene.masses.iter().enumerate().map(|(index, mass)| {
+        if own_names {
+            Label::verbatim(&mass.name)
+        } else if single {
+            "*m*".into()
+        } else {
+            Label::from(format!("*m*_{}", index + 1))
+        }
+    });
+    let springs = scene
+        .springs
+        .iter()
+        .enumerate()
+        .map(|(index, spring)| Spring {
+            between: (end(spring.from), end(spring.to)),
+            label: if own_names || single {
+                "*k*".into()
+            } else {
+                Label::from(format!("*k*_{}", index + 1))
+            },
+        });
+    Sketch {
+        masses: masses.collect(),
+        springs: springs.collect(),
+        contact: Some(Contact {
+            between: (end(scene.contact.from), end(scene.contact.to)),
+            label: "*F*".into(),
+        }),
+        excitation: match scene.excitation {
+            scene::Excitation::Force(mass) => Excitation::Force {
+                mass,
+                label: "*P* cos *ωt*".into(),
+            },
+            scene::Excitation::Base => Excitation::Base {
+                label: "*Y* cos *ωt*".into(),
+            },
+        },
+    }
+}

@@ -1,0 +1,95 @@
+//! The strokes of a sketch: lines, springs, hatching, arrows.
+
+use crate::geometry::{Point, Rect};
+use crate::label::Label;
+use crate::layer::Anchor;
+use crate::palette::{INK, Rgb, SOFT};
+use crate::svg::Canvas;
+use crate::text::Style;
+
+/// The size of words.
+pub(crate) const TEXT: f64 = 14.0;
+
+/// Draws from a corner.
+#[derive(Debug)]
+pub(crate) struct Pen<'c> {
+    canvas: &'c mut Canvas,
+    left: f64,
+    top: f64,
+}
+
+impl<'c> Pen<'c> {
+    pub(crate) fn new(canvas: &'c mut Canvas, (left, top): Point) -> Self {
+        Self { canvas, left, top }
+    }
+
+    pub(crate) fn line(&mut self, points: &[Point], colour: Rgb, width: f64) {
+        let moved = points
+            .iter()
+            .map(|(x, y)| (x + self.left, y + self.top))
+            .collect();
+        self.canvas.path(&[moved], colour, width, "");
+    }
+
+    pub(crate) fn rect(
+        &mut self,
+        (left, top, width, height): (f64, f64, f64, f64),
+        fill: Rgb,
+        edge: Option<Rgb>,
+    ) {
+        let rect = Rect {
+            left: left + self.left,
+            top: top + self.top,
+            width,
+            height,
+        };
+        self.canvas
+            .rect(rect, Some(fill), edge.map(|edge| (edge, 1.2)));
+    }
+
+    pub(crate) fn text(&mut self, label: &Label, (x, y): Point, anchor: Anchor, colour: Rgb) {
+        let style = Style::new(TEXT, anchor).coloured(colour);
+        self.canvas
+            .text(label, (x + self.left, y + self.top), style);
+    }
+
+    /// A zigzag from left to right, with straight ends.
+    pub(crate) fn spring(&mut self, from: f64, to: f64, y: f64) {
+        let turns = 8;
+        let lead = f64::min(9.0, 0.15 * (to - from));
+        let step = (to - from - 2.0 * lead) / f64::from(turns);
+        let mut points = vec![(from, y), (from + lead, y)];
+        for turn in 0..turns {
+            let side = if turn % 2 == 0 { -5.5 } else { 5.5 };
+            points.push((from + lead + step * (f64::from(turn) + 0.5), y + side));
+        }
+        points.extend([(to - lead, y), (to, y)]);
+        self.line(&points, INK, 1.2);
+    }
+
+    /// A line with hatching on one side.
+    pub(crate) fn hatched(&mut self, from: Point, to: Point, side: Point) {
+        let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+        let length = dx.abs().max(dy.abs());
+        let count = (length / 6.0).floor().max(1.0);
+        for index in 0..count as usize {
+            let share = (index as f64 + 1.0) / count;
+            let at = (from.0 + share * dx, from.1 + share * dy);
+            let back = 5.0 / length;
+            let end = (
+                at.0 - back * dx + 6.0 * side.0,
+                at.1 - back * dy + 6.0 * side.1,
+            );
+            self.line(&[at, end], SOFT, 0.8);
+        }
+        self.line(&[from, to], INK, 1.6);
+    }
+
+    pub(crate) fn arrow(&mut self, from: Point, to: Point, colour: Rgb) {
+        let sign = if from.0 < to.0 { 1.0 } else { -1.0 };
+        self.line(&[from, (to.0 - 5.0 * sign, to.1)], colour, 1.6);
+        let (x, y) = (to.0 + self.left, to.1 + self.top);
+        let head = vec![(x, y), (x - 8.0 * sign, y - 3.6), (x - 8.0 * sign, y + 3.6)];
+        self.canvas.areas(&[head], colour);
+    }
+}

@@ -1,0 +1,181 @@
+//! Where the parts of a sketch lie.
+
+use crate::geometry::Point;
+use crate::label::Label;
+use crate::pen::TEXT;
+use crate::sketch::{Contact, End, Excitation, Sketch, Spring};
+
+pub(crate) const WIDTH: f64 = 46.0;
+pub(crate) const HEIGHT: f64 = 44.0;
+pub(crate) const GAP: f64 = 58.0;
+/// What a mass and a gap shrink to at most.
+pub(crate) const LEAST: f64 = 0.48;
+/// A spring above the masses with its label.
+pub(crate) const LANE: f64 = 34.0;
+pub(crate) const HATCH: f64 = 7.0;
+/// Between a mass and what it rubs on.
+pub(crate) const PAD: f64 = 7.0;
+
+/// A sketch with the places of its parts, from its upper left corner.
+#[derive(Debug)]
+pub(crate) struct Plan<'a> {
+    pub sketch: &'a Sketch,
+    /// Springs in the row, by the gap they fill.
+    pub direct: Vec<(usize, &'a Spring)>,
+    /// Springs above it: from which station to which, and in which lane.
+    pub above: Vec<(usize, usize, usize, &'a Spring)>,
+    pub contact: Option<&'a Contact>,
+    pub base: bool,
+    pub wall: bool,
+    pub lanes: usize,
+    /// The widths of a mass and of a gap.
+    pub pitch: (f64, f64),
+}
+
+impl<'a> Plan<'a> {
+    /// Parts come nearer to each other where there is less room than they would take.
+    pub(crate) fn new(sketch: &'a Sketch, room: f64) -> Option<Self> {
+        let count = sketch.masses.len();
+        if !(1..=Sketch::MOST).contains(&count) {
+            return None;
+        }
+        // Stations from left to right: the base, the masses, the wall.
+        let station = |end: End| match end {
+            End::Base => Some(0),
+            End::Mass(index) => (index < count).then_some(index + 1),
+            End::Wall => Some(count + 1),
+        };
+        let stations = |(a, b): (End, End)| {
+            let (a, b) = (station(a)?, station(b)?);
+            let (low, high) = (a.min(b), a.max(b));
+            (low != high && (low, high) != (0, count + 1)).then_some((low, high))
+        };
+        let mut plan = Self {
+            sketch,
+            direct: Vec::new(),
+            above: Vec::new(),
+            contact: sketch
+                .contact
+                .as_ref()
+                .filter(|contact| stations(contact.between).is_some()),
+            base: matches!(sketch.excitation, Excitation::Base { .. }),
+            wall: false,
+            lanes: 0,
+            pitch: (WIDTH, GAP),
+        };
+        let mut far: Vec<(usize, usize, &Spring)> = Vec::new();
+        for spring in &sketch.springs {
+            let Some((low, high)) = stations(spring.between) else {
+                continue;
+            };
+            plan.base |= low == 0;
+            plan.wall |= high == count + 1;
+            if high == low + 1 && plan.direct.iter().all(|(gap, _)| *gap != low) {
+                plan.direct.push((low, spring));
+            } else {
+                far.push((low, high, spring));
+            }
+        }
+        if let Some(contact) = plan.contact {
+            plan.base |= [contact.between.0, contact.between.1].contains(&End::Base);
+        }
+        far.sort_by_key(|(low, high, _)| (high - low, *low));
+        for (low, high, spring) in far {
+            // The longer a spring, the higher: none crosses another's risers needlessly.
+            let taken = plan
+                .above
+                .iter()
+                .filter(|(a, b, ..)| *a < high && low < *b)
+                .map(|(_, _, lane, _)| lane + 1);
+            let lane = taken.max().unwrap_or(0);
+            plan.lanes = plan.lanes.max(lane + 1);
+            plan.above.push((low, high, lane, spring));
+        }
+        let (wide, _) = plan.size();
+        let (last, _) = plan.sides(count);
+        if room < wide {
+            // All but what stands to the right of the last mass and the base shrinks.
+            let share = ((room - (wide - last)) / last).clamp(LEAST, 1.0);
+            plan.pitch = (share * WIDTH, share * GAP);
+        }
+        Some(plan)
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.sketch.masses.len()
+    }
+
+    /// The left edge of the first mass.
+    pub(crate) fn start(&self) -> f64 {
+        if self.base { HATCH + self.pitch.1 } else { 2.0 }
+    }
+
+    /// The two sides of a station.
+    pub(crate) fn sides(&self, station: usize) -> (f64, f64) {
+        let left = self.start() + (self.pitch.0 + self.pitch.1) * (station as f64 - 1.0);
+        match station {
+            0 => (HATCH, HATCH),
+            _ if station == self.count() + 1 => (left, left),
+            _ => (left, left + self.pitch.0),
+        }
+    }
+
+    pub(crate) fn top(&self) -> f64 {
+        LANE * self.lanes as f64 + 6.0 + self.over()
+    }
+
+    pub(crate) fn force(&self) -> Option<(usize, &'a Label)> {
+        match &self.sketch.excitation {
+            Excitation::Force { mass, label } if *mass < self.count() => Some((*mass, label)),
+            _ => None,
+        }
+    }
+
+    /// What stands under the masses.
+    pub(crate) fn under(&self) -> f64 {
+        let contact = match self.contact {
+            Some(_) => PAD + HATCH + TEXT + 6.0,
+            None => 2.0,
+        };
+        let base = match &self.sketch.excitation {
+            Excitation::Base { .. } => PAD + HATCH + TEXT + 10.0,
+            _ => 2.0,
+        };
+        contact.max(base)
+    }
+
+    pub(crate) fn size(&self) -> Point {
+        let (_, last) = self.sides(self.count());
+        let wall = if self.wall {
+            last + self.pitch.1 + HATCH
+        } else {
+            last + 2.0
+        };
+        let force = self.force().map_or(0.0, |(mass, label)| {
+            self.sides(mass + 1).1
+                + 46.0
+                + if self.is_free(mass) {
+                    label.width(TEXT)
+                } else {
+                    0.0
+                }
+        });
+        (wall.max(force), self.top() + HEIGHT + self.under())
+    }
+
+    /// Whether nothing stands to the right of a mass.
+    pub(crate) fn is_free(&self, mass: usize) -> bool {
+        mass + 1 == self.count() && !self.wall
+    }
+
+    /// What an arrow over the row takes.
+    pub(crate) fn over(&self) -> f64 {
+        let over = self.force().is_some_and(|(mass, _)| !self.is_free(mass));
+        if over { 10.0 } else { 0.0 }
+    }
+
+    /// The height of a lane's springs.
+    pub(crate) fn lane(&self, lane: usize) -> f64 {
+        self.top() - 14.0 - self.over() - LANE * lane as f64
+    }
+}

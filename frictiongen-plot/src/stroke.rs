@@ -1,0 +1,45 @@
+//! Strokes and markers.
+
+/// How a line is dashed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Stroke {
+    /// Unbroken; for continuous motion.
+    #[default]
+    Solid,
+    /// Dashes and dots; for stick-slip motion.
+    DashDot,
+    /// Dots; for stuck motion.
+    Dotted,
+    /// Dashes; for limits.
+    Dashed,
+    /// Unbroken and thin; for what is there to compare with.
+    Thin,
+}
+
+/// The shape of a marker.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Marker {
+    /// An open circle.
+    Circle,
+    /// A filled dot.
+    Dot,
+    /// An open square.
+    Square,
+    /// An open triangle.
+    Triangle,
+    /// A cross.
+    Cross,
+}
+
+impl Stroke {
+    /// The width and the dashes of a stroke.
+    pub(crate) fn look(self) -> (f64, &'static str) {
+        match self {
+            Self::Solid => (1.6, ""),
+            Self::DashDot => (1.6, "8 3 1.8 3"),
+            Self::Dotted => (1.8, "1.8 2.8"),
+            Self::Dashed => (1.4, "5.5 3.2"),
+            Self::Thin => (0.9, ""),
+        }
+    }
+}

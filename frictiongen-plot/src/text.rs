@@ -1,0 +1,215 @@
+//! Text as text, with what SVG has no element for: subscripts and bars.
+
+use crate::geometry::Point;
+use crate::label::{Face, Label, Span};
+use crate::layer::Anchor;
+use crate::metrics::advance;
+use crate::palette::{INK, PAPER, Rgb};
+use crate::svg::Canvas;
+use crate::xml::{escaped, number};
+use std::fmt::Write as _;
+
+/// How text is set.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Style {
+    pub size: f64,
+    pub anchor: Anchor,
+    pub colour: Rgb,
+    /// Read from the bottom to the top.
+    pub upright: bool,
+    /// With a light edge that keeps it legible over lines.
+    pub halo: bool,
+}
+
+impl Style {
+    pub(crate) const fn new(size: f64, anchor: Anchor) -> Self {
+        Self {
+            size,
+            anchor,
+            colour: INK,
+            upright: false,
+            halo: false,
+        }
+    }
+
+    pub(crate) const fn coloured(mut self, colour: Rgb) -> Self {
+        self.colour = colour;
+        self
+    }
+}
+
+/// The size of a bar, relative to its letter's.  It is an en dash: few fonts that a browser may take place a combining
+/// macron well, and all have dashes of half an em at a fourth of it.
+const BAR: f64 = 0.8;
+const DASH: f64 = 0.5 * BAR;
+
+/// A run of text, moved from where the run before ends.
+struct Piece<'a> {
+    text: &'a str,
+    face: Face,
+    size: f64,
+    /// To the right.
+    shift: f64,
+    /// Below the line.
+    drop: f64,
+}
+
+/// The runs of a label in a size, with bars as runs of their own.
+fn pieces(label: &Label, size: f64) -> Vec<Piece<'_>> {
+    let mut pieces = Vec::new();
+    for Span { text, face, level } in label.spans() {
+        let (size, drop) = (level.size() * size, level.drop() * size);
+        let mut shift = 0.0;
+        let mut rest = text.as_str();
+        while let Some((before, after)) = rest.split_once('\u{304}') {
+            pieces.push(Piece {
+                text: before,
+                face: *face,
+                size,
+                shift,
+                drop,
+            });
+            let (back, forth, rise) = bar(before.chars().next_back().unwrap_or(' '), *face);
+            pieces.push(Piece {
+                text: "–",
+                face: Face::Regular,
+                size: BAR * size,
+                shift: back * size,
+                drop: drop - rise * size,
+            });
+            (shift, rest) = (forth * size, after);
+        }
+        pieces.push(Piece {
+            text: rest,
+            face: *face,
+            size,
+            shift,
+            drop,
+        });
+    }
+    // What follows a bar at a run's end moves with the next run.
+    let mut carried = 0.0;
+    for piece in &mut pieces {
+        piece.shift += carried;
+        carried = if piece.text.is_empty() {
+            piece.shift
+        } else {
+            0.0
+        };
+    }
+    pieces.retain(|piece| !piece.text.is_empty());
+    pieces
+}
+
+/// For the bar over a letter: the way back to it, the way on after it, and how high it stands; in ems.
+fn bar(letter: char, face: Face) -> (f64, f64, f64) {
+    let tall = letter.is_uppercase() || "bdfhklt".contains(letter);
+    // Slanted letters end to the right of their middle.
+    let slant = match (face, tall) {
+        (Face::Italic, true) => 0.1,
+        (Face::Italic, false) => 0.04,
+        _ => 0.0,
+    };
+    let middle = 0.5e-3 * f64::from(advance(face, letter)) - slant;
+    let rise = if tall { 0.58 } else { 0.4 };
+    (-middle - 0.5 * DASH, middle - 0.5 * DASH, rise)
+}
+
+impl Canvas {
+    /// A line of text.
+    pub(crate) fn text(&mut self, label: &Label, (x, y): Point, style: Style) {
+        if label.is_empty() || !x.is_finite() || !y.is_finite() {
+            return;
+        }
+        let anchor = match style.anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
+        };
+        let (x, y) = (number(x), number(y));
+        let place = if style.upright {
+            format!("transform=\"translate({x} {y}) rotate(-90)\"")
+        } else {
+            format!("x=\"{x}\" y=\"{y}\"")
+        };
+        let halo = if style.halo {
+            format!(
+                " stroke=\"{PAPER}\" stroke-width=\"3\" stroke-opacity=\"0.8\" stroke-linejoin=\"round\" paint-order=\"stroke\""
+            )
+        } else {
+            String::new()
+        };
+        // Writing to a string cannot fail.
+        let _ = write!(
+            self.body,
+            "<text {place} font-size=\"{}\" fill=\"{}\"{anchor}{halo}>",
+            number(style.size),
+            style.colour
+        );
+        let mut drop = 0.0;
+        for piece in pieces(label, style.size) {
+            let mut attributes = String::new();
+            let mut attribute = |name: &str, value: f64| {
+                let _ = write!(attributes, " {name}=\"{}\"", number(value));
+            };
+            if piece.size != style.size {
+                attribute("font-size", piece.size);
+            }
+            if piece.shift != 0.0 {
+                attribute("dx", piece.shift);
+            }
+            if piece.drop != drop {
+                attribute("dy", piece.drop - drop);
+                drop = piece.drop;
+            }
+            attributes.push_str(match piece.face {
+                Face::Regular => "",
+                Face::Italic => " font-style=\"italic\"",
+                Face::Bold => " font-weight=\"bold\"",
+            });
+            let text = escaped(piece.text);
+            let _ = if attributes.is_empty() {
+                write!(self.body, "{text}")
+            } else {
+                write!(self.body, "<tspan{attributes}>{text}</tspan>")
+            };
+        }
+        self.body.push_str("</text>\n");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Style, pieces};
+    use crate::label::Label;
+    use crate::layer::Anchor;
+    use crate::svg::Canvas;
+
+    #[test]
+    fn text_has_real_subscripts_and_is_escaped() {
+        let mut canvas = Canvas::default();
+        canvas.text(
+            &Label::new("*β*_lim < 1"),
+            (1.0, 2.0),
+            Style::new(10.0, Anchor::Middle),
+        );
+        assert_eq!(
+            canvas.body,
+            "<text x=\"1\" y=\"2\" font-size=\"10\" fill=\"#222222\" text-anchor=\"middle\">\
+             <tspan font-style=\"italic\">β</tspan><tspan font-size=\"7.4\" dy=\"2.2\">lim</tspan>\
+             <tspan dy=\"-2.2\"> &lt; 1</tspan></text>\n"
+        );
+    }
+
+    #[test]
+    fn a_bar_stands_over_its_letter_and_moves_nothing_else() {
+        let label = Label::new("*X̄*_1 and *x̄*");
+        let found = pieces(&label, 10.0);
+        let texts: Vec<&str> = found.iter().map(|piece| piece.text).collect();
+        assert_eq!(texts, ["X", "–", "1", " and ", "x", "–"]);
+        // What goes back and what goes on make up for the dash.
+        assert!((found[1].shift + found[2].shift + 4.0).abs() < 1e-9);
+        assert!(found[1].shift < 0.0 && found[1].drop < found[5].drop && found[5].drop < 0.0);
+        assert_eq!((found[3].shift, found[3].drop), (0.0, 0.0));
+    }
+}

@@ -1,0 +1,192 @@
+//! Maps: their points, their boundaries, what is left of a cancelled one.
+
+use crate::{SCENES, system};
+use frictiongen::study::{MapRequest, Pattern};
+use frictiongen::{Of, Regime};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+fn request() -> MapRequest {
+    MapRequest {
+        r: (1..=30).map(|i| 0.0731 * f64::from(i)).collect(),
+        beta: (0..=24).map(|i| 0.047 * f64::from(i)).collect(),
+        of: vec![Of::Contact, Of::Mass(0)],
+    }
+}
+
+/// Points in parallel are those one by one, in their order.
+#[test]
+fn points_are_responses() {
+    for (name, text) in SCENES {
+        let system = system(text);
+        let map = system.map(&request(), |_| true).unwrap();
+        assert_eq!(map.points().count(), 30 * 25);
+        for (r, beta, point) in map.points().step_by(17) {
+            let response = system.at(r).unwrap().response(beta);
+            match (point, response) {
+                (Ok(point), Ok(response)) => {
+                    assert_eq!(
+                        point.pattern,
+                        Pattern::of(&response),
+                        "{name}, r = {r}, β = {beta}"
+                    );
+                    let amplitude = response.swing(Of::Mass(0)).unwrap().amplitude;
+                    assert_eq!(
+                        point.amplitudes[1], amplitude,
+                        "{name}, r = {r}, β = {beta}"
+                    );
+                }
+                (Err(one), Err(other)) => assert_eq!(*one, other),
+                (one, other) => panic!("{name}, r = {r}, β = {beta}: {one:?}, {other:?}"),
+            }
+        }
+    }
+}
+
+/// On both sides of a traced boundary the contact does what it says; the limits of the regimes are exact.
+#[test]
+fn boundaries_have_their_two_sides() {
+    let (mut inner, mut exact) = (0, 0);
+    for (name, text) in SCENES {
+        let system = system(text);
+        let map = system.map(&request(), |_| true).unwrap();
+        for boundary in system.boundaries(&map, 5) {
+            let at = system.at(boundary.r).unwrap();
+            let what = format!("{name}, r = {}, β = {}", boundary.r, boundary.beta);
+            if boundary.width == 0.0 {
+                let limits = at.limits();
+                assert!(
+                    [limits.continuous, limits.sliding].contains(&boundary.beta),
+                    "{what}"
+                );
+                exact += 1;
+                continue;
+            }
+            assert!(
+                boundary.width <= 1e-5 * boundary.beta * 1.001,
+                "{what}: {}",
+                boundary.width
+            );
+            let pattern = |beta: f64| at.response(beta).map(|response| Pattern::of(&response));
+            assert_eq!(
+                pattern(boundary.beta - 0.5 * boundary.width),
+                boundary.below,
+                "{what}"
+            );
+            assert_eq!(
+                pattern(boundary.beta + 0.5 * boundary.width),
+                boundary.above,
+                "{what}"
+            );
+            inner += 1;
+        }
+    }
+    println!("{exact} limits, {inner} traced");
+    assert!(exact > 100 && inner > 30, "{exact} limits, {inner} traced");
+}
+
+/// A cancelled map keeps whole columns, in their order.
+#[test]
+fn a_cancelled_map_keeps_whole_columns() {
+    let system = system(SCENES[0].1);
+    let told = AtomicUsize::new(0);
+    let map = system
+        .map(&request(), |done| {
+            told.fetch_max(done, Ordering::Relaxed);
+            done < 5
+        })
+        .unwrap();
+    let done = map.columns.len();
+    // Columns that other threads are in the middle of are dropped; those that they had finished stay.
+    assert!(
+        (5..30).contains(&done) && told.load(Ordering::Relaxed) >= 5,
+        "{done}"
+    );
+    assert!(map.columns.iter().all(|column| column.points.len() == 25));
+    assert!(map.columns.is_sorted_by(|a, b| a.r < b.r));
+    assert!(
+        system
+            .map(&request(), |_| false)
+            .unwrap()
+            .columns
+            .is_empty()
+    );
+}
+
+#[test]
+fn bad_requests() {
+    let system = system(SCENES[0].1);
+    for (change, argument) in [
+        (
+            MapRequest {
+                r: vec![-1.0],
+                ..request()
+            },
+            "r",
+        ),
+        (
+            MapRequest {
+                r: vec![f64::NAN],
+                ..request()
+            },
+            "r",
+        ),
+        (
+            MapRequest {
+                r: vec![f64::INFINITY],
+                ..request()
+            },
+            "r",
+        ),
+        (
+            MapRequest {
+                beta: vec![f64::INFINITY],
+                ..request()
+            },
+            "beta",
+        ),
+        (
+            MapRequest {
+                of: vec![Of::Mass(1)],
+                ..request()
+            },
+            "mass",
+        ),
+    ] {
+        assert_eq!(
+            system.map(&change, |_| true).unwrap_err().argument,
+            argument
+        );
+    }
+}
+
+/// Lines of limits pass the limits between their points, and touch 0 at the odd sub-harmonics (3.17).
+#[test]
+fn limit_lines_pass_the_limits() {
+    let share = |beta: f64| 1.0 - 1.0 / (1.0 + beta);
+    for (name, text) in SCENES {
+        let system = system(text);
+        let lines = system.limit_lines(0.05, 2.5, 1e-4).unwrap();
+        for pair in lines.points.windows(2) {
+            let r = 0.6 * pair[0].0 + 0.4 * pair[1].0;
+            let exact = system.at(r).unwrap().limits();
+            let line = |read: fn(&frictiongen::Limits<f64>) -> f64| {
+                (0.6 * share(read(&pair[0].1)) + 0.4 * share(read(&pair[1].1))
+                    - share(read(&exact)))
+                .abs()
+            };
+            assert!(line(|limits| limits.continuous) < 1e-3, "{name}, r = {r}");
+            assert!(line(|limits| limits.sliding) < 1e-3, "{name}, r = {r}");
+        }
+    }
+    let block = system(SCENES[0].1);
+    let lines = block.limit_lines(0.1, 1.5, 1e-4).unwrap();
+    let third = lines
+        .points
+        .iter()
+        .find(|point| point.0 == 1.0 / 3.0)
+        .unwrap();
+    assert!(third.1.continuous < 1e-12 && third.1.regime(0.3) == Ok(Regime::StickSlip));
+    assert!(
+        block.limit_lines(1.0, 1.0, 1e-4).is_err() && block.limit_lines(-1.0, 1.0, 1e-4).is_err()
+    );
+}
