@@ -84,7 +84,8 @@ fn by_map(
 ) -> (f64, f64, usize) {
     let mut count = 0;
     let (mut best, mut least) = (f64::NAN, f64::INFINITY);
-    while high - low > 1e-7 * high {
+    // At a crossing the amplitude is as near as friction is.
+    while high - low > 2e-9 * high {
         let cell = (high - low) / 40.0;
         for place in 0..=40 {
             let beta = low + cell * f64::from(place);
