@@ -116,6 +116,14 @@ fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
     })
 }
 
+/// The one motion asked for.
+pub fn part(system: &System, name: &str) -> Result<Part, Failure> {
+    let mut parts = parts(system, &[name.to_owned()])?;
+    parts
+        .pop()
+        .ok_or_else(|| Failure::new("--of: give the motion"))
+}
+
 /// The regime in a word.
 pub fn regime_name(regime: Regime) -> &'static str {
     match regime {

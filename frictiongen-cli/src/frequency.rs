@@ -165,6 +165,11 @@ pub struct Frequency {
 }
 
 impl Frequency {
+    /// In Hz, as given or from r.
+    pub fn hertz(&self, system: &System) -> f64 {
+        self.hertz.unwrap_or_else(|| system.hertz(self.r))
+    }
+
     fn of_ratio(r: f64) -> Self {
         Self {
             r,

@@ -27,6 +27,11 @@ pub struct Friction {
 }
 
 impl Friction {
+    /// The friction force, where the load is known; else β.
+    pub fn force(&self) -> f64 {
+        self.force.unwrap_or(self.beta)
+    }
+
     /// Its cells.
     pub fn values(&self) -> Vec<Value<'static>> {
         let before = self.force.into_iter();

@@ -24,12 +24,14 @@ mod limits;
 mod map;
 mod measure;
 mod number;
+mod optimum;
 mod orbit;
 mod output;
 #[cfg(feature = "pictures")]
 mod picture;
 mod progress;
 mod response;
+mod sensitivity;
 mod summary;
 mod table;
 mod time;
@@ -73,9 +75,11 @@ pub fn run(
         Command::Limits(arguments) => limits::run(arguments, out),
         Command::Response(arguments) => response::run(arguments, out),
         Command::Orbit(arguments) => orbit::run(arguments, out),
+        Command::Sensitivity(arguments) => sensitivity::run(arguments, out),
         Command::Curve(arguments) => curve::run(arguments, out),
         Command::Map(arguments) => map::run(arguments, out),
         Command::Time(arguments) => time::run(arguments, out),
+        Command::Optimum(arguments) => optimum::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
     }?)

@@ -10,6 +10,7 @@ use frictiongen::study::{Load, LoadError, LoadScale};
 #[derive(Clone, Copy, Debug)]
 pub struct Measure {
     scale: Option<LoadScale>,
+    load: Option<Load>,
     base_motion: bool,
     reversed: bool,
 }
@@ -19,15 +20,18 @@ impl Measure {
     pub fn of(arguments: &LoadArguments, system: &System) -> Result<Self, Failure> {
         let mut measure = Self {
             scale: None,
+            load: None,
             base_motion: system.scene().excitation == Excitation::Base,
             reversed: system.contact_is_reversed(),
         };
         if let Some(text) = &arguments.force {
             let load = Load::Force(number("--force", text)?);
+            measure.load = Some(load);
             measure.scale = Some(measure.checked(system, load, "--force", text)?);
         }
         if let Some(text) = &arguments.base {
             let load = Load::Base(number("--base", text)?);
+            measure.load = Some(load);
             measure.scale = Some(measure.checked(system, load, "--base", text)?);
         }
         Ok(measure)
@@ -52,6 +56,11 @@ impl Measure {
     /// The units, if a load is given.
     pub fn scale(&self) -> Option<LoadScale> {
         self.scale
+    }
+
+    /// The load, if one is given.
+    pub fn load(&self) -> Option<Load> {
+        self.load
     }
 
     /// The option that gives the load of this scene.

@@ -1,5 +1,7 @@
 //! `frictiongen curve` and `frictiongen map`: what they write, pictures, and what cannot be asked.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail")]
+
 mod common;
 
 use common::{BLOCK, FRAME, failure, output};

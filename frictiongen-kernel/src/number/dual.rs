@@ -220,6 +220,7 @@ impl<S: Float> Scalar for Dual<S> {
 impl<S: Float> Float for Dual<S> {
     const EPSILON: f64 = S::EPSILON;
     const RESOLUTION: f64 = S::RESOLUTION;
+    const CARRIES: bool = true;
 
     fn inverse_ratio_range() -> (Self, Self) {
         let (low, high) = S::inverse_ratio_range();
@@ -230,6 +231,9 @@ impl<S: Float> Float for Dual<S> {
     }
     fn held(self) -> Self {
         Self::fixed(self.value)
+    }
+    fn carried(self) -> Self {
+        Self::fixed(self.slope)
     }
     fn vanishes(self) -> bool {
         self.value.is_zero() && self.slope.is_zero()

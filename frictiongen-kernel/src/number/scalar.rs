@@ -123,6 +123,9 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
     const EPSILON: f64;
     /// What a search tells apart, relative to what it searches.
     const RESOLUTION: f64 = Self::EPSILON;
+    /// Whether it carries a derivative beside its value.  What an iteration finds is then taken one step of Newton's
+    /// method further, with which the derivative is right too.
+    const CARRIES: bool = false;
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
     /// The smallest and the largest 1/r at which the formulas are evaluated.  Beyond lie the limits
@@ -156,6 +159,11 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
     fn held(self) -> Self {
         self
     }
+    /// The derivative that it carries, as a number of its own; 0 where it carries none.
+    #[must_use]
+    fn carried(self) -> Self {
+        Self::constant(0.0)
+    }
     /// Whether the value is neither infinite nor NaN.
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()
@@ -164,7 +172,8 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
 
 /// A scalar that carries nothing beside its value.
 ///
-/// Events and steady states are found by iteration, which stops as soon as the value is right: a
-/// derivative that came along might not be right yet.  The motion in time asks for this trait, so
-/// that dual numbers are refused when the program is compiled.
+/// Motions from rest and steady states are found by iteration, which stops as soon as the value is right: a
+/// derivative that came along might not be right yet.  What starts from nothing asks for this trait, so that dual
+/// numbers are refused when the program is compiled.  A steady state that is known gets its derivatives from
+/// [`Orbit::carrying`](crate::orbit::Orbit::carrying).
 pub trait Plain: Float {}

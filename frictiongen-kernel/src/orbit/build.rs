@@ -175,7 +175,7 @@ fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
 
 /// The state while the contact never slides (6.11, 6.27, 6.33): every held mode in its steady motion
 /// about the contact's middle.
-fn stuck<S: Float>(
+pub(super) fn stuck<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
 ) -> Result<Found, NoOrbit> {
@@ -240,7 +240,10 @@ fn linear<S: Float>(
 }
 
 /// Sets the modes that the contact does not touch to their steady motion.
-fn settle_free<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>, at: (S, S)) -> Result<(), NoOrbit> {
+pub(super) fn settle_free<S: Float>(
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    at: (S, S),
+) -> Result<(), NoOrbit> {
     let driven = cycle_map.setting.dynamics.in_contact();
     for part in cycle_map.modes.iter_mut().skip(driven) {
         part.settle(at).ok_or(NoOrbit::Unbounded)?;
@@ -249,7 +252,10 @@ fn settle_free<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>, at: (S, S)) -> Res
 }
 
 /// To the first event of a period; nowhere where there is none.
-fn to_event<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>, period: u32) -> Result<(), NoOrbit> {
+pub(super) fn to_event<S: Float>(
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    period: u32,
+) -> Result<(), NoOrbit> {
     let section: ContactState<S> = cycle_map.contact_state;
     let mut left = (S::pi() + S::pi()) * S::constant(f64::from(period));
     loop {

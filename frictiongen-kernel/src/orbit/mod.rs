@@ -6,6 +6,7 @@
 //! is a symmetric steady state, or on the period map, finishes in a few steps.
 
 mod build;
+mod carrying;
 mod closed;
 mod continuum;
 mod cycle_map;
@@ -20,6 +21,7 @@ mod segments;
 mod shooting;
 mod variational;
 
+pub use carrying::NoDerivative;
 pub use motion::OrbitMotion;
 pub use provides::{ProvidesOrbit, Start};
 pub use shooting::{MAX_CYCLES, MAX_PERIOD, MAX_STEPS};

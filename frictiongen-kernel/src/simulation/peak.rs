@@ -82,6 +82,14 @@ impl<S: Float> Sum<'_, S> {
                 break;
             }
         }
+        if S::CARRIES {
+            // The place moves as the slope there does; the value does not see it.
+            at = at.held();
+            local = self.local(at);
+            if zero < at && at < self.reach {
+                at = at - (local.slope - local.slope.held()) / local.curve.held();
+            }
+        }
         (at, local.value, local.curve)
     }
 }

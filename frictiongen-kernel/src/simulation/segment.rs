@@ -261,6 +261,14 @@ pub(crate) fn seek<S: Float>(
             Walk::NoStart => (reach, Outcome::Goes),
         };
         sought.offset = offset;
+        if S::CARRIES {
+            let level = match sought.outcome {
+                Outcome::Breaks(negative) if negative => Some(-setting.grip()),
+                Outcome::Breaks(_) => Some(setting.grip()),
+                _ => None,
+            };
+            sought.tau = carried(&sum, sought.tau, level);
+        }
         sought.slope = sum.local(sought.tau).slope;
     } else {
         let sum = setting.slide(modes, &contact_state, reach);
@@ -270,8 +278,28 @@ pub(crate) fn seek<S: Float>(
             Walk::Until(tau) => (tau, Outcome::Goes),
             Walk::NoStart => (zero, Outcome::Holds),
         };
+        if S::CARRIES {
+            let level = (sought.outcome == Outcome::Halts).then_some(zero);
+            sought.tau = carried(&sum, sought.tau, level);
+        }
     }
     sought
+}
+
+/// The instant at which a sum meets its level, as far as it moves with what the sum depends on: one step of Newton's
+/// method from the instant that the walk has found.  Without a level nothing is met there: the reach stays what it is, and
+/// an instant short of it is held.
+fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
+    let Some(level) = level else {
+        return if tau < sum.reach {
+            tau.held()
+        } else {
+            sum.reach
+        };
+    };
+    let local = sum.local(tau.held());
+    let gap = local.value - level;
+    tau.held() - (gap - gap.held()) / local.slope.held()
 }
 
 /// Puts the parts where they are τ after the segment's start; `to` is the excitation's phase then.

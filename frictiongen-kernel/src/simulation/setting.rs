@@ -5,7 +5,7 @@ use super::{Dynamics, rotated};
 use crate::contact::regime::{check_beta, check_ratio};
 use crate::errors::OutOfDomain;
 use crate::number::complex::Complex;
-use crate::number::scalar::{Float, Plain};
+use crate::number::scalar::Float;
 
 /// A scene at one frequency ratio and one friction ratio.
 #[derive(Clone, Copy, Debug)]
@@ -36,10 +36,7 @@ impl<'a, S: Float> Setting<'a, S> {
         r: S,
         beta: S,
         parts: &mut [Part<S>],
-    ) -> Result<Self, OutOfDomain>
-    where
-        S: Plain,
-    {
+    ) -> Result<Self, OutOfDomain> {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         if parts.len() != dynamics.modes.len() + dynamics.held.len() {
             return Err(OutOfDomain { argument: "parts" });

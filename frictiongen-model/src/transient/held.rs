@@ -5,34 +5,27 @@
 //! g_i + (h_i/ω)s modulo the pair's polynomial.  Real throughout, also at a double root.
 
 use super::Plain;
-use crate::modal::{Modal, kind};
+use crate::modal::kind;
 use crate::roots::{Driven, pairs};
-use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::simulation::HeldMode;
+use frictiongen_kernel::{Float, Scalar};
 
 /// The held modes, and the shares (g, h) of every mode in each.
-pub(super) fn held<S: Scalar>(
-    modes: &[&Plain],
-    modal: &Modal,
-    to: &impl Fn(Dd) -> S,
+pub(super) fn held<T: Float, S: Scalar>(
+    modes: &[&Plain<T>],
+    inverse_mass: T,
+    pairs: &[(T, T)],
+    to: &impl Fn(T) -> S,
 ) -> (Vec<HeldMode<S>>, Vec<[S; 2]>) {
-    let (one, two) = (Dd::ONE, Dd::from(2.0));
-    let driven: Vec<Driven> = modes
-        .iter()
-        .map(|mode| Driven {
-            sigma: mode.resonance,
-            zeta: mode.zeta,
-            inverse_mass: mode.contact * mode.contact,
-        })
-        .collect();
+    let (zero, one, two) = (T::constant(0.0), T::constant(1.0), T::constant(2.0));
     let (mut held, mut shares) = (Vec::new(), Vec::new());
-    for pair in pairs(&driven) {
-        let (omega, zeta) = (pair.omega, pair.zeta);
-        let mut own = vec![[Dd::ZERO; 2]; modes.len()];
+    for (omega, zeta) in pairs.iter().copied() {
+        let mut own = vec![[zero; 2]; modes.len()];
         // The mode with the largest part in Σ w_i/(s² + 2ζ_iσ_i s + λ_i) = 0, by which the others must be
         // balanced: its own denominator may be all rounding.
-        let (mut nearest, mut part) = (0, Dd::ZERO);
+        let (mut nearest, mut part) = (0, zero);
         for (index, (mode, share)) in modes.iter().zip(&mut own).enumerate() {
             // d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial; its inverse is
             // (b − 2αa − as)/R.
@@ -49,7 +42,7 @@ pub(super) fn held<S: Scalar>(
         }
         let others = modes.iter().zip(&own).enumerate();
         let others = others.filter(|(index, _)| *index != nearest);
-        let balance = others.fold([Dd::ZERO; 2], |[sum_g, sum_h], (_, (mode, [g, h]))| {
+        let balance = others.fold([zero; 2], |[sum_g, sum_h], (_, (mode, [g, h]))| {
             [sum_g + mode.contact * *g, sum_h + mode.contact * *h]
         });
         if let (Some(mode), Some(share)) = (modes.get(nearest), own.get_mut(nearest)) {
@@ -58,13 +51,13 @@ pub(super) fn held<S: Scalar>(
         let largest = own
             .iter()
             .flatten()
-            .fold(Dd::ZERO, |most, share| most.max(share.abs()));
+            .fold(zero, |most, share| most.max(share.abs()));
         for share in own.iter_mut().flatten() {
             *share = *share / largest;
         }
         // B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ, in which different pairs are orthogonal.
-        let (mut first, mut mixed, mut second) = (Dd::ZERO, Dd::ZERO, Dd::ZERO);
-        let mut force = Dd::ZERO;
+        let (mut first, mut mixed, mut second) = (zero, zero, zero);
+        let mut force = zero;
         for (mode, [g, h]) in modes.iter().zip(&own) {
             let (g, h) = (*g, *h);
             let loss = two * mode.zeta * mode.resonance;
@@ -81,7 +74,7 @@ pub(super) fn held<S: Scalar>(
             frequency: to(omega),
             zeta: to(zeta),
             q: to(((one - zeta) * (one + zeta)).abs().sqrt()),
-            force: to(force / modal.inverse_mass),
+            force: to(force / inverse_mass),
             inverse: [
                 to(second / determinant),
                 to(-(mixed / determinant)),
@@ -91,4 +84,76 @@ pub(super) fn held<S: Scalar>(
         shares.extend(own.iter().map(|[g, h]| [to(*g), to(*h)]));
     }
     (held, shares)
+}
+
+/// ω and ζ of the held modes, with derivatives: a step of Newton's method from their values on what the remainder of
+/// Σ c_i/(s² + 2ζ_iσ_i s + λ_i) by s² + ps + q must be, nothing.
+pub(super) fn moving(
+    driven: &[Driven],
+    modes: &[&Plain<Dual<Dd>>],
+) -> Option<Vec<(Dual<Dd>, Dual<Dd>)>> {
+    let two = Dd::from(2.0);
+    let constants: Vec<[Dual<Dd>; 3]> = modes
+        .iter()
+        .map(|mode| {
+            [
+                (mode.zeta + mode.zeta) * mode.resonance,
+                mode.resonance * mode.resonance,
+                mode.contact * mode.contact,
+            ]
+        })
+        .collect();
+    let still: Vec<[Dual<Dd>; 3]> = constants
+        .iter()
+        .map(|constants| constants.map(|constant| Dual::fixed(constant.value)))
+        .collect();
+    let root = |pair: crate::roots::Pair| {
+        let (p, q) = (two * pair.zeta * pair.omega, pair.omega * pair.omega);
+        let slopes = |constants: &[[Dual<Dd>; 3]], p: Dual<Dd>, q: Dual<Dd>| {
+            remainder(constants, p, q).map(|part| part.slope)
+        };
+        let (fixed_p, fixed_q) = (Dual::fixed(p), Dual::fixed(q));
+        let own = slopes(&constants, fixed_p, fixed_q);
+        let along_p = slopes(&still, Dual::variable(p), fixed_q);
+        let along_q = slopes(&still, fixed_p, Dual::variable(q));
+        let determinant = along_p[0] * along_q[1] - along_p[1] * along_q[0];
+        let size = (along_p[0] * along_q[1]).abs() + (along_p[1] * along_q[0]).abs();
+        if !(size * Dd::from(1e-14) < determinant.abs()) {
+            return None;
+        }
+        let p = Dual {
+            value: p,
+            slope: (own[1] * along_q[0] - own[0] * along_q[1]) / determinant,
+        };
+        let q = Dual {
+            value: q,
+            slope: (own[0] * along_p[1] - own[1] * along_p[0]) / determinant,
+        };
+        let omega = Dual {
+            value: pair.omega,
+            slope: q.slope / (two * pair.omega),
+        };
+        let mut zeta = p / (omega + omega);
+        zeta.value = pair.zeta;
+        let known = [omega.slope, zeta.slope]
+            .iter()
+            .all(|slope| slope.is_finite());
+        known.then_some((omega, zeta))
+    };
+    pairs(driven).into_iter().map(root).collect()
+}
+
+/// Σ c_i/(s² + l_i s + λ_i) modulo s² + ps + q: constant and linear part; `constants` are l, λ and c.
+fn remainder<T: Float>(constants: &[[T; 3]], p: T, q: T) -> [T; 2] {
+    let zero = T::constant(0.0);
+    constants
+        .iter()
+        .fold([zero; 2], |[first, second], [loss, lambda, c]| {
+            let (a, b) = (*loss - p, *lambda - q);
+            let resultant = b * b - p * a * b + q * a * a;
+            [
+                first + *c * (b - p * a) / resultant,
+                second - *c * a / resultant,
+            ]
+        })
 }

@@ -4,12 +4,14 @@
 mod held;
 
 use crate::modal::{self, Modal};
+use crate::roots::{self, Driven};
 use crate::scene::Scene;
-use frictiongen_kernel::Scalar;
 use frictiongen_kernel::contact::sums::Chain;
 use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::oscillator::mode::Mode;
 use frictiongen_kernel::simulation::{Dynamics, HeldMode};
+use frictiongen_kernel::{Float, Scalar};
 
 /// Modes whose constants agree to this count as equal: beyond, rounding alone tells them apart.
 const EQUAL: f64 = 1e-24;
@@ -36,32 +38,41 @@ pub struct Transient<S> {
     pub rubbing: Option<usize>,
 }
 
-/// A mode in double-double.
+/// A mode in double-double, alone or with derivatives.
 #[derive(Clone, Debug)]
-struct Plain {
-    resonance: Dd,
-    zeta: Dd,
-    load: Dd,
-    contact: Dd,
-    shape: Vec<Dd>,
+struct Plain<T> {
+    resonance: T,
+    zeta: T,
+    load: T,
+    contact: T,
+    shape: Vec<T>,
 }
 
 impl<S: Scalar> Transient<S> {
     /// From the modal analysis of a scene, rounded once from double-double by `to`.
     #[must_use]
     pub fn of(scene: &Scene, modal: &Modal, to: impl Fn(Dd) -> S) -> Self {
-        let zero = Dd::ZERO;
-        let mut plain = turned(plain_modes(modal));
-        // A stable sort: both groups stay ascending.
-        plain.sort_by_key(|mode| mode.contact == zero);
-        let in_contact: Vec<&Plain> = plain.iter().filter(|mode| mode.contact != zero).collect();
+        let plain = sorted(turned(plain_modes(modal)));
+        let pairs = roots::pairs(&driven(&plain, |value| value));
+        let pairs: Vec<(Dd, Dd)> = pairs.iter().map(|pair| (pair.omega, pair.zeta)).collect();
+        Self::with_pairs(scene, modal, &plain, &pairs, to)
+    }
+
+    fn with_pairs<T: Float>(
+        scene: &Scene,
+        modal: &Modal<T>,
+        plain: &[Plain<T>],
+        pairs: &[(T, T)],
+        to: impl Fn(T) -> S,
+    ) -> Self {
+        let in_contact: Vec<&Plain<T>> = in_contact(plain).collect();
         let chain = modal.reduced(&to).chain;
-        let (held, shares) = held::held(&in_contact, modal, &to);
+        let (held, shares) = held::held(&in_contact, modal.inverse_mass, pairs, &to);
         let m1 = scene.masses.first().map_or(1.0, |mass| mass.value);
-        let gamma: Vec<Dd> = scene
+        let gamma: Vec<T> = scene
             .masses
             .iter()
-            .map(|mass| Dd::from(mass.value) / Dd::from(m1))
+            .map(|mass| T::constant(mass.value) / T::constant(m1))
             .collect();
         let mut shapes = Vec::new();
         for mass in 0..gamma.len() {
@@ -69,7 +80,7 @@ impl<S: Scalar> Transient<S> {
             shapes.extend(components.map(|component| to(*component)));
         }
         let mut weights = Vec::new();
-        for mode in &plain {
+        for mode in plain {
             let products = mode.shape.iter().zip(&gamma);
             weights.extend(products.map(|(component, gamma)| to(*component * *gamma)));
         }
@@ -103,8 +114,67 @@ impl<S: Scalar> Transient<S> {
     }
 }
 
-fn plain_modes(modal: &Modal) -> Vec<Plain> {
-    let pick = |of: &[Dd], i: usize| of.get(i).copied().unwrap_or_default();
+impl Transient<Dual<Dd>> {
+    /// From modal data that carry derivatives, with those of the held modes.  The weights, with which a state of the
+    /// masses is only ever a first guess here, are not moved.
+    ///
+    /// None where the modes by themselves have no derivative: where two that the contact drives are equal and move apart,
+    /// where two held ones are equal, and where the contact does not touch a mode but is about to.
+    #[must_use]
+    pub fn along(scene: &Scene, modal: &Modal<Dual<Dd>>) -> Option<Self> {
+        let plain = plain_modes(modal);
+        let parts = |a: &Plain<Dual<Dd>>, b: &Plain<Dual<Dd>>| {
+            let size = (a.resonance.slope.abs() + b.resonance.slope.abs()) * Dd::from(EQUAL);
+            let damping = (a.zeta.slope.abs() + b.zeta.slope.abs()) * Dd::from(EQUAL);
+            close(a.resonance, b.resonance)
+                && close(a.zeta, b.zeta)
+                && (size < (a.resonance.slope - b.resonance.slope).abs()
+                    || damping < (a.zeta.slope - b.zeta.slope).abs())
+        };
+        for (index, mode) in plain.iter().enumerate() {
+            let mut before = plain.iter().take(index);
+            let grazed = mode.contact.is_zero() && !mode.contact.vanishes();
+            if grazed || before.any(|other| parts(other, mode)) {
+                return None;
+            }
+        }
+        let plain = sorted(turned(plain));
+        let pairs = held::moving(
+            &driven(&plain, |of| of.value),
+            &in_contact(&plain).collect::<Vec<_>>(),
+        )?;
+        Some(Self::with_pairs(scene, modal, &plain, &pairs, |value| {
+            value
+        }))
+    }
+}
+
+/// Those that the contact drives first; a stable sort: both groups stay ascending.
+fn sorted<T: Float>(mut modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
+    modes.sort_by_key(|mode| mode.contact.is_zero());
+    modes
+}
+
+fn in_contact<T: Float>(modes: &[Plain<T>]) -> impl Iterator<Item = &Plain<T>> {
+    modes.iter().filter(|mode| !mode.contact.is_zero())
+}
+
+/// The modes that the contact drives, as the search for the held ones reads them.
+fn driven<T: Float>(modes: &[Plain<T>], value: impl Fn(T) -> Dd) -> Vec<Driven> {
+    let driven = in_contact(modes).map(|mode| {
+        let contact = value(mode.contact);
+        Driven {
+            sigma: value(mode.resonance),
+            zeta: value(mode.zeta),
+            inverse_mass: contact * contact,
+        }
+    });
+    driven.collect()
+}
+
+fn plain_modes<T: Float>(modal: &Modal<T>) -> Vec<Plain<T>> {
+    let zero = T::constant(0.0);
+    let pick = |of: &[T], i: usize| of.get(i).copied().unwrap_or(zero);
     modal
         .shapes
         .iter()
@@ -119,13 +189,17 @@ fn plain_modes(modal: &Modal) -> Vec<Plain> {
         .collect()
 }
 
+/// Whether two constants of modes count as equal.
+fn close<T: Float>(a: T, b: T) -> bool {
+    (a - b).abs() <= (a.abs() + b.abs()) * T::constant(EQUAL)
+}
+
 /// Equal modes may be mixed at will: they are turned so that the contact drives one alone, since
 /// the others then move on freely whatever the contact does.
-fn turned(modes: Vec<Plain>) -> Vec<Plain> {
-    let close = |a: Dd, b: Dd| (a - b).abs() <= (a.abs() + b.abs()) * Dd::from(EQUAL);
-    let mut out: Vec<Plain> = Vec::with_capacity(modes.len());
+fn turned<T: Float>(modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
+    let mut out: Vec<Plain<T>> = Vec::with_capacity(modes.len());
     for mut mode in modes {
-        let zero = Dd::ZERO;
+        let zero = T::constant(0.0);
         let twin = out.iter_mut().find(|known| {
             known.contact != zero
                 && mode.contact != zero
@@ -135,11 +209,11 @@ fn turned(modes: Vec<Plain>) -> Vec<Plain> {
         if let Some(twin) = twin {
             let length = (twin.contact * twin.contact + mode.contact * mode.contact).sqrt();
             let (c, s) = (twin.contact / length, mode.contact / length);
-            let mix = |a: &mut Dd, b: &mut Dd| {
+            let mix = |a: &mut T, b: &mut T| {
                 let size = a.abs() + b.abs();
                 let (first, second) = (*a * c + *b * s, *b * c - *a * s);
-                let clean = |value: Dd| {
-                    if value.abs() <= size * Dd::from(NOISE) {
+                let clean = |value: T| {
+                    if value.abs() <= size * T::constant(NOISE) {
                         zero
                     } else {
                         value

@@ -3,6 +3,7 @@
 use super::units::LoadError;
 use crate::{Error, NoOrbit, NotContinuous, OutOfDomain, StuckResonance};
 use frictiongen_codegen::Diagnostics;
+use frictiongen_kernel::orbit::NoDerivative;
 use frictiongen_model::validate::SceneError;
 
 /// No mass of this name.
@@ -72,6 +73,8 @@ pub enum StudyError {
     UnknownMass(UnknownMass),
     /// A load that does not fit the scene.
     Load(LoadError),
+    /// A steady state without derivatives.
+    NoDerivative(NoDerivative),
 }
 
 impl std::fmt::Display for StudyError {
@@ -82,6 +85,7 @@ impl std::fmt::Display for StudyError {
             Self::Solver(error) => error.fmt(f),
             Self::UnknownMass(error) => error.fmt(f),
             Self::Load(error) => error.fmt(f),
+            Self::NoDerivative(error) => error.fmt(f),
         }
     }
 }
@@ -109,6 +113,15 @@ impl From<UnknownMass> for StudyError {
 impl From<LoadError> for StudyError {
     fn from(error: LoadError) -> Self {
         Self::Load(error)
+    }
+}
+
+impl From<NoDerivative> for StudyError {
+    fn from(error: NoDerivative) -> Self {
+        match error {
+            NoDerivative::NoOrbit(error) => error.into(),
+            error => Self::NoDerivative(error),
+        }
     }
 }
 

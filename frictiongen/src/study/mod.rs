@@ -12,7 +12,9 @@ mod large;
 #[cfg(feature = "desk")]
 mod map;
 mod motion;
+mod optimum;
 mod orbit;
+mod physical;
 mod response;
 mod sensitivity;
 mod simulation;
@@ -26,6 +28,7 @@ pub use compiled::{CompiledAt, CompiledContact, CompiledMotion, CompiledSystem};
 pub use curve::{Curve, CurveError, CurvePoint, CurveRequest, End, Gap, Movement, Piece};
 pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
+pub use frictiongen_kernel::orbit::NoDerivative;
 #[cfg(feature = "desk")]
 pub use history::{
     History, HistoryError, HistoryEvent, HistoryRequest, MOST_SAMPLES, SpectralLine, Spectrum,
@@ -34,7 +37,11 @@ pub use history::{
 #[cfg(feature = "desk")]
 pub use map::{Boundary, LimitLines, Map, MapColumn, MapPoint, MapRequest, Pattern};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
+pub use optimum::{
+    FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumPeak, OptimumRequest, Tolerance, Vary,
+};
 pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
+pub use physical::{OperatingPoint, Parameter, ParameterSensitivity, ResponseSensitivities, Slope};
 pub use response::{Size, Swing, SystemResponse};
 pub use sensitivity::{Sensitive, Varied};
 pub use simulation::SystemSimulation;

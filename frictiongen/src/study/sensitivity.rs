@@ -1,15 +1,20 @@
 //! Sensitivities: exact derivatives of every answer, by reading the formulas with dual numbers.
 
 use super::at::SystemAt;
+use super::orbit::SystemOrbit;
 use super::system::System;
 use crate::OutOfDomain;
 use crate::system::FrictionSystem;
-use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
+use frictiongen_kernel::orbit::{self, NoDerivative, Orbit};
+use frictiongen_kernel::simulation::Part;
+use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Damping, Scene};
 use frictiongen_model::sensitivity::Quantity;
+use frictiongen_model::transient::Transient;
+use std::sync::OnceLock;
 
 /// A number of a [`Varied`] system: value and derivative, each with about 30 digits, so that
 /// derivatives keep theirs beside a resonance.
@@ -46,21 +51,14 @@ pub type Sensitive = Dual<Dd>;
 /// # }
 /// ```
 ///
-/// Steady states with stops and motions in time are found by iteration, which ends when the value is
-/// right; whether the derivative is too is not said, so they are refused:
-///
-/// ```compile_fail,E0599
-/// # use frictiongen::study::{Sensitive, System};
-/// fn stops(system: &System) -> Option<usize> {
-///     let varied = system.unvaried();
-///     let orbit = varied.at(Sensitive::fixed(0.3.into())).ok()?.orbit(Sensitive::fixed(0.4.into()));
-///     Some(orbit.ok()?.stops())
-/// }
-/// ```
+/// Steady states with stops carry derivatives too ([`orbit`](Self::orbit)); motions in time do not.
 #[derive(Clone, Debug)]
 pub struct Varied {
     system: System<Sensitive>,
     data: Modal<Sensitive>,
+    /// The same without derivatives, and what its motion in time needs with them: made when first asked for.
+    plain: OnceLock<System>,
+    transient: OnceLock<Option<Transient<Sensitive>>>,
 }
 
 impl Varied {
@@ -76,6 +74,89 @@ impl Varied {
     #[must_use]
     pub fn frequency_ratio(&self, omega: Sensitive) -> Sensitive {
         self.system.frequency_ratio(omega)
+    }
+
+    /// The steady state from rest at r and β in any regime, every answer with its derivative: amplitudes, phases,
+    /// harmonics, displacements at an instant, when the contact stops and for how long.  Its values are found without
+    /// derivatives; those follow from the period, read once more with dual numbers.  The Floquet multipliers are left
+    /// out.
+    ///
+    /// An amplitude has a derivative wherever the steady state has.  So has a phase; where the contact rests at its
+    /// farthest, it is that of the end of the rest next to the excitation's maximum, or 0 if that maximum comes during the
+    /// rest.
+    ///
+    /// ```
+    /// use frictiongen::study::{Quantity, Sensitive, System};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: System = "struct Block {
+    ///     masses: { block: 1 },
+    ///     springs: { base - block: 1 },
+    ///     contact: block - wall,
+    ///     excitation: block,
+    /// }"
+    /// .parse()?;
+    /// // Two stops a cycle.
+    /// let beta = Sensitive::variable(0.4.into());
+    /// let varied = block.unvaried();
+    /// let orbit = varied.orbit(Sensitive::fixed(0.3.into()), beta)?;
+    /// let amplitude = orbit.mass("block")?.amplitude();
+    /// let at = block.at(0.3)?;
+    /// let amplitudes = [0.4 - 1e-5, 0.4 + 1e-5].map(|beta| Some(at.orbit(beta).ok()?.mass("block").ok()?.amplitude()));
+    /// if let [Some(below), Some(above)] = amplitudes {
+    ///     assert!((amplitude.slope.to_f64() - (above - below) / 2e-5).abs() < 1e-9);
+    /// }
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`NoDerivative`]: where there is no steady state, where it does not repeat, where it is one of a continuum, and
+    /// where an event is about to come or to go.
+    pub fn orbit(
+        &self,
+        r: Sensitive,
+        beta: Sensitive,
+    ) -> Result<SystemOrbit<'_, Sensitive>, NoDerivative> {
+        let plain = self.plain.get_or_init(|| self.system.without_derivatives());
+        let orbit = plain.at(r.value.to_f64())?.orbit(beta.value.to_f64())?;
+        self.orbit_along(&orbit, r, beta)
+    }
+
+    /// A steady state of the same scene that is known, at r and β of the same values, with derivatives, as
+    /// [`orbit`](Self::orbit) gives them.
+    ///
+    /// # Errors
+    /// [`NoDerivative`], as there.
+    pub fn orbit_along(
+        &self,
+        plain: &SystemOrbit<'_>,
+        r: Sensitive,
+        beta: Sensitive,
+    ) -> Result<SystemOrbit<'_, Sensitive>, NoDerivative> {
+        let transient = self
+            .transient
+            .get_or_init(|| Transient::along(self.system.scene(), &self.data));
+        let dynamics = transient
+            .as_ref()
+            .ok_or(NoDerivative::Degenerate)?
+            .dynamics();
+        let zero = Sensitive::constant(0.0);
+        let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
+        let orbit = Orbit::carrying(
+            &plain.orbit,
+            dynamics,
+            r,
+            beta,
+            vec![Part::empty(); modes + dynamics.held.len()],
+            vec![zero; orbit::numbers(modes, driven)],
+            &mut vec![zero; 2 * modes],
+            Vec::new(),
+        )?;
+        Ok(SystemOrbit {
+            system: &self.system,
+            orbit,
+        })
     }
 
     /// The modal data, from which special values follow: resonances, mode shapes, resonance
@@ -121,7 +202,12 @@ impl<S: Float> System<S> {
     fn varied(&self, data: Modal<Sensitive>) -> Varied {
         let system =
             System::with_data(self.scene.clone(), self.modal.clone(), &data, |value| value);
-        Varied { system, data }
+        Varied {
+            system,
+            data,
+            plain: OnceLock::new(),
+            transient: OnceLock::new(),
+        }
     }
 
     /// An answer's derivatives with respect to every quantity of the description, by its unit.
@@ -172,7 +258,7 @@ impl<S: Float> System<S> {
 }
 
 /// What a description says in numbers.
-fn quantities(scene: &Scene) -> Vec<Quantity> {
+pub(super) fn quantities(scene: &Scene) -> Vec<Quantity> {
     let masses = (0..scene.masses.len()).map(Quantity::Mass);
     let springs = (0..scene.springs.len()).map(Quantity::Stiffness);
     let mut all: Vec<Quantity> = masses.chain(springs).collect();

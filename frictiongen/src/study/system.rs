@@ -113,6 +113,16 @@ impl<S: Float> System<S> {
         }
     }
 
+    /// The same without what its scalar carries beside a value.
+    pub(super) fn without_derivatives(&self) -> System {
+        System::with_data(
+            self.scene.clone(),
+            self.modal.clone(),
+            &self.modal,
+            rounded::<f64>,
+        )
+    }
+
     /// What the motion in time needs, worked out when it is first asked for.
     pub(super) fn transient(&self) -> &Transient<S> {
         self.transient

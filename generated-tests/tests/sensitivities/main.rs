@@ -2,5 +2,7 @@
 
 mod answers;
 mod differences;
+mod orbits;
+mod physical;
 mod scene;
 mod single;

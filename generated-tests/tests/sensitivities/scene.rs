@@ -90,7 +90,7 @@ fn special<S: Float>(modal: &Modal<S>, equal: bool) -> Answers<S> {
 }
 
 /// The quantities of a description, with their values.
-fn quantities(scene: &Scene) -> Vec<(Quantity, f64)> {
+pub fn quantities(scene: &Scene) -> Vec<(Quantity, f64)> {
     let masses = scene.masses.iter().enumerate();
     let mut all: Vec<_> = masses
         .map(|(i, mass)| (Quantity::Mass(i), mass.value))
@@ -106,7 +106,7 @@ fn quantities(scene: &Scene) -> Vec<(Quantity, f64)> {
 }
 
 /// The scene with a quantity moved by a number that its value can take up exactly.
-fn moved(scene: &Scene, quantity: Quantity, by: f64) -> Scene {
+pub fn moved(scene: &Scene, quantity: Quantity, by: f64) -> Scene {
     let mut scene = scene.clone();
     let value = match (quantity, &mut scene.damping) {
         (Quantity::Mass(i), _) => &mut scene.masses[i].value,
@@ -127,7 +127,7 @@ fn short(value: f64) -> f64 {
 }
 
 /// The scene with short numbers, and with no quantity at the end of its range.
-fn shortened(text: &str) -> Scene {
+pub fn shortened(text: &str) -> Scene {
     let system: System = text.parse().expect("a valid scene");
     let mut scene = system.scene().clone();
     for mass in &mut scene.masses {

@@ -1,186 +1,13 @@
 //! What can be typed.
 
+mod help;
+
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use help::{
+    CURVES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA, ORBITS, RANGES, RESPONSES,
+    SENSITIVITIES, TABLES, TIMES, UNITS,
+};
 use std::path::PathBuf;
-
-const GRIDS: &str = "\
-Grids:
-  A grid is a number, a range a:step:b (b included), or a comma-separated list of those:
-  0.9   0.2:0.01:2.5   0,0.5,1:0.1:2,inf
-  A grid of decimal numbers has decimal points. A frequency may be 0 and inf; a friction is
-  finite. At most 10 million points.
-
-Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
-
-const UNITS: &str = "\
-Units:
-  The scene's own: with masses in kg and springs in N/m, forces are in N, lengths in m and
-  angular frequencies in rad/s.
-  --hz or --omega       adds frequency_Hz (and omega_rad_s) beside r
-  --force P or --base Y adds friction_N, gives amplitudes in m and phases in degrees; limits come
-                        as friction forces in N beside beta
-  r and beta refer to the first mass and the first spring listed: another order of them changes r
-  and beta, and no physical answer. In degrees, the phase of a contact a - b of two masses is that
-  of b relative to a.
-
-";
-
-const LIMITS: &str = "\
-Quantities:
-  continuous limit  beta_lim, exact: below both limits the contact slides all the time
-  without search    beta_lim with the velocity constraint taken at the reversal alone: not smaller
-  per mode          beta_lim with each mode's own maximum of the constraint: not larger
-  sliding limit     beta*_lim: at it and beyond it the contact never slides
-
-";
-
-const RESPONSES: &str = "\
-Regimes:
-  continuous  the contact slides all the time: exact amplitudes, phases and harmonics
-  stick-slip  the contact stops and slides in turn: the steady state from rest
-  stuck       the contact never slides: amplitude and phase of each mass
-  unbounded   on an undamped resonance: the margin says whether the contact slides (negative)
-              or is stuck
-
-Answers:
-  closed form  exact, of a contact that always or never slides
-  orbit        exact, from event to event: as `orbit` gives it, with its stability
-  subharmonic  the same, of a stable state that repeats after several cycles
-  last 64 cycles  the motion does not settle: what it did last, the amplitude the largest seen
-  otherwise    why there is none, in the words of `orbit`; its cells are empty (JSON: null)
-  no cycle     at a frequency ratio of 0 or infinity, between the limits
-
-Quantities:
-  margin      beta/min(beta_lim, beta*_lim) - 1, negative in the continuous regime
-  amplitude   largest displacement of the cycle over P/k1, for base motion over Y; with a load, m
-  phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]; with a load, degrees
-  X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
-              with a load, m and degrees
-
-";
-
-const ORBITS: &str = "\
-Regimes:
-  as `response` gives them: continuous, stick-slip, stuck, unbounded
-
-States:
-  stable     small deviations die
-  marginal   some deviation stays, or dies more slowly than any power: one of a continuum of
-             steady states, or at its end; also the stuck contact, which stays where it is
-  unbounded  none: on an undamped resonance
-  undamped   none: nothing damps a mode that the load drives and the contact does not touch
-  unstable   none was found that deviations do not leave
-  unsettled  none: the motion from rest repeats neither after one cycle nor after up to 64; the values
-             are of its last 64 cycles, and the amplitude is the largest in those
-  crowded    a cycle has more than 64 segments
-
-Quantities:
-  period      after how many cycles of the excitation the motion repeats: 1, or more for a subharmonic state
-  stops       how often the contact stops in a period
-  reversals   how often it changes its direction without a stop
-  stuck       the part of the period for which it sticks
-  multiplier  by how much the deviation that dies most slowly is multiplied in a period
-  amplitude   largest displacement of the period over P/k1, for base motion over Y; with a load, m
-  phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]; with a load, degrees
-  X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
-              X_0 is the mean; with a load, m and degrees
-
-";
-
-const GRIDS_IN_TIME: &str = "\
-Grids:
-  A grid is a number, a range a:step:b (b included), or a comma-separated list of those:
-  0.9   0.2:0.01:2.5   0.5,1:0.1:2
-  A grid of decimal numbers has decimal points. A frequency is above 0 and below infinity:
-  at 0 a cycle never ends, and at infinity nothing has time to move (`limits` and `response` answer
-  at both). A friction is finite. At most 10 million points.
-
-Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
-
-const TIMES: &str = "\
-Motions:
-  contact and every mass, or those of --of. Each has a displacement, over P/k1 or for base motion
-  over Y, and a velocity, its derivative by tau = omega t; with a load, m and m/s. A mass's are
-  absolute, the contact's relative.
-  tau is 0 at a maximum of the excitation; skipped cycles count
-  contact.friction  over P, for base motion over k1 Y; with a load, N: against the sliding, and
-                    while the contact sticks what holds it
-  contact.state     stuck, or forward or backward by the sign of the relative velocity
-
-State to start from:
-  --from \"x1,x2;v1,v2\"  displacements, then velocities of all masses in the description's order, at a
-                        maximum of the excitation; with a load, in m and m/s. From rest without it.
-
-Steady states:
-  --steady, in any regime; an undamped one, or one of several, is that which is reached from rest.
-  Where a stuck contact stays depends on what was before: here its displacement is 0.
-
-Events:
-  stop, break-away, reversal (it turns without a stop): exact, between the first sample and the last
-
-Spectrum:
-  x = Re(sum of X exp(i n tau)): amplitude |X| and lag -arg X of every order n, rad or degrees of its
-  own cycle; order 0 is the mean. Orders are multiples of 1/cycles, up to half the samples of a cycle.
-  Of a run from its samples, tau from the first one; what vibrates faster is folded back, to some
-  10/samples^3 of the amplitude. With --steady exact, up to order 9999.
-  A run has a spectrum of lines only where it has settled: skip cycles, and take whole periods.
-
-";
-
-const ONE_POINT: &str = "\
-One frequency, above 0 and below infinity, and one friction. At most 10 million samples of all motions
-together.
-
-Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
-
-const CURVES: &str = "\
-Curves:
-  The range is refined where a curve bends and at its peaks. A piece is what may be joined: it ends
-  where the regime changes, at a pole, at a jump, and where there is no answer.
-  answer   closed form, orbit, or last 64 cycles of a motion that does not settle; otherwise why
-           there is none, in the words of `orbit`
-  force    largest friction force of the cycle over P (base motion: k1 Y); with a load, N
-  work     that friction takes out of a cycle over P^2/k1 (base motion: k1 Y^2); with a load, the
-           mean power in W
-
-";
-
-const RANGES: &str = "\
-Ranges:
-  A range of frequencies is a:b, above 0; a:step:b also says how far apart points are at most.
-  Frictions are a number, a range a:step:b, or a comma-separated list of those.
-
-Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
-
-const MAPS: &str = "\
-Regions:
-  continuous        the contact slides all the time
-  stuck             it never slides
-  n stops           it stops n times in a cycle of the excitation
-  sliding reversals its direction changes without a stop, in a motion other than the continuous one
-  subharmonic       the motion repeats after several cycles
-  unsettled         it does not repeat; otherwise why there is no answer, in the words of `orbit`
-A region's boundary with the continuous and the stuck regime is a limit, exactly. --boundaries traces
-the others by halving: each digit takes the motion longer to settle. 3 are a picture's.
-Ctrl-C keeps the frequencies that are done.
-
-";
-
-const TABLES: &str = "\
-What the description declares (accuracy, range, side, budget) holds where no option says otherwise.
-
-Without --format the figures of the tables are printed: accuracy, pieces, bytes, the largest errors
-and where, operations. With it, the code or the data:
-  rust  a file without dependencies: limits(r), and contact(r, beta) if the scene provides a motion
-  c     the same in C99; with -o name.c the header name.h beside it
-  json  the tables as data
-
-Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
 
 /// Exact solutions of mass-spring chains with one Coulomb friction contact.
 #[derive(Debug, Parser)]
@@ -212,6 +39,12 @@ pub enum Command {
     /// Displacements, velocities, the friction force and events over time, and spectra
     #[command(after_help = format!("{TIMES}{UNITS}{ONE_POINT}"))]
     Time(TimeArguments),
+    /// The friction that keeps the largest amplitude over a band of frequencies smallest
+    #[command(after_help = format!("{OPTIMA}{UNITS}"))]
+    Optimum(OptimumArguments),
+    /// The derivatives of amplitude, phase and limits with respect to every parameter, in any regime
+    #[command(after_help = format!("{SENSITIVITIES}{UNITS}{GRIDS_IN_TIME}"))]
+    Sensitivity(SensitivityArguments),
     /// Tables of the limits and of the contact's motion, to a declared accuracy
     #[command(after_help = TABLES)]
     Compile(CompileArguments),
@@ -469,6 +302,53 @@ pub struct TimeArguments {
     /// Write to this file; its ending decides: .csv, .json, .svg, .png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
+}
+
+/// Of `frictiongen sensitivity`.
+#[derive(Debug, Args)]
+pub struct SensitivityArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// The frequency.
+    #[command(flatten)]
+    pub frequency: FrequencyArguments,
+    /// The friction.
+    #[command(flatten)]
+    pub friction: FrictionArguments,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
+    /// Of this mass, or of `contact`
+    #[arg(long, value_name = "NAME")]
+    pub of: String,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
+}
+
+/// Of `frictiongen optimum`.
+#[derive(Debug, Args)]
+pub struct OptimumArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// The band a:b.
+    #[command(flatten)]
+    pub frequency: FrequencyArguments,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
+    /// The amplitude of this mass, or of `contact`
+    #[arg(long, value_name = "NAME")]
+    pub of: String,
+    /// Choose a spring `a - b` or the damping `zeta 1` of a mode too; `=from:to` says where
+    /// [default: from a quarter to four times its value]
+    #[arg(long, value_name = "WHAT", allow_hyphen_values = true)]
+    pub vary: Option<String>,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
 }
 
 /// In which form tables are written.

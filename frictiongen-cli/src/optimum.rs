@@ -1,0 +1,287 @@
+//! `frictiongen optimum`: the friction that keeps the largest amplitude over a band smallest.
+
+use crate::args::OptimumArguments;
+use crate::asked::{self, Part};
+use crate::failure::Failure;
+use crate::frequency::Band;
+use crate::measure::Measure;
+use crate::number::Value;
+use crate::output::{self, Report, Visitor};
+use crate::summary::Summary;
+use crate::table::Column;
+use frictiongen::System;
+use frictiongen::study::{
+    FrequencyBand, OperatingPoint, Optimum, OptimumKind, OptimumRequest, Parameter, Quantity, Vary,
+};
+use frictiongen_codegen::Limits;
+use std::io::Write;
+
+/// Runs the command.
+pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let system = System::try_from(description.scene).map_err(Failure::new)?;
+    let band = Band::parse(&arguments.frequency, &system)?;
+    if band.widest.is_some() {
+        return Err(Failure::new(
+            "a band is a:b, without a step: all frequencies of it count",
+        ));
+    }
+    let part = asked::part(&system, &arguments.of)?;
+    let measure = Measure::of(&arguments.load, &system)?;
+    let vary = match &arguments.vary {
+        Some(text) => Some(vary(&system, text)?),
+        None => None,
+    };
+    let request = OptimumRequest {
+        of: part.of,
+        band: FrequencyBand::Ratio(band.from, band.to),
+        load: measure.load(),
+        vary,
+    };
+    let optimum = system.optimum(&request).map_err(Failure::new)?;
+    let summary = Summary::of(&system, band.is_physical(), measure);
+    // What is chosen may be what the groups and the units refer to.
+    let measure = Measure::of(&arguments.load, &optimum.system)?;
+    let report = OptimumReport {
+        optimum,
+        band,
+        measure,
+        part,
+        request,
+    };
+    output::print(&report, &summary, arguments.format.form(), out)
+}
+
+/// A spring `a - b`, a mode `zeta 1`, with or without a range `=from:to`.
+fn vary(system: &System, text: &str) -> Result<Vary, Failure> {
+    let wrong = |problem: &str| Failure::new(format_args!("--vary `{text}`: {problem}"));
+    let (name, range) = match text.split_once('=') {
+        Some((name, range)) => (name, Some(range)),
+        None => (text, None),
+    };
+    let quantity = quantity(system, name.trim())
+        .ok_or_else(|| wrong("give a spring as `a - b`, or the damping of a mode as `zeta 1`"))?;
+    let around = Vary::around(system, quantity);
+    let Some(range) = range else {
+        return around.ok_or_else(|| {
+            wrong("only a spring, or the damping ratio of a mode of a scene with modal damping, can be varied; one that is 0 needs a range")
+        });
+    };
+    let number = |text: &str| {
+        text.trim()
+            .parse::<f64>()
+            .map_err(|_| wrong(&format!("`{text}` is not a number")))
+    };
+    let (from, to) = range
+        .split_once(':')
+        .ok_or_else(|| wrong("a range is from:to"))?;
+    let (from, to) = (number(from)?, number(to)?);
+    if 0.0 < from && from < to && to.is_finite() {
+        Ok(Vary { quantity, from, to })
+    } else {
+        Err(wrong(
+            "a range is above 0 and finite, its end above its start",
+        ))
+    }
+}
+
+fn quantity(system: &System, name: &str) -> Option<Quantity> {
+    let scene = system.scene();
+    if let Some(mode) = name.strip_prefix("zeta ") {
+        let mode: usize = mode.trim().parse().ok()?;
+        let place = mode.checked_sub(1)?;
+        return (place < scene.masses.len()).then_some(Quantity::DampingRatio(place));
+    }
+    let (a, b) = name.split_once('-')?;
+    let (a, b) = (a.trim(), b.trim());
+    let place = scene.springs.iter().position(|spring| {
+        let ends = (scene.node_name(spring.from), scene.node_name(spring.to));
+        ends == (a, b) || ends == (b, a)
+    })?;
+    Some(Quantity::Stiffness(place))
+}
+
+struct OptimumReport {
+    optimum: Optimum,
+    band: Band,
+    measure: Measure,
+    part: Part,
+    request: OptimumRequest,
+}
+
+/// A number and what it is.
+struct Line {
+    name: String,
+    value: Value<'static>,
+    unit: &'static str,
+}
+
+impl OptimumReport {
+    fn lines(&self) -> Vec<Line> {
+        let optimum = &self.optimum;
+        let mut lines = Vec::new();
+        let mut add = |name: String, value: Value<'static>, unit: &'static str| {
+            lines.push(Line { name, value, unit });
+        };
+        let physical = self.measure.load().is_some();
+        let length = match (physical, self.measure.length_title()) {
+            (true, _) => "m",
+            (false, "(of Y)") => "Y",
+            (false, _) => "P/k1",
+        };
+        let size = |amplitude: f64| Value::from(self.measure.length(amplitude));
+        let friction = |beta: f64| -> (f64, &'static str) {
+            match self.measure.scale() {
+                Some(scale) => (scale.friction(beta), "N"),
+                None => (beta, ""),
+            }
+        };
+        let (force, unit) = friction(optimum.beta);
+        add("friction".to_owned(), force.into(), unit);
+        if physical {
+            add("beta".to_owned(), optimum.beta.into(), "");
+        }
+        if let (Some((value, at_end)), Some(vary)) = (optimum.varied, self.request.vary) {
+            let point = OperatingPoint::Groups { r: 1.0, beta: 1.0 };
+            let parameter = Parameter::Quantity(vary.quantity);
+            let symbol = parameter.symbol(optimum.system.scene(), &point);
+            let name = if at_end {
+                format!("{symbol}, an end of its range")
+            } else {
+                symbol
+            };
+            add(name, value.into(), parameter.unit(&point));
+        }
+        add(
+            format!("largest amplitude of {}", self.part.name),
+            size(optimum.amplitude),
+            length,
+        );
+        let kind = match optimum.kind {
+            OptimumKind::EqualPeaks => "equal peaks",
+            OptimumKind::SinglePeak => "one peak at its least",
+            OptimumKind::NoFriction => "friction only does harm",
+            OptimumKind::Stuck => "stuck: more friction changes nothing",
+        };
+        add("what limits it".to_owned(), kind.into(), "");
+        for peak in &optimum.peaks {
+            let at = if peak.at_end {
+                "peak at the end of the band, at"
+            } else {
+                "peak at"
+            };
+            let frequency = self.band.frequency(&optimum.system, peak.r);
+            if self.band.is_physical() {
+                add(at.to_owned(), frequency.hertz(&optimum.system).into(), "Hz");
+            }
+            add(format!("{at} r"), peak.r.into(), "");
+            add("  amplitude".to_owned(), size(peak.amplitude), length);
+            add(
+                "  regime".to_owned(),
+                asked::regime_name(peak.regime).into(),
+                "",
+            );
+        }
+        for tolerance in &optimum.tolerances {
+            let percent = format!("{:.0} % above the best", tolerance.excess * 100.0);
+            let (from, unit) = friction(tolerance.from);
+            add(format!("{percent}: friction from"), from.into(), unit);
+            let (to, unit) = friction(tolerance.to);
+            add(format!("{percent}: friction to"), to.into(), unit);
+        }
+        for (name, beta) in [
+            ("nothing sticks up to", optimum.free_of_sticking),
+            ("stuck over the whole band from", optimum.locked),
+        ] {
+            let (force, unit) = friction(beta);
+            add(name.to_owned(), force.into(), unit);
+        }
+        add(
+            "largest amplitude without friction".to_owned(),
+            size(optimum.without_friction),
+            length,
+        );
+        add(
+            "largest amplitude with the contact stuck".to_owned(),
+            size(optimum.with_contact_locked),
+            length,
+        );
+        if let Some(load) = self.measure.load() {
+            let point = OperatingPoint::Physical {
+                hertz: 1.0,
+                friction: 1.0,
+                load,
+            };
+            for (parameter, relative) in &optimum.sensitivities {
+                let symbol = parameter.symbol(optimum.system.scene(), &point);
+                add(
+                    format!("per cent of it for one per cent of {symbol}"),
+                    (*relative).into(),
+                    "",
+                );
+            }
+        }
+        add(
+            "amplitudes computed".to_owned(),
+            optimum.evaluations.into(),
+            "",
+        );
+        if optimum.unanswered > 0 {
+            add(
+                "of these without an answer".to_owned(),
+                optimum.unanswered.into(),
+                "",
+            );
+        }
+        lines
+    }
+}
+
+fn cells(line: &Line) -> Vec<Value<'_>> {
+    vec![
+        line.name.as_str().into(),
+        line.value.clone(),
+        line.unit.into(),
+    ]
+}
+
+impl Report for OptimumReport {
+    type Point = Line;
+
+    fn len(&self) -> usize {
+        self.lines().len()
+    }
+
+    fn each(&self, visit: Visitor<'_, Line>) -> Result<(), Failure> {
+        self.lines().iter().try_for_each(visit)
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        let lines = self.lines();
+        vec![
+            Column::words(&["quantity"], lines.iter().map(|line| line.name.as_str())),
+            Column::computed(&["value"]),
+            Column::words(&["unit"], ["P/k1"]),
+        ]
+    }
+
+    fn rows<'a>(&'a self, line: &'a Line) -> Vec<Vec<Value<'a>>> {
+        vec![cells(line)]
+    }
+
+    fn names(&self) -> Vec<String> {
+        ["quantity", "value", "unit"].map(str::to_owned).to_vec()
+    }
+
+    fn record<'a>(&'a self, line: &'a Line) -> Vec<Value<'a>> {
+        cells(line)
+    }
+
+    fn json(&self, line: &Line) -> serde_json::Value {
+        let names = self.names().into_iter();
+        names
+            .zip(cells(line))
+            .map(|(name, value)| (name, value.json()))
+            .collect()
+    }
+}

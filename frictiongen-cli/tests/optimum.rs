@@ -1,0 +1,143 @@
+//! `frictiongen optimum`: what it prints, and what is refused.
+
+#![allow(
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    reason = "a test may fail"
+)]
+
+mod common;
+
+use common::{cells, failure, json, output};
+
+/// On a moving base, which it rubs on.
+const BLOCK: &str = "struct Block { masses: { block: 2 }, springs: { base - block: 50 },
+    contact: block - base, excitation: base, damping: modal(0.02) }";
+
+fn split(line: &str) -> Vec<&str> {
+    line.split(' ').collect()
+}
+
+fn found<'a>(rows: &'a [Vec<&str>], quantity: &str) -> (f64, &'a str) {
+    let row = rows.iter().find(|row| row[0] == quantity).expect(quantity);
+    (row[1].parse().unwrap_or(f64::NAN), row[2])
+}
+
+/// Hz and m are the groups times their units; the three formats agree.
+#[test]
+fn in_units_and_in_three_formats() {
+    let groups = output(BLOCK, &split("optimum --r 0.5:2 --of block --csv"));
+    let groups = cells(&groups);
+    // r = 2πf √(2/50).
+    let ends = [0.5, 2.0].map(|r: f64| r * 5.0 / std::f64::consts::TAU);
+    let line = format!(
+        "optimum --hz {:?}:{:?} --base 0.01 --of block",
+        ends[0], ends[1]
+    );
+    let csv = output(BLOCK, &[&split(&line)[..], &["--csv"]].concat());
+    let physical = cells(&csv);
+    let (force, unit) = found(&physical, "friction");
+    assert_eq!(unit, "N");
+    assert!((force / (found(&groups, "friction").0 * 0.5) - 1.0).abs() < 1e-9);
+    let (amplitude, unit) = found(&physical, "largest amplitude of block");
+    assert!(
+        (amplitude - 0.01).abs() < 1e-9 && unit == "m",
+        "{amplitude}"
+    );
+    assert_eq!(found(&groups, "largest amplitude of block").1, "Y");
+    let parsed = json(&output(BLOCK, &[&split(&line)[..], &["--json"]].concat()));
+    let points = parsed["points"].as_array().expect("points");
+    assert_eq!(points.len(), physical.len() - 1);
+    for (point, row) in points.iter().zip(&physical[1..]) {
+        assert_eq!(point["quantity"].as_str(), Some(row[0]));
+        match point["value"].as_f64() {
+            Some(value) => assert_eq!(Ok(value), row[1].parse()),
+            None => assert_eq!(point["value"].as_str(), Some(row[1])),
+        }
+    }
+    let table = output(BLOCK, &split(&line));
+    assert!(
+        table.contains("stuck: more friction changes nothing"),
+        "{table}"
+    );
+}
+
+#[test]
+fn what_is_wrong_is_named() {
+    let told = |scene: &str, arguments: &[&str]| {
+        let lines = failure(scene, arguments);
+        assert_eq!(lines.len(), 1, "{lines:?}");
+        lines[0].clone()
+    };
+    for (line, message) in [
+        (
+            "--r 1:1 --of block",
+            "--r `1:1`: the range from 1.0 to 1.0 has no width",
+        ),
+        (
+            "--r 2:1 --of block",
+            "--r `2:1`: the range from 2.0 to 1.0 has no width",
+        ),
+        (
+            "--r -1:1 --of block",
+            "--r `-1:1`: a frequency ratio is not negative",
+        ),
+        (
+            "--r 1 --of block",
+            "--r `1`: a range a:b or a:step:b is needed",
+        ),
+        (
+            "--r 0.5:0.1:2 --of block",
+            "a band is a:b, without a step: all frequencies of it count",
+        ),
+        ("--hz x:2 --of block", "--hz `x:2`: `x` is not a number"),
+        (
+            "--r 0.5:2 --of roof",
+            "--of: there is no mass `roof`; the masses are contact, block",
+        ),
+        (
+            "--r 0.5:2 --of block --force 1",
+            "--force: the scene is driven by its base; its load is given by --base",
+        ),
+        (
+            "--r 0.5:2 --of block --base 0",
+            "--base `0`: the amplitude of a load is above 0 and finite",
+        ),
+    ] {
+        let line = told(BLOCK, &split(&format!("optimum {line}")));
+        assert_eq!(line, format!("frictiongen: {message}"));
+    }
+    for band in ["0:1", "1:inf"] {
+        let line = told(BLOCK, &split(&format!("optimum --r {band} --of block")));
+        assert!(line.contains("above 0 and below infinity"), "{line}");
+    }
+    for (vary, message) in [
+        (
+            "zeta 3",
+            "give a spring as `a - b`, or the damping of a mode as `zeta 1`",
+        ),
+        (
+            "roof - block",
+            "give a spring as `a - b`, or the damping of a mode as `zeta 1`",
+        ),
+        (
+            "zeta 1=2:1",
+            "a range is above 0 and finite, its end above its start",
+        ),
+        ("zeta 1=2", "a range is from:to"),
+        ("base - block=1:x", "`x` is not a number"),
+    ] {
+        let arguments = ["optimum", "--r", "0.5:2", "--of", "block", "--vary", vary];
+        let expected = format!("frictiongen: --vary `{vary}`: {message}");
+        assert_eq!(told(BLOCK, &arguments), expected);
+    }
+    // The second mode does not move the mass that rubs.
+    let chain = "struct Chain { masses: { a: 1, b: 1, c: 1 },
+        springs: { base - a: 1, a - b: 1, b - c: 1, c - wall: 1 }, contact: b - wall, excitation: a }";
+    let line = told(chain, &split("optimum --r 1.2:1.6 --of a"));
+    assert_eq!(
+        line,
+        "frictiongen: no friction bounds the motion: nothing damps mode 2, which the load drives and the contact does not \
+         touch"
+    );
+}

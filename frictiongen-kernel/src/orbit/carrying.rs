@@ -1,0 +1,333 @@
+//! The derivatives of a steady state that is known.
+//!
+//! A steady state is x = P(x) in a section at a fixed phase.  Read with dual numbers, a period from x gives P(x) and, as
+//! every event moves with what it depends on, the derivative b of P at fixed x; a step of Newton's method then adds
+//! (1 − DP)⁻¹b to the derivative of x.  The segments once more, from that x, carry derivatives into every answer.
+
+use super::build::{settle_free, stuck, to_event};
+use super::closed;
+use super::cycle_map::CycleMap;
+use super::newton::{Map, Workspace, newton};
+use super::record::{Record, Recorded};
+use super::shooting::MAX_STEPS;
+use super::{MAX_SEGMENTS, Orbit, SegmentStart};
+use crate::errors::{NoOrbit, OutOfDomain};
+use crate::number::complex::Complex;
+use crate::number::pairs::pairs;
+use crate::number::scalar::Float;
+use crate::simulation::{Contact, Dynamics, Part, Setting};
+use core::fmt;
+
+/// Nearer than this share to where an event comes or goes, its instant is not told apart from one that has no
+/// derivative.
+const GRAZE: f64 = 1e-9;
+/// Two steps of Newton's method may leave this much between them, of the size of what they find.
+const ALIKE: f64 = 1e-6;
+
+/// What rounding of `f64` leaves of a derivative, of the state's size.
+const ROUNDING: f64 = 1e-14;
+/// r and β within this share of those of the steady state are the same.
+const SAME: f64 = 1e-12;
+
+/// Why a steady state has no derivatives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub enum NoDerivative {
+    /// There is no steady state.
+    NoOrbit(NoOrbit),
+    /// The motion does not repeat: what is known are its last cycles.
+    Unsettled,
+    /// It is one of a continuum of steady states, or at its end: which of them is reached depends on the start.
+    Marginal,
+    /// An event is about to come or to go: the answers bend there.
+    Graze,
+    /// Two modes of the chain, free or with its contact held, have the same constants, or the contact is about to drive
+    /// a mode that it does not touch: the modes by themselves have no derivative.
+    Degenerate,
+}
+
+impl fmt::Display for NoDerivative {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NoOrbit(error) => return error.fmt(f),
+            Self::Unsettled => "no derivative: the motion does not repeat",
+            Self::Marginal => "no derivative: the steady state is one of a continuum",
+            Self::Graze => "no derivative: an event is about to come or to go",
+            Self::Degenerate => {
+                "no derivative: two modes coincide, or the contact only just does not touch a mode"
+            }
+        })
+    }
+}
+
+impl core::error::Error for NoDerivative {}
+
+impl From<NoOrbit> for NoDerivative {
+    fn from(error: NoOrbit) -> Self {
+        Self::NoOrbit(error)
+    }
+}
+
+impl From<OutOfDomain> for NoDerivative {
+    fn from(error: OutOfDomain) -> Self {
+        Self::NoOrbit(error.into())
+    }
+}
+
+impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
+where
+    S: Float,
+    P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
+    V: AsRef<[S]> + AsMut<[S]>,
+    C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+{
+    /// The steady state `plain` over a scalar that carries a derivative: the same scene's `dynamics`, r and β, whose
+    /// values are those of `plain`.
+    ///
+    /// `numbers` has room for as many numbers as any orbit of the scene; `masses` for two of each mass.  The multipliers
+    /// carry no derivative and are left out: `multipliers` is empty.
+    ///
+    /// # Errors
+    /// [`NoDerivative`] says why there is none, `OutOfDomain` also for room of another size.
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "one question and the room for its answer"
+    )]
+    pub fn carrying<T, Q, W, D>(
+        plain: &Orbit<'_, T, Q, W, D>,
+        dynamics: Dynamics<'a, S>,
+        r: S,
+        beta: S,
+        mut parts: P,
+        mut numbers: V,
+        masses: &mut [S],
+        multipliers: C,
+    ) -> Result<Self, NoDerivative>
+    where
+        T: Float,
+        Q: AsRef<[Part<T>]> + Clone + AsMut<[Part<T>]>,
+        W: AsRef<[T]> + AsMut<[T]>,
+        D: AsRef<[Complex<T>]> + AsMut<[Complex<T>]>,
+    {
+        if !plain.settled {
+            return Err(NoDerivative::Unsettled);
+        }
+        for (given, known, argument) in [
+            (r, plain.setting.r, "r"),
+            (beta, plain.setting.beta, "beta"),
+        ] {
+            let known = S::constant(known.to_f64());
+            if !((given - known).abs() <= known * S::constant(SAME)) {
+                return Err(OutOfDomain { argument }.into());
+            }
+        }
+        let zero = S::constant(0.0);
+        let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
+        let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
+        if numbers.as_ref().len() != super::numbers(modes, driven) || masses.len() != 2 * modes {
+            return Err(OutOfDomain {
+                argument: "numbers",
+            }
+            .into());
+        }
+        let clean = parts.clone();
+        let (own, held) = setting.split(parts.as_mut());
+        let mut cycle_map = CycleMap {
+            contact_state: SegmentStart::empty().contact_state,
+            setting: &setting,
+            modes: own,
+            held,
+            middle: zero,
+            stuck: zero,
+            step_budget: MAX_STEPS,
+        };
+        let (states, rest) = numbers
+            .as_mut()
+            .split_at_mut((MAX_SEGMENTS * 2 * modes).min(super::numbers(modes, driven)));
+        let (matrix, rest) = rest.split_at_mut(rest.len().min(4 * driven * driven));
+        let (state, other) = rest.split_at_mut(rest.len() / 2);
+        let mut workspace = Workspace {
+            matrix,
+            state,
+            other,
+            multipliers: &mut [],
+        };
+        let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
+        let mut record = Record::new(&mut marks, states, 2 * modes);
+        if plain.sticks() {
+            stuck(&mut cycle_map, &mut workspace)?;
+            record.stuck(&cycle_map);
+        } else {
+            if plain.is_closed() {
+                closed::set(&mut cycle_map);
+            } else if plain.marginal {
+                return Err(NoDerivative::Marginal);
+            } else {
+                let map = Map {
+                    period: plain.period,
+                    symmetric: plain.symmetric,
+                };
+                plain.place(&mut cycle_map, masses)?;
+                closed_in(&mut cycle_map, &mut workspace, map)?;
+            }
+            cycle_map.step_budget = MAX_STEPS;
+            to_event(&mut cycle_map, plain.period)?;
+            let at = cycle_map.contact_state.t.sin_cos_pi();
+            settle_free(&mut cycle_map, at)?;
+            record.follow(&mut cycle_map, plain.period)?;
+        }
+        let Recorded {
+            count,
+            stops,
+            reversals,
+            origin,
+        } = record.done();
+        if (stops, reversals) != (plain.stops, plain.reversals) {
+            return Err(NoDerivative::Graze);
+        }
+        let orbit = Self {
+            setting,
+            parts: clean,
+            numbers,
+            multipliers,
+            marks,
+            count,
+            period: plain.period,
+            stops,
+            reversals,
+            symmetric: plain.symmetric,
+            marginal: plain.marginal,
+            settled: true,
+            origin: origin.0,
+            origin_cycle: origin.1,
+        };
+        if orbit.grazes() {
+            return Err(NoDerivative::Graze);
+        }
+        Ok(orbit)
+    }
+
+    /// Whether the contact never slides.
+    fn sticks(&self) -> bool {
+        let mut marks = self.marks().iter();
+        self.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
+    }
+
+    /// Whether it is the closed form's motion: sliding all the time, with one reversal in half a cycle.
+    fn is_closed(&self) -> bool {
+        let (zero, own) = (self.setting.beta.is_zero(), self.period == 1);
+        own && self.stops == 0 && self.reversals == 2 && self.symmetric && (zero || !self.marginal)
+    }
+
+    /// Puts a cycle map over another scalar on this steady state, into the middle of the longest segment that slides;
+    /// `masses` is room for displacements and velocities.
+    fn place<U: Float>(
+        &self,
+        cycle_map: &mut CycleMap<'_, '_, U>,
+        masses: &mut [U],
+    ) -> Result<(), NoDerivative> {
+        let (half, two) = (S::constant(0.5), S::constant(2.0));
+        let slides = |mark: &SegmentStart<S>| mark.contact_state.contact != Contact::Stuck;
+        let longest = self.segments().filter(slides).reduce(|longest, mark| {
+            if longest.length < mark.length {
+                mark
+            } else {
+                longest
+            }
+        });
+        let longest = longest.ok_or(NoDerivative::Graze)?;
+        let from = longest.contact_state.t + two * (longest.cycle - self.origin_cycle);
+        let tau = (from - self.origin) * S::pi() + longest.length * half;
+        let t = longest.contact_state.t + longest.length * half * S::inverse_pi();
+        let t = t - (t * half).floor() * two;
+        let count = masses.len() / 2;
+        let (displacements, velocities) = masses.split_at_mut(count);
+        for (index, (x, v)) in displacements.iter_mut().zip(&mut *velocities).enumerate() {
+            let mass = self.mass(index);
+            *x = U::constant(mass.displacement(tau).to_f64());
+            *v = U::constant(mass.velocity(tau).to_f64());
+        }
+        let setting = cycle_map.setting;
+        setting.load_state(displacements, velocities, cycle_map.modes);
+        cycle_map.contact_state = setting.contact_state(cycle_map.modes, U::constant(t.to_f64()));
+        Ok(())
+    }
+
+    /// Whether an event is all but about to come or to go.
+    fn grazes(&self) -> bool {
+        let graze = S::constant(GRAZE);
+        let setting = &self.setting;
+        let mut before = Contact::Stuck;
+        let mut segments = self.segments();
+        let mut first = true;
+        while let Some(mark) = segments.next() {
+            if mark.length < S::constant(0.0) {
+                return true;
+            }
+            let parts = segments.parts();
+            let (modes, held) = setting.split(parts);
+            // Of a contact that has come to rest, how far the force is from what the contact can hold.
+            if !first && before != Contact::Stuck {
+                let force = setting.holding(modes, mark.contact_state.t.sin_cos_pi());
+                let grip = setting.grip();
+                if (force.abs() - grip).abs() <= grip * graze {
+                    return true;
+                }
+            }
+            (first, before) = (false, mark.contact_state.contact);
+            if self.sticks() {
+                return false;
+            }
+            // How steeply the function meets zero whose zero ends the segment.
+            let sum = if before == Contact::Stuck {
+                setting
+                    .stick(modes, held, &mark.contact_state, mark.length)
+                    .0
+            } else {
+                setting.slide(modes, &mark.contact_state, mark.length)
+            };
+            let slope = sum.local(mark.length).slope;
+            let size = sum.noise / S::constant(4.0 * S::EPSILON);
+            if !(size * graze < slope.abs()) {
+                return true;
+            }
+        }
+        false
+    }
+}
+
+/// Closes the cycle over a scalar that carries a derivative, from where the cycle map stands.  The first step brings the
+/// derivative to the value's precision, the second to the scalar's.
+fn closed_in<S: Float>(
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
+    map: Map,
+) -> Result<(), NoDerivative> {
+    let alike = S::constant(ALIKE);
+    for last in [false, true] {
+        cycle_map.save(workspace.state);
+        if newton(cycle_map, workspace, map)?.is_none() {
+            return Err(NoDerivative::Graze);
+        }
+        if !last {
+            continue;
+        }
+        let (mut apart, mut size) = (S::constant(0.0), S::constant(0.0));
+        for (part, state) in cycle_map.modes.iter().zip(pairs(workspace.state)) {
+            if let [y, u] = state {
+                for (now, then) in [(part.y, *y), (part.u, *u)] {
+                    let (now, then) = (now.carried(), then.carried());
+                    apart = apart.max((now - then).abs());
+                    size = size.max(now.abs());
+                }
+            }
+        }
+        // A derivative of 0 has no size of its own; the first step's is rounded as the state is.
+        let rounding = cycle_map.scale() * S::constant(ROUNDING);
+        if !(apart <= alike * size + rounding) {
+            return Err(NoDerivative::Graze);
+        }
+    }
+    Ok(())
+}

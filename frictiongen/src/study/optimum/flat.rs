@@ -1,0 +1,85 @@
+//! How flat an optimum is.
+
+use super::Tolerance;
+use super::amplitude::Friction;
+use super::peaks::Band;
+use super::search::{Least, Scanned};
+
+/// Steps to an end of an interval at most.
+const STEPS: usize = 40;
+/// How near to it, relative to β.
+const NEAR: f64 = 1e-9;
+
+/// The interval around the optimum within which the largest amplitude is at most so much above the best.
+pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Tolerance {
+    let level = least.at.value * (1.0 + excess);
+    let within = |scanned: &Scanned| scanned.value <= level;
+    let below = least.scan.iter().rev();
+    let mut below = below.filter(|scanned| scanned.beta < least.at.beta);
+    let from = edge(band, &least.at, &mut below, level).unwrap_or(0.0);
+    let above = least.scan.iter();
+    let mut above = above.filter(|scanned| least.at.beta < scanned.beta);
+    let to = match edge(band, &least.at, &mut above, level) {
+        Some(to) => to,
+        // Nothing beyond is above it: the contact stuck all over the band is not either.
+        None if least.locked_from.is_finite() => f64::INFINITY,
+        None => least
+            .scan
+            .iter()
+            .rev()
+            .find(|scanned| within(scanned))
+            .map_or(least.at.beta, |scanned| scanned.beta),
+    };
+    Tolerance { excess, from, to }
+}
+
+/// Where the level is met on the way from the optimum outwards.
+fn edge<'a>(
+    band: &Band<'_>,
+    best: &'a Scanned,
+    outwards: &mut dyn Iterator<Item = &'a Scanned>,
+    level: f64,
+) -> Option<f64> {
+    let mut inside = best;
+    let outside = loop {
+        let scanned = outwards.next()?;
+        if scanned.value <= level {
+            inside = scanned;
+        } else {
+            break scanned;
+        }
+    };
+    let seeds: Vec<f64> = [inside, outside, best]
+        .iter()
+        .flat_map(|scanned| &scanned.peaks)
+        .map(|peak| peak.r)
+        .collect();
+    let above = |beta: f64| {
+        let peaks = band.followed(Friction::Ratio(beta), &seeds);
+        peaks.first().map_or(f64::INFINITY, |peak| peak.value) - level
+    };
+    let (mut a, mut at_a) = (inside.beta, inside.value - level);
+    let (mut b, mut at_b) = (outside.beta, outside.value - level);
+    // Regula falsi with the Illinois rule; by halves towards what is unbounded.
+    for _ in 0..STEPS {
+        if (b - a).abs() <= NEAR * b.abs() {
+            break;
+        }
+        let mut middle = b - at_b * (b - a) / (at_b - at_a);
+        if !(middle.is_finite() && (middle - a) * (middle - b) < 0.0) {
+            middle = 0.5 * (a + b);
+        }
+        let value = above(middle);
+        if value <= 0.0 {
+            at_b = if at_b.is_finite() { 0.5 * at_b } else { at_b };
+            (a, at_a) = (middle, value);
+        } else {
+            at_a *= 0.5;
+            (b, at_b) = (middle, value);
+        }
+        if value == 0.0 {
+            break;
+        }
+    }
+    Some(a)
+}

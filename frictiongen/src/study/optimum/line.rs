@@ -1,0 +1,100 @@
+//! The largest value of a function of one variable between two places.
+
+/// The golden section's smaller part.
+const GOLDEN: f64 = 0.381_966_011_250_105_1;
+/// Steps at most; each keeps at most 0.62 of the interval.
+const STEPS: usize = 90;
+
+/// Where a function is largest on [a, b], from a place within, by Brent's method: parabolas, and golden sections where those
+/// do not serve.  `relative` is how near to the place it goes; what has no value counts as least.
+pub(super) fn largest(
+    mut f: impl FnMut(f64) -> f64,
+    [mut a, mut b]: [f64; 2],
+    (start, value): (f64, f64),
+    relative: f64,
+) -> (f64, f64) {
+    let (mut x, mut fx) = (start, value);
+    let (mut w, mut fw, mut v, mut fv) = (x, fx, x, fx);
+    let (mut step, mut before) = (0.0_f64, 0.0_f64);
+    for _ in 0..STEPS {
+        let middle = 0.5 * (a + b);
+        let near = relative * x.abs();
+        if (x - middle).abs() <= 2.0 * near - 0.5 * (b - a) {
+            break;
+        }
+        let mut golden = true;
+        if near < before.abs() {
+            let (r, q) = ((x - w) * (fx - fv), (x - v) * (fx - fw));
+            let (p, q) = ((x - v) * q - (x - w) * r, 2.0 * (q - r));
+            let move_by = -p / q;
+            let to = x + move_by;
+            if move_by.abs() < 0.5 * before.abs() && a < to && to < b {
+                (before, step, golden) = (step, move_by, false);
+                if to - a < 2.0 * near || b - to < 2.0 * near {
+                    step = near.copysign(middle - x);
+                }
+            }
+        }
+        if golden {
+            before = if x < middle { b - x } else { a - x };
+            step = GOLDEN * before;
+        }
+        let u = if step.abs() < near {
+            x + near.copysign(step)
+        } else {
+            x + step
+        };
+        let fu = f(u);
+        if fu >= fx {
+            if u < x {
+                b = x
+            } else {
+                a = x
+            }
+            (v, fv, w, fw, x, fx) = (w, fw, x, fx, u, fu);
+        } else {
+            if u < x {
+                a = u
+            } else {
+                b = u
+            }
+            if fu >= fw || w == x {
+                (v, fv, w, fw) = (w, fw, u, fu);
+            } else if fu >= fv || v == x || v == w {
+                (v, fv) = (u, fu);
+            }
+        }
+    }
+    (x, fx)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::largest;
+
+    #[test]
+    fn smooth_and_bent() {
+        let mut count = 0;
+        let hill = |x: f64| 1.0 / (1e-4 + (x - 1.234).powi(2));
+        let (x, value) = largest(
+            |x| {
+                count += 1;
+                hill(x)
+            },
+            [1.0, 2.0],
+            (1.4, hill(1.4)),
+            1e-9,
+        );
+        assert!(
+            (x - 1.234).abs() < 1e-8 && (value - 1e4).abs() < 1e-8,
+            "{x} {value}"
+        );
+        assert!(count < 60, "{count}");
+        let roof = |x: f64| -(x - 0.3).abs();
+        let (x, _) = largest(roof, [0.0, 1.0], (0.5, roof(0.5)), 1e-12);
+        assert!((x - 0.3).abs() < 1e-9, "{x}");
+        // At an end.
+        let (x, _) = largest(|x| x, [0.0, 1.0], (0.5, 0.5), 1e-12);
+        assert!(x > 1.0 - 1e-9, "{x}");
+    }
+}
