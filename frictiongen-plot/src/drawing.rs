@@ -28,12 +28,22 @@ pub(crate) struct Drawing<'a> {
     sketch: &'a Sketch,
     /// Springs in the row, by the gap they fill.
     direct: Vec<(usize, &'a Spring)>,
-    /// Springs above it: from which station to which, and in which lane.
-    above: Vec<(usize, usize, usize, &'a Spring)>,
+    /// What stands above it.
+    above: Vec<Above<'a>>,
     contact: Option<&'a Contact>,
     base: bool,
     wall: bool,
     lanes: usize,
+}
+
+/// A spring or a dashpot above the row.
+#[derive(Clone, Copy, Debug)]
+struct Above<'a> {
+    low: usize,
+    high: usize,
+    lane: usize,
+    label: &'a Label,
+    dashpot: bool,
 }
 
 impl<'a> Drawing<'a> {
@@ -65,7 +75,7 @@ impl<'a> Drawing<'a> {
             wall: false,
             lanes: 0,
         };
-        let mut far: Vec<(usize, usize, &Spring)> = Vec::new();
+        let mut far: Vec<(usize, usize, &Label, bool)> = Vec::new();
         for spring in &sketch.springs {
             let Some((low, high)) = stations(spring.between) else {
                 continue;
@@ -75,23 +85,37 @@ impl<'a> Drawing<'a> {
             if high == low + 1 && drawing.direct.iter().all(|(gap, _)| *gap != low) {
                 drawing.direct.push((low, spring));
             } else {
-                far.push((low, high, spring));
+                far.push((low, high, &spring.label, false));
             }
+        }
+        for dashpot in &sketch.dashpots {
+            let Some((low, high)) = stations(dashpot.between) else {
+                continue;
+            };
+            drawing.base |= low == 0;
+            drawing.wall |= high == count + 1;
+            far.push((low, high, &dashpot.label, true));
         }
         if let Some(contact) = drawing.contact {
             drawing.base |= [contact.between.0, contact.between.1].contains(&End::Base);
         }
-        far.sort_by_key(|(low, high, _)| (high - low, *low));
-        for (low, high, spring) in far {
+        far.sort_by_key(|(low, high, ..)| (high - low, *low));
+        for (low, high, label, dashpot) in far {
             // The longer a spring, the higher: none crosses another's risers needlessly.
             let taken = drawing
                 .above
                 .iter()
-                .filter(|(a, b, ..)| *a < high && low < *b)
-                .map(|(_, _, lane, _)| lane + 1);
+                .filter(|other| other.low < high && low < other.high)
+                .map(|other| other.lane + 1);
             let lane = taken.max().unwrap_or(0);
             drawing.lanes = drawing.lanes.max(lane + 1);
-            drawing.above.push((low, high, lane, spring));
+            drawing.above.push(Above {
+                low,
+                high,
+                lane,
+                label,
+                dashpot,
+            });
         }
         Some(drawing)
     }
@@ -179,8 +203,8 @@ impl<'a> Drawing<'a> {
                 INK,
             );
         }
-        for (low, high, lane, spring) in &self.above {
-            self.far_spring(&mut pen, (*low, *high), *lane, &spring.label);
+        for above in &self.above {
+            self.far(&mut pen, above);
         }
         if let Some(contact) = self.contact {
             self.friction(&mut pen, contact, row);
@@ -205,9 +229,9 @@ impl<'a> Drawing<'a> {
             let lanes = self
                 .above
                 .iter()
-                .filter(|(low, high, ..)| *low == station || *high == station);
+                .filter(|above| above.low == station || above.high == station);
             lanes
-                .map(|(_, _, lane, _)| self.lane(*lane) - 8.0)
+                .map(|above| self.lane(above.lane) - 8.0)
                 .fold(row - 4.0, f64::min)
         };
         if self.base {
@@ -225,13 +249,8 @@ impl<'a> Drawing<'a> {
         self.top() - 13.0 - LANE * lane as f64
     }
 
-    fn far_spring(
-        &self,
-        pen: &mut Pen<'_>,
-        (low, high): (usize, usize),
-        lane: usize,
-        label: &Label,
-    ) {
+    fn far(&self, pen: &mut Pen<'_>, above: &Above<'_>) {
+        let (low, high, lane) = (above.low, above.high, above.lane);
         let (row, y) = (self.top(), self.lane(lane));
         // Springs of one mass rise beside each other.
         let shift = RISER - 4.0 * (lane % 4) as f64;
@@ -255,8 +274,17 @@ impl<'a> Drawing<'a> {
         let middle = 0.5 * (from + to);
         pen.line(&[(from, y), (middle - half, y)], INK, 1.2);
         pen.line(&[(middle + half, y), (to, y)], INK, 1.2);
-        pen.spring(middle - half, middle + half, y);
-        pen.text(label, (middle + half + 2.0, y - 5.0), Anchor::Start, INK);
+        if above.dashpot {
+            pen.dashpot(middle - half, middle + half, y);
+        } else {
+            pen.spring(middle - half, middle + half, y);
+        }
+        pen.text(
+            above.label,
+            (middle + half + 2.0, y - 5.0),
+            Anchor::Start,
+            INK,
+        );
     }
 
     fn friction(&self, pen: &mut Pen<'_>, contact: &Contact, row: f64) {
@@ -371,6 +399,22 @@ impl Pen<'_> {
         }
         points.extend([(to - lead, y), (to, y)]);
         self.line(&points, INK, 1.2);
+    }
+
+    /// A piston in a cylinder that is open to the right.
+    fn dashpot(&mut self, from: f64, to: f64, y: f64) {
+        let middle = 0.5 * (from + to);
+        let (left, right) = (middle - 9.0, middle + 8.0);
+        self.line(&[(from, y), (left, y)], INK, 1.2);
+        let cylinder = [
+            (right, y - 7.0),
+            (left, y - 7.0),
+            (left, y + 7.0),
+            (right, y + 7.0),
+        ];
+        self.line(&cylinder, INK, 1.2);
+        self.line(&[(middle, y - 5.0), (middle, y + 5.0)], INK, 2.4);
+        self.line(&[(middle, y), (to, y)], INK, 1.2);
     }
 
     /// A line with hatching on one side.

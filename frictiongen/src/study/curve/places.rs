@@ -37,6 +37,8 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
         let orders = (1..=MOST_SUBHARMONICS).map(|i| (2 * i + 1) as f64);
         grid.extend(orders.map(|order| resonance / order));
     }
+    // Nothing lies nearer to a pole than its two sides.
+    grid.retain(|r| poles.iter().all(|pole| NEAR_POLE * pole < (r - pole).abs()));
     let sides = |pole: &f64| [pole * (1.0 - NEAR_POLE), pole * (1.0 + NEAR_POLE)];
     grid.extend(poles.iter().flat_map(sides));
     grid.retain(|r| request.from <= *r && *r <= request.to);
