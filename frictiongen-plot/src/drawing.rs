@@ -141,7 +141,12 @@ impl<'a> Drawing<'a> {
     }
 
     fn top(&self) -> f64 {
-        LANE * self.lanes as f64 + 6.0
+        // The label of a force between masses stands over its arrow.
+        let label = match self.force() {
+            Some((mass, _)) if !self.is_free(mass) => 10.0,
+            _ => 0.0,
+        };
+        LANE * self.lanes as f64 + 6.0 + label
     }
 
     fn force(&self) -> Option<(usize, &'a Label)> {

@@ -14,7 +14,7 @@ const VANISHING: f64 = 1e-6;
 #[must_use]
 pub fn places(system: &System, (from, to): (f64, f64)) -> Vec<(f64, frictiongen::Limits<f64>)> {
     system
-        .limit_lines(from, to, 1e-5)
+        .limit_lines(from, to, 5e-5)
         .map(|lines| lines.points)
         .unwrap_or_default()
 }

@@ -10,7 +10,7 @@ mod times;
 
 pub use colours::{beta_colour, part_colour, variant_colour};
 pub use limit::{at_limit, places};
-pub use responses::Responses;
+pub use responses::{Responses, only_regimes};
 pub use sheet::{csv, save};
 pub use simulated::{CYCLES, Polar, from_rest, simulated};
 pub use systems::{block, system};

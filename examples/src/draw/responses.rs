@@ -90,7 +90,11 @@ impl<'a> Responses<'a> {
     ) -> Panel {
         let scales = Scales::groups(self.system);
         // What is stuck does not depend on β: once, in black.
-        let sliding: Vec<Curve> = self.curves.iter().map(|curve| only(curve, false)).collect();
+        let sliding: Vec<Curve> = self
+            .curves
+            .iter()
+            .map(|curve| only_regimes(curve, false))
+            .collect();
         let drawn: Vec<Drawn<'_>> = sliding
             .iter()
             .map(|curve| Drawn {
@@ -110,7 +114,7 @@ impl<'a> Responses<'a> {
         if let Some((low, high)) = y.1 {
             (panel.y.low, panel.y.high) = (low, high);
         }
-        let stuck = self.curves.last().map(|curve| only(curve, true));
+        let stuck = self.curves.last().map(|curve| only_regimes(curve, true));
         if let Some(curve) = &stuck {
             let drawn = Drawn {
                 curve,
@@ -185,7 +189,8 @@ impl<'a> Responses<'a> {
 }
 
 /// A curve's pieces that are stuck, or those that are not.
-fn only(curve: &Curve, stuck: bool) -> Curve {
+#[must_use]
+pub fn only_regimes(curve: &Curve, stuck: bool) -> Curve {
     let pieces = curve.pieces.iter();
     Curve {
         beta: curve.beta,

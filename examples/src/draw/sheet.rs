@@ -39,7 +39,10 @@ pub fn csv(figure: &Figure) -> Result<String, std::fmt::Error> {
         };
         write_panel(&mut text, &title, panel)?;
         for inset in &panel.insets {
-            write_panel(&mut text, &format!("{title}, inset"), &inset.panel)?;
+            let mut within = inset.panel.clone();
+            // What the panel has already is not said twice.
+            within.layers.retain(|layer| !panel.layers.contains(layer));
+            write_panel(&mut text, &format!("{title}, inset"), &within)?;
         }
     }
     Ok(text)

@@ -9,7 +9,7 @@ use frictiongen_plot::{
 use std::f64::consts::TAU;
 
 /// Points of a line in a whole turn.
-const POINTS: f64 = 720.0;
+const POINTS: f64 = 240.0;
 
 /// What is drawn of a motion over time.
 #[derive(Clone, Copy, Debug)]

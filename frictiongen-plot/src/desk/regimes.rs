@@ -107,7 +107,7 @@ fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
         let height = high - low;
         // Of places with nearly as much room the one nearest to the middle.
         let aside = (2.0 * (at - first) / width - 1.0).abs();
-        let room = height * (1.0 - 0.3 * aside);
+        let room = height * (1.0 - 0.7 * aside);
         if 0.06 * top < height && best.is_none_or(|best| best.2 < room) {
             best = Some((at, 0.5 * (low + high), room));
         }
