@@ -69,9 +69,18 @@ impl Album {
     /// # Errors
     /// Where writing fails.
     pub fn add(&mut self, number: &str, svg: &str, csv: &str) -> Result<(), Box<dyn Error>> {
-        let name = format!("figure-{number}");
-        std::fs::write(self.folder.join(format!("{name}.svg")), svg)?;
-        std::fs::write(self.folder.join(format!("{name}.csv")), csv)?;
+        let name = format!("figure-{number}.csv");
+        std::fs::write(self.folder.join(name), csv)?;
+        self.add_picture(number, svg)
+    }
+
+    /// Writes `figure-<number>.svg` of what has no data, such as a sketch.
+    ///
+    /// # Errors
+    /// Where writing fails.
+    pub fn add_picture(&mut self, number: &str, svg: &str) -> Result<(), Box<dyn Error>> {
+        let name = format!("figure-{number}.svg");
+        std::fs::write(self.folder.join(name), svg)?;
         self.done += 1;
         self.show();
         Ok(())

@@ -34,9 +34,10 @@ fn two() -> System {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut album = Album::of_chapter(2, "One mass against a fixed wall", 9)?;
+    let mut album = Album::of_chapter(2, "One mass against a fixed wall", 10)?;
     for figure in [
         laws()?,
+        loaded(),
         half_periods()?,
         amplitudes()?,
         map()?,
@@ -122,7 +123,17 @@ fn loop_of_work() -> Result<Panel, Box<dyn Error>> {
     Ok(Panel::new("(d) over a cycle with two stops", x, y).with(line))
 }
 
-/// 2.3: one cycle of continuous motion.
+/// 2.3a: the system.
+fn loaded() -> Figure {
+    Figure::new("2.3a", "A block on a spring against a fixed wall", 1, Vec::new())
+        .with_sketch(drawn(&wall()))
+        .with_caption(
+            "A force of amplitude *P* moves the block; *F* is the kinetic friction force, *μF* the static one. \
+             *r* = *ω*√(*m*/*k*), *β* = *F*/*P*, *x̄* = *x*/(*P*/*k*), *τ* = *ωt*.",
+        )
+}
+
+/// 2.3b: one cycle of continuous motion.
 fn half_periods() -> Result<Figure, Box<dyn Error>> {
     let system = wall();
     let times = Times {
@@ -132,7 +143,7 @@ fn half_periods() -> Result<Figure, Box<dyn Error>> {
     };
     let parts = [("block *x̄*", BLOCK, part_colour(0))];
     let panel = cycle("", &system, (0.7, 0.4), &parts, times).ok_or("no motion")?;
-    Ok(Figure::new("2.3", "A block on a fixed wall, and its motion without stops", 1, vec![panel])
+    Ok(Figure::new("2.3b", "Motion without stops", 1, vec![panel])
         .with_sketch(drawn(&system))
         .with_keys(keys())
         .with_caption(

@@ -12,26 +12,32 @@ pub struct Entry {
     pub title: Label,
     /// What is seen, and the parameters.
     pub caption: Label,
+    /// Whether there are data beside it.
+    pub data: bool,
 }
 
-/// The page of a chapter.
+/// The page of a chapter: what it holds, then each figure.  The captions stand in the pictures, and for those who do not see
+/// them beside these.
 #[must_use]
 pub fn page(number: u32, title: &str, entries: &[Entry]) -> String {
-    let mut page = format!("## Chapter {number}: {title}\n");
+    let mut page = format!("# Chapter {number}: {title}\n\n[Gallery](../GALLERY.md)\n\n");
+    // Writing to a string cannot fail.
+    for Entry { number, title, .. } in entries {
+        let anchor = number.replace('.', "");
+        let title = markdown(title);
+        let _ = writeln!(page, "- [{number}](#figure-{anchor}): {title}");
+    }
     for entry in entries {
-        let Entry {
-            number,
-            title,
-            caption,
-        } = entry;
-        let alt = format!("{}. {}", title.plain(), caption.plain()).replace(['[', ']'], "");
-        // Writing to a string cannot fail.
+        let number = &entry.number;
+        let alt = format!("{}. {}", entry.title.plain(), entry.caption.plain());
+        let alt = alt.replace(['[', ']'], "");
         let _ = write!(
             page,
-            "\n### Figure {number}: {}\n\n{}\n\n![{alt}](figures/figure-{number}.svg)\n\n[data](figures/figure-{number}.csv)\n",
-            markdown(title),
-            markdown(caption),
+            "\n## Figure {number}\n\n![{alt}](figure-{number}.svg)\n"
         );
+        if entry.data {
+            let _ = write!(page, "\n[Data](figure-{number}.csv)\n");
+        }
     }
     page
 }
@@ -58,7 +64,20 @@ pub fn markdown(label: &Label) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::markdown;
+    use super::{Entry, markdown, page};
+
+    #[test]
+    fn a_page_names_every_figure_twice() {
+        let entry = Entry {
+            number: "2.4".to_owned(),
+            title: "*X̄* [mm]".into(),
+            caption: "*β* = 1".into(),
+            data: false,
+        };
+        let page = page(2, "Walls", &[entry]);
+        assert!(page.contains("- [2.4](#figure-24): <i>X̄</i> [mm]\n"));
+        assert!(page.ends_with("## Figure 2.4\n\n![X̄ mm. β = 1](figure-2.4.svg)\n"));
+    }
 
     #[test]
     fn labels_become_markdown() {

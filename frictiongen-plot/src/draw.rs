@@ -30,6 +30,9 @@ pub(crate) fn figure(figure: &Figure) -> String {
         (Page::Wide, 1) => 640.0,
         (Page::Wide, _) => 900.0,
     };
+    // A long chain makes a narrow page wider.
+    let chain = figure.sketch.as_ref().and_then(crate::Sketch::size);
+    let width = f64::max(width, chain.map_or(0.0, |size| size.0 + 2.0 * MARGIN));
     let room = width - 2.0 * MARGIN;
     let mut canvas = Canvas::default();
     let heading = heading(figure);

@@ -1,10 +1,10 @@
 //! Amplitudes and phases over frequency.
 
 use crate::{MASS, drawn, joined};
-use frictiongen::Of;
+use frictiongen::{Of, Regime};
 use frictiongen_examples::draw::{Responses, only_regimes, variant_colour};
 use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
-use frictiongen_plot::{Axis, Colour, Figure, Inset, Key, Marker, Panel};
+use frictiongen_plot::{Axis, Colour, Figure, Inset, Key, Marker, Markers, Panel};
 use std::error::Error;
 
 const CONTINUOUS: [f64; 7] = [0.0, 0.2, 0.5, 0.8, 1.0, 1.25, 1.5];
@@ -67,7 +67,7 @@ pub fn phase() -> Result<Figure, Box<dyn Error>> {
         .with_sketch(drawn(&system))
         .with_caption(
             "The lag between the maxima of base and mass, *μ* = 1. Without friction it jumps from 0 to 180° at the resonance; \
-             with friction the mass lags less and less beyond.",
+             beyond, the more friction the less the mass lags.",
         ))
 }
 
@@ -140,7 +140,8 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
                 .layers
                 .extend(desk::lines(&drawn, part, Reading::Amplitude, &scales));
         }
-        for (index, (_, responses)) in curves.iter().enumerate().skip(1) {
+        // The longest first: of each the end is seen.
+        for (index, (_, responses)) in curves.iter().enumerate().skip(1).rev() {
             for curve in responses.curves() {
                 let mut curve = only_regimes(curve, true);
                 for piece in &mut curve.pieces {
@@ -156,6 +157,16 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
                     .extend(desk::lines(&drawn, part, Reading::Amplitude, &scales));
             }
         }
+        // Where sliding begins at once.
+        for (index, (_, responses)) in curves.iter().enumerate().skip(1) {
+            let sliding = responses.curves().iter().flat_map(|curve| &curve.pieces);
+            let first = sliding.filter(|piece| piece.regime != Regime::Stuck);
+            let first = first.flat_map(|piece| &piece.points).next();
+            let place =
+                first.and_then(|point| Some((point.r, point.movements.get(part)?.swing.amplitude)));
+            let points = place.into_iter().collect();
+            panel = panel.with(Markers::unnamed(variant_colour(index), Marker::Dot, points));
+        }
         panel
     };
     let panels = vec![
@@ -166,7 +177,8 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
         .with_sketch(drawn(&systems[0].1))
         .with_keys(desk::keys())
         .with_caption(
-            "*μ* is static over kinetic friction. It moves the start of sliding to *r* = √*μ* and makes it a jump; from \
+            "*μ* is static over kinetic friction. It moves the start of sliding to *r* = √*μ* and makes it a jump, to the \
+             dots; from \
              *μ* = 1.5 on the mass goes from stuck straight to sliding without stops, and then *μ* has no effect.",
         ))
 }

@@ -94,7 +94,8 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
         .with_sketch(drawn(&joined(1.0)))
         .with_caption(
             "*β* = *F*/(*kY*). With more static friction both limits fall, the limit of permanent sticking, *r*²/*μ*, faster: \
-             from about *μ* = 1.2 on they cross, and motions with stops vanish at most frequencies.",
+             from about *μ* = 1.2 on they cross, and \
+             between the crossings there are no motions with stops.",
         ))
 }
 
@@ -133,8 +134,8 @@ pub fn stops() -> Result<Figure, Box<dyn Error>> {
         .with_sketch(drawn(&joined(1.0)))
         .with_caption(
             "The steady state that is reached from rest, at each of 125 by 200 places; the lines are the exact limits. \
-             Between them two stops are the rule, and with *μ* = 1.5 the mass mostly goes from stuck straight to \
-             continuous motion.",
+             Between them two stops are the rule. With *μ* = 1.5 the limits cross, and between the crossings the mass goes from stuck \
+             straight to continuous motion.",
         ))
 }
 
@@ -152,7 +153,8 @@ pub fn few_stops() -> Result<Figure, Box<dyn Error>> {
         .with_sketch(drawn(&joined(1.0)))
         .with_caption(
             "Detail of figure 3.12. With *μ* above 1 motions with one stop, which are not symmetric, spread from *r* = 1/2 \
-             (dashed grey); the more static friction, the farther.",
+             (dashed grey); the more static friction, the farther. \
+             Yellow are motions that repeat after several cycles only, or not at all.",
         ))
 }
 

@@ -3,6 +3,7 @@
 
 mod times;
 
+use frictiongen::study::scene::Node;
 use frictiongen::{Of, System};
 use frictiongen_examples::album::Album;
 use frictiongen_examples::draw::{Responses, block, part_colour, save, system};
@@ -114,9 +115,14 @@ fn finished(
     caption: &str,
 ) -> Figure {
     let columns = panels.len();
+    // On a fixed wall nothing is stuck at these β.
+    let mut regimes = desk::keys();
+    if system.scene().contact.to == Node::Wall {
+        regimes.truncate(2);
+    }
     Figure::new(number, title, columns, panels)
         .with_sketch(drawn(system))
-        .with_keys(desk::keys())
+        .with_keys(regimes)
         .with_keys([Key::marker("simulation from rest", Marker::Circle)])
         .with_caption(caption)
 }

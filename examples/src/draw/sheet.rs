@@ -15,12 +15,16 @@ pub fn save(figure: &Figure, album: &mut Album) -> Result<(), Box<dyn Error>> {
         number: figure.number.clone(),
         title: figure.title.clone(),
         caption: figure.caption.clone(),
+        data: !figure.panels.is_empty(),
     });
     #[cfg(feature = "png")]
     {
         album.picture(&figure.number, &figure.png(2.0)?)?;
         let narrow = figure.clone().narrow();
         album.picture(&format!("{}-narrow", figure.number), &narrow.png(1.0)?)?;
+    }
+    if figure.panels.is_empty() {
+        return album.add_picture(&figure.number, &figure.svg());
     }
     album.add(&figure.number, &figure.svg(), &csv(figure)?)
 }
