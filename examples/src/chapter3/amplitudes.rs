@@ -87,7 +87,7 @@ pub fn all_regimes() -> Result<Figure, Box<dyn Error>> {
             let mut inner = Panel::new("", Axis::new("", 0.9, 1.6), Axis::new("", 0.5, 1.75));
             inner.layers = lines;
             panel = panel.with_inset(Inset {
-                place: (0.6, 0.04, 0.385, 0.46),
+                place: (0.6, 0.06, 0.36, 0.45),
                 marked: true,
                 panel: inner,
             });

@@ -201,3 +201,30 @@ pub fn only_regimes(curve: &Curve, stuck: bool) -> Curve {
         gaps: Vec::new(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Responses;
+    use crate::draw::block;
+    use frictiongen::Of;
+    use frictiongen_plot::Layer;
+
+    #[test]
+    fn a_pole_parts_a_curve_once_and_turns_the_phase() {
+        // A place of the first grid lies on the resonance.
+        let system = block("wall", "block", "");
+        let responses =
+            Responses::new(&system, (0.1, 2.5), &[0.0], &[Of::Mass(0)]).expect("a range");
+        assert_eq!(responses.curves()[0].pieces.len(), 2);
+        let panel = responses.phase("", 0, "", (-45.0, 190.0));
+        let Some(Layer::Line(line)) = panel.layers.first() else {
+            panic!("{panel:?}");
+        };
+        let ends: Vec<(f64, f64)> = line
+            .pieces
+            .iter()
+            .map(|piece| (piece[0].1, piece.last().expect("points").1))
+            .collect();
+        assert_eq!(ends, [(0.0, 0.0), (180.0, 180.0)]);
+    }
+}
