@@ -74,6 +74,17 @@ impl Album {
         self.add_picture(number, svg)
     }
 
+    /// Writes `narrow/figure-<number>.svg`, for telephones.
+    ///
+    /// # Errors
+    /// Where writing fails.
+    pub fn add_narrow(&self, number: &str, svg: &str) -> Result<(), Box<dyn Error>> {
+        let folder = self.folder.join("narrow");
+        std::fs::create_dir_all(&folder)?;
+        let name = format!("figure-{number}.svg");
+        Ok(std::fs::write(folder.join(name), svg)?)
+    }
+
     /// Writes `figure-<number>.svg` of what has no data, such as a sketch.
     ///
     /// # Errors

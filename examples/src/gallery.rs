@@ -30,16 +30,24 @@ pub fn page(number: u32, title: &str, entries: &[Entry]) -> String {
     for entry in entries {
         let number = &entry.number;
         let alt = format!("{}. {}", entry.title.plain(), entry.caption.plain());
-        let alt = alt.replace(['[', ']'], "");
+        let alt = escaped(&alt);
         let _ = write!(
             page,
-            "\n## Figure {number}\n\n![{alt}](figure-{number}.svg)\n"
+            "\n## Figure {number}\n\n\
+             <picture><source media=\"(max-width: 600px)\" srcset=\"narrow/figure-{number}.svg\">\
+             <img src=\"figure-{number}.svg\" alt=\"{alt}\"></picture>\n"
         );
         if entry.data {
             let _ = write!(page, "\n[Data](figure-{number}.csv)\n");
         }
     }
     page
+}
+
+/// Text within an attribute.
+fn escaped(text: &str) -> String {
+    let text = text.replace('&', "&amp;").replace('<', "&lt;");
+    text.replace('"', "&quot;")
 }
 
 /// A label as Markdown.
@@ -71,12 +79,13 @@ mod tests {
         let entry = Entry {
             number: "2.4".to_owned(),
             title: "*X̄* [mm]".into(),
-            caption: "*β* = 1".into(),
+            caption: "*β* < \"1\"".into(),
             data: false,
         };
         let page = page(2, "Walls", &[entry]);
         assert!(page.contains("- [2.4](#figure-24): <i>X̄</i> [mm]\n"));
-        assert!(page.ends_with("## Figure 2.4\n\n![X̄ mm. β = 1](figure-2.4.svg)\n"));
+        let image = "<img src=\"figure-2.4.svg\" alt=\"X̄ [mm]. β &lt; &quot;1&quot;\"></picture>\n";
+        assert!(page.ends_with(image), "{page}");
     }
 
     #[test]

@@ -2,11 +2,14 @@
 
 use std::path::Path;
 
-/// What a page links to, without anchors and other sites.
+/// What a page links to and shows, without anchors and other sites.
 fn links(page: &str) -> impl Iterator<Item = &str> {
-    page.split("](")
-        .skip(1)
-        .filter_map(|rest| rest.split(')').next())
+    let ends = [("](", ')'), ("src=\"", '"'), ("srcset=\"", '"')];
+    ends.into_iter()
+        .flat_map(|(start, end)| {
+            let rests = page.split(start).skip(1);
+            rests.filter_map(move |rest| rest.split(end).next())
+        })
         .filter_map(|link| link.split('#').next())
         .filter(|link| !link.is_empty() && !link.starts_with("http"))
 }

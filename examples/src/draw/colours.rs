@@ -5,7 +5,7 @@ use frictiongen_plot::Colour;
 /// The colours of the friction ratios that the thesis draws.  Two that share one are never in one figure.
 const TABLE: [(f64, Colour); 15] = [
     (0.0, Colour::Rgb(0x60, 0x60, 0x60)),
-    (0.1, Colour::Series(5)),
+    (0.1, Colour::Series(7)),
     (0.2, Colour::Series(0)),
     (0.3, Colour::Series(4)),
     (0.4, Colour::Series(2)),

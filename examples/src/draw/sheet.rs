@@ -17,12 +17,13 @@ pub fn save(figure: &Figure, album: &mut Album) -> Result<(), Box<dyn Error>> {
         caption: figure.caption.clone(),
         data: !figure.panels.is_empty(),
     });
+    let narrow = figure.clone().narrow();
     #[cfg(feature = "png")]
     {
         album.picture(&figure.number, &figure.png(2.0)?)?;
-        let narrow = figure.clone().narrow();
         album.picture(&format!("{}-narrow", figure.number), &narrow.png(1.0)?)?;
     }
+    album.add_narrow(&figure.number, &narrow.svg())?;
     if figure.panels.is_empty() {
         return album.add_picture(&figure.number, &figure.svg());
     }
