@@ -61,13 +61,15 @@ pub fn map() -> Result<Figure, Box<dyn Error>> {
     let mut inner = desk::regimes("", &lines, 1.0, &Scales::groups(&system));
     (inner.x.label, inner.y.label) = ("".into(), "".into());
     for layer in &mut inner.layers {
-        // The outer panel names all areas.
-        if let Layer::Region(region) = layer {
+        // No room for a name within: it stands in the outer panel.
+        if let Layer::Region(region) = layer
+            && region.at.is_none()
+        {
             region.name = "".into();
         }
     }
     let inset = Inset {
-        place: (0.07, 0.05, 0.4, 0.48),
+        place: (0.09, 0.08, 0.38, 0.46),
         marked: true,
         panel: inner,
     };
