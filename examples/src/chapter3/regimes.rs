@@ -61,9 +61,9 @@ pub fn map() -> Result<Figure, Box<dyn Error>> {
     let mut inner = desk::regimes("", &lines, 1.0, &Scales::groups(&system));
     (inner.x.label, inner.y.label) = ("".into(), "".into());
     for layer in &mut inner.layers {
-        // No room for a name within: it stands in the outer panel.
+        // The inset lies over one name, and has room for it; the others stand in the outer panel.
         if let Layer::Region(region) = layer
-            && region.at.is_none()
+            && region.name.plain() != "stuck"
         {
             region.name = "".into();
         }
