@@ -1,5 +1,6 @@
 //! Where a program's figures go, and how far it is.
 
+use crate::gallery::{self, Entry};
 use std::error::Error;
 use std::io::{IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
@@ -10,6 +11,8 @@ pub struct Album {
     folder: PathBuf,
     total: usize,
     done: usize,
+    chapter: Option<(u32, String)>,
+    entries: Vec<Entry>,
 }
 
 impl Album {
@@ -27,9 +30,38 @@ impl Album {
             folder,
             total,
             done: 0,
+            chapter: None,
+            entries: Vec::new(),
         };
         album.show();
         Ok(album)
+    }
+
+    /// For so many figures of a chapter; closed, it writes the chapter's page of the gallery as well.
+    ///
+    /// # Errors
+    /// Where the folder cannot be made.
+    pub fn of_chapter(number: u32, title: &str, total: usize) -> Result<Self, Box<dyn Error>> {
+        let mut album = Self::open(total)?;
+        album.chapter = Some((number, title.to_owned()));
+        Ok(album)
+    }
+
+    /// Notes a figure for the gallery.
+    pub fn enter(&mut self, entry: Entry) {
+        self.entries.push(entry);
+    }
+
+    /// Writes `figure-<name>.png`.
+    ///
+    /// # Errors
+    /// Where writing fails.
+    #[cfg(feature = "png")]
+    pub fn picture(&self, name: &str, png: &[u8]) -> Result<(), Box<dyn Error>> {
+        Ok(std::fs::write(
+            self.folder.join(format!("figure-{name}.png")),
+            png,
+        )?)
     }
 
     /// Writes `figure-<number>.svg` and `.csv`.
@@ -37,17 +69,41 @@ impl Album {
     /// # Errors
     /// Where writing fails.
     pub fn add(&mut self, number: &str, svg: &str, csv: &str) -> Result<(), Box<dyn Error>> {
-        let name = format!("figure-{number}");
-        std::fs::write(self.folder.join(format!("{name}.svg")), svg)?;
-        std::fs::write(self.folder.join(format!("{name}.csv")), csv)?;
+        let name = format!("figure-{number}.csv");
+        std::fs::write(self.folder.join(name), csv)?;
+        self.add_picture(number, svg)
+    }
+
+    /// Writes `narrow/figure-<number>.svg`, for telephones.
+    ///
+    /// # Errors
+    /// Where writing fails.
+    pub fn add_narrow(&self, number: &str, svg: &str) -> Result<(), Box<dyn Error>> {
+        let folder = self.folder.join("narrow");
+        std::fs::create_dir_all(&folder)?;
+        let name = format!("figure-{number}.svg");
+        Ok(std::fs::write(folder.join(name), svg)?)
+    }
+
+    /// Writes `figure-<number>.svg` of what has no data, such as a sketch.
+    ///
+    /// # Errors
+    /// Where writing fails.
+    pub fn add_picture(&mut self, number: &str, svg: &str) -> Result<(), Box<dyn Error>> {
+        let name = format!("figure-{number}.svg");
+        std::fs::write(self.folder.join(name), svg)?;
         self.done += 1;
         self.show();
         Ok(())
     }
 
     /// # Errors
-    /// Where there are not as many figures as were announced.
+    /// Where there are not as many figures as were announced, or the chapter's page cannot be written.
     pub fn close(self) -> Result<(), Box<dyn Error>> {
+        if let Some((number, title)) = &self.chapter {
+            let page = gallery::page(*number, title, &self.entries);
+            std::fs::write(self.folder.join(format!("chapter-{number}.md")), page)?;
+        }
         if self.done == self.total {
             println!("{} figures in {}", self.done, self.folder.display());
             Ok(())

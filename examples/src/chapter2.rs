@@ -1,94 +1,246 @@
 //! Chapter 2: one mass against a fixed wall, Den Hartog's problem.
 //! `cargo run --release --example chapter2`
 
-use frictiongen::friction_system;
+use frictiongen::{Of, System};
 use frictiongen_examples::album::Album;
-use frictiongen_examples::figure::Figure;
-use frictiongen_examples::panels::{Sweep, cycle, regimes};
-use frictiongen_examples::scene;
-use frictiongen_examples::scene::{Measure, Of};
+use frictiongen_examples::draw::{Responses, Times, block, cycle, keys, part_colour, save, system};
+use frictiongen_plot::desk::{Reading, Scales, regimes, sketch};
+use frictiongen_plot::{Axis, Colour, End, Figure, Line, Panel, Point, Sketch, Spring, Stroke};
 use std::error::Error;
-use std::f64::consts::TAU;
-
-friction_system! {
-    /// A loaded block on a spring rubs on a fixed wall.
-    pub struct Block {
-        masses: { block: 1.0 },
-        springs: { base - block: 1.0 },
-        contact: block - wall,
-        excitation: block,
-        provide: [limits, motion, stuck, orbit, simulation],
-    }
-}
-
-friction_system! {
-    /// The same with a dashpot, ζ = 0.2.
-    pub struct Damped {
-        masses: { block: 1.0 },
-        springs: { base - block: 1.0 },
-        contact: block - wall,
-        excitation: block,
-        damping: modal(0.2),
-        provide: [limits, motion, stuck, orbit, simulation],
-    }
-}
-
-scene!(Block, Damped);
+use std::f64::consts::{PI, TAU};
 
 const BLOCK: Of = Of::Mass(0);
 
+/// A loaded block on a spring rubs on a fixed wall.
+fn wall() -> System {
+    block("wall", "block", "")
+}
+
+/// The same with a dashpot, ζ = 0.2.
+fn damped() -> System {
+    block("wall", "block", "damping: modal(0.2),")
+}
+
+/// Two masses, the lower one loaded and in contact.
+fn two() -> System {
+    system(
+        "struct Two {
+            masses: { lower: 1.0, upper: 1.0 },
+            springs: { base - lower: 1.0, lower - upper: 1.0 },
+            contact: lower - wall,
+            excitation: lower,
+        }",
+    )
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut album = Album::open(4)?;
-    let sweep = Sweep {
-        scene: &Block,
-        from: 0.0,
-        to: 2.5,
-        betas: &[0.0, 0.2, 0.4, 0.6, 0.8],
-        measure: Measure::Peak,
-        markers: 0.0,
-        beyond: false,
-    };
-    Figure::new(
-        "2.4",
-        "continuous response of one mass against a fixed wall",
-        2,
-        vec![
-            sweep.amplitude("(a) amplitude", "X̄", BLOCK, 5.0),
-            sweep.lag("(b) phase", "lag, degrees", BLOCK, -90.0, 180.0),
-        ],
-    )
-    .save(&mut album)?;
-    Figure::new(
-        "2.5",
-        "motion regimes against a fixed wall",
-        1,
-        vec![regimes("μ = 1", &Block, 2.5, 1.2)],
-    )
-    .save(&mut album)?;
-    Figure::new(
-        "2.6",
-        "a response with two stops, r = 0.6, β = 0.6",
-        1,
-        vec![cycle(
-            "r = 0.6, β = 0.6",
-            &Block,
-            (0.6, 0.6),
-            &[("block x̄", BLOCK)],
-            (TAU, 1.5),
-        )],
-    )
-    .save(&mut album)?;
-    let damped = Sweep {
-        scene: &Damped,
-        betas: &[0.0, 0.1, 0.2, 0.3, 0.4, 0.5],
-        ..sweep
-    };
-    Figure::new(
-        "2.7",
-        "with viscous damping as well, ζ = 0.2",
-        1,
-        vec![damped.amplitude("ζ = 0.2", "X̄", BLOCK, 3.0)],
-    )
-    .save(&mut album)?;
+    let mut album = Album::of_chapter(2, "One mass against a fixed wall", 10)?;
+    for figure in [
+        laws()?,
+        loaded(),
+        half_periods()?,
+        amplitudes()?,
+        map()?,
+        two_stops()?,
+        dashpot()?,
+    ]
+    .into_iter()
+    .chain(systems())
+    {
+        save(&figure, &mut album)?;
+    }
     album.close()
+}
+
+/// 2.1: friction force over sliding velocity, and over displacement.
+fn laws() -> Result<Figure, Box<dyn Error>> {
+    let (low, high, least) = (-4.0, 4.0, 1e-6);
+    let steps = 200;
+    let side = |sign: f64, law: &dyn Fn(f64) -> f64| -> Vec<Point> {
+        let speed = |i: u32| least + (high - least) * f64::from(i) / f64::from(steps);
+        let point = |i: u32| (sign * speed(i), -sign * law(speed(i)));
+        if sign < 0.0 {
+            (0..=steps).rev().map(point).collect()
+        } else {
+            (0..=steps).map(point).collect()
+        }
+    };
+    let panel = |title: &str, most: f64, law: &dyn Fn(f64) -> f64| {
+        let rest = vec![(0.0, most), (0.0, -most)];
+        let law = vec![side(-1.0, law), side(1.0, law)];
+        Panel::new(
+            title,
+            Axis::new("sliding velocity *v*_r / *v*_s", low, high),
+            Axis::new("force *F*_f / (*μ*_d *F*_n)", -1.8, 1.8),
+        )
+        .with(Line::new(
+            "at rest: what keeps it there",
+            Colour::Black,
+            Stroke::Dotted,
+            vec![rest],
+        ))
+        .with(Line::new("sliding", part_colour(0), Stroke::Solid, law))
+    };
+    let stiction = 1.5;
+    let stribeck = |v: f64| 1.0 + (stiction - 1.0) * (-v).exp();
+    let panels = vec![
+        panel("(a) Coulomb", 1.0, &|_| 1.0),
+        panel("(b) Coulomb with stiction", stiction, &|_| 1.0),
+        panel("(c) Stribeck", stiction, &stribeck),
+        loop_of_work()?,
+    ];
+    Ok(Figure::new("2.1", "Laws of dry friction", 2, panels).with_caption(
+        "The force on the sliding body over its velocity: it opposes the motion, and at rest takes any value up to \
+         *μ*_s *F*_n, here with *μ*_s = 1.5 *μ*_d in (b) and (c). (d), not in the thesis: with law (a) the block of figure \
+         2.6 (*r* = 0.6, *β* = 0.6) goes round a rectangle in each cycle; its area is the work lost.",
+    ))
+}
+
+/// The friction force over the displacement in a motion with two stops.
+fn loop_of_work() -> Result<Panel, Box<dyn Error>> {
+    let system = wall();
+    let mut run = system.simulation(0.6, 0.6)?;
+    while run.cycles() < 200 {
+        run.advance(PI)?;
+    }
+    let mut points = Vec::new();
+    let step = TAU / 720.0;
+    for _ in 0..=720 {
+        points.push((run.run().mass(0).displacement(), -run.friction()));
+        let mut left = step;
+        while 1e-12 < left {
+            let segment = run.advance(left)?;
+            left -= segment.length;
+            if 1e-12 < left {
+                // An event: both values of the force.
+                points.push((run.run().mass(0).displacement(), -run.friction()));
+            }
+        }
+    }
+    let line = Line::unnamed(part_colour(0), Stroke::Solid, vec![points]);
+    let x = Axis::new("displacement *x̄*", -1.8, 1.8);
+    let y = Axis::new("force over *P*", -0.9, 0.9);
+    Ok(Panel::new("(d) over a cycle with two stops", x, y).with(line))
+}
+
+/// 2.3a: the system.
+fn loaded() -> Figure {
+    Figure::new("2.3a", "A block on a spring against a fixed wall", 1, Vec::new())
+        .with_sketch(drawn(&wall()))
+        .with_caption(
+            "A force of amplitude *P* moves the block; *F* is the kinetic friction force, *μF* the static one. \
+             *r* = *ω*√(*m*/*k*), *β* = *F*/*P*, *x̄* = *x*/(*P*/*k*), *τ* = *ωt*.",
+        )
+}
+
+/// 2.3b: one cycle of continuous motion.
+fn half_periods() -> Result<Figure, Box<dyn Error>> {
+    let system = wall();
+    let times = Times {
+        span: (0.0, TAU),
+        circles: TAU / 24.0,
+        excitation: true,
+    };
+    let parts = [("block *x̄*", BLOCK, part_colour(0))];
+    let panel = cycle("", &system, (0.7, 0.4), &parts, times).ok_or("no motion")?;
+    Ok(Figure::new("2.3b", "Motion without stops", 1, vec![panel])
+        .with_sketch(drawn(&system))
+        .with_keys(keys())
+        .with_caption(
+            "One cycle from a maximum of the motion, *r* = 0.7, *β* = 0.4. The velocity keeps its sign for half a cycle, \
+             the friction force is constant there, and the second half repeats the first with the opposite sign.",
+        ))
+}
+
+/// 2.4: continuous responses.
+fn amplitudes() -> Result<Figure, Box<dyn Error>> {
+    let system = wall();
+    let betas = [0.0, 0.2, 0.4, 0.6, 0.8];
+    let responses = Responses::new(&system, (0.1, 2.5), &betas, &[BLOCK])?.continuous();
+    let panels = vec![
+        responses
+            .amplitude("(a) amplitude", 0, "*X̄*", 5.0)
+            .with(responses.limit(0, Reading::Amplitude)),
+        responses
+            .phase("(b) phase", 0, "*φ* (degrees)", (-45.0, 190.0))
+            .with(responses.limit(0, Reading::Phase)),
+    ];
+    Ok(Figure::new("2.4", "Continuous response against a fixed wall", 2, panels)
+        .with_sketch(drawn(&system))
+        .with_caption(
+            "Motions without stops only; they end at the dashed line, drawn from *r* = 0.2 on. Friction does not make the \
+             resonance finite as long as *β* = *F*/*P* is below π/4; *φ* is the lag of the maximum.",
+        ))
+}
+
+/// 2.5: regimes.
+fn map() -> Result<Figure, Box<dyn Error>> {
+    let system = wall();
+    let lines = system.limit_lines(0.0, 2.5, 1e-4)?;
+    let panel = regimes("", &lines, 1.2, &Scales::groups(&system));
+    Ok(Figure::new("2.5", "Motion regimes against a fixed wall", 1, vec![panel])
+        .with_sketch(drawn(&system))
+        .with_caption(
+            "*μ* = 1. *β*_lim reaches zero at *r* = 1/3, 1/5, 1/7, … and π/4 at the resonance, and tends to 0.537 for \
+             large *r*. From *β* = 1 on the load never overcomes the friction.",
+        ))
+}
+
+/// 2.6: a motion with two stops.
+fn two_stops() -> Result<Figure, Box<dyn Error>> {
+    let system = wall();
+    let times = Times {
+        span: (0.0, TAU),
+        circles: TAU / 36.0,
+        excitation: true,
+    };
+    let parts = [("block *x̄*", BLOCK, part_colour(0))];
+    let panel = cycle("", &system, (0.6, 0.6), &parts, times).ok_or("no motion")?;
+    Ok(Figure::new("2.6", "A motion with two stops", 1, vec![panel])
+        .with_sketch(drawn(&system))
+        .with_keys(keys())
+        .with_caption(
+            "One cycle from where the block leaves its maximum, *r* = 0.6, *β* = 0.6. It reaches its minimum before half a \
+             cycle is over, and rests there until the load overcomes friction again.",
+        ))
+}
+
+/// 2.7: with a dashpot.
+fn dashpot() -> Result<Figure, Box<dyn Error>> {
+    let system = damped();
+    let betas = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5];
+    let responses = Responses::new(&system, (0.1, 2.5), &betas, &[BLOCK])?.continuous();
+    let panel = responses
+        .amplitude("", 0, "*X̄*", 2.75)
+        .with(responses.limit(0, Reading::Amplitude));
+    let mut drawn = drawn(&system);
+    drawn.dashpots.push(Spring {
+        between: (End::Base, End::Mass(0)),
+        label: "*c*".into(),
+    });
+    Ok(Figure::new("2.7", "A dashpot beside the friction contact", 1, vec![panel])
+        .with_sketch(drawn)
+        .with_caption(
+            "*ζ* = 0.2, motions without stops. The dashpot makes the resonance finite, and friction lowers it further.",
+        ))
+}
+
+/// 2.8: the systems that the next chapters treat.
+fn systems() -> [Figure; 3] {
+    [
+        ("2.8a", "Base motion, fixed wall", block("wall", "base", ""),
+         "The base moves; the block rubs on a wall that stands still. With *P* = *kY* its motion is that of figure 2.4."),
+        ("2.8b", "Base and wall move together", block("base", "base", ""),
+         "The wall is joined to the moving base: chapter 3."),
+        ("2.8c", "Two masses, load and contact below", two(), "The chains of chapter 5 begin with this one."),
+    ]
+    .map(|(number, title, system, caption)| {
+        Figure::new(number, title, 1, Vec::new())
+            .with_sketch(drawn(&system))
+            .with_caption(caption)
+    })
+}
+
+fn drawn(system: &System) -> Sketch {
+    sketch(system.scene(), false)
 }

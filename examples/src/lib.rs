@@ -3,8 +3,10 @@
 
 pub mod album;
 pub mod curve;
+pub mod draw;
 pub mod facts;
 pub mod figure;
+pub mod gallery;
 pub mod panels;
 pub mod scene;
 pub mod scenes;

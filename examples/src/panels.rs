@@ -44,13 +44,7 @@ impl Sweep<'_> {
     /// The amplitude over r.
     #[must_use]
     pub fn amplitude(&self, title: &str, label: &str, of: Of, top: f64) -> Panel {
-        self.detail(title, label, of, (0.0, top))
-    }
-
-    /// A part of the amplitude's range.
-    #[must_use]
-    pub fn detail(&self, title: &str, label: &str, of: Of, (low, high): (f64, f64)) -> Panel {
-        self.panel(title, Axis::new(label, low, high), of, Part::Amplitude)
+        self.panel(title, Axis::new(label, 0.0, top), of, Part::Amplitude)
     }
 
     /// The lag over r, degrees.

@@ -71,18 +71,6 @@ pub trait Scene {
     /// x̄ of a run from rest after [`CYCLES`] cycles, at each rising angle of the excitation.
     fn run(&self, r: f64, beta: f64, of: Of, angles: &[f64]) -> Option<Vec<f64>>;
 
-    /// The response in whatever regime it is.
-    fn response(&self, r: f64, beta: f64, of: Of, measure: Measure) -> Option<Polar> {
-        let (continuous, sliding) = self.limits(r)?;
-        if sliding <= beta {
-            self.stuck(r, of)
-        } else if beta < continuous {
-            self.continuous(r, beta, of, measure)
-        } else {
-            self.stick_slip(r, beta, of, measure)
-        }
-    }
-
     /// The response at the limit of continuous motion, where that is met before the contact sticks.
     fn at_limit(&self, r: f64, of: Of, measure: Measure) -> Option<Polar> {
         let (continuous, sliding) = self.limits(r)?;

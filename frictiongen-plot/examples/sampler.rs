@@ -392,6 +392,7 @@ fn two_masses() -> Sketch {
                 label: "*k*_2".into(),
             },
         ],
+        dashpots: Vec::new(),
         contact: Some(Contact {
             between: (End::Mass(0), End::Wall),
             label: "*F*".into(),
@@ -420,6 +421,7 @@ fn base_driven() -> Sketch {
                 label: "*k*_3".into(),
             },
         ],
+        dashpots: Vec::new(),
         contact: Some(Contact {
             between: (End::Mass(1), End::Base),
             label: "*F*".into(),

@@ -31,6 +31,10 @@ pub(crate) fn figure(figure: &Figure) -> String {
         (Page::Wide, 1) => 640.0,
         (Page::Wide, _) => 900.0,
     };
+    // A chain that shrinking does not help makes a narrow page wider.
+    let room = width - 2.0 * MARGIN;
+    let chain = figure.sketch.as_ref().and_then(|sketch| sketch.size(room));
+    let width = f64::max(width, chain.map_or(0.0, |size| size.0 + 2.0 * MARGIN));
     let room = width - 2.0 * MARGIN;
     let mut canvas = Canvas::default();
     let heading = heading(figure);

@@ -1,11 +1,10 @@
 //! How the parts of a sketch look.
 
 use crate::geometry::Point;
-use crate::label::Label;
 use crate::layer::Anchor;
 use crate::palette::{INK, Rgb};
 use crate::pen::{Pen, TEXT};
-use crate::plan::{HATCH, HEIGHT, PAD, Plan, WIDTH};
+use crate::plan::{Above, HATCH, HEIGHT, PAD, Plan, WIDTH};
 use crate::sketch::{Contact, End, Excitation};
 use crate::svg::Canvas;
 
@@ -31,8 +30,8 @@ impl Plan<'_> {
                 INK,
             );
         }
-        for (low, high, lane, spring) in &self.above {
-            self.far_spring(&mut pen, (*low, *high), *lane, &spring.label);
+        for above in &self.above {
+            self.far(&mut pen, above);
         }
         if let Some(contact) = self.contact {
             self.friction(&mut pen, contact, row);
@@ -57,9 +56,9 @@ impl Plan<'_> {
             let lanes = self
                 .above
                 .iter()
-                .filter(|(low, high, ..)| *low == station || *high == station);
+                .filter(|above| above.low == station || above.high == station);
             lanes
-                .map(|(_, _, lane, _)| self.lane(*lane) - 8.0)
+                .map(|above| self.lane(above.lane) - 8.0)
                 .fold(row - 4.0, f64::min)
         };
         if self.base {
@@ -72,13 +71,8 @@ impl Plan<'_> {
         }
     }
 
-    fn far_spring(
-        &self,
-        pen: &mut Pen<'_>,
-        (low, high): (usize, usize),
-        lane: usize,
-        label: &Label,
-    ) {
+    fn far(&self, pen: &mut Pen<'_>, above: &Above<'_>) {
+        let (low, high, lane) = (above.low, above.high, above.lane);
         let (row, y) = (self.top(), self.lane(lane));
         // Springs of one mass rise beside each other.
         let shift = (RISER - 4.0 * (lane % 4) as f64) * self.pitch.0 / WIDTH;
@@ -104,8 +98,12 @@ impl Plan<'_> {
         let half = 0.5 * self.pitch.1;
         pen.line(&[(from, y), (middle - half, y)], INK, 1.2);
         pen.line(&[(middle + half, y), (to, y)], INK, 1.2);
-        pen.spring(middle - half, middle + half, y);
-        pen.text(label, (middle, y - 11.0), Anchor::Middle, INK);
+        if above.dashpot {
+            pen.dashpot(middle - half, middle + half, y);
+        } else {
+            pen.spring(middle - half, middle + half, y);
+        }
+        pen.text(above.label, (middle, y - 11.0), Anchor::Middle, INK);
     }
 
     fn friction(&self, pen: &mut Pen<'_>, contact: &Contact, row: f64) {

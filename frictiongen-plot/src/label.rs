@@ -153,7 +153,7 @@ impl Label {
         lines
     }
 
-    /// Its words, each with the space after it.
+    /// Its words, each with the space after it; "*r* = 1" is one.
     fn words(&self) -> Vec<Self> {
         let mut words = Vec::new();
         let mut word = Self::default();
@@ -166,7 +166,18 @@ impl Label {
             }
         }
         words.push(word);
-        words
+        // What equals stays with what it equals.
+        let mut joined: Vec<Self> = Vec::new();
+        for word in words {
+            let equals = |word: &Self| word.plain().trim_end() == "=";
+            match joined.last_mut() {
+                Some(last) if equals(&word) || last.plain().ends_with("= ") => {
+                    *last = std::mem::take(last).then(&word);
+                }
+                _ => joined.push(word),
+            }
+        }
+        joined
     }
 
     fn trimmed(&self) -> Self {

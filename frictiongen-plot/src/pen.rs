@@ -67,6 +67,22 @@ impl<'c> Pen<'c> {
         self.line(&points, INK, 1.2);
     }
 
+    /// A piston in a cylinder that is open to the right.
+    pub(crate) fn dashpot(&mut self, from: f64, to: f64, y: f64) {
+        let middle = 0.5 * (from + to);
+        let (left, right) = (middle - 9.0, middle + 8.0);
+        self.line(&[(from, y), (left, y)], INK, 1.2);
+        let cylinder = [
+            (right, y - 7.0),
+            (left, y - 7.0),
+            (left, y + 7.0),
+            (right, y + 7.0),
+        ];
+        self.line(&cylinder, INK, 1.2);
+        self.line(&[(middle, y - 5.0), (middle, y + 5.0)], INK, 2.4);
+        self.line(&[(middle, y), (to, y)], INK, 1.2);
+    }
+
     /// A line with hatching on one side.
     pub(crate) fn hatched(&mut self, from: Point, to: Point, side: Point) {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);

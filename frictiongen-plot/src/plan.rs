@@ -16,14 +16,27 @@ pub(crate) const HATCH: f64 = 7.0;
 /// Between a mass and what it rubs on.
 pub(crate) const PAD: f64 = 7.0;
 
+/// A spring or a dashpot above the row.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Above<'a> {
+    /// From which station.
+    pub low: usize,
+    /// To which.
+    pub high: usize,
+    /// How high, counted from the row.
+    pub lane: usize,
+    pub label: &'a Label,
+    pub dashpot: bool,
+}
+
 /// A sketch with the places of its parts, from its upper left corner.
 #[derive(Debug)]
 pub(crate) struct Plan<'a> {
     pub sketch: &'a Sketch,
     /// Springs in the row, by the gap they fill.
     pub direct: Vec<(usize, &'a Spring)>,
-    /// Springs above it: from which station to which, and in which lane.
-    pub above: Vec<(usize, usize, usize, &'a Spring)>,
+    /// What stands above it.
+    pub above: Vec<Above<'a>>,
     pub contact: Option<&'a Contact>,
     pub base: bool,
     pub wall: bool,
@@ -63,7 +76,7 @@ impl<'a> Plan<'a> {
             lanes: 0,
             pitch: (WIDTH, GAP),
         };
-        let mut far: Vec<(usize, usize, &Spring)> = Vec::new();
+        let mut far: Vec<(usize, usize, &Label, bool)> = Vec::new();
         for spring in &sketch.springs {
             let Some((low, high)) = stations(spring.between) else {
                 continue;
@@ -73,23 +86,37 @@ impl<'a> Plan<'a> {
             if high == low + 1 && plan.direct.iter().all(|(gap, _)| *gap != low) {
                 plan.direct.push((low, spring));
             } else {
-                far.push((low, high, spring));
+                far.push((low, high, &spring.label, false));
             }
+        }
+        for dashpot in &sketch.dashpots {
+            let Some((low, high)) = stations(dashpot.between) else {
+                continue;
+            };
+            plan.base |= low == 0;
+            plan.wall |= high == count + 1;
+            far.push((low, high, &dashpot.label, true));
         }
         if let Some(contact) = plan.contact {
             plan.base |= [contact.between.0, contact.between.1].contains(&End::Base);
         }
-        far.sort_by_key(|(low, high, _)| (high - low, *low));
-        for (low, high, spring) in far {
+        far.sort_by_key(|(low, high, ..)| (high - low, *low));
+        for (low, high, label, dashpot) in far {
             // The longer a spring, the higher: none crosses another's risers needlessly.
             let taken = plan
                 .above
                 .iter()
-                .filter(|(a, b, ..)| *a < high && low < *b)
-                .map(|(_, _, lane, _)| lane + 1);
+                .filter(|other| other.low < high && low < other.high)
+                .map(|other| other.lane + 1);
             let lane = taken.max().unwrap_or(0);
             plan.lanes = plan.lanes.max(lane + 1);
-            plan.above.push((low, high, lane, spring));
+            plan.above.push(Above {
+                low,
+                high,
+                lane,
+                label,
+                dashpot,
+            });
         }
         let (wide, _) = plan.size();
         let (last, _) = plan.sides(count);

@@ -15,7 +15,7 @@ pub enum End {
     Wall,
 }
 
-/// A spring between two ends.
+/// A spring, or a dashpot, between two ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spring {
     /// Its ends, in any order.
@@ -64,6 +64,7 @@ pub enum Excitation {
 ///         Spring { between: (End::Base, End::Mass(0)), label: "*k*_1".into() },
 ///         Spring { between: (End::Mass(0), End::Mass(1)), label: "*k*_2".into() },
 ///     ],
+///     dashpots: Vec::new(),
 ///     contact: Some(Contact { between: (End::Mass(1), End::Wall), label: "*F*".into() }),
 ///     excitation: Excitation::Base { label: "*y*(*t*)".into() },
 /// };
@@ -75,6 +76,8 @@ pub struct Sketch {
     pub masses: Vec<Label>,
     /// The springs.
     pub springs: Vec<Spring>,
+    /// Dashpots beside them.
+    pub dashpots: Vec<Spring>,
     /// The contact.
     pub contact: Option<Contact>,
     /// What moves the system.
@@ -130,6 +133,7 @@ mod tests {
                     label: format!("*k*_{}", i + 1).into(),
                 })
                 .collect(),
+            dashpots: Vec::new(),
             contact: None,
             excitation: Excitation::None,
         }
@@ -170,6 +174,19 @@ mod tests {
             label: "no".into(),
         };
         assert_eq!(sketch.svg(), plain);
+    }
+
+    #[test]
+    fn dashpots_stand_above() {
+        let mut sketch = chain(1);
+        let (width, height) = sketch.size(ALONE).unwrap();
+        sketch.dashpots.push(Spring {
+            between: (End::Base, End::Mass(0)),
+            label: "*c*".into(),
+        });
+        let (same, higher) = sketch.size(ALONE).unwrap();
+        assert!(same == width && height < higher);
+        assert!(sketch.svg().unwrap().contains(">c</tspan>"));
     }
 
     #[test]

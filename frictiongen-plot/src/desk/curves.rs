@@ -31,7 +31,7 @@ pub struct Drawn<'a> {
 
 /// Neighbours whose phases differ by more, rad, are not joined.
 const TURN: f64 = 0.6;
-/// A phase is left out where its amplitude is below this share of the piece's median.
+/// A phase is left out where its amplitude is below this share of the one that the piece exceeds over half of its range.
 const VANISHING: f64 = 2e-3;
 
 /// The stroke of a regime.
@@ -104,13 +104,12 @@ fn phases(
     scales: &Scales,
     last: &mut Option<f64>,
 ) -> Vec<Vec<Point>> {
-    let mut sizes: Vec<f64> = piece
-        .points
-        .iter()
-        .filter_map(|point| Some(reading.polar(point, part)?.0))
+    let sizes = piece.points.iter();
+    let sizes: Vec<Point> = sizes
+        .filter_map(|point| Some((point.r, reading.polar(point, part)?.0)))
         .collect();
-    sizes.sort_by(f64::total_cmp);
-    let least = VANISHING * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+    // Points crowd towards a pole: it is the range that counts, not their number.
+    let least = VANISHING * exceeded(&sizes, 0.5);
     let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
     let mut before: Option<f64> = None;
     for point in &piece.points {
@@ -129,8 +128,10 @@ fn phases(
             Some(before) => near(before),
             None => {
                 runs.push(Vec::new());
-                // Of all turns the one next to the last run; lags are mostly between 0 and a half turn.
-                near(last.unwrap_or(0.25 * FULL))
+                // Of all turns the one next to the last run, of two the one next to a quarter: lags are mostly between 0
+                // and a half turn.
+                let quarter = 0.25 * FULL;
+                near(last.map_or(quarter, |last| last + 0.02 * (quarter - last)))
             }
         };
         before = Some(turned);
@@ -264,7 +265,8 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
         };
         let most = points().fold(0.0, |most, (_, size)| size.max(most));
         let shown = if pole {
-            spread(&points().collect::<Vec<_>>()).min(most)
+            // Beyond this over a tenth of the range only, times a little.
+            (1.3 * exceeded(&points().collect::<Vec<_>>(), 0.1)).min(most)
         } else {
             most
         };
@@ -273,9 +275,9 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
     if largest > 0.0 { 1.06 * largest } else { 1.0 }
 }
 
-/// What the amplitude exceeds over a tenth of the range only, times a little.
-fn spread(points: &[(f64, f64)]) -> f64 {
-    let mut parts: Vec<(f64, f64)> = points
+/// What the amplitude exceeds over so large a share of the range.
+fn exceeded(points: &[Point], share: f64) -> f64 {
+    let mut parts: Vec<Point> = points
         .windows(2)
         .filter_map(|pair| match pair {
             [a, b] => Some((a.1.max(b.1), (b.0 - a.0).max(0.0))),
@@ -287,8 +289,8 @@ fn spread(points: &[(f64, f64)]) -> f64 {
     let mut seen = 0.0;
     for (size, width) in parts {
         seen += width;
-        if 0.1 * whole <= seen {
-            return 1.3 * size;
+        if share * whole <= seen {
+            return size;
         }
     }
     0.0

@@ -11,6 +11,8 @@ use frictiongen::{Error, Regime};
 pub enum Shade {
     /// What the contact does.
     Regime,
+    /// How often the contact stops in a period, each number in its own colour whatever the map holds.
+    Stops,
     /// The part of the period for which it sticks.
     Stuck,
     /// The amplitude of a motion, by its place among those asked for.
@@ -61,6 +63,7 @@ pub fn map_panel(
         .collect();
     let cells = match shade {
         Shade::Regime => classes(&places),
+        Shade::Stops => stops(&places),
         Shade::Stuck => Cells::Values {
             bar: Axis::new("stuck fraction of the period", 0.0, 1.0),
             cells: values(&places, |point| point.stuck_fraction),
@@ -200,6 +203,41 @@ fn classes(places: &Places<'_>) -> Cells {
     Cells::Classes {
         classes: classes.collect(),
         cells,
+    }
+}
+
+/// The classes by the number of stops, with the colours of the regimes for continuous, two stops and stuck.
+const STOPS: [(&str, usize); 8] = [
+    ("continuous", 0),
+    ("reversals only", 7),
+    ("1 stop", 4),
+    ("2 stops", 1),
+    ("3 or 4 stops", 3),
+    ("more stops", 6),
+    ("longer period, or none", 5),
+    ("stuck", 2),
+];
+
+fn stops(places: &Places<'_>) -> Cells {
+    let class = |pattern: Pattern| match (pattern.regime, pattern.period, pattern.stops) {
+        (Regime::Continuous, ..) => 0,
+        (Regime::Stuck, ..) => 7,
+        (_, 1, 0) => 1,
+        (_, 1, 1) => 2,
+        (_, 1, 2) => 3,
+        (_, 1, 3..=4) => 4,
+        (_, 1, _) => 5,
+        _ => 6,
+    };
+    let cells = places.iter().map(|place| match place {
+        Some(Ok(point)) => Some(class(point.pattern)),
+        _ => None,
+    });
+    Cells::Classes {
+        classes: STOPS
+            .map(|(name, index)| (Label::from(name), Fill::Class(index)))
+            .to_vec(),
+        cells: cells.collect(),
     }
 }
 

@@ -104,8 +104,11 @@ fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
             (low.max(place.1), high.min(place.2))
         });
         let height = high - low;
-        if 0.06 * top < height && best.is_none_or(|best| best.2 < height) {
-            best = Some((at, 0.5 * (low + high), height));
+        // Of places with nearly as much room the one nearest to the middle.
+        let aside = (2.0 * (at - first) / width - 1.0).abs();
+        let room = height * (1.0 - 0.7 * aside);
+        if 0.06 * top < height && best.is_none_or(|best| best.2 < room) {
+            best = Some((at, 0.5 * (low + high), room));
         }
     }
     best.map(|(r, beta, _)| (r, beta))

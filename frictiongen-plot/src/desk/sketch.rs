@@ -36,6 +36,7 @@ pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
     Sketch {
         masses: masses.collect(),
         springs: springs.collect(),
+        dashpots: Vec::new(),
         contact: Some(Contact {
             between: (end(scene.contact.from), end(scene.contact.to)),
             label: "*F*".into(),

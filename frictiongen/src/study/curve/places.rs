@@ -38,6 +38,7 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
         grid.extend(orders.map(|order| resonance / order));
     }
     let sides = |pole: &f64| [pole * (1.0 - NEAR_POLE), pole * (1.0 + NEAR_POLE)];
+    // Nothing lies nearer to a pole than its two sides.
     let beside = |r: &f64| poles.iter().any(|pole| (r / pole - 1.0).abs() <= NEAR_POLE);
     grid.retain(|r| request.from <= *r && *r <= request.to && !beside(r));
     let sides = poles.iter().flat_map(sides);

@@ -1,0 +1,184 @@
+//! Amplitudes and phases over frequency.
+
+use crate::{MASS, drawn, joined};
+use frictiongen::{Of, Regime};
+use frictiongen_examples::draw::{Responses, only_regimes, variant_colour};
+use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
+use frictiongen_plot::{Axis, Colour, Figure, Inset, Key, Marker, Markers, Panel};
+use std::error::Error;
+
+const CONTINUOUS: [f64; 7] = [0.0, 0.2, 0.5, 0.8, 1.0, 1.25, 1.5];
+const ALL: [f64; 7] = [0.2, 0.5, 0.8, 1.0, 1.25, 1.5, 2.0];
+const RANGE: (f64, f64) = (0.1, 2.5);
+
+/// 3.2: relative motion in the contact.
+pub fn relative() -> Result<Figure, Box<dyn Error>> {
+    let system = joined(1.0);
+    let responses = Responses::new(&system, RANGE, &CONTINUOUS, &[Of::Contact])?.continuous();
+    let panels = vec![
+        responses
+            .amplitude("(a) amplitude", 0, "*Z̄*", 5.0)
+            .with(responses.limit(0, Reading::Amplitude)),
+        responses
+            .phase("(b) phase", 0, "*φ*_z (degrees)", (-45.0, 190.0))
+            .with(responses.limit(0, Reading::Phase)),
+    ];
+    Ok(Figure::new("3.2", "Relative motion in the contact, without stops", 2, panels)
+        .with_sketch(drawn(&system))
+        .with_caption(
+            "*β* = *F*/(*kY*), *μ* = 1. From *β* = π/4 on the peak is finite and moves to higher *r*; for large *r* the mass \
+             stands still and the relative motion is that of the base. The dashed line is drawn from *r* = 0.2 on.",
+        ))
+}
+
+/// 3.7: displacement transmissibility.
+pub fn transmissibility() -> Result<Figure, Box<dyn Error>> {
+    let system = joined(1.0);
+    let responses = Responses::new(&system, RANGE, &CONTINUOUS, &[MASS])?.continuous();
+    let near = Responses::new(&system, (1.35, 1.6), &CONTINUOUS, &[MASS])?.continuous();
+    let panels = vec![
+        responses
+            .amplitude("(a)", 0, "*X̄*", 5.0)
+            .with(responses.limit(0, Reading::Amplitude)),
+        near.panel(
+            "(b) where the curves change their order",
+            0,
+            Reading::Amplitude,
+            ("*X̄*", Some((0.6, 1.25))),
+        )
+        .with(near.limit(0, Reading::Amplitude)),
+    ];
+    Ok(Figure::new("3.7", "Displacement transmissibility, without stops", 2, panels)
+        .with_sketch(drawn(&system))
+        .with_caption(
+            "*X̄* is the amplitude of the mass over that of the base, *β* = *F*/(*kY*), *μ* = 1. Between *r* = 1.4 and 1.55 \
+             the curves cross, not all in one point; beyond, friction makes the mass move more.",
+        ))
+}
+
+/// 3.8: the phase of the mass.
+pub fn phase() -> Result<Figure, Box<dyn Error>> {
+    let system = joined(1.0);
+    let responses = Responses::new(&system, RANGE, &CONTINUOUS, &[MASS])?.continuous();
+    let panel = responses
+        .phase("", 0, "*φ* (degrees)", (-15.0, 190.0))
+        .with(responses.limit(0, Reading::Phase));
+    Ok(Figure::new("3.8", "Lag of the mass behind the base, without stops", 1, vec![panel])
+        .with_sketch(drawn(&system))
+        .with_caption(
+            "The lag between the maxima of base and mass, *μ* = 1. Without friction it jumps from 0 to 180° at the resonance; \
+             beyond, the more friction the less the mass lags.",
+        ))
+}
+
+/// 3.14: all regimes, with the simulation.
+pub fn all_regimes() -> Result<Figure, Box<dyn Error>> {
+    let system = joined(1.0);
+    let of = [MASS, Of::Contact];
+    let responses = Responses::new(&system, RANGE, &ALL, &of)?;
+    let mut panels = Vec::new();
+    for (part, title, label) in [(0, "(a) mass", "*X̄*"), (1, "(b) relative motion", "*Z̄*")] {
+        let mut panel = responses.amplitude(title, part, label, 5.0);
+        let lines = panel.layers.clone();
+        panel
+            .layers
+            .extend(responses.simulation(0.1, part, Reading::Amplitude));
+        if part == 0 {
+            let mut inner = Panel::new("", Axis::new("", 0.9, 1.6), Axis::new("", 0.5, 1.75));
+            inner.layers = lines;
+            panel = panel.with_inset(Inset {
+                place: (0.6, 0.06, 0.36, 0.45),
+                marked: true,
+                panel: inner,
+            });
+        }
+        panels.push(panel);
+    }
+    Ok(Figure::new("3.14", "Amplitudes in all regimes", 2, panels)
+        .with_sketch(drawn(&system))
+        .with_keys(desk::keys())
+        .with_keys([Key::marker("simulation from rest", Marker::Circle)])
+        .with_caption(
+            "*β* = *F*/(*kY*), *μ* = 1. Up to *r* = √*β* the mass is stuck and moves with its base; where it begins to slide \
+             the transmissibility falls below 1. From *β* = 1.06 on no sliding motion exceeds that of the base.",
+        ))
+}
+
+/// 3.15: the static friction.
+pub fn stiction() -> Result<Figure, Box<dyn Error>> {
+    let of = [MASS, Of::Contact];
+    let systems = [1.0, 1.2, 1.5, 2.0].map(|stiction| (stiction, joined(stiction)));
+    let mut curves = Vec::new();
+    for (stiction, system) in &systems {
+        curves.push((stiction, Responses::new(system, RANGE, &[1.0], &of)?));
+    }
+    let scales = Scales::groups(&systems[0].1);
+    let panel = |title: &str, part: usize, label: &str, ends: (f64, f64)| {
+        let x = Axis::new("frequency ratio *r*", 0.8, 1.8);
+        let mut panel = Panel::new(title, x, Axis::new(label, ends.0, ends.1));
+        for (index, (stiction, responses)) in curves.iter().enumerate() {
+            for curve in responses.curves() {
+                let curve = only_regimes(curve, false);
+                let drawn = Drawn {
+                    curve: &curve,
+                    name: format!("*μ* = {stiction}").into(),
+                    colour: variant_colour(index),
+                };
+                let lines = desk::lines(&drawn, part, Reading::Amplitude, &scales);
+                panel.layers.extend(lines);
+            }
+        }
+        // Of one value until each of them ends.
+        if let Some(curve) = curves.first().and_then(|(_, first)| first.curves().first()) {
+            let curve = only_regimes(curve, true);
+            let drawn = Drawn {
+                curve: &curve,
+                name: "stuck".into(),
+                colour: Colour::Black,
+            };
+            panel
+                .layers
+                .extend(desk::lines(&drawn, part, Reading::Amplitude, &scales));
+        }
+        // The longest first: of each the end is seen.
+        for (index, (_, responses)) in curves.iter().enumerate().skip(1).rev() {
+            for curve in responses.curves() {
+                let mut curve = only_regimes(curve, true);
+                for piece in &mut curve.pieces {
+                    piece.points.retain(|point| 1.0 <= point.r);
+                }
+                let drawn = Drawn {
+                    curve: &curve,
+                    name: format!("*μ* = {}", systems[index].0).into(),
+                    colour: variant_colour(index),
+                };
+                panel
+                    .layers
+                    .extend(desk::lines(&drawn, part, Reading::Amplitude, &scales));
+            }
+        }
+        // Where sliding begins at once.
+        for (index, (_, responses)) in curves.iter().enumerate().skip(1) {
+            let sliding = responses.curves().iter().flat_map(|curve| &curve.pieces);
+            let first = sliding.filter(|piece| piece.regime != Regime::Stuck);
+            let first = first.flat_map(|piece| &piece.points).next();
+            let place =
+                first.and_then(|point| Some((point.r, point.movements.get(part)?.swing.amplitude)));
+            let points = place.into_iter().collect();
+            panel = panel.with(Markers::unnamed(variant_colour(index), Marker::Dot, points));
+        }
+        panel
+    };
+    let panels = vec![
+        panel("(a) mass", 0, "*X̄*", (0.55, 1.15)),
+        panel("(b) relative motion", 1, "*Z̄*", (0.0, 1.6)),
+    ];
+    Ok(Figure::new("3.15", "Static friction at *β* = 1", 2, panels)
+        .with_sketch(drawn(&systems[0].1))
+        .with_keys(desk::keys())
+        .with_caption(
+            "*μ* is static over kinetic friction. It moves the start of sliding to *r* = √*μ* and makes it a jump, to the \
+             dots; from \
+             *μ* = 1.5 on the mass goes from stuck straight to sliding without stops, and then *μ* has no effect.",
+        ))
+}

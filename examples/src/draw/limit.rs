@@ -1,0 +1,71 @@
+//! What moves at the limit of continuous motion.
+
+use frictiongen::{Of, System};
+use frictiongen_plot::desk::Reading;
+use frictiongen_plot::{Colour, Line, Point, Stroke};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// Neighbours whose lags differ by more, rad, are not joined.
+const TURN: f64 = 0.6;
+/// β_lim vanishes at single places, which say nothing of those beside them.
+const VANISHING: f64 = 1e-6;
+
+/// Where the limits bend: frequency ratios with both limits there.
+#[must_use]
+pub fn places(system: &System, (from, to): (f64, f64)) -> Vec<(f64, frictiongen::Limits<f64>)> {
+    system
+        .limit_lines(from, to, 5e-5)
+        .map(|lines| lines.points)
+        .unwrap_or_default()
+}
+
+/// The response at β_lim over r, where that is met before the contact sticks.
+#[must_use]
+pub fn at_limit(system: &System, range: (f64, f64), of: Of, reading: Reading) -> Line {
+    let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
+    let mut last: Option<f64> = None;
+    for (r, limits) in places(system, range) {
+        if limits.continuous < VANISHING {
+            continue;
+        }
+        let polar = (limits.continuous < limits.sliding)
+            .then(|| read(system, r, limits.continuous, of, reading))
+            .flatten();
+        let Some((amplitude, lag)) = polar else {
+            pieces.push(Vec::new());
+            last = None;
+            continue;
+        };
+        let value = match reading {
+            Reading::Amplitude | Reading::Harmonic(_) => amplitude,
+            Reading::Phase | Reading::HarmonicPhase(_) => {
+                let near = lag - ((lag - last.unwrap_or(FRAC_PI_2)) / TAU).round() * TAU;
+                if last.is_some_and(|last| TURN < (near - last).abs()) {
+                    pieces.push(Vec::new());
+                }
+                last = Some(near);
+                near.to_degrees()
+            }
+        };
+        if let Some(piece) = pieces.last_mut() {
+            piece.push((r, value));
+        }
+    }
+    pieces.retain(|piece| 1 < piece.len());
+    Line::new("at *β*_lim", Colour::Black, Stroke::Dashed, pieces)
+}
+
+fn read(system: &System, r: f64, limit: f64, of: Of, reading: Reading) -> Option<(f64, f64)> {
+    // Just inside: on the limit itself the motion is no longer continuous.
+    let response = system.at(r).ok()?.response(limit * (1.0 - 1e-13)).ok()?;
+    match reading {
+        Reading::Amplitude | Reading::Phase => {
+            let swing = response.swing(of)?;
+            Some((swing.amplitude, swing.phase?))
+        }
+        Reading::Harmonic(_) | Reading::HarmonicPhase(_) => {
+            let x = response.harmonic(of, 1)?;
+            Some((x.re.hypot(x.im), -x.im.atan2(x.re)))
+        }
+    }
+}

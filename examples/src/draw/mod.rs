@@ -1,0 +1,17 @@
+//! What the chapters draw with: systems from their descriptions, responses over frequency, motions over a cycle, sheets.
+
+mod colours;
+mod limit;
+mod responses;
+mod sheet;
+mod simulated;
+mod systems;
+mod times;
+
+pub use colours::{beta_colour, part_colour, variant_colour};
+pub use limit::{at_limit, places};
+pub use responses::{Responses, only_regimes};
+pub use sheet::{csv, save};
+pub use simulated::{CYCLES, Polar, from_rest, simulated};
+pub use systems::{block, system};
+pub use times::{Times, cycle, keys};

@@ -1,0 +1,230 @@
+//! Responses of one system over r for several β.
+
+use super::colours::beta_colour;
+use super::limit::at_limit;
+use super::simulated::simulated;
+use frictiongen::study::{Curve, CurveError, CurveRequest};
+use frictiongen::{Of, Regime, System};
+use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
+use frictiongen_plot::{Colour, Layer, Line, Marker, Markers, Panel, Point};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// The lowest r at which the response at β_lim is drawn: below, its lobes crowd.
+const LOWEST_LIMIT: f64 = 0.2;
+
+/// Amplitudes beyond this are left out, those towards an infinite resonance.
+const LARGEST: f64 = 200.0;
+
+/// Responses of one system over r for several β.
+#[derive(Clone, Debug)]
+pub struct Responses<'a> {
+    system: &'a System,
+    range: (f64, f64),
+    of: Vec<Of>,
+    curves: Vec<Curve>,
+    continuous: bool,
+}
+
+impl<'a> Responses<'a> {
+    /// Of some parts in all regimes.
+    ///
+    /// # Errors
+    /// Where the curves cannot be asked for.
+    pub fn new(
+        system: &'a System,
+        range: (f64, f64),
+        betas: &[f64],
+        of: &[Of],
+    ) -> Result<Self, CurveError> {
+        let request = CurveRequest {
+            harmonics: vec![1],
+            accuracy: 2e-4,
+            turned: system.contact_is_reversed(),
+            ..CurveRequest::new(range.0, range.1, of)
+        };
+        let curve = |beta: &f64| {
+            let mut curve = system.curve(&request, *beta)?;
+            for piece in &mut curve.pieces {
+                piece.points.retain(|point| {
+                    let mut parts = point.movements.iter();
+                    parts.all(|part| part.swing.amplitude < LARGEST)
+                });
+            }
+            Ok(curve)
+        };
+        let curves = betas.iter().map(curve);
+        Ok(Self {
+            system,
+            range,
+            of: of.to_vec(),
+            curves: curves.collect::<Result<_, _>>()?,
+            continuous: false,
+        })
+    }
+
+    /// Only what is continuous motion.
+    #[must_use]
+    pub fn continuous(mut self) -> Self {
+        for curve in &mut self.curves {
+            let continuous = |piece: &frictiongen::study::Piece| piece.regime == Regime::Continuous;
+            curve.pieces.retain(continuous);
+        }
+        self.continuous = true;
+        self
+    }
+
+    /// The curves, in the order of the β.
+    #[must_use]
+    pub fn curves(&self) -> &[Curve] {
+        &self.curves
+    }
+
+    /// A reading of a part over r, from r = 0 on if the curves begin near it; the range of y is fitted unless it is given.
+    #[must_use]
+    pub fn panel(
+        &self,
+        title: &str,
+        part: usize,
+        reading: Reading,
+        y: (&str, Option<(f64, f64)>),
+    ) -> Panel {
+        let scales = Scales::groups(self.system);
+        // What is stuck does not depend on β: once, in black.
+        let sliding: Vec<Curve> = self
+            .curves
+            .iter()
+            .map(|curve| only_regimes(curve, false))
+            .collect();
+        let drawn: Vec<Drawn<'_>> = sliding
+            .iter()
+            .map(|curve| Drawn {
+                curve,
+                name: format!("*β* = {}", curve.beta).into(),
+                colour: beta_colour(curve.beta),
+            })
+            .collect();
+        let mut panel = desk::panel(title, &drawn, part, reading, &scales);
+        panel.x.low = if self.range.0 < 0.3 {
+            0.0
+        } else {
+            self.range.0
+        };
+        panel.x.high = self.range.1;
+        panel.y.label = y.0.into();
+        if let Some((low, high)) = y.1 {
+            (panel.y.low, panel.y.high) = (low, high);
+        }
+        let stuck = self.curves.last().map(|curve| only_regimes(curve, true));
+        if let Some(curve) = &stuck {
+            let drawn = Drawn {
+                curve,
+                name: "stuck".into(),
+                colour: Colour::Black,
+            };
+            panel
+                .layers
+                .extend(desk::lines(&drawn, part, reading, &scales));
+        }
+        panel
+    }
+
+    /// An amplitude over r.
+    #[must_use]
+    pub fn amplitude(&self, title: &str, part: usize, label: &str, top: f64) -> Panel {
+        self.panel(title, part, Reading::Amplitude, (label, Some((0.0, top))))
+    }
+
+    /// A phase over r in degrees.
+    #[must_use]
+    pub fn phase(&self, title: &str, part: usize, label: &str, ends: (f64, f64)) -> Panel {
+        let panel = self.panel(title, part, Reading::Phase, (label, Some(ends)));
+        Panel {
+            y: panel.y.degrees(),
+            ..panel
+        }
+    }
+
+    /// The response at the limit of continuous motion.
+    #[must_use]
+    pub fn limit(&self, part: usize, reading: Reading) -> Line {
+        let range = (self.range.0.max(LOWEST_LIMIT), self.range.1);
+        let of = self.of.get(part).copied().unwrap_or(Of::Contact);
+        at_limit(self.system, range, of, reading)
+    }
+
+    /// Open circles of the simulation from rest, so far apart in r.
+    #[must_use]
+    pub fn simulation(&self, step: f64, part: usize, reading: Reading) -> Vec<Layer> {
+        let of = self.of.get(part).copied().unwrap_or(Of::Contact);
+        let count = ((self.range.1 - self.range.0) / step).floor() as usize;
+        // Without friction nothing settles.
+        let rubbing = self.curves.iter().filter(|curve| 0.0 < curve.beta);
+        rubbing
+            .map(|curve| {
+                // Between round numbers, so that no marker sits on a resonance.
+                let place = |i: usize| self.range.0 + (i as f64 + 0.37) * step;
+                let points = (0..count).filter_map(|i| self.marker(place(i), curve, of, reading));
+                let colour = beta_colour(curve.beta);
+                Markers::unnamed(colour, Marker::Circle, points.collect()).into()
+            })
+            .collect()
+    }
+
+    fn marker(&self, r: f64, curve: &Curve, of: Of, reading: Reading) -> Option<Point> {
+        let limits = self.system.at(r).ok()?.limits();
+        let shown =
+            curve.beta < limits.sliding && (!self.continuous || curve.beta < limits.continuous);
+        if !shown {
+            return None;
+        }
+        let polar = *simulated(self.system, (r, curve.beta), &[of], reading)?.first()?;
+        Some(match reading {
+            Reading::Amplitude | Reading::Harmonic(_) => (r, polar.amplitude),
+            Reading::Phase | Reading::HarmonicPhase(_) => {
+                let lag = polar.lag - ((polar.lag - FRAC_PI_2) / TAU).round() * TAU;
+                (r, lag.to_degrees())
+            }
+        })
+    }
+}
+
+/// A curve's pieces that are stuck, or those that are not.
+#[must_use]
+pub fn only_regimes(curve: &Curve, stuck: bool) -> Curve {
+    let pieces = curve.pieces.iter();
+    Curve {
+        beta: curve.beta,
+        pieces: pieces
+            .filter(|piece| (piece.regime == Regime::Stuck) == stuck)
+            .cloned()
+            .collect(),
+        gaps: Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Responses;
+    use crate::draw::block;
+    use frictiongen::Of;
+    use frictiongen_plot::Layer;
+
+    #[test]
+    fn a_pole_parts_a_curve_once_and_turns_the_phase() {
+        // A place of the first grid lies on the resonance.
+        let system = block("wall", "block", "");
+        let responses =
+            Responses::new(&system, (0.1, 2.5), &[0.0], &[Of::Mass(0)]).expect("a range");
+        assert_eq!(responses.curves()[0].pieces.len(), 2);
+        let panel = responses.phase("", 0, "", (-45.0, 190.0));
+        let Some(Layer::Line(line)) = panel.layers.first() else {
+            panic!("{panel:?}");
+        };
+        let ends: Vec<(f64, f64)> = line
+            .pieces
+            .iter()
+            .map(|piece| (piece[0].1, piece.last().expect("points").1))
+            .collect();
+        assert_eq!(ends, [(0.0, 0.0), (180.0, 180.0)]);
+    }
+}

@@ -1,0 +1,97 @@
+//! The pages of the gallery: each chapter's figures with their captions.
+
+use frictiongen_plot::{Face, Label, Level};
+use std::fmt::Write as _;
+
+/// A figure in the gallery.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// Its number.
+    pub number: String,
+    /// What it shows.
+    pub title: Label,
+    /// What is seen, and the parameters.
+    pub caption: Label,
+    /// Whether there are data beside it.
+    pub data: bool,
+}
+
+/// The page of a chapter: what it holds, then each figure.  The captions stand in the pictures, and for those who do not see
+/// them beside these.
+#[must_use]
+pub fn page(number: u32, title: &str, entries: &[Entry]) -> String {
+    let mut page = format!("# Chapter {number}: {title}\n\n[Gallery](../GALLERY.md)\n\n");
+    // Writing to a string cannot fail.
+    for Entry { number, title, .. } in entries {
+        let anchor = number.replace('.', "");
+        let title = markdown(title);
+        let _ = writeln!(page, "- [{number}](#figure-{anchor}): {title}");
+    }
+    for entry in entries {
+        let number = &entry.number;
+        let alt = format!("{}. {}", entry.title.plain(), entry.caption.plain());
+        let alt = escaped(&alt);
+        let _ = write!(
+            page,
+            "\n## Figure {number}\n\n\
+             <picture><source media=\"(max-width: 600px)\" srcset=\"narrow/figure-{number}.svg\">\
+             <img src=\"figure-{number}.svg\" alt=\"{alt}\"></picture>\n"
+        );
+        if entry.data {
+            let _ = write!(page, "\n[Data](figure-{number}.csv)\n");
+        }
+    }
+    page
+}
+
+/// Text within an attribute.
+fn escaped(text: &str) -> String {
+    let text = text.replace('&', "&amp;").replace('<', "&lt;");
+    text.replace('"', "&quot;")
+}
+
+/// A label as Markdown.
+#[must_use]
+pub fn markdown(label: &Label) -> String {
+    let mut text = String::new();
+    for span in label.spans() {
+        let plain = span.text.replace('*', "\\*").replace('_', "\\_");
+        let cut = match span.face {
+            Face::Regular => plain,
+            Face::Italic => format!("<i>{plain}</i>"),
+            Face::Bold => format!("<b>{plain}</b>"),
+        };
+        text.push_str(&match span.level {
+            Level::Base => cut,
+            Level::Sub => format!("<sub>{cut}</sub>"),
+            Level::Sup => format!("<sup>{cut}</sup>"),
+        });
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Entry, markdown, page};
+
+    #[test]
+    fn a_page_names_every_figure_twice() {
+        let entry = Entry {
+            number: "2.4".to_owned(),
+            title: "*X̄* [mm]".into(),
+            caption: "*β* < \"1\"".into(),
+            data: false,
+        };
+        let page = page(2, "Walls", &[entry]);
+        assert!(page.contains("- [2.4](#figure-24): <i>X̄</i> [mm]\n"));
+        let image = "<img src=\"figure-2.4.svg\" alt=\"X̄ [mm]. β &lt; &quot;1&quot;\"></picture>\n";
+        assert!(page.ends_with(image), "{page}");
+    }
+
+    #[test]
+    fn labels_become_markdown() {
+        let label = "*β*_lim^* = 2".into();
+        let expected = "<i>β</i><sub>lim</sub><sup>\\*</sup> = 2";
+        assert_eq!(markdown(&label), expected);
+    }
+}
