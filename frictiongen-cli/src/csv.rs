@@ -3,9 +3,38 @@
 use crate::number::Value;
 use std::io::{self, Write};
 
-/// The line that names the columns.
-pub fn header(out: &mut dyn Write, names: &[String]) -> io::Result<()> {
-    writeln!(out, "{}", names.join(","))
+/// The line that names the columns, and if asked the line of their units.
+pub fn header(out: &mut dyn Write, names: &[String], unit_row: bool) -> io::Result<()> {
+    writeln!(out, "{}", names.join(","))?;
+    if unit_row {
+        let units: Vec<&str> = names.iter().map(|name| unit(name)).collect();
+        writeln!(out, "{}", units.join(","))?;
+    }
+    Ok(())
+}
+
+/// The endings of names that say a unit; of two that fit the longer one stands first.
+const UNITS: [(&str, &str); 10] = [
+    ("_m_s2", "m/s2"),
+    ("_m_s", "m/s"),
+    ("_rad_s", "rad/s"),
+    ("_Hz", "Hz"),
+    ("_deg", "deg"),
+    ("_N", "N"),
+    ("_W", "W"),
+    ("_m", "m"),
+    ("_s", "s"),
+    (".phase", "rad"),
+];
+
+/// The unit of a column, by its name; nothing for ratios, counts and words.
+fn unit(name: &str) -> &'static str {
+    // A mass may be called as a unit ends: what counts is what stands after it.
+    let what = name
+        .split_once('.')
+        .map_or(name, |(part, _)| name.get(part.len()..).unwrap_or(name));
+    let of = UNITS.iter().find(|(ending, _)| what.ends_with(ending));
+    of.map_or("", |(_, unit)| *unit)
 }
 
 /// A line of values.
@@ -15,4 +44,32 @@ pub fn row(out: &mut dyn Write, values: &[Value<'_>]) -> io::Result<()> {
         write!(out, "{comma}{}", value.exact())?;
     }
     writeln!(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::unit;
+
+    #[test]
+    fn units_of_names() {
+        let cases = [
+            ("frequency_Hz", "Hz"),
+            ("omega_rad_s", "rad/s"),
+            ("upper.amplitude_m", "m"),
+            ("upper.velocity_m_s", "m/s"),
+            ("upper.acceleration_m_s2", "m/s2"),
+            ("upper.phase", "rad"),
+            ("upper.phase_deg", "deg"),
+            ("contact_force_N", "N"),
+            ("friction_power_W", "W"),
+            ("time_s", "s"),
+            ("mass_m.amplitude", ""),
+            ("regime", ""),
+            ("stops", ""),
+            ("r", ""),
+        ];
+        for (name, expected) in cases {
+            assert_eq!(unit(name), expected, "{name}");
+        }
+    }
 }

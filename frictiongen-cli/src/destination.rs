@@ -6,13 +6,22 @@ use crate::file;
 use std::io::Write;
 use std::path::Path;
 
+/// What a CSV has beside its names and values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Extras {
+    /// A second line with the units of the columns.
+    pub unit_row: bool,
+    /// Lines that begin with # before.
+    pub comments: bool,
+}
+
 /// In which form an answer is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// A table for people.
     Table,
     /// Comma-separated values.
-    Csv,
+    Csv(Extras),
     /// One JSON object.
     Json,
     /// A picture in vectors.
@@ -22,11 +31,34 @@ pub enum Form {
 }
 
 impl FormatArguments {
+    fn extras(&self) -> Extras {
+        Extras {
+            unit_row: self.unit_row,
+            comments: self.comments,
+        }
+    }
+
+    /// Nothing, if what is asked of a CSV is asked with one.
+    fn check(&self, form: Form) -> Result<(), Failure> {
+        let asked = [(self.unit_row, "--unit-row"), (self.comments, "--comments")];
+        match (form, asked.iter().find(|(asked, _)| *asked)) {
+            (Form::Csv(_), _) | (_, None) => Ok(()),
+            (_, Some((_, option))) => Err(Failure::new(format_args!(
+                "{option} belongs to CSV: give --csv, or a file whose name ends in .csv"
+            ))),
+        }
+    }
+
+    /// The form that the options say, where nothing else decides.
+    pub fn checked(&self) -> Result<Form, Failure> {
+        self.check(self.form()).map(|()| self.form())
+    }
+
     /// The form that the options say.
-    pub fn form(&self) -> Form {
+    fn form(&self) -> Form {
         match (self.json, self.csv) {
             (true, _) => Form::Json,
-            (_, true) => Form::Csv,
+            (_, true) => Form::Csv(self.extras()),
             _ => Form::Table,
         }
     }
@@ -51,6 +83,7 @@ impl<'a> Destination<'a> {
     ) -> Result<Self, Failure> {
         let asked = format.form();
         let Some(path) = path else {
+            format.check(asked)?;
             return Ok(Self {
                 form: asked,
                 file: None,
@@ -62,7 +95,7 @@ impl<'a> Destination<'a> {
             .map(|ending| ending.to_string_lossy().to_lowercase());
         let pictures = draws && cfg!(feature = "pictures");
         let form = match ending.as_deref() {
-            Some("csv") => Form::Csv,
+            Some("csv") => Form::Csv(format.extras()),
             Some("json") => Form::Json,
             Some("svg") if pictures => Form::Svg,
             Some("png") if pictures => Form::Png,
@@ -78,7 +111,7 @@ impl<'a> Destination<'a> {
             }
         };
         if asked != Form::Table && asked != form {
-            let option = if asked == Form::Csv {
+            let option = if matches!(asked, Form::Csv(_)) {
                 "--csv"
             } else {
                 "--json"
@@ -88,6 +121,7 @@ impl<'a> Destination<'a> {
                 ending.unwrap_or_default().to_uppercase()
             )));
         }
+        format.check(form)?;
         // Said before a long computation, not after it.
         file::check(path, description)?;
         Ok(Self {

@@ -26,7 +26,7 @@ pub fn run(arguments: &LimitsArguments, out: &mut dyn Write) -> Result<(), Failu
         frequencies,
         scale: measure.scale(),
     };
-    output::print(&report, &summary, arguments.format.form(), out)
+    output::print(&report, &summary, arguments.format.checked()?, out)
 }
 
 /// The limits, by the names of their cells.

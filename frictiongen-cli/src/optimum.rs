@@ -49,7 +49,7 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         part,
         request,
     };
-    output::print(&report, &summary, arguments.format.form(), out)
+    output::print(&report, &summary, arguments.format.checked()?, out)
 }
 
 /// A spring `a - b`, a mode `zeta 1`, with or without a range `=from:to`.

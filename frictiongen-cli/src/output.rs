@@ -57,8 +57,11 @@ pub fn print<R: Report>(
             Ok(writer.point(&report.json(point))?)
         })?;
         writer.end()?;
-    } else if form == Form::Csv {
-        csv::header(&mut out, &report.names())?;
+    } else if let Form::Csv(extras) = form {
+        if extras.comments {
+            summary.comment(&mut out, &report.preamble())?;
+        }
+        csv::header(&mut out, &report.names(), extras.unit_row)?;
         report.each(&mut |point| {
             progress.step();
             Ok(csv::row(&mut out, &report.record(point))?)

@@ -33,7 +33,7 @@ pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), 
         measure,
         part,
     };
-    output::print(&report, &summary, arguments.format.form(), out)
+    output::print(&report, &summary, arguments.format.checked()?, out)
 }
 
 struct SensitivityReport {

@@ -52,6 +52,15 @@ impl Summary {
         if self.base_motion { "F/(k1 Y)" } else { "F/P" }
     }
 
+    /// The same as [`write`](Self::write), in comments.
+    pub fn comment(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
+        let mut text = Vec::new();
+        self.write(&mut text, more)?;
+        let text = String::from_utf8_lossy(&text).into_owned();
+        let mut lines = text.lines().filter(|line| !line.is_empty());
+        lines.try_for_each(|line| writeln!(out, "# {line}"))
+    }
+
     /// The preamble of a table, with what its report adds.
     pub fn write(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
         writeln!(out, "{}: {}", self.scene, self.description)?;

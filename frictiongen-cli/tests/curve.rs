@@ -131,6 +131,40 @@ fn power_is_work_times_frequency() {
     }
 }
 
+/// What a spreadsheet may want beside the names: units in the second line, and comments that pandas skips.
+#[test]
+fn units_and_comments_in_csv() {
+    let asked = ["limits", FRAME, "--hz", "1,2", "--base", "0.002", "--csv"];
+    let plain = output("", &asked);
+    let with = output("", &[&asked[..], &["--unit-row", "--comments"]].concat());
+    let comments: Vec<&str> = with
+        .lines()
+        .take_while(|line| line.starts_with("# "))
+        .collect();
+    assert!(
+        comments
+            .iter()
+            .any(|line| line.contains("Y = 2.00000e-3 m")),
+        "{comments:?}"
+    );
+    let rest: Vec<&str> = with.lines().skip(comments.len()).collect();
+    let mut lines = plain.lines();
+    assert_eq!(rest[0], lines.next().unwrap());
+    assert!(
+        rest[1].starts_with("Hz,,") && rest[1].contains(",N"),
+        "{}",
+        rest[1]
+    );
+    assert_eq!(rest[1].split(',').count(), rest[0].split(',').count());
+    assert_eq!(rest[2..], lines.collect::<Vec<_>>());
+    for option in ["--unit-row", "--comments"] {
+        let message = format!(
+            "frictiongen: {option} belongs to CSV: give --csv, or a file whose name ends in .csv"
+        );
+        assert_eq!(failure(BLOCK, &["limits", "--r", "1", option]), [message]);
+    }
+}
+
 /// A map's rows are the grid, and its boundaries lie between cells that differ.
 #[test]
 fn maps_and_their_boundaries() {

@@ -61,14 +61,19 @@ pub struct FileArgument {
 
 /// In which format numbers are printed; a table unless one is chosen.
 #[derive(Debug, Args)]
-#[group(multiple = false)]
 pub struct FormatArguments {
     /// Print JSON; infinity is the string "inf"
-    #[arg(long)]
+    #[arg(long, conflicts_with = "csv")]
     pub json: bool,
     /// Print CSV, every number with all its digits
     #[arg(long)]
     pub csv: bool,
+    /// In CSV, a second line with the units of the columns
+    #[arg(long, conflicts_with = "json")]
+    pub unit_row: bool,
+    /// In CSV, lines that begin with # first: the scene, its natural frequencies, the load
+    #[arg(long, conflicts_with = "json")]
+    pub comments: bool,
 }
 
 /// The frequency of the excitation, in one of three ways.

@@ -39,5 +39,5 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
         masses,
         orders,
     };
-    output::print(&report, &summary, arguments.format.form(), out)
+    output::print(&report, &summary, arguments.format.checked()?, out)
 }

@@ -39,5 +39,5 @@ pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Fai
         masses,
         orders,
     };
-    output::print(&report, &summary, arguments.format.form(), out)
+    output::print(&report, &summary, arguments.format.checked()?, out)
 }
