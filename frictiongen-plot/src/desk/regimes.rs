@@ -7,7 +7,7 @@ use frictiongen::study::LimitLines;
 /// Both limits as lines, up to a friction ratio somewhat above `top`.
 #[must_use]
 pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour) -> [Line; 2] {
-    let line = |name: &str, stroke, read: fn(f64, f64) -> f64| {
+    let line = |name: Label, stroke, read: fn(f64, f64) -> f64| {
         let points = lines.points.iter();
         let place = |(r, limits): &(f64, frictiongen::Limits<f64>)| -> Point {
             let beta = read(limits.continuous, limits.sliding).min(4.0 * top);
@@ -17,13 +17,15 @@ pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour
     };
     [
         line(
-            "*β*_lim, continuous below",
+            scales.limit_name("", "continuous below"),
             Stroke::Solid,
             |continuous, _| continuous,
         ),
-        line("*β*_lim^*, stuck above", Stroke::Dashed, |_, sliding| {
-            sliding
-        }),
+        line(
+            scales.limit_name("^*", "stuck above"),
+            Stroke::Dashed,
+            |_, sliding| sliding,
+        ),
     ]
 }
 

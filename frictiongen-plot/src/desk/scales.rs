@@ -157,6 +157,13 @@ impl Scales {
         }
     }
 
+    /// A limit of the friction, as a legend names it: F_lim in newtons, β_lim as a ratio.
+    #[must_use]
+    pub(super) fn limit_name(&self, mark: &str, what: &str) -> Label {
+        let symbol = if self.load.is_some() { "F" } else { "β" };
+        format!("*{symbol}*_lim{mark}, {what}").into()
+    }
+
     /// A displacement on its axis: in mm, or as a ratio.
     #[must_use]
     pub fn length(&self, ratio: f64) -> f64 {
