@@ -11,3 +11,8 @@ pub mod shown;
 pub fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
+
+/// The Rust of `docs/desk.md` is compiled as it stands there.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/desk.md")]
+pub struct DeskPage;
