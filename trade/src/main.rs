@@ -1,8 +1,8 @@
 //! Speed against accuracy: every way to an answer, ours and others', in the same run.
 //!
-//! `scripts/trade` runs it: `trade FOLDER` writes `trade.csv`, `trade.md` and `trade.svg` there;
+//! `scripts/trade` runs it: `trade FOLDER` writes `trade.csv`, `trade.md` and the pictures there;
 //! `trade --quick FOLDER` measures less, up to two masses, in seconds.  `--before PROGRAM` names the
-//! program of the searches before (`before/`).
+//! program of the searches before (`before/`).  `picture/` draws from `trade.csv` alone.
 
 #[macro_use]
 mod chains;
@@ -14,7 +14,6 @@ mod methods;
 mod operations;
 mod page;
 mod peers;
-mod picture;
 mod points;
 mod scenes;
 mod tabled;
@@ -72,12 +71,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         refused: Vec::new(),
     };
     scenes::visit(&mut measure);
-    std::fs::write(folder.join("trade.csv"), tables::csv(&measure.rows)?)?;
+    let table = tables::csv(&measure.rows)?;
+    std::fs::write(folder.join("trade.csv"), &table)?;
     let figures = std::fs::read_to_string(concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../firmware/figures.txt"
     ))?;
     std::fs::write(folder.join("trade.md"), page::page(&measure, &figures)?)?;
-    picture::draw(&measure.rows, &folder.join("trade.svg"))?;
+    trade_picture::write(&table, &folder)?;
     Ok(())
 }

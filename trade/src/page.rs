@@ -2,12 +2,14 @@
 
 mod declared;
 mod ours;
+mod table;
 
 use crate::measure::{By, Measure, Row};
 use crate::methods::Method;
 use crate::scenes::Label;
 use crate::tables::pools;
 use std::fmt::{Result as Written, Write};
+use table::{Table, Tally, cell, verdict};
 
 /// Where C's time falls below ours.
 const EVEN: f64 = 1.0;
@@ -47,10 +49,6 @@ fn shown(ns: f64) -> String {
     }
 }
 
-fn verdict(ratio: f64, aim: f64) -> &'static str {
-    if ratio >= aim { "yes" } else { "**missed**" }
-}
-
 /// By what C's time is to exceed ours.
 fn aim_against_hand(label: &Label, method: Method) -> f64 {
     match (method, label.masses, label.zeta > 0.0) {
@@ -69,40 +67,38 @@ fn against_hand(rows: &[Row], text: &mut String) -> Written {
         text.push_str("SKIPPED: there was no C compiler.\n");
         return Ok(());
     }
-    let (mut all, mut missed, mut slower) = (0, 0, 0);
-    let mut table = String::from(
-        "| scene | ζ | answer | ours | C | ratio of medians | of minima | aim | reached |\n|---|---|---|---|---|---|---|---|---|\n",
-    );
+    let (mut aims, mut slower) = (Tally::default(), 0);
+    let mut table =
+        Table::of_scenes("answer | ours | C | ratio of medians | of minima | aim | reached");
     for hand in rows.iter().filter(|row| row.by == By::Hand) {
         let Some(ours) = of(rows, hand, By::Double, hand.method) else {
             continue;
         };
         let ratio = hand.time.median / ours.time.median;
         let aim = aim_against_hand(&hand.label, hand.method);
-        all += 1;
-        missed += usize::from(!(ratio >= aim));
         slower += usize::from(!(ratio >= EVEN));
-        writeln!(
-            table,
-            "| {} | {} | {} | {} | {} | {ratio:.2} | {:.2} | {aim} | {} |",
-            hand.label.name,
-            hand.label.zeta,
-            hand.method.name(),
-            shown(ours.time.median),
-            shown(hand.time.median),
-            hand.time.least / ours.time.least,
-            verdict(ratio, aim),
-        )?;
+        table.scene(
+            &hand.label,
+            &[
+                &hand.method.name(),
+                &shown(ours.time.median),
+                &shown(hand.time.median),
+                &format!("{ratio:.2}"),
+                &format!("{:.2}", hand.time.least / ours.time.least),
+                &aim,
+                &aims.judge(ratio >= aim),
+            ],
+        );
     }
     writeln!(
         text,
-        "{missed} of {all} ratios are missed; in {slower} the C is faster.\n\n{table}"
+        "{aims} ratios are missed; in {slower} the C is faster.\n\n{table}"
     )
 }
 
 fn against_stepper(rows: &[Row], text: &mut String) -> Written {
-    text.push_str("## Against the event stepper in C\n\n");
-    text.push_str("| scene | ζ | answer | ours | stepper | ratio | aim | reached | stepper's error |\n|---|---|---|---|---|---|---|---|---|\n");
+    let mut table =
+        Table::of_scenes("answer | ours | stepper | ratio | aim | reached | stepper's error");
     for stepper in rows.iter().filter(|row| row.by == By::Stepper) {
         let ways: &[(Method, Option<f64>)] = if stepper.method == Method::Orbit {
             &[(Method::Orbit, None)]
@@ -117,27 +113,28 @@ fn against_stepper(rows: &[Row], text: &mut String) -> Written {
                 continue;
             };
             let ratio = stepper.time.median / ours.time.median;
-            writeln!(
-                text,
-                "| {} | {} | {} | {} | {} | {ratio:.0} | {} | {} | {:.1e} |",
-                stepper.label.name,
-                stepper.label.zeta,
-                method.name(),
-                shown(ours.time.median),
-                shown(stepper.time.median),
-                aim.map_or(String::new(), |aim| aim.to_string()),
-                aim.map_or("", |aim| verdict(ratio, aim)),
-                stepper.error.worst(),
-            )?;
+            table.scene(
+                &stepper.label,
+                &[
+                    &method.name(),
+                    &shown(ours.time.median),
+                    &shown(stepper.time.median),
+                    &format!("{ratio:.0}"),
+                    &cell(*aim),
+                    &cell(aim.map(|aim| verdict(ratio >= aim))),
+                    &format!("{:.1e}", stepper.error.worst()),
+                ],
+            );
         }
     }
-    text.push('\n');
-    Ok(())
+    writeln!(text, "## Against the event stepper in C\n\n{table}")
 }
 
 fn every_way(rows: &[Row], text: &mut String) -> Written {
     text.push_str("## Every way\n\nAll contacts and dampings of a number of masses together: the middle one of the scenes' median times; errors against the exact answer; \"no answer\" counts points where the way gave no number; operations are those of the emitted function without search, or of the frequency stage.\n\n");
-    text.push_str("| masses | answer | by | a call | operations | 99 of 100 usual points within | 99 of 100 of all | worst | no answer |\n|---|---|---|---|---|---|---|---|---|\n");
+    let mut table = Table::new(
+        "masses | answer | by | a call | operations | 99 of 100 usual points within | 99 of 100 of all | worst | no answer",
+    );
     for pool in pools(rows) {
         let operations = match pool.operations {
             Some((least, most)) if pool.method == Method::WithoutSearch => {
@@ -146,25 +143,24 @@ fn every_way(rows: &[Row], text: &mut String) -> Written {
             Some((least, most)) => format!("{least} to {most} and the search"),
             None => String::new(),
         };
-        writeln!(
-            text,
-            "| {} | {} | {} | {} | {operations} | {:.1e} | {:.1e} | {:.1e} | {} |",
-            pool.masses,
-            pool.method.name(),
-            pool.by.name(),
-            shown(pool.time),
-            pool.usual.percentile(),
-            pool.error.percentile(),
-            pool.error.worst(),
-            pool.error.none,
-        )?;
+        table.row(&[
+            &pool.masses,
+            &pool.method.name(),
+            &pool.by.name(),
+            &shown(pool.time),
+            &operations,
+            &format!("{:.1e}", pool.usual.percentile()),
+            &format!("{:.1e}", pool.error.percentile()),
+            &format!("{:.1e}", pool.error.worst()),
+            &pool.error.none,
+        ]);
     }
-    text.push('\n');
-    Ok(())
+    writeln!(text, "{table}")
 }
 
 fn on_device(firmware: &str, text: &mut String) -> Written {
-    text.push_str("## On a Cortex-M\n\nInstructions a call on the emulated processors, from `firmware/figures.txt` (`scripts/firmware`).\n\n| scene | call | M4F | M7 |\n|---|---|---|---|\n");
+    text.push_str("## On a Cortex-M\n\nInstructions a call on the emulated processors, from `firmware/figures.txt` (`scripts/firmware`).\n\n");
+    let mut table = Table::new("scene | call | M4F | M7");
     let lines = || {
         firmware
             .lines()
@@ -178,15 +174,10 @@ fn on_device(firmware: &str, text: &mut String) -> Written {
             continue;
         }
         let other = lines().find_map(|line| match line[..] {
-            ["m7", s, c, count, _] if (s, c) == (scene, call) => Some(count.to_owned()),
+            ["m7", s, c, count, _] if (s, c) == (scene, call) => Some(count),
             _ => None,
         });
-        writeln!(
-            text,
-            "| {scene} | {call} | {count} | {} |",
-            other.unwrap_or_default()
-        )?;
+        table.row(&[&scene, &call, &count, &cell(other)]);
     }
-    text.push('\n');
-    Ok(())
+    writeln!(text, "{table}")
 }

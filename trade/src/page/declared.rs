@@ -1,6 +1,7 @@
 //! Tables of a declared accuracy beside the exact answers, before and now, and beside limits without search.
 
-use super::{of, shown, verdict};
+use super::table::{Table, Tally, cell, verdict};
+use super::{of, shown};
 use crate::measure::{By, Measure, Row};
 use crate::methods::Method;
 use crate::tabled::{Refused, USUAL};
@@ -72,74 +73,66 @@ fn columns(compared: Option<(f64, f64)>) -> String {
 }
 
 fn at_usual(rows: &[Row], text: &mut String) -> Written {
-    let (mut all, mut missed) = ([0; 2], [0; 2]);
-    let mut table = String::from(
-        "| scene | ζ | table | before | ratio | reached | exact now | ratio | without search | ratio | reached | bytes | pieces | comparisons | error |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+    let mut aims = LIMITS.map(|_| Tally::default());
+    let mut table = Table::of_scenes(
+        "table | before | ratio | reached | exact now | ratio | without search | ratio | reached | bytes | pieces | comparisons | error",
     );
     for (row, exponent) in tables(rows, Method::Limits).filter(|(_, e)| *e == USUAL) {
         let before = over(rows, row, By::Before, Method::Limits);
         let now = over(rows, row, By::Double, Method::Limits);
         let without = over(rows, row, By::Double, Method::WithoutSearch);
         let mut judge = |place: usize, compared: Option<(f64, f64)>| {
-            compared.map_or("", |(_, ratio)| {
-                all[place] += 1;
-                missed[place] += usize::from(!(ratio >= LIMITS[place]));
-                verdict(ratio, LIMITS[place])
-            })
+            cell(compared.map(|(_, ratio)| aims[place].judge(ratio >= LIMITS[place])))
         };
         let reached = [judge(0, before), judge(1, without)];
-        writeln!(
-            table,
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
-            row.label.name,
-            row.label.zeta,
-            shown(row.time.median),
-            columns(before),
-            reached[0],
-            columns(now),
-            columns(without),
-            reached[1],
-            size(row),
-            error(row, exponent),
-        )?;
+        table.scene(
+            &row.label,
+            &[
+                &shown(row.time.median),
+                &columns(before),
+                &reached[0],
+                &columns(now),
+                &columns(without),
+                &reached[1],
+                &size(row),
+                &error(row, exponent),
+            ],
+        );
     }
     writeln!(
         text,
-        "**Both limits to 1e-{USUAL}.** Aims: {} times the searches before, {} times limits without search.  {} of {} and {} of {} are missed.\n\n{table}",
-        LIMITS[0], LIMITS[1], missed[0], all[0], missed[1], all[1],
+        "**Both limits to 1e-{USUAL}.** Aims: {} times the searches before, {} times limits without search.  {} and {} are missed.\n\n{table}",
+        LIMITS[0], LIMITS[1], aims[0], aims[1],
     )
 }
 
 fn contact(rows: &[Row], text: &mut String) -> Written {
-    writeln!(
-        text,
-        "**The contact's amplitude to 1e-{USUAL}**, with the check that the motion is continuous.  Aim, with five damped masses: {CONTACT} times the amplitude before.\n"
-    )?;
-    text.push_str("| scene | ζ | table | before | ratio | reached | exact now | ratio | bytes | pieces | comparisons | error |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    let mut table = Table::of_scenes(
+        "table | before | ratio | reached | exact now | ratio | bytes | pieces | comparisons | error",
+    );
     for (row, exponent) in tables(rows, Method::Contact) {
         let before = over(rows, row, By::Before, Method::Contact);
         let aimed = row.label.masses == 5 && row.label.zeta > 0.0;
-        let reached = before
-            .filter(|_| aimed)
-            .map_or("", |(_, ratio)| verdict(ratio, CONTACT));
-        writeln!(
-            text,
-            "| {} | {} | {} | {} | {reached} | {} | {} | {} |",
-            row.label.name,
-            row.label.zeta,
-            shown(row.time.median),
-            columns(before),
-            columns(over(rows, row, By::Double, Method::Contact)),
-            size(row),
-            error(row, exponent),
-        )?;
+        let reached = before.filter(|_| aimed);
+        table.scene(
+            &row.label,
+            &[
+                &shown(row.time.median),
+                &columns(before),
+                &cell(reached.map(|(_, ratio)| verdict(ratio >= CONTACT))),
+                &columns(over(rows, row, By::Double, Method::Contact)),
+                &size(row),
+                &error(row, exponent),
+            ],
+        );
     }
-    text.push('\n');
-    Ok(())
+    writeln!(
+        text,
+        "**The contact's amplitude to 1e-{USUAL}**, with the check that the motion is continuous.  Aim, with five damped masses: {CONTACT} times the amplitude before.\n\n{table}"
+    )
 }
 
 fn typical(rows: &[Row], text: &mut String) -> Written {
-    text.push_str("**Four typical scenes, to choose by.** Bytes, time for both limits, largest error.\n\n| accuracy |");
     let chosen = |name: &str, zeta: f64| {
         let limits = tables(rows, Method::Limits);
         limits
@@ -151,45 +144,51 @@ fn typical(rows: &[Row], text: &mut String) -> Written {
         .map(|(name, zeta)| (*name, *zeta, chosen(name, *zeta)))
         .filter(|(_, _, rows)| !rows.is_empty())
         .collect();
+    let mut head = String::from("accuracy");
     for (name, zeta, _) in &scenes {
         let damping = if *zeta > 0.0 { "damped" } else { "undamped" };
-        write!(text, " {name} {damping} |")?;
+        write!(head, " | {name} {damping}")?;
     }
-    writeln!(text, "\n|---|{}", "---|".repeat(scenes.len()))?;
+    let mut table = Table::new(&head);
     for choice in CHOICES {
-        write!(text, "| 1e-{choice} |")?;
-        for (_, _, rows) in &scenes {
-            let cell = rows.iter().find(|(_, exponent)| *exponent == choice);
-            let cell = cell.and_then(|(row, exponent)| {
+        let mut cells = vec![format!("1e-{choice}")];
+        cells.extend(scenes.iter().map(|(_, _, rows)| {
+            let found = rows.iter().find(|(_, exponent)| *exponent == choice);
+            cell(found.and_then(|(row, exponent)| {
                 let bytes = row.table?.bytes;
                 let (time, error) = (shown(row.time.median), error(row, *exponent));
                 Some(format!("{bytes} B, {time}, {error}"))
-            });
-            write!(text, " {} |", cell.unwrap_or_default())?;
-        }
-        text.push('\n');
+            }))
+        }));
+        table.row(&[&cells.join(" | ")]);
     }
-    text.push('\n');
-    Ok(())
+    writeln!(
+        text,
+        "**Four typical scenes, to choose by.** Bytes, time for both limits, largest error.\n\n{table}"
+    )
 }
 
 fn others(rows: &[Row], text: &mut String) -> Written {
-    text.push_str("**Every accuracy.** Both limits.  Tables of 1e-12 are those of the run-time `System::compile`, which not every scene has.\n\n| scene | ζ | accuracy | table | before | ratio | exact now | ratio | bytes | pieces | comparisons | error |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    let mut table = Table::of_scenes(
+        "accuracy | table | before | ratio | exact now | ratio | bytes | pieces | comparisons | error",
+    );
     for (row, exponent) in tables(rows, Method::Limits).filter(|(_, e)| *e != USUAL) {
-        writeln!(
-            text,
-            "| {} | {} | 1e-{exponent} | {} | {} | {} | {} | {} |",
-            row.label.name,
-            row.label.zeta,
-            shown(row.time.median),
-            columns(over(rows, row, By::Before, Method::Limits)),
-            columns(over(rows, row, By::Double, Method::Limits)),
-            size(row),
-            error(row, exponent),
-        )?;
+        table.scene(
+            &row.label,
+            &[
+                &format!("1e-{exponent}"),
+                &shown(row.time.median),
+                &columns(over(rows, row, By::Before, Method::Limits)),
+                &columns(over(rows, row, By::Double, Method::Limits)),
+                &size(row),
+                &error(row, exponent),
+            ],
+        );
     }
-    text.push('\n');
-    Ok(())
+    writeln!(
+        text,
+        "**Every accuracy.** Both limits.  Tables of 1e-12 are those of the run-time `System::compile`, which not every scene has.\n\n{table}"
+    )
 }
 
 fn refused(refused: &[Refused], text: &mut String) -> Written {

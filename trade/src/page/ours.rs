@@ -1,7 +1,8 @@
 //! Ours against ours: the searches before, the slowest calls, the run-time `System`, and what a call
 //! must cost at least.
 
-use super::{of, shown, verdict};
+use super::table::{Table, Tally, cell, verdict};
+use super::{of, shown};
 use crate::measure::{By, Row};
 use crate::methods::Method;
 use crate::tails::{RANGE, Tail};
@@ -11,10 +12,6 @@ use std::fmt::{Result as Written, Write};
 const RUN_TIME: f64 = 1.2;
 /// What all but a thousandth of the calls, and what all may take of the median.
 const TAILS: [f64; 2] = [10.0, 40.0];
-
-fn at_most(ratio: f64, aim: f64) -> &'static str {
-    if ratio <= aim { "yes" } else { "**missed**" }
-}
 
 /// By what exact limits are to be faster than before, by the number of masses.
 fn aim_against_before(masses: usize, method: Method) -> Option<f64> {
@@ -33,41 +30,36 @@ pub fn before(rows: &[Row], text: &mut String) -> Written {
         text.push_str("SKIPPED: the code of that commit was not there.\n\n");
         return Ok(());
     }
-    let (mut all, mut missed) = (0, 0);
-    let mut table = String::from(
-        "| scene | ζ | answer | before | now | ratio of medians | of minima | aim | reached |\n|---|---|---|---|---|---|---|---|---|\n",
-    );
+    let mut aims = Tally::default();
+    let mut table =
+        Table::of_scenes("answer | before | now | ratio of medians | of minima | aim | reached");
     for before in rows.iter().filter(|row| row.by == By::Before) {
         let Some(now) = of(rows, before, By::Double, before.method) else {
             continue;
         };
         let ratio = before.time.median / now.time.median;
         let aim = aim_against_before(before.label.masses, before.method);
-        if let Some(aim) = aim {
-            all += 1;
-            missed += usize::from(!(ratio >= aim));
-        }
-        writeln!(
-            table,
-            "| {} | {} | {} | {} | {} | {ratio:.2} | {:.2} | {} | {} |",
-            before.label.name,
-            before.label.zeta,
-            before.method.name(),
-            shown(before.time.median),
-            shown(now.time.median),
-            before.time.least / now.time.least,
-            aim.map_or(String::new(), |aim| aim.to_string()),
-            aim.map_or("", |aim| verdict(ratio, aim)),
-        )?;
+        table.scene(
+            &before.label,
+            &[
+                &before.method.name(),
+                &shown(before.time.median),
+                &shown(now.time.median),
+                &format!("{ratio:.2}"),
+                &format!("{:.2}", before.time.least / now.time.least),
+                &cell(aim),
+                &cell(aim.map(|aim| aims.judge(ratio >= aim))),
+            ],
+        );
     }
-    writeln!(text, "{missed} of {all} ratios are missed.\n\n{table}")
+    writeln!(text, "{aims} ratios are missed.\n\n{table}")
 }
 
 /// The run-time `System` over emitted scenes.
 pub fn run_time(rows: &[Row], text: &mut String) -> Written {
-    let (mut all, mut missed) = (0, 0);
-    let mut table = String::from(
-        "| scene | ζ | answer | emitted | `System` | ratio of medians | of minima | aim at most | reached |\n|---|---|---|---|---|---|---|---|---|\n",
+    let mut aims = Tally::default();
+    let mut table = Table::of_scenes(
+        "answer | emitted | `System` | ratio of medians | of minima | aim at most | reached",
     );
     for system in rows.iter().filter(|row| row.by == By::RunTime) {
         if !matches!(
@@ -80,23 +72,22 @@ pub fn run_time(rows: &[Row], text: &mut String) -> Written {
             continue;
         };
         let ratio = system.time.median / emitted.time.median;
-        all += 1;
-        missed += usize::from(!(ratio <= RUN_TIME));
-        writeln!(
-            table,
-            "| {} | {} | {} | {} | {} | {ratio:.2} | {:.2} | {RUN_TIME} | {} |",
-            system.label.name,
-            system.label.zeta,
-            system.method.name(),
-            shown(emitted.time.median),
-            shown(system.time.median),
-            system.time.least / emitted.time.least,
-            at_most(ratio, RUN_TIME),
-        )?;
+        table.scene(
+            &system.label,
+            &[
+                &system.method.name(),
+                &shown(emitted.time.median),
+                &shown(system.time.median),
+                &format!("{ratio:.2}"),
+                &format!("{:.2}", system.time.least / emitted.time.least),
+                &RUN_TIME,
+                &aims.judge(ratio <= RUN_TIME),
+            ],
+        );
     }
     writeln!(
         text,
-        "## The run-time `System` over emitted scenes\n\n{missed} of {all} ratios are missed.\n\n{table}"
+        "## The run-time `System` over emitted scenes\n\n{aims} ratios are missed.\n\n{table}"
     )
 }
 
@@ -109,53 +100,52 @@ pub fn tails(tails: &[Tail], text: &mut String) -> Written {
         "## The slowest calls of exact limits\n\nEach of {points} points, log-uniform over r = {low} to {high}, by itself: the least of 3 calls, of 20 for the slowest 100, without the clock's own time.  The ratios are to the median, with aims of at most {} and {}.  Evaluations: the most that a search of these took, as `limits_searched` tells; in brackets how many gave up.\n",
         TAILS[0], TAILS[1],
     )?;
-    text.push_str("| scene | ζ | median | 99 of 100 | 999 of 1000 | slowest | at r | ratio of 999 | reached | of slowest | reached | evaluations |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    let mut table = Table::of_scenes(
+        "median | 99 of 100 | 999 of 1000 | slowest | at r | ratio of 999 | reached | of slowest | reached | evaluations",
+    );
     for tail in tails {
         let [thousandth, slowest] = [tail.thousandth, tail.slowest].map(|t| t / tail.median);
-        writeln!(
-            text,
-            "| {} | {} | {} | {} | {} | {} | {:.4} | {thousandth:.1} | {} | {slowest:.1} | {} | {} ({}) |",
-            tail.label.name,
-            tail.label.zeta,
-            shown(tail.median),
-            shown(tail.hundredth),
-            shown(tail.thousandth),
-            shown(tail.slowest),
-            tail.r,
-            at_most(thousandth, TAILS[0]),
-            at_most(slowest, TAILS[1]),
-            tail.evaluations,
-            tail.exceeded,
-        )?;
+        table.scene(
+            &tail.label,
+            &[
+                &shown(tail.median),
+                &shown(tail.hundredth),
+                &shown(tail.thousandth),
+                &shown(tail.slowest),
+                &format!("{:.4}", tail.r),
+                &format!("{thousandth:.1}"),
+                &verdict(thousandth <= TAILS[0]),
+                &format!("{slowest:.1}"),
+                &verdict(slowest <= TAILS[1]),
+                &format!("{} ({})", tail.evaluations, tail.exceeded),
+            ],
+        );
     }
-    text.push('\n');
-    Ok(())
+    writeln!(text, "{table}")
 }
 
 /// What limits without search cost, and the operations that they cannot do without.
 pub fn floor(rows: &[Row], text: &mut String) -> Written {
-    text.push_str("## The floor of limits without search\n\n");
-    text.push_str("| scene | ζ | a call | C | operations | ÷ | √ | sin and cos | exp and its like |\n|---|---|---|---|---|---|---|---|---|\n");
+    let mut table =
+        Table::of_scenes("a call | C | operations | ÷ | √ | sin and cos | exp and its like");
     for row in rows {
         let (Some(count), By::Double, Method::WithoutSearch) = (row.operations, row.by, row.method)
         else {
             continue;
         };
         let hand = of(rows, row, By::Hand, row.method);
-        writeln!(
-            text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {} |",
-            row.label.name,
-            row.label.zeta,
-            shown(row.time.median),
-            hand.map_or(String::new(), |hand| shown(hand.time.median)),
-            count.total,
-            count.divisions,
-            count.roots,
-            count.circular,
-            count.exponential,
-        )?;
+        table.scene(
+            &row.label,
+            &[
+                &shown(row.time.median),
+                &cell(hand.map(|hand| shown(hand.time.median))),
+                &count.total,
+                &count.divisions,
+                &count.roots,
+                &count.circular,
+                &count.exponential,
+            ],
+        );
     }
-    text.push('\n');
-    Ok(())
+    writeln!(text, "## The floor of limits without search\n\n{table}")
 }

@@ -1,0 +1,161 @@
+//! What the panels ask, and the words in them.
+
+use frictiongen_plot::Anchor;
+
+/// A panel: a question and who answers it.
+pub struct Question {
+    /// What stands over it.
+    pub title: &'static str,
+    /// The height of its frame, in pixels.
+    pub height: f64,
+    /// Whether it shows an answer: by whom, which, of how many masses.
+    pub shows: fn(&str, &str, usize) -> bool,
+    /// The words in it.
+    pub notes: &'static [Beside],
+}
+
+/// Words beside a mark.
+pub struct Beside {
+    /// By whom, which answer, of how many masses.
+    pub of: (&'static str, &'static str, usize),
+    /// What they say.
+    pub text: &'static str,
+    /// Where they stand, in times of the mark's place.
+    pub off: (f64, f64),
+    /// On which side of it.
+    pub anchor: Anchor,
+    /// Whether they are about this way alone, and so in its colour.
+    pub coloured: bool,
+}
+
+impl Beside {
+    const fn new(
+        of: (&'static str, &'static str, usize),
+        text: &'static str,
+        off: (f64, f64),
+        anchor: Anchor,
+    ) -> Self {
+        Self {
+            of,
+            text,
+            off,
+            anchor,
+            coloured: true,
+        }
+    }
+
+    /// Words about all ways nearby.
+    const fn about_all(mut self) -> Self {
+        self.coloured = false;
+        self
+    }
+
+    /// Over or under the mark.
+    const fn centred(
+        of: (&'static str, &'static str, usize),
+        text: &'static str,
+        off: f64,
+    ) -> Self {
+        Self::new(of, text, (1.0, off), Anchor::Middle)
+    }
+}
+
+const LIMITS: &str = "limits, exact S";
+const WITHOUT: &str = "limits without search";
+const PER_MODE: &str = "limits per mode";
+const AMPLITUDE: &str = "amplitude, exact";
+const MONOHARMONIC: &str = "amplitude, monoharmonic";
+const FUNDAMENTAL: &str = "fundamental";
+const CONTACT: &str = "amplitude of the contact";
+const STOPS: &str = "steady state with stops";
+const OURS: &str = "emitted f64";
+const HAND: &str = "C by hand";
+const TEXTBOOK: &str = "eigenproblem at each r";
+const STEPPER: &str = "C event stepper";
+
+fn is_balance(by: &str) -> bool {
+    by.starts_with("harmonic balance")
+}
+
+/// All, two a row, which share an axis of times.
+pub const ALL: [Question; 6] = [
+    Question {
+        title: "**(a)** both limits, exact and from tables",
+        height: 300.0,
+        shows: |_, answer, _| answer == LIMITS,
+        notes: &[
+            Beside::centred((HAND, LIMITS, 1), "1", 8.0),
+            Beside::centred((HAND, LIMITS, 2), "2", 8.0),
+            Beside::centred((HAND, LIMITS, 5), "5", 8.0),
+            Beside::centred((HAND, LIMITS, 10), "10", 8.0),
+        ],
+    },
+    Question {
+        title: "**(b)** both limits, approximate",
+        height: 300.0,
+        // Of one mass the sum of the modes' maxima is exact.
+        shows: |by, answer, masses| {
+            answer == WITHOUT || (answer == PER_MODE && by == OURS && masses > 1)
+        },
+        notes: &[
+            Beside::centred((OURS, WITHOUT, 5), "without search", 1.25).about_all(),
+            Beside::new((OURS, PER_MODE, 5), "per mode", (1.0, 0.75), Anchor::Middle),
+            Beside::centred((TEXTBOOK, WITHOUT, 1), "1", 0.8),
+            Beside::centred((TEXTBOOK, WITHOUT, 10), "10", 0.8),
+        ],
+    },
+    Question {
+        title: "**(c)** amplitude of a mass, exact",
+        height: 260.0,
+        shows: |by, answer, _| answer == AMPLITUDE && by != STEPPER && !is_balance(by),
+        notes: &[
+            Beside::centred((HAND, AMPLITUDE, 1), "1", 8.0),
+            Beside::centred((HAND, AMPLITUDE, 10), "10", 8.0),
+        ],
+    },
+    Question {
+        title: "**(d)** amplitude of a mass, approximate",
+        height: 260.0,
+        shows: |by, answer, _| {
+            (answer == AMPLITUDE && is_balance(by))
+                || ((answer == MONOHARMONIC || answer == FUNDAMENTAL) && by == OURS)
+        },
+        notes: &[
+            Beside::new(
+                (OURS, MONOHARMONIC, 5),
+                "monoharmonic",
+                (1.0, 1.22),
+                Anchor::Middle,
+            ),
+            Beside::new(
+                (OURS, FUNDAMENTAL, 2),
+                "fundamental",
+                (1.0, 0.8),
+                Anchor::Middle,
+            ),
+            Beside::centred(("harmonic balance 1", AMPLITUDE, 5), "*n* = 1", 1.2),
+            Beside::centred(("harmonic balance 3", AMPLITUDE, 1), "*n* = 3", 0.8),
+            Beside::centred(("harmonic balance 9", AMPLITUDE, 10), "*n* = 9", 0.8),
+            Beside::centred(("harmonic balance 25", AMPLITUDE, 10), "*n* = 25", 0.8),
+        ],
+    },
+    Question {
+        title: "**(e)** amplitude in the contact, no stops",
+        height: 230.0,
+        // Its amplitude is the contact's.
+        shows: |by, answer, _| answer == CONTACT || (answer == AMPLITUDE && by == STEPPER),
+        notes: &[
+            Beside::centred((STEPPER, AMPLITUDE, 1), "1", 8.0),
+            Beside::new((STEPPER, AMPLITUDE, 10), "10", (0.4, 1.0), Anchor::End),
+        ],
+    },
+    Question {
+        title: "**(f)** amplitude in the contact, with stops",
+        height: 230.0,
+        shows: |_, answer, _| answer == STOPS,
+        notes: &[
+            Beside::centred((STEPPER, STOPS, 1), "1", 8.0),
+            Beside::new((STEPPER, STOPS, 5), "5", (0.4, 1.0), Anchor::End),
+        ],
+    },
+];
