@@ -115,8 +115,8 @@ fn cyclic(colours: &[Rgb], index: usize) -> Rgb {
 
 fn mapped(share: f64) -> Rgb {
     let last = (MAP.len() - 1) as f64;
-    // NaN is taken for 0.
-    let place = share.max(0.0).min(1.0) * last;
+    let share = if share.is_nan() { 0.0 } else { share };
+    let place = share.clamp(0.0, 1.0) * last;
     let index = place.min(last - 1.0).floor();
     let pair = MAP.get(index as usize..).unwrap_or_default();
     match pair {

@@ -30,9 +30,8 @@ pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour
 /// The regimes up to a friction ratio: areas with their names, and both limits.
 #[must_use]
 pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &Scales) -> Panel {
-    let ends = |read: fn(&[(f64, frictiongen::Limits<f64>)]) -> Option<f64>| read(&lines.points);
-    let low = ends(|points| points.first().map(|point| point.0)).unwrap_or(0.0);
-    let high = ends(|points| points.last().map(|point| point.0)).unwrap_or(1.0);
+    let low = lines.points.first().map_or(0.0, |point| point.0);
+    let high = lines.points.last().map_or(1.0, |point| point.0);
     let x = Axis::new(
         scales.frequency_label(),
         scales.frequency(low),
