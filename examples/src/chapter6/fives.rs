@@ -4,7 +4,7 @@ use super::systems::{FIVE, five, motions};
 use frictiongen::System;
 use frictiongen_examples::draw::{
     Responses, Row, Times, cycle, drawn, keys, map, over_r1, part_colour, places, strokes, tidy,
-    turned,
+    turned, turns, without_specks,
 };
 use frictiongen_plot::desk::{Drawn as Curve, Reading, Scales, lines};
 use frictiongen_plot::{Axis, Figure, Fill, Layer, Marker, Markers, Panel, Region};
@@ -171,13 +171,31 @@ fn phases(system: &System, (low, high): (f64, f64)) -> Result<Panel, Box<dyn Err
                 .layers
                 .extend(lines(&drawn, part, Reading::Phase, &scales));
         }
+    }
+    let mut panel = turned(without_specks(panel));
+    for (part, _) in FIVE.iter().enumerate() {
+        let known = phases_of(&panel, part);
         for layer in responses.simulation(0.1, part, Reading::Phase) {
-            if let Layer::Markers(Markers { points, .. }) = layer {
+            if let Layer::Markers(Markers { mut points, .. }) = layer {
+                for point in &mut points {
+                    point.1 += turns(&[*point], &known, 0.5 * (low + high));
+                }
                 panel = panel.with(Markers::unnamed(part_colour(part), Marker::Circle, points));
             }
         }
     }
-    Ok(tidy(turned(panel)))
+    Ok(tidy(panel))
+}
+
+/// The points of a mass's phases, with ascending r.
+fn phases_of(panel: &Panel, part: usize) -> Vec<(f64, f64)> {
+    let lines = panel.layers.iter().filter_map(|layer| match layer {
+        Layer::Line(line) if line.colour == part_colour(part) => Some(line),
+        _ => None,
+    });
+    let mut points: Vec<(f64, f64)> = lines.flat_map(|line| line.pieces.concat()).collect();
+    points.sort_by(|one, other| one.0.total_cmp(&other.0));
+    points
 }
 
 fn band(from: f64, to: f64, (low, high): (f64, f64)) -> Vec<(f64, f64)> {
@@ -200,7 +218,7 @@ pub fn low_motion() -> Drawn {
 /// 6.16: motion and phases with the contact on m₃.
 pub fn middle_motion() -> Drawn {
     let system = five(3);
-    let panels = motion(&system, (0.95, 0.4), (-90.0, 270.0))?;
+    let panels = motion(&system, (0.95, 0.4), (-135.0, 270.0))?;
     Ok(Figure::new("6.16", "Five masses, load on the lowest, contact on the middle one: motion and phases", 1, panels)
         .with_sketch(drawn(&system))
         .with_keys(keys())
@@ -216,7 +234,7 @@ pub fn low_regimes() -> Drawn {
     Ok(Figure::new("6.10", "Motion regimes of five masses, load and contact on the lowest", 1, vec![map("", &system, 1.2)?])
         .with_sketch(drawn(&system))
         .with_caption(
-            "Equal masses and springs, *μ* = 1. *β*_lim has a maximum of about 0.8 beside each of the five resonances, and is zero \
+            "Equal masses and springs, *μ* = 1. *β*_lim has a maximum of 0.82 to 0.87 beside each of the five resonances, and is zero \
              at the four antiresonances of *m*_1 between them.",
         ))
 }

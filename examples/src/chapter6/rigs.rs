@@ -180,7 +180,7 @@ pub fn relative() -> Drawn {
     );
     Ok(Figure::new("6.29", "The rig, motion of the lower mass relative to the base", 2, row.panels(&responses).into())
         .with_sketch(drawn(&system))
-        .with_keys(strokes(true, false))
+        .with_keys(strokes(false, false))
         .with_caption(
             "First harmonic under base motion, *γ* = 0.9772, *κ* = 1.1119, *μ* = 1. Where the contact is stuck there is no relative motion, \
              and no phase.",

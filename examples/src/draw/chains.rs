@@ -3,7 +3,7 @@
 use super::colours::beta_colour;
 use super::responses::Responses;
 use super::systems::system;
-use super::tidy::{aligned, tidy, turned};
+use super::tidy::{aligned, tidy, turned, without_specks};
 use frictiongen::System;
 use frictiongen_plot::desk::{self, Reading, Scales, sketch};
 use frictiongen_plot::{Colour, Key, Layer, Marker, Panel, Scale, Sketch, Stroke};
@@ -134,7 +134,7 @@ impl Row<'_> {
         }
         let betas = responses.curves().iter().map(|curve| curve.beta);
         let first = betas.filter(|beta| 0.0 < *beta).map(beta_colour).next();
-        let panel = aligned(panel, first.unwrap_or(Colour::Black));
+        let panel = without_specks(aligned(panel, first.unwrap_or(Colour::Black)));
         if fitted {
             let mut panel = tidy(panel);
             (panel.y.low, panel.y.high) = reached(&panel);

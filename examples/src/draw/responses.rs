@@ -230,3 +230,21 @@ fn only(curve: &Curve, stuck: bool) -> Curve {
         gaps: Vec::new(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Responses;
+    use crate::draw::chain;
+    use frictiongen::Of;
+
+    #[test]
+    fn what_a_stuck_contact_cuts_off_costs_no_points() {
+        let system = chain(&[1.0; 5], &[1.0; 5], "m3 - wall", "m1", "");
+        let of: Vec<Of> = (0..5).map(Of::Mass).collect();
+        let responses = Responses::up_to(1e4, 1e-3, &system, (1.35, 1.5), &[2.0], &of);
+        let responses = responses.expect("a curve");
+        let pieces = responses.curves().iter().flat_map(|curve| &curve.pieces);
+        let points: usize = pieces.map(|piece| piece.points.len()).sum();
+        assert!(points < 5000, "{points}");
+    }
+}

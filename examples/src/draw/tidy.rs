@@ -6,6 +6,8 @@ use frictiongen_plot::{Axis, Colour, Layer, Line, Marker, Markers, Panel, Point,
 const STRAY: f64 = 3e-5;
 /// What lies further beyond an axis than its own length is left out.
 const BEYOND: f64 = 1.0;
+/// A run of phases shorter than this share of the axis is a speck.
+const SPECK: f64 = 2e-3;
 
 /// Leaves out the points of lines that a straight line shows as well, and dots of motions that do not settle.
 #[must_use]
@@ -111,6 +113,22 @@ fn distance(point: Point, a: Point, b: Point) -> f64 {
     (from.0 - share * along.0).hypot(from.1 - share * along.1)
 }
 
+/// Without runs of phases that are too short to be seen as lines, beside an amplitude that vanishes.
+#[must_use]
+pub fn without_specks(mut panel: Panel) -> Panel {
+    let least = SPECK * (panel.x.high - panel.x.low);
+    let width = |piece: &[Point]| match (piece.first(), piece.last()) {
+        (Some(first), Some(last)) => last.0 - first.0,
+        _ => 0.0,
+    };
+    for layer in &mut panel.layers {
+        if let Layer::Line(line) = layer {
+            line.pieces.retain(|piece| least < width(piece));
+        }
+    }
+    panel
+}
+
 /// Phases of several curves in degrees, all on the turn of the first that rubs: a run is moved by whole turns to where the
 /// runs before it are at its frequencies; what meets none, to the middle of the axis.
 #[must_use]
@@ -187,8 +205,9 @@ pub fn turned(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Whole turns, in degrees, that bring a run next to what is known at its frequencies.
-fn turns(piece: &[Point], known: &[Point], middle: f64) -> f64 {
+/// Whole turns, in degrees, that bring a run next to what is known at its frequencies, in ascending order.
+#[must_use]
+pub fn turns(piece: &[Point], known: &[Point], middle: f64) -> f64 {
     /// As far away, in r, a neighbour still tells.
     const REACH: f64 = 0.02;
     let mut votes: Vec<f64> = Vec::new();
