@@ -3,6 +3,7 @@
 use super::colours::beta_colour;
 use super::limit::at_limit;
 use super::simulated::simulated;
+use super::stuck::stuck;
 use frictiongen::study::{Curve, CurveError, CurveRequest};
 use frictiongen::{Of, Regime, System};
 use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
@@ -36,9 +37,24 @@ impl<'a> Responses<'a> {
         betas: &[f64],
         of: &[Of],
     ) -> Result<Self, CurveError> {
+        Self::up_to(LARGEST, 2e-4, system, range, betas, of)
+    }
+
+    /// The same with amplitudes up to `largest`, each curve as close as `accuracy` asks for.
+    ///
+    /// # Errors
+    /// Where the curves cannot be asked for.
+    pub fn up_to(
+        largest: f64,
+        accuracy: f64,
+        system: &'a System,
+        range: (f64, f64),
+        betas: &[f64],
+        of: &[Of],
+    ) -> Result<Self, CurveError> {
         let request = CurveRequest {
             harmonics: vec![1],
-            accuracy: 2e-4,
+            accuracy,
             turned: system.contact_is_reversed(),
             ..CurveRequest::new(range.0, range.1, of)
         };
@@ -47,7 +63,7 @@ impl<'a> Responses<'a> {
             for piece in &mut curve.pieces {
                 piece.points.retain(|point| {
                     let mut parts = point.movements.iter();
-                    parts.all(|part| part.swing.amplitude < LARGEST)
+                    parts.all(|part| part.swing.amplitude < largest)
                 });
             }
             Ok(curve)
@@ -71,6 +87,24 @@ impl<'a> Responses<'a> {
         }
         self.continuous = true;
         self
+    }
+
+    /// Without motions that stop.
+    #[must_use]
+    pub fn sliding_or_stuck(mut self) -> Self {
+        for curve in &mut self.curves {
+            curve
+                .pieces
+                .retain(|piece| piece.regime != Regime::StickSlip);
+        }
+        self
+    }
+
+    /// The response with the contact stuck, over the same range.
+    #[must_use]
+    pub fn stuck(&self, part: usize, reading: Reading) -> Line {
+        let of = self.of.get(part).copied().unwrap_or(Of::Contact);
+        stuck(self.system, self.range, of, reading)
     }
 
     /// The curves, in the order of the β.
@@ -205,7 +239,7 @@ pub fn only_regimes(curve: &Curve, stuck: bool) -> Curve {
 #[cfg(test)]
 mod tests {
     use super::Responses;
-    use crate::draw::block;
+    use crate::draw::{block, chain};
     use frictiongen::Of;
     use frictiongen_plot::Layer;
 
@@ -226,5 +260,16 @@ mod tests {
             .map(|piece| (piece[0].1, piece.last().expect("points").1))
             .collect();
         assert_eq!(ends, [(0.0, 0.0), (180.0, 180.0)]);
+    }
+
+    #[test]
+    fn what_a_stuck_contact_cuts_off_costs_no_points() {
+        let system = chain(&[1.0; 5], &[1.0; 5], "m3 - wall", "m1", "");
+        let of: Vec<Of> = (0..5).map(Of::Mass).collect();
+        let responses = Responses::up_to(1e4, 1e-3, &system, (1.35, 1.5), &[2.0], &of);
+        let responses = responses.expect("a curve");
+        let pieces = responses.curves().iter().flat_map(|curve| &curve.pieces);
+        let points: usize = pieces.map(|piece| piece.points.len()).sum();
+        assert!(points < 5000, "{points}");
     }
 }

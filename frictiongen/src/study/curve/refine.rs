@@ -21,6 +21,8 @@ const NARROW_PATTERN: f64 = 1e-4;
 const NARROW_GAP: f64 = 1e-7;
 /// Below this share of the largest amplitude of the first grid a bend is not followed.
 const SMALL: f64 = 1e-3;
+/// A motion below this share of another is none.
+const ROUNDING: f64 = 1e-6;
 
 /// A place with its response.
 #[derive(Clone, Debug)]
@@ -60,6 +62,11 @@ impl<'a> Refine<'a> {
             let mut sizes: Vec<f64> = sizes.filter(|size| 0.0 < *size).collect();
             sizes.sort_by(f64::total_cmp);
             *scale = SMALL * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+        }
+        // What a stuck contact cuts off moves by rounding only, whose bends nobody wants.
+        let least = ROUNDING * self.scales.iter().copied().fold(0.0, f64::max);
+        for scale in &mut self.scales {
+            *scale = scale.max(least);
         }
         self
     }

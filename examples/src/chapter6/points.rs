@@ -1,0 +1,49 @@
+//! Places at which an amplitude does not depend on friction.
+
+use frictiongen::{Of, System};
+
+/// What friction makes of the estimate (5.50) of an amplitude: above 0 where it grows with β.
+fn gain(system: &System, of: Of, r: f64) -> Option<f64> {
+    let at = system.at(r).ok()?;
+    // So little friction that the motion is continuous, and enough to tell.
+    let beta = 0.5 * at.limits().continuous;
+    let estimate = |beta: f64| {
+        let motion = at.motion(beta).ok()?;
+        Some(match of {
+            Of::Contact => motion.contact().amplitude_monoharmonic(),
+            Of::Mass(index) => motion.mass_at(index)?.amplitude_monoharmonic(),
+        })
+    };
+    Some((estimate(beta)? - estimate(0.0)?) / beta)
+}
+
+/// The roots of (6.10) between two frequency ratios: the estimated amplitude is the same for every β there.
+pub fn invariant(system: &System, of: Of, (from, to): (f64, f64)) -> Vec<f64> {
+    let steps = 1000;
+    let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(steps);
+    let mut roots = Vec::new();
+    for i in 0..steps {
+        let (mut low, mut high) = (place(i), place(i + 1));
+        let ends = (gain(system, of, low), gain(system, of, high));
+        let (Some(left), Some(right)) = ends else {
+            continue;
+        };
+        if (left < 0.0) == (right < 0.0) {
+            continue;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            match gain(system, of, middle) {
+                Some(value) if (value < 0.0) == (left < 0.0) => low = middle,
+                Some(_) => high = middle,
+                None => break,
+            }
+        }
+        let root = 0.5 * (low + high);
+        // At a pole the sign changes too.
+        if gain(system, of, root).is_some_and(|value| value.abs() < 1e-6) {
+            roots.push(root);
+        }
+    }
+    roots
+}

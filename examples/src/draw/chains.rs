@@ -1,0 +1,194 @@
+//! Chains of masses m₁, m₂, …: their description, and amplitude and phase of a mass side by side.
+
+use super::colours::beta_colour;
+use super::responses::Responses;
+use super::systems::system;
+use super::tidy::{aligned, tidy, turned, without_specks};
+use frictiongen::System;
+use frictiongen_plot::desk::{self, Reading, Scales, sketch};
+use frictiongen_plot::{Colour, Key, Layer, Marker, Panel, Scale, Sketch, Stroke};
+
+/// What stands along the axis of frequency where a system has several masses.
+pub const RATIO: &str = "frequency ratio *r*_1";
+
+/// The range of phases before it is fitted.
+const WIDE: (f64, f64) = (-180.0, 900.0);
+
+/// A chain of masses m1, m2, … that begins at the base; its masses and springs as multiples of the first.
+#[must_use]
+pub fn chain(
+    masses: &[f64],
+    springs: &[f64],
+    contact: &str,
+    excitation: &str,
+    more: &str,
+) -> System {
+    let masses = masses.iter().enumerate();
+    let masses: Vec<String> = masses.map(|(i, m)| format!("m{}: {m:?}", i + 1)).collect();
+    let spring = |(i, k): (usize, &f64)| match i {
+        0 => format!("base - m1: {k:?}"),
+        _ => format!("m{i} - m{}: {k:?}", i + 1),
+    };
+    let springs: Vec<String> = springs.iter().enumerate().map(spring).collect();
+    system(&format!(
+        "struct Chain {{
+            masses: {{ {} }}, springs: {{ {} }},
+            contact: {contact}, excitation: {excitation}, {more}
+        }}",
+        masses.join(", "),
+        springs.join(", "),
+    ))
+}
+
+/// A system as a sketch, with the thesis's names.
+#[must_use]
+pub fn drawn(system: &System) -> Sketch {
+    sketch(system.scene(), false)
+}
+
+/// A panel over r₁.
+#[must_use]
+pub fn over_r1(mut panel: Panel) -> Panel {
+    panel.x.label = RATIO.into();
+    panel
+}
+
+/// Regimes over r₁ and β.
+///
+/// # Errors
+/// Where the limits cannot be asked for.
+pub fn map(title: &str, system: &System, top: f64) -> Result<Panel, Box<dyn std::error::Error>> {
+    let lines = system.limit_lines(0.0, 2.5, 1e-4)?;
+    let panel = desk::regimes(title, &lines, top, &Scales::groups(system));
+    Ok(tidy(over_r1(panel)))
+}
+
+/// What a row of two panels shows: amplitude and phase of one part.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<'a> {
+    /// Which of the parts asked for.
+    pub part: usize,
+    /// What stands over each panel.
+    pub titles: [&'a str; 2],
+    /// What stands along each panel.
+    pub labels: [&'a str; 2],
+    /// Between which amplitudes are drawn; from above 0 on, the axis is logarithmic.
+    pub sizes: (f64, f64),
+    /// Between which degrees phases are drawn; as far as they reach if both are the same.
+    pub ends: (f64, f64),
+    /// Whether the response with the contact stuck is drawn.
+    pub stuck: bool,
+    /// From which r on the response at the limit is drawn.
+    pub limit_from: f64,
+    /// How far apart the circles of the simulation are in r; 0 for none.
+    pub circles: f64,
+    /// Whether the first harmonic is drawn in place of the motion.
+    pub harmonic: bool,
+}
+
+impl Row<'_> {
+    /// Both panels.
+    #[must_use]
+    pub fn panels(&self, responses: &Responses<'_>) -> [Panel; 2] {
+        [self.amplitude(responses), self.phase(responses)]
+    }
+
+    /// The amplitude.
+    #[must_use]
+    pub fn amplitude(&self, responses: &Responses<'_>) -> Panel {
+        let reading = if self.harmonic {
+            Reading::Harmonic(0)
+        } else {
+            Reading::Amplitude
+        };
+        let y = (self.labels[0], Some(self.sizes));
+        let mut panel = self.panel(responses, self.titles[0], reading, y);
+        if 0.0 < self.sizes.0 {
+            panel.y.scale = Scale::Log;
+        }
+        if 0.0 < self.circles {
+            let circles = responses.simulation(self.circles, self.part, reading);
+            panel.layers.extend(circles);
+        }
+        tidy(panel)
+    }
+
+    /// The phase.
+    #[must_use]
+    pub fn phase(&self, responses: &Responses<'_>) -> Panel {
+        let reading = if self.harmonic {
+            Reading::HarmonicPhase(0)
+        } else {
+            Reading::Phase
+        };
+        let fitted = self.ends.0 == self.ends.1;
+        let y = if fitted { WIDE } else { self.ends };
+        let y = (self.labels[1], Some(y));
+        let mut panel = self.panel(responses, self.titles[1], reading, y);
+        panel.y = panel.y.degrees();
+        if 0.0 < self.circles {
+            // Where the contact stops, the maximum is a plateau, and its lag says little (3.6.1).
+            let continuous = responses.clone().continuous();
+            let circles = continuous.simulation(self.circles, self.part, reading);
+            panel.layers.extend(circles);
+        }
+        let betas = responses.curves().iter().map(|curve| curve.beta);
+        let first = betas.filter(|beta| 0.0 < *beta).map(beta_colour).next();
+        let panel = without_specks(aligned(panel, first.unwrap_or(Colour::Black)));
+        if fitted {
+            let mut panel = tidy(panel);
+            (panel.y.low, panel.y.high) = reached(&panel);
+            return panel;
+        }
+        tidy(turned(panel))
+    }
+
+    fn panel(
+        &self,
+        responses: &Responses<'_>,
+        title: &str,
+        reading: Reading,
+        y: (&str, Option<(f64, f64)>),
+    ) -> Panel {
+        let mut panel = responses.panel(title, self.part, reading, y);
+        let mut limit = responses.limit(self.part, reading);
+        for piece in &mut limit.pieces {
+            piece.retain(|point| self.limit_from <= point.0);
+        }
+        if self.stuck {
+            // As far as it goes, not only where one of the β reaches it.
+            let some =
+                |layer: &Layer| matches!(layer, Layer::Line(line) if line.stroke == Stroke::Dotted);
+            panel.layers.retain(|layer| !some(layer));
+            panel = panel.with(responses.stuck(self.part, reading));
+        }
+        over_r1(panel.with(limit))
+    }
+}
+
+/// Between which multiples of 90 degrees the lines of a panel lie, and a little more.
+fn reached(panel: &Panel) -> (f64, f64) {
+    let lines = panel.layers.iter().filter_map(|layer| match layer {
+        Layer::Line(line) => Some(line),
+        _ => None,
+    });
+    let phases = lines.flat_map(|line| line.pieces.iter().flatten().map(|point| point.1));
+    let (low, high) = phases.fold((0.0_f64, 180.0_f64), |(low, high), phase| {
+        (low.min(phase), high.max(phase))
+    });
+    let (low, high) = ((low / 90.0).ceil() * 90.0, (high / 90.0).floor() * 90.0);
+    (low - 50.0, high + 50.0)
+}
+
+/// What strokes mean, and circles; the last of the strokes only where something is stuck.
+#[must_use]
+pub fn strokes(stuck: bool, circles: bool) -> Vec<Key> {
+    let mut keys = desk::keys();
+    if !stuck {
+        keys.truncate(2);
+    }
+    if circles {
+        keys.push(Key::marker("simulation from rest", Marker::Circle));
+    }
+    keys
+}

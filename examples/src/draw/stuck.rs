@@ -1,0 +1,52 @@
+//! What still moves when the contact is stuck.
+
+use frictiongen::{Of, System};
+use frictiongen_plot::desk::Reading;
+use frictiongen_plot::{Colour, Line, Point, Stroke};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// Places of a line; more than a picture shows.
+const STEPS: u32 = 10_000;
+/// Less than this is rest.
+const REST: f64 = 1e-9;
+/// Neighbours whose lags differ by more, rad, are not joined.
+const TURN: f64 = 0.6;
+
+/// The response with the contact stuck over a range of r, whatever the friction; no line for what rests then.
+#[must_use]
+pub fn stuck(system: &System, (from, to): (f64, f64), of: Of, reading: Reading) -> Line {
+    let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
+    let mut last: Option<f64> = None;
+    for i in 0..=STEPS {
+        let r = from + (to - from) * f64::from(i) / f64::from(STEPS);
+        let Some((amplitude, lag)) = read(system, r, of) else {
+            pieces.push(Vec::new());
+            continue;
+        };
+        let near = lag - ((lag - last.unwrap_or(FRAC_PI_2)) / TAU).round() * TAU;
+        let jumps = last.is_some_and(|last| TURN < (near - last).abs());
+        // Undamped, the lag jumps where the amplitude has a pole or vanishes.
+        if jumps {
+            pieces.push(Vec::new());
+        }
+        last = Some(near);
+        let value = match reading {
+            Reading::Amplitude | Reading::Harmonic(_) => amplitude,
+            Reading::Phase | Reading::HarmonicPhase(_) => near.to_degrees(),
+        };
+        if let Some(piece) = pieces.last_mut() {
+            piece.push((r, value));
+        }
+    }
+    pieces.retain(|piece| 1 < piece.len());
+    Line::new("stuck", Colour::Black, Stroke::Dotted, pieces)
+}
+
+fn read(system: &System, r: f64, of: Of) -> Option<(f64, f64)> {
+    let Of::Mass(index) = of else {
+        return None;
+    };
+    let x = system.at(r).ok()?.stuck().ok()?.mass_at(index)?;
+    let amplitude = x.re.hypot(x.im);
+    (REST < amplitude).then(|| (amplitude, -x.im.atan2(x.re)))
+}

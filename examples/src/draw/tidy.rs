@@ -1,0 +1,283 @@
+//! What a panel over frequency does not need: points on straight lines, turns of a phase, motions that do not settle.
+
+use frictiongen_plot::{Axis, Colour, Layer, Line, Marker, Markers, Panel, Point, Scale, Stroke};
+
+/// How far a left-out point may lie off its line, as a share of the axis: a hundredth of a pixel.
+const STRAY: f64 = 3e-5;
+/// What lies further beyond an axis than its own length is left out.
+const BEYOND: f64 = 1.0;
+/// A run of phases shorter than this share of the axis is a speck.
+const SPECK: f64 = 2e-3;
+
+/// Leaves out the points of lines that a straight line shows as well, and dots of motions that do not settle.
+#[must_use]
+pub fn tidy(mut panel: Panel) -> Panel {
+    let scattered = |layer: &Layer| {
+        matches!(
+            layer,
+            Layer::Markers(Markers {
+                marker: Marker::Dot,
+                name: None,
+                ..
+            })
+        )
+    };
+    panel.layers.retain(|layer| !scattered(layer));
+    let (x, y) = (panel.x.clone(), panel.y.clone());
+    for layer in &mut panel.layers {
+        if let Layer::Line(line) = layer {
+            let near = line.pieces.iter().flat_map(|piece| seen(piece, &y));
+            let thinned = near.map(|piece| thin(&piece, &x, &y));
+            line.pieces = thinned.filter(|piece| 1 < piece.len()).collect();
+        }
+    }
+    panel
+}
+
+/// Where a value lies on an axis, 0 to 1.
+fn share(axis: &Axis, value: f64) -> f64 {
+    match axis.scale {
+        Scale::Linear => (value - axis.low) / (axis.high - axis.low),
+        Scale::Log => {
+            let place = |value: f64| value.max(f64::MIN_POSITIVE).ln();
+            (place(value) - place(axis.low)) / (place(axis.high) - place(axis.low))
+        }
+    }
+}
+
+/// The parts of a piece that are not far beyond the axis, each with a point beyond it at either end.
+fn seen(piece: &[Point], y: &Axis) -> Vec<Vec<Point>> {
+    let far = |point: &Point| !(-BEYOND..=1.0 + BEYOND).contains(&share(y, point.1));
+    let mut parts: Vec<Vec<Point>> = vec![Vec::new()];
+    let mut last: Option<Point> = None;
+    for point in piece {
+        if far(point) {
+            // The last point beyond, not the first: it may be the end of a jump.
+            if last.is_some_and(|last| !far(&last)) {
+                parts
+                    .last_mut()
+                    .into_iter()
+                    .for_each(|part| part.push(*point));
+                parts.push(Vec::new());
+            }
+        } else if let Some(part) = parts.last_mut() {
+            if part.is_empty() {
+                part.extend(last);
+            }
+            part.push(*point);
+        }
+        last = Some(*point);
+    }
+    parts
+}
+
+/// A piece with the fewest points that show it.
+fn thin(piece: &[Point], x: &Axis, y: &Axis) -> Vec<Point> {
+    let places: Vec<Point> = piece
+        .iter()
+        .map(|p| (share(x, p.0), share(y, p.1)))
+        .collect();
+    let mut kept = vec![false; piece.len()];
+    let mut open = vec![(0, piece.len().saturating_sub(1))];
+    while let Some((from, to)) = open.pop() {
+        for end in [from, to] {
+            if let Some(kept) = kept.get_mut(end) {
+                *kept = true;
+            }
+        }
+        let (Some(a), Some(b)) = (places.get(from), places.get(to)) else {
+            continue;
+        };
+        let inner = places.iter().enumerate().take(to).skip(from + 1);
+        let farthest = inner
+            .map(|(index, point)| (index, distance(*point, *a, *b)))
+            .max_by(|one, other| one.1.total_cmp(&other.1));
+        if let Some((index, _)) = farthest.filter(|(_, away)| STRAY < *away) {
+            open.extend([(from, index), (index, to)]);
+        }
+    }
+    let shown = piece.iter().zip(kept).filter(|(_, kept)| *kept);
+    shown.map(|(point, _)| *point).collect()
+}
+
+/// From a point to the segment between two others.
+fn distance(point: Point, a: Point, b: Point) -> f64 {
+    let along = (b.0 - a.0, b.1 - a.1);
+    let from = (point.0 - a.0, point.1 - a.1);
+    let square = along.0 * along.0 + along.1 * along.1;
+    let share = if 0.0 < square {
+        ((from.0 * along.0 + from.1 * along.1) / square).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    (from.0 - share * along.0).hypot(from.1 - share * along.1)
+}
+
+/// Without runs of phases that are too short to be seen as lines, beside an amplitude that vanishes.
+#[must_use]
+pub fn without_specks(mut panel: Panel) -> Panel {
+    let least = SPECK * (panel.x.high - panel.x.low);
+    let width = |piece: &[Point]| match (piece.first(), piece.last()) {
+        (Some(first), Some(last)) => last.0 - first.0,
+        _ => 0.0,
+    };
+    for layer in &mut panel.layers {
+        if let Layer::Line(line) = layer {
+            line.pieces.retain(|piece| least < width(piece));
+        }
+    }
+    panel
+}
+
+/// Phases of several curves in degrees, all on the turn of the first that rubs: a run is moved by whole turns to where the
+/// runs before it are at its frequencies; what meets none, to the middle of the axis.
+#[must_use]
+pub fn aligned(mut panel: Panel, first: Colour) -> Panel {
+    let middle = 0.5 * (panel.y.low + panel.y.high);
+    let mut known: Vec<Point> = Vec::new();
+    let is_first = |line: &Line| line.colour == first;
+    let mut lines: Vec<&mut Line> = Vec::new();
+    let mut circles: Vec<&mut Markers> = Vec::new();
+    for layer in &mut panel.layers {
+        match layer {
+            Layer::Line(line) => lines.push(line),
+            Layer::Markers(markers) => circles.push(markers),
+            _ => {}
+        }
+    }
+    // The first curve stays as it is; the one without friction, with its two values, comes last.
+    let order = |line: &&mut Line| match line.stroke {
+        _ if is_first(line) => 0,
+        Stroke::Solid | Stroke::DashDot => 1,
+        _ => 2,
+    };
+    lines.sort_by_key(order);
+    for line in lines {
+        let settled = is_first(line);
+        let mut added = Vec::new();
+        for piece in &mut line.pieces {
+            if !settled {
+                let by = turns(piece, &known, middle);
+                piece.iter_mut().for_each(|point| point.1 += by);
+            }
+            added.extend(piece.iter().copied());
+        }
+        if line.stroke != Stroke::Dotted {
+            known.extend(added);
+        }
+        known.sort_by(|one, other| one.0.total_cmp(&other.0));
+    }
+    for markers in circles {
+        for point in &mut markers.points {
+            point.1 += turns(&[*point], &known, middle);
+        }
+    }
+    panel
+}
+
+/// Every run of phases, and every circle, that lies beyond the axis on the turn nearest to its middle.
+#[must_use]
+pub fn turned(mut panel: Panel) -> Panel {
+    let (low, high) = (panel.y.low, panel.y.high);
+    let by = |mean: f64| {
+        if (low..=high).contains(&mean) {
+            0.0
+        } else {
+            360.0 * ((0.5 * (low + high) - mean) / 360.0).round()
+        }
+    };
+    for layer in &mut panel.layers {
+        match layer {
+            Layer::Line(line) => {
+                for piece in &mut line.pieces {
+                    let sum: f64 = piece.iter().map(|point| point.1).sum();
+                    let by = by(sum / piece.len().max(1) as f64);
+                    piece.iter_mut().for_each(|point| point.1 += by);
+                }
+            }
+            Layer::Markers(markers) => {
+                let points = markers.points.iter_mut();
+                points.for_each(|point| point.1 += by(point.1));
+            }
+            _ => {}
+        }
+    }
+    panel
+}
+
+/// Whole turns, in degrees, that bring a run next to what is known at its frequencies, in ascending order.
+#[must_use]
+pub fn turns(piece: &[Point], known: &[Point], middle: f64) -> f64 {
+    /// As far away, in r, a neighbour still tells.
+    const REACH: f64 = 0.02;
+    let mut votes: Vec<f64> = Vec::new();
+    for (x, y) in piece {
+        let at = known.partition_point(|point| point.0 < *x);
+        let near = known.iter().take(at + 12).skip(at.saturating_sub(12));
+        let beside = near.filter(|point| (point.0 - x).abs() < REACH);
+        votes.extend(beside.map(|point| ((point.1 - y) / 360.0).round()));
+    }
+    votes.sort_by(f64::total_cmp);
+    let vote = votes.get(votes.len() / 2).copied();
+    let mean = piece.iter().map(|point| point.1).sum::<f64>() / piece.len().max(1) as f64;
+    360.0 * vote.unwrap_or_else(|| ((middle - mean) / 360.0).round())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{aligned, tidy};
+    use frictiongen_plot::{Axis, Colour, Layer, Line, Panel, Stroke};
+
+    fn pieces(panel: &Panel, index: usize) -> Vec<Vec<(f64, f64)>> {
+        match &panel.layers[index] {
+            Layer::Line(line) => line.pieces.clone(),
+            _ => Vec::new(),
+        }
+    }
+
+    fn panel(lines: Vec<(Colour, Vec<(f64, f64)>)>, high: f64) -> Panel {
+        let empty = Panel::new("", Axis::new("", 0.0, 1.0), Axis::new("", 0.0, high));
+        let drawn = |(colour, piece)| Line::unnamed(colour, Stroke::Solid, vec![piece]);
+        lines.into_iter().map(drawn).fold(empty, Panel::with)
+    }
+
+    #[test]
+    fn straight_lines_need_two_points() {
+        let straight = (0..=100).map(|i| f64::from(i) / 100.0).map(|x| (x, x));
+        let bent = (0..=100)
+            .map(|i| f64::from(i) / 100.0)
+            .map(|x| (x, (x - 0.5).abs()));
+        let lines = vec![
+            (Colour::Black, straight.collect()),
+            (Colour::Black, bent.collect()),
+        ];
+        let tidied = tidy(panel(lines, 1.0));
+        assert_eq!(pieces(&tidied, 0), [[(0.0, 0.0), (1.0, 1.0)]]);
+        assert_eq!(pieces(&tidied, 1)[0].len(), 3);
+    }
+
+    #[test]
+    fn a_pole_ends_beyond_the_axis() {
+        let pole = (1..=1000)
+            .map(|i| f64::from(i) / 1000.0)
+            .map(|x| (x, 1.0 / x));
+        let tidied = tidy(panel(vec![(Colour::Black, pole.collect())], 4.0));
+        let drawn = &pieces(&tidied, 0)[0];
+        assert!(
+            8.0 < drawn[0].1 && drawn[0].1 < 8.5 && drawn.len() < 400,
+            "{}",
+            drawn.len()
+        );
+    }
+
+    #[test]
+    fn phases_lie_on_one_turn() {
+        let first = Colour::Series(0);
+        let lines = vec![
+            (Colour::Black, vec![(0.0, -10.0), (0.5, -20.0)]),
+            (first, vec![(0.0, 350.0), (0.5, 340.0)]),
+        ];
+        let moved = aligned(panel(lines, 360.0), first);
+        assert_eq!(pieces(&moved, 0), [[(0.0, 350.0), (0.5, 340.0)]]);
+    }
+}
