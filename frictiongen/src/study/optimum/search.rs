@@ -6,6 +6,7 @@
 
 use super::amplitude::Friction;
 use super::peaks::{Band, Peak};
+use crate::study::system::System;
 
 /// Friction ratios of the scan.
 const SCAN: usize = 40;
@@ -71,7 +72,13 @@ pub(super) fn least(band: &Band<'_>) -> Option<Least> {
         .filter(|scanned| scanned.value.is_finite())
         .min_by(|a, b| a.value.total_cmp(&b.value))?
         .clone();
-    for (below, above) in between(&scan, best.value) {
+    // Nothing is less than rest; just below the friction that holds all, motions too small to settle lead there.
+    let worth = if best.value == 0.0 {
+        Vec::new()
+    } else {
+        between(&scan, best.value)
+    };
+    for (below, above) in worth {
         if let Some(found) = minimum(band, below, above)
             && found.value < best.value
         {
@@ -88,33 +95,15 @@ pub(super) fn least(band: &Band<'_>) -> Option<Least> {
     })
 }
 
-/// The least between two friction ratios around one that is nearly so.
-pub(super) fn least_near(band: &Band<'_>, beta: f64, width: f64) -> Option<Least> {
-    let [free_to, locked_from] = band.limits();
-    let scan: Vec<Scanned> = [1.0 - width, 1.0, 1.0 + width]
-        .iter()
-        .map(|share| scanned_at(band, beta * share))
-        .collect();
-    let mut best = scan
-        .iter()
-        .filter(|scanned| scanned.value.is_finite())
-        .min_by(|a, b| a.value.total_cmp(&b.value))?
-        .clone();
-    for (below, above) in between(&scan, best.value) {
-        if let Some(found) = minimum(band, below, above)
-            && found.value < best.value
-        {
-            best = found;
-        }
-    }
-    let kind = kind(band, &best, locked_from);
-    Some(Least {
-        at: best,
-        kind,
-        scan,
-        locked_from,
-        free_to,
-    })
+/// Up to this friction ratio the amplitude at an undamped resonance of the band is unbounded; 0 where there is none.
+pub(super) fn unbounded_to(system: &System, [from, to]: [f64; 2]) -> f64 {
+    let modal = system.modal();
+    let modes = modal.damping_ratios.iter().zip(system.resonances());
+    let modes = modes.zip(system.resonance_thresholds());
+    modes
+        .filter(|((zeta, resonance), _)| zeta.is_zero() && from <= **resonance && **resonance <= to)
+        .filter_map(|(_, threshold)| threshold)
+        .fold(0.0, f64::max)
 }
 
 fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
@@ -122,7 +111,8 @@ fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
     let mut top = if locked_from.is_finite() {
         locked_from
     } else {
-        4.0 * free_to.max(1.0)
+        let unbounded_to = unbounded_to(band.amplitude.system, band.ends());
+        (4.0 * free_to.max(1.0)).max(2.0 * unbounded_to)
     };
     let mut scan: Vec<Scanned> = (0..=SCAN)
         .map(|place| top * (place as f64 / SCAN as f64).powf(1.5))
