@@ -26,6 +26,8 @@ const EQUAL: f64 = 2e-13;
 const DIFFERENCE: f64 = 1e-6;
 /// A minimum in which a higher peak turns up is looked for again so often.
 const AGAIN: usize = 4;
+/// Where peaks cannot be followed, friction is halved so often.
+const HALVINGS: usize = 32;
 /// How often a scan without an end is made twice as long.
 const LONGER: usize = 12;
 
@@ -207,7 +209,9 @@ fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
 /// The minimum between two friction ratios, looked at once more over the whole band.
 fn minimum(band: &Band<'_>, mut below: Scanned, mut above: Scanned) -> Option<Scanned> {
     for _ in 0..AGAIN {
-        let found = crept(band, &below, &above)?;
+        let Some(found) = crept(band, &below, &above) else {
+            break;
+        };
         let all = band.peaks(Friction::Ratio(found.beta));
         let top = all.first()?;
         if top.value <= found.value * (1.0 + 1e-10) {
@@ -221,7 +225,25 @@ fn minimum(band: &Band<'_>, mut below: Scanned, mut above: Scanned) -> Option<Sc
             above = scanned;
         }
     }
-    None
+    halved(band, below, above)
+}
+
+/// The same over the whole band at every step, by halves: where steady states come and go, peaks cannot be followed.
+fn halved(band: &Band<'_>, mut below: Scanned, mut above: Scanned) -> Option<Scanned> {
+    for _ in 0..HALVINGS {
+        let here = scanned_at(band, 0.5 * (below.beta + above.beta));
+        if here.slope < 0.0 || !here.value.is_finite() {
+            below = here;
+        } else {
+            above = here;
+        }
+    }
+    let best = if below.value < above.value {
+        below
+    } else {
+        above
+    };
+    best.value.is_finite().then_some(best)
 }
 
 /// The minimum of the peaks that either side has.
