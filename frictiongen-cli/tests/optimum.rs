@@ -108,7 +108,7 @@ fn what_is_wrong_is_named() {
         ("--hz x:2 --of block", "--hz `x:2`: `x` is not a number"),
         (
             "--r 0.5:2 --of roof",
-            "--of: there is no mass `roof`; the masses are contact, block",
+            "--of: there is no mass `roof`; the masses are block",
         ),
         (
             "--r 0.5:2 --of block --force 1",

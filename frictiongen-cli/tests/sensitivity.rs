@@ -197,7 +197,7 @@ fn what_is_wrong_is_named() {
     for (line, message) in [
         (
             "--r 1 --beta 1 --of roof",
-            "--of: there is no mass `roof`; the masses are contact, block",
+            "--of: there is no mass `roof`; the masses are block",
         ),
         (
             "--r 1 --friction 1 --of block",
