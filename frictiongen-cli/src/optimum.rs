@@ -10,9 +10,7 @@ use crate::output::{self, Report, Visitor};
 use crate::summary::Summary;
 use crate::table::Column;
 use frictiongen::System;
-use frictiongen::study::{
-    FrequencyBand, OperatingPoint, Optimum, OptimumKind, OptimumRequest, Parameter, Quantity, Vary,
-};
+use frictiongen::study::{FrequencyBand, OperatingPoint, Optimum, OptimumKind, OptimumRequest};
 use frictiongen_codegen::Limits;
 use std::io::Write;
 
@@ -28,77 +26,21 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
     }
     let part = asked::part(&system, &arguments.of)?;
     let measure = Measure::of(&arguments.load, &system)?;
-    let vary = match &arguments.vary {
-        Some(text) => Some(vary(&system, text)?),
-        None => None,
-    };
     let request = OptimumRequest {
         of: part.of,
         band: FrequencyBand::Ratio(band.from, band.to),
         load: measure.load(),
-        vary,
     };
     let optimum = system.optimum(&request).map_err(Failure::new)?;
     let summary = Summary::of(&system, band.is_physical(), measure);
-    // What is chosen may be what the groups and the units refer to.
-    let measure = Measure::of(&arguments.load, &optimum.system)?;
     let report = OptimumReport {
         optimum,
         band,
         measure,
         part,
-        request,
+        system,
     };
     output::print(&report, &summary, arguments.format.checked()?, out)
-}
-
-/// A spring `a - b`, a mode `zeta 1`, with or without a range `=from:to`.
-fn vary(system: &System, text: &str) -> Result<Vary, Failure> {
-    let wrong = |problem: &str| Failure::new(format_args!("--vary `{text}`: {problem}"));
-    let (name, range) = match text.split_once('=') {
-        Some((name, range)) => (name, Some(range)),
-        None => (text, None),
-    };
-    let quantity = quantity(system, name.trim())
-        .ok_or_else(|| wrong("give a spring as `a - b`, or the damping of a mode as `zeta 1`"))?;
-    let around = Vary::around(system, quantity);
-    let Some(range) = range else {
-        return around.ok_or_else(|| {
-            wrong("only a spring, or the damping ratio of a mode of a scene with modal damping, can be varied; one that is 0 needs a range")
-        });
-    };
-    let number = |text: &str| {
-        text.trim()
-            .parse::<f64>()
-            .map_err(|_| wrong(&format!("`{text}` is not a number")))
-    };
-    let (from, to) = range
-        .split_once(':')
-        .ok_or_else(|| wrong("a range is from:to"))?;
-    let (from, to) = (number(from)?, number(to)?);
-    if 0.0 < from && from < to && to.is_finite() {
-        Ok(Vary { quantity, from, to })
-    } else {
-        Err(wrong(
-            "a range is above 0 and finite, its end above its start",
-        ))
-    }
-}
-
-fn quantity(system: &System, name: &str) -> Option<Quantity> {
-    let scene = system.scene();
-    if let Some(mode) = name.strip_prefix("zeta ") {
-        let mode: usize = mode.trim().parse().ok()?;
-        let place = mode.checked_sub(1)?;
-        return (place < scene.masses.len()).then_some(Quantity::DampingRatio(place));
-    }
-    let (a, b) = name.split_once('-')?;
-    let (a, b) = (a.trim(), b.trim());
-    let place = scene.springs.iter().position(|spring| {
-        let ends = (scene.node_name(spring.from), scene.node_name(spring.to));
-        ends == (a, b) || ends == (b, a)
-    })?;
-    Some(Quantity::Stiffness(place))
 }
 
 struct OptimumReport {
@@ -106,7 +48,7 @@ struct OptimumReport {
     band: Band,
     measure: Measure,
     part: Part,
-    request: OptimumRequest,
+    system: System,
 }
 
 /// A number and what it is.
@@ -141,17 +83,6 @@ impl OptimumReport {
         if physical {
             add("beta".to_owned(), optimum.beta.into(), "");
         }
-        if let (Some((value, at_end)), Some(vary)) = (optimum.varied, self.request.vary) {
-            let point = OperatingPoint::Groups { r: 1.0, beta: 1.0 };
-            let parameter = Parameter::Quantity(vary.quantity);
-            let symbol = parameter.symbol(optimum.system.scene(), &point);
-            let name = if at_end {
-                format!("{symbol}, an end of its range")
-            } else {
-                symbol
-            };
-            add(name, value.into(), parameter.unit(&point));
-        }
         add(
             format!("largest amplitude of {}", self.part.name),
             size(optimum.amplitude),
@@ -170,9 +101,9 @@ impl OptimumReport {
             } else {
                 "peak at"
             };
-            let frequency = self.band.frequency(&optimum.system, peak.r);
+            let frequency = self.band.frequency(&self.system, peak.r);
             if self.band.is_physical() {
-                add(at.to_owned(), frequency.hertz(&optimum.system).into(), "Hz");
+                add(at.to_owned(), frequency.hertz(&self.system).into(), "Hz");
             }
             add(format!("{at} r"), peak.r.into(), "");
             add("  amplitude".to_owned(), size(peak.amplitude), length);
@@ -188,6 +119,14 @@ impl OptimumReport {
             add(format!("{percent}: friction from"), from.into(), unit);
             let (to, unit) = friction(tolerance.to);
             add(format!("{percent}: friction to"), to.into(), unit);
+        }
+        if 0.0 < optimum.unbounded_to {
+            let (force, unit) = friction(optimum.unbounded_to);
+            add(
+                "unbounded at a resonance up to".to_owned(),
+                force.into(),
+                unit,
+            );
         }
         for (name, beta) in [
             ("nothing sticks up to", optimum.free_of_sticking),
@@ -213,7 +152,7 @@ impl OptimumReport {
                 load,
             };
             for (parameter, relative) in &optimum.sensitivities {
-                let symbol = parameter.symbol(optimum.system.scene(), &point);
+                let symbol = parameter.symbol(self.system.scene(), &point);
                 add(
                     format!("per cent of it for one per cent of {symbol}"),
                     (*relative).into(),

@@ -347,10 +347,6 @@ pub struct OptimumArguments {
     /// The amplitude of this mass, or of `contact`
     #[arg(long, value_name = "NAME")]
     pub of: String,
-    /// Choose a spring `a - b` or the damping `zeta 1` of a mode too; `=from:to` says where
-    /// [default: from a quarter to four times its value]
-    #[arg(long, value_name = "WHAT", allow_hyphen_values = true)]
-    pub vary: Option<String>,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,

@@ -38,7 +38,7 @@ pub use history::{
 pub use map::{Boundary, LimitLines, Map, MapColumn, MapPoint, MapRequest, Pattern};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
 pub use optimum::{
-    FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumPeak, OptimumRequest, Tolerance, Vary,
+    FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumPeak, OptimumRequest, Tolerance,
 };
 pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
 pub use physical::{OperatingPoint, Parameter, ParameterSensitivity, ResponseSensitivities, Slope};

@@ -7,6 +7,11 @@ use crate::study::{Sensitive, SystemResponse};
 use crate::{Error, NoOrbit, NotContinuous, Of, Regime};
 use std::cell::Cell;
 
+/// So many amplitudes are asked for at most.
+const MOST: usize = 250_000;
+/// One whose motion does not settle, or that has no answer, takes as long as so many for each mass.
+const UNSETTLED: usize = 100;
+
 /// How much friction there is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Friction {
@@ -23,6 +28,8 @@ pub(super) struct Amplitude<'s> {
     unvaried: Varied,
     /// How often it has been asked for.
     pub asked: Cell<usize>,
+    /// The same, with those that take longer counted as often as they are long.
+    work: Cell<usize>,
     /// How often there was no answer.
     pub silent: Cell<usize>,
 }
@@ -34,6 +41,7 @@ impl<'s> Amplitude<'s> {
             of,
             unvaried: system.unvaried(),
             asked: Cell::new(0),
+            work: Cell::new(0),
             silent: Cell::new(0),
         }
     }
@@ -46,11 +54,27 @@ impl<'s> Amplitude<'s> {
         }
     }
 
+    /// Whether there has been so much work that there are no more answers.
+    pub(super) fn is_spent(&self) -> bool {
+        MOST <= self.work.get()
+    }
+
+    fn spend(&self, work: usize) {
+        self.work.set(self.work.get() + work);
+    }
+
     /// The amplitude over P/k₁, for base motion over Y; infinite on a resonance that nothing bounds, NaN where there is no
-    /// answer.
+    /// answer, and once the work is spent.
     pub(super) fn at(&self, r: f64, friction: Friction) -> f64 {
+        if self.is_spent() {
+            return f64::NAN;
+        }
         self.asked.set(self.asked.get() + 1);
+        self.spend(1);
         let found = self.response(r, friction).map(|response| {
+            if !response.is_settled() {
+                self.spend(UNSETTLED * self.system.scene().masses.len());
+            }
             let swing = response.swing(self.of);
             swing.map_or(f64::NAN, |swing| swing.amplitude)
         });
@@ -63,6 +87,7 @@ impl<'s> Amplitude<'s> {
             ) => f64::INFINITY,
             Err(_) => {
                 self.silent.set(self.silent.get() + 1);
+                self.spend(UNSETTLED * self.system.scene().masses.len());
                 f64::NAN
             }
         }

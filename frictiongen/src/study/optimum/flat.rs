@@ -13,6 +13,11 @@ const NEAR: f64 = 1e-9;
 /// The interval around the optimum within which the largest amplitude is at most so much above the best.
 pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Tolerance {
     let level = least.at.value * (1.0 + excess);
+    if level == 0.0 {
+        // At rest: nothing but rest is within a share of it.
+        let (from, to) = (least.at.beta, f64::INFINITY);
+        return Tolerance { excess, from, to };
+    }
     let within = |scanned: &Scanned| scanned.value <= level;
     let below = least.scan.iter().rev();
     let mut below = below.filter(|scanned| scanned.beta < least.at.beta);

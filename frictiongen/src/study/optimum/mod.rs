@@ -5,7 +5,6 @@ mod flat;
 mod line;
 mod peaks;
 mod search;
-mod vary;
 
 use super::error::UnknownMass;
 use super::physical::{OperatingPoint, Parameter};
@@ -14,8 +13,7 @@ use super::units::{Load, angular_frequency};
 use crate::{Of, Regime};
 use amplitude::Friction;
 use peaks::Band;
-use search::{Kind, Least};
-pub use vary::Vary;
+use search::Kind;
 
 /// A band of frequencies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,8 +33,6 @@ pub struct OptimumRequest {
     pub band: FrequencyBand,
     /// The load, where forces in N and lengths in m are wanted.
     pub load: Option<Load>,
-    /// A quantity of the scene that is chosen too.
-    pub vary: Option<Vary>,
 }
 
 /// Why there is no optimum.
@@ -51,16 +47,14 @@ pub enum OptimumError {
     UnknownMass(UnknownMass),
     /// The load does not fit.
     Load(super::LoadError),
-    /// The quantity to be chosen is none of the scene.
-    NoSuchQuantity,
-    /// Its range is not above 0, finite and of some width.
-    Range,
     /// Nothing damps this mode, counted from 0: the contact does not touch it, and the load drives it.
     Undamped(usize),
     /// At every friction a resonance within the band is unbounded.
     Unbounded,
     /// The motion does not depend on friction and is at rest.
     AtRest,
+    /// It takes more amplitudes than [`System::optimum`] computes.
+    TooLong,
 }
 
 impl std::fmt::Display for OptimumError {
@@ -70,8 +64,6 @@ impl std::fmt::Display for OptimumError {
             Self::Width => "the end of the band is above its start",
             Self::UnknownMass(error) => return error.fmt(f),
             Self::Load(error) => return error.fmt(f),
-            Self::NoSuchQuantity => "only a spring, or the damping ratio of a mode of a scene with modal damping, can be varied",
-            Self::Range => "a range is above 0 and finite, its end above its start",
             Self::Undamped(mode) => {
                 return write!(
                     f,
@@ -83,6 +75,10 @@ impl std::fmt::Display for OptimumError {
                 "no friction bounds the amplitude over this band: it contains an undamped resonance"
             }
             Self::AtRest => "it does not move over this band",
+            Self::TooLong => {
+                "250000 amplitudes do not suffice, of which one that does not settle counts as 100 for each mass; a narrower \
+                 band needs fewer"
+            }
         })
     }
 }
@@ -143,10 +139,6 @@ pub struct Tolerance {
 /// The friction that keeps the largest amplitude smallest.
 #[derive(Clone, Debug)]
 pub struct Optimum {
-    /// The system it is for: the one asked, or that with the quantity that was chosen.
-    pub system: System,
-    /// The quantity chosen, and whether it is at an end of its range.
-    pub varied: Option<(f64, bool)>,
     /// β.
     pub beta: f64,
     /// The largest amplitude of the band over P/k₁, for base motion over Y.
@@ -155,6 +147,8 @@ pub struct Optimum {
     pub kind: OptimumKind,
     /// Where it is reached.
     pub peaks: Vec<OptimumPeak>,
+    /// Up to this β the amplitude at an undamped resonance of the band is unbounded; 0 where there is none.
+    pub unbounded_to: f64,
     /// Up to this β nothing sticks anywhere in the band.
     pub free_of_sticking: f64,
     /// From this β on the contact is stuck all over the band; infinite if nothing holds it on a resonance of the stuck
@@ -182,12 +176,14 @@ const EQUAL: f64 = 1e-9;
 
 impl System {
     /// The friction that keeps the largest amplitude of a motion over a band of frequencies smallest, over all regimes: the
-    /// closed form where the contact slides all the time, steady states where it stops, the stuck response.  With `vary` the
-    /// stiffness of a spring or a modal damping ratio is chosen too.
+    /// closed form where the contact slides all the time, steady states where it stops, the stuck response.
     ///
     /// The largest amplitude over the band is looked for about every resonance, of the chain and of the chain with its
     /// contact stuck, their sub-harmonics, on both sides of changes of regime and on a grid between, the least over friction by
     /// a scan between none and so much that nothing slides.
+    ///
+    /// It computes at most 250000 amplitudes and stops with [`OptimumError::TooLong`] beyond; one whose motion does not settle,
+    /// or that has no answer, takes longer and counts as 100 for each mass.  For two masses it takes about 30000.
     ///
     /// ```
     /// use frictiongen::study::{FrequencyBand, Load, OptimumKind, OptimumRequest, System};
@@ -205,7 +201,6 @@ impl System {
     ///     of: frame.motion_named("upper")?,
     ///     band: FrequencyBand::Hertz(1.5, 3.0),
     ///     load: Some(Load::Base(0.003)), // m
-    ///     vary: None,
     /// };
     /// let optimum = frame.optimum(&request)?;
     /// assert!(optimum.amplitude < 0.5 * optimum.without_friction);
@@ -217,42 +212,39 @@ impl System {
     /// [`OptimumError`]: for a band, a motion, a load or a quantity that makes no sense, and where no friction bounds the
     /// amplitude.
     pub fn optimum(&self, request: &OptimumRequest) -> Result<Optimum, OptimumError> {
-        let problem = Problem::new(self, request)?;
-        match &request.vary {
-            None => problem.solved(None),
-            Some(vary) => vary::solved(&problem, vary),
-        }
+        Problem::new(self, request)?.solved()
     }
 }
 
-/// A question in physical units: whatever is varied, frequency, friction and load stay.
+/// A question that makes sense.
 struct Problem<'s> {
-    original: &'s System,
+    system: &'s System,
     request: &'s OptimumRequest,
-    /// rad/s.
-    band: [f64; 2],
-    load: Load,
+    /// r.
+    ends: [f64; 2],
 }
 
 impl<'s> Problem<'s> {
-    fn new(original: &'s System, request: &'s OptimumRequest) -> Result<Self, OptimumError> {
-        let omega = match request.band {
-            FrequencyBand::Ratio(from, to) => [from, to].map(|r| original.angular_frequency(r)),
-            FrequencyBand::Hertz(from, to) => [from, to].map(angular_frequency),
+    fn new(system: &'s System, request: &'s OptimumRequest) -> Result<Self, OptimumError> {
+        let ends = match request.band {
+            FrequencyBand::Ratio(from, to) => [from, to],
+            FrequencyBand::Hertz(from, to) => {
+                [from, to].map(|hertz| system.frequency_ratio(angular_frequency(hertz)))
+            }
         };
-        let [from, to] = omega;
-        if !(omega.iter().all(|end| 0.0 < *end && end.is_finite())) {
+        let [from, to] = ends;
+        if !(ends.iter().all(|end| 0.0 < *end && end.is_finite())) {
             return Err(OptimumError::Band);
         }
         if !(from < to) {
             return Err(OptimumError::Width);
         }
         if let Of::Mass(index) = request.of
-            && index >= original.scene.masses.len()
+            && index >= system.scene.masses.len()
         {
-            return Err(original.unknown(&index.to_string()).into());
+            return Err(system.unknown(&index.to_string()).into());
         }
-        let modal = original.modal();
+        let modal = system.modal();
         let constants = modal.damping_ratios.iter().zip(&modal.loads);
         let mut constants = constants.zip(&modal.contacts);
         let lost = constants.position(|((zeta, load), contact)| {
@@ -262,49 +254,26 @@ impl<'s> Problem<'s> {
             return Err(OptimumError::Undamped(mode));
         }
         if let Some(load) = request.load {
-            original.load_scale(load)?;
+            system.load_scale(load)?;
         }
         Ok(Self {
-            original,
+            system,
             request,
-            band: omega,
-            load: request.load.unwrap_or_else(|| original.unit_load()),
+            ends,
         })
     }
 
-    /// The band of a system in r.
-    fn ratios(&self, system: &System) -> [f64; 2] {
-        // As it was given, to the bit, where nothing moves it.
-        match self.request.band {
-            FrequencyBand::Ratio(from, to) if self.request.vary.is_none() => [from, to],
-            _ => self.band.map(|omega| system.frequency_ratio(omega)),
-        }
-    }
-
-    /// The unit of length of a system, over that of the original.
-    fn unit(&self, system: &System) -> Result<f64, OptimumError> {
-        let own = system.load_scale(self.load)?.length();
-        Ok(own / self.original.load_scale(self.load)?.length())
-    }
-
-    /// The optimum of the original, or of a system in which a quantity was chosen.
-    fn solved(
-        &self,
-        chosen: Option<(System, Least, (f64, bool))>,
-    ) -> Result<Optimum, OptimumError> {
-        let (system, known, varied) = match chosen {
-            None => (self.original.clone(), None, None),
-            Some((system, least, varied)) => (system, Some(least), Some(varied)),
-        };
-        let band = Band::new(&system, self.request.of, self.ratios(&system));
+    fn solved(&self) -> Result<Optimum, OptimumError> {
+        let band = Band::new(self.system, self.request.of, self.ends);
         let largest = |friction: Friction| {
             let peaks = band.peaks(friction);
             peaks.first().map_or(f64::NAN, |peak| peak.value)
         };
-        let least = match known {
-            Some(least) => least,
-            None => search::least(&band).ok_or(OptimumError::Unbounded)?,
-        };
+        let least = search::least(&band);
+        if band.amplitude.is_spent() {
+            return Err(OptimumError::TooLong);
+        }
+        let least = least.ok_or(OptimumError::Unbounded)?;
         let without_friction = largest(Friction::Ratio(0.0));
         if without_friction == 0.0 {
             return Err(OptimumError::AtRest);
@@ -333,14 +302,16 @@ impl<'s> Problem<'s> {
                 }
             })
             .collect();
-        let sensitivities = if self.request.load.is_some() {
-            self.sensitivities(&system, beta, &peaks)
-                .unwrap_or_default()
-        } else {
-            Vec::new()
-        };
+        let sensitivities = self.sensitivities(beta, &peaks).unwrap_or_default();
+        let tolerances = EXCESSES
+            .iter()
+            .map(|excess| flat::tolerance(&band, &least, *excess))
+            .collect();
+        let with_contact_locked = largest(Friction::Locked);
+        if band.amplitude.is_spent() {
+            return Err(OptimumError::TooLong);
+        }
         Ok(Optimum {
-            varied,
             beta,
             amplitude: least.at.value,
             kind: match least.kind {
@@ -349,37 +320,30 @@ impl<'s> Problem<'s> {
                 Kind::Without => OptimumKind::NoFriction,
                 Kind::Held => OptimumKind::Stuck,
             },
-            tolerances: EXCESSES
-                .iter()
-                .map(|excess| flat::tolerance(&band, &least, *excess))
-                .collect(),
+            tolerances,
             peaks,
+            unbounded_to: search::unbounded_to(self.system, self.ends),
             free_of_sticking: least.free_to,
             locked: least.locked_from,
             without_friction,
-            with_contact_locked: largest(Friction::Locked),
+            with_contact_locked,
             sensitivities,
             evaluations: band.amplitude.asked.get(),
             unanswered: band.amplitude.silent.get(),
-            system: system.clone(),
         })
     }
 
     /// d ln X/d ln p at the optimum: of one peak its own; of two equal ones what both agree on as friction follows.
-    fn sensitivities(
-        &self,
-        system: &System,
-        beta: f64,
-        peaks: &[OptimumPeak],
-    ) -> Option<Vec<(Parameter, f64)>> {
-        let scale = system.load_scale(self.load).ok()?;
+    fn sensitivities(&self, beta: f64, peaks: &[OptimumPeak]) -> Option<Vec<(Parameter, f64)>> {
+        let (system, load) = (self.system, self.request.load?);
+        let scale = system.load_scale(load).ok()?;
         let all: Vec<_> = peaks
             .iter()
             .map(|peak| {
                 let point = OperatingPoint::Physical {
                     hertz: system.hertz(peak.r),
                     friction: scale.friction(beta),
-                    load: self.load,
+                    load,
                 };
                 system.response_sensitivities(point, self.request.of).ok()
             })
@@ -407,18 +371,5 @@ impl<'s> Problem<'s> {
             Some((parameter, parts.sum::<Option<f64>>()?))
         })
         .collect()
-    }
-}
-
-impl System {
-    /// The load whose unit of length is 1.
-    fn unit_load(&self) -> Load {
-        match self.scene.excitation {
-            super::scene::Excitation::Base => Load::Base(1.0),
-            super::scene::Excitation::Force(_) => {
-                let first = self.scene.springs.first();
-                Load::Force(first.map_or(1.0, |spring| spring.stiffness))
-            }
-        }
     }
 }

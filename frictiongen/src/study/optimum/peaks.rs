@@ -57,6 +57,10 @@ impl<'s> Band<'s> {
         }
     }
 
+    pub(super) fn ends(&self) -> [f64; 2] {
+        [self.from, self.to]
+    }
+
     /// The largest of the band: from the largest local maximum down.
     pub(super) fn peaks(&self, friction: Friction) -> Vec<Peak> {
         let mut places = self.places.clone();
@@ -281,11 +285,8 @@ fn places(system: &System, from: f64, to: f64) -> Vec<f64> {
     let held = system.dynamics().held.iter();
     let held = held.map(|mode| (mode.frequency, mode.zeta));
     // The resonances as the answers know them, to the bit.
-    let exact = system
-        .resonances()
-        .iter()
-        .map(|resonance| (*resonance, 1.0));
-    for (resonance, zeta) in free.chain(held).chain(exact) {
+    places.extend(system.resonances());
+    for (resonance, zeta) in free.chain(held) {
         places.push(resonance);
         if zeta < 1.0 {
             // Where damping takes the place of a maximum.

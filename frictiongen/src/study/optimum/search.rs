@@ -6,6 +6,7 @@
 
 use super::amplitude::Friction;
 use super::peaks::{Band, Peak};
+use crate::study::system::System;
 
 /// Friction ratios of the scan.
 const SCAN: usize = 40;
@@ -25,6 +26,8 @@ const EQUAL: f64 = 2e-13;
 const DIFFERENCE: f64 = 1e-6;
 /// A minimum in which a higher peak turns up is looked for again so often.
 const AGAIN: usize = 4;
+/// Where peaks cannot be followed, friction is halved so often.
+const HALVINGS: usize = 32;
 /// How often a scan without an end is made twice as long.
 const LONGER: usize = 12;
 
@@ -71,7 +74,13 @@ pub(super) fn least(band: &Band<'_>) -> Option<Least> {
         .filter(|scanned| scanned.value.is_finite())
         .min_by(|a, b| a.value.total_cmp(&b.value))?
         .clone();
-    for (below, above) in between(&scan, best.value) {
+    // Nothing is less than rest; just below the friction that holds all, motions too small to settle lead there.
+    let worth = if best.value == 0.0 {
+        Vec::new()
+    } else {
+        between(&scan, best.value)
+    };
+    for (below, above) in worth {
         if let Some(found) = minimum(band, below, above)
             && found.value < best.value
         {
@@ -88,33 +97,15 @@ pub(super) fn least(band: &Band<'_>) -> Option<Least> {
     })
 }
 
-/// The least between two friction ratios around one that is nearly so.
-pub(super) fn least_near(band: &Band<'_>, beta: f64, width: f64) -> Option<Least> {
-    let [free_to, locked_from] = band.limits();
-    let scan: Vec<Scanned> = [1.0 - width, 1.0, 1.0 + width]
-        .iter()
-        .map(|share| scanned_at(band, beta * share))
-        .collect();
-    let mut best = scan
-        .iter()
-        .filter(|scanned| scanned.value.is_finite())
-        .min_by(|a, b| a.value.total_cmp(&b.value))?
-        .clone();
-    for (below, above) in between(&scan, best.value) {
-        if let Some(found) = minimum(band, below, above)
-            && found.value < best.value
-        {
-            best = found;
-        }
-    }
-    let kind = kind(band, &best, locked_from);
-    Some(Least {
-        at: best,
-        kind,
-        scan,
-        locked_from,
-        free_to,
-    })
+/// Up to this friction ratio the amplitude at an undamped resonance of the band is unbounded; 0 where there is none.
+pub(super) fn unbounded_to(system: &System, [from, to]: [f64; 2]) -> f64 {
+    let modal = system.modal();
+    let modes = modal.damping_ratios.iter().zip(system.resonances());
+    let modes = modes.zip(system.resonance_thresholds());
+    modes
+        .filter(|((zeta, resonance), _)| zeta.is_zero() && from <= **resonance && **resonance <= to)
+        .filter_map(|(_, threshold)| threshold)
+        .fold(0.0, f64::max)
 }
 
 fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
@@ -122,7 +113,8 @@ fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
     let mut top = if locked_from.is_finite() {
         locked_from
     } else {
-        4.0 * free_to.max(1.0)
+        let unbounded_to = unbounded_to(band.amplitude.system, band.ends());
+        (4.0 * free_to.max(1.0)).max(2.0 * unbounded_to)
     };
     let mut scan: Vec<Scanned> = (0..=SCAN)
         .map(|place| top * (place as f64 / SCAN as f64).powf(1.5))
@@ -217,7 +209,9 @@ fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
 /// The minimum between two friction ratios, looked at once more over the whole band.
 fn minimum(band: &Band<'_>, mut below: Scanned, mut above: Scanned) -> Option<Scanned> {
     for _ in 0..AGAIN {
-        let found = crept(band, &below, &above)?;
+        let Some(found) = crept(band, &below, &above) else {
+            break;
+        };
         let all = band.peaks(Friction::Ratio(found.beta));
         let top = all.first()?;
         if top.value <= found.value * (1.0 + 1e-10) {
@@ -231,7 +225,25 @@ fn minimum(band: &Band<'_>, mut below: Scanned, mut above: Scanned) -> Option<Sc
             above = scanned;
         }
     }
-    None
+    halved(band, below, above)
+}
+
+/// The same over the whole band at every step, by halves: where steady states come and go, peaks cannot be followed.
+fn halved(band: &Band<'_>, mut below: Scanned, mut above: Scanned) -> Option<Scanned> {
+    for _ in 0..HALVINGS {
+        let here = scanned_at(band, 0.5 * (below.beta + above.beta));
+        if here.slope < 0.0 || !here.value.is_finite() {
+            below = here;
+        } else {
+            above = here;
+        }
+    }
+    let best = if below.value < above.value {
+        below
+    } else {
+        above
+    };
+    best.value.is_finite().then_some(best)
 }
 
 /// The minimum of the peaks that either side has.
