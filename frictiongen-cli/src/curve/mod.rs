@@ -6,7 +6,9 @@ mod report;
 
 use crate::args::CurveArguments;
 use crate::asked;
-use crate::destination::{Destination, Form};
+use crate::destination::Destination;
+#[cfg(feature = "pictures")]
+use crate::destination::Form;
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::friction::Frictions;

@@ -8,7 +8,9 @@ mod region;
 
 use crate::args::MapArguments;
 use crate::asked;
-use crate::destination::{Destination, Form};
+use crate::destination::Destination;
+#[cfg(feature = "pictures")]
+use crate::destination::Form;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;

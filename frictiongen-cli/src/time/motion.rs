@@ -1,7 +1,7 @@
 //! The motion over time that is written, in groups, and what it is counted in.
 
 use super::asked::{Asked, Start};
-use crate::asked::{CONTACT, MOST_HARMONICS, Part};
+use crate::asked::{CONTACT, MOST_HARMONICS, Part, regime_name};
 use crate::failure::Failure;
 use crate::frequency::Frequency;
 use crate::friction::Friction;
@@ -11,7 +11,7 @@ use crate::number::{Value, computed};
 use crate::table::Column;
 use frictiongen::kernel::simulation::Contact;
 use frictiongen::study::{History, HistoryError, HistoryRequest, Spectrum, units};
-use frictiongen::{NoOrbit, Of, Regime, System};
+use frictiongen::{NoOrbit, Of, System};
 use serde_json::{Map, Value as Json, json};
 
 /// Where a motion is followed, whose, and what it is counted in.
@@ -64,11 +64,7 @@ impl Motion {
         let history = if asked.steady {
             let at = system.at(r).map_err(Failure::new)?;
             let response = at.response(beta).map_err(Failure::new)?;
-            regime = Some(match response.regime() {
-                Regime::Continuous => "continuous",
-                Regime::StickSlip => "stick-slip",
-                _ => "stuck",
-            });
+            regime = Some(regime_name(response.regime()));
             let history = response.history(&of, asked.samples).map_err(told)?;
             if asked.spectrum {
                 let highest = (asked.samples / 2).min(MOST_HARMONICS);
