@@ -36,20 +36,14 @@ impl Report for BoundaryReport<'_> {
     }
 
     fn each(&self, visit: Visitor<'_, Point>) -> Result<(), Failure> {
-        let frequencies: Vec<Frequency> = self.map.frequencies.iter(&self.map.system).collect();
-        for boundary in &self.boundaries {
-            let frequency = frequencies
-                .iter()
-                .find(|frequency| frequency.r == boundary.r);
-            if let Some(frequency) = frequency {
-                visit(&Point {
-                    frequency: *frequency,
-                    beta: boundary.beta,
-                    width: boundary.width,
-                    below: region::name(boundary.below),
-                    above: region::name(boundary.above),
-                })?;
-            }
+        for (frequency, boundary) in self.map.placed(&self.boundaries, |boundary| boundary.r) {
+            visit(&Point {
+                frequency,
+                beta: boundary.beta,
+                width: boundary.width,
+                below: region::name(boundary.below),
+                above: region::name(boundary.above),
+            })?;
         }
         Ok(())
     }

@@ -39,6 +39,20 @@ pub struct Point {
 }
 
 impl MapReport {
+    /// What the map has at its frequencies, in their order, with the frequency of each.  A map that was cancelled lacks
+    /// some frequencies.
+    pub fn placed<'a, T>(
+        &'a self,
+        found: &'a [T],
+        r: impl Fn(&T) -> f64 + 'a,
+    ) -> impl Iterator<Item = (Frequency, &'a T)> {
+        let mut frequencies = self.frequencies.iter(&self.system).peekable();
+        found.iter().filter_map(move |found| {
+            while frequencies.next_if(|at| at.r != r(found)).is_some() {}
+            Some((*frequencies.peek()?, found))
+        })
+    }
+
     fn once<'a>(&self, point: &'a Point) -> Vec<Value<'a>> {
         let mut values = point.frequency.values();
         values.extend(point.friction.values());
@@ -105,20 +119,12 @@ impl Report for MapReport {
     }
 
     fn each(&self, visit: Visitor<'_, Point>) -> Result<(), Failure> {
-        let frequencies: Vec<Frequency> = self.frequencies.iter(&self.system).collect();
-        for column in &self.map.columns {
-            // A map that was cancelled lacks some.
-            let Some(frequency) = frequencies.iter().find(|frequency| frequency.r == column.r)
-            else {
-                continue;
-            };
+        for (frequency, column) in self.placed(&self.map.columns, |column| column.r) {
             for (friction, found) in self.frictions.iter().zip(&column.points) {
-                let pattern = match found {
-                    Ok(found) => Ok(found.pattern),
-                    Err(error) => Err(*error),
-                };
+                let pattern = found.as_ref().map(|found| found.pattern);
+                let pattern = pattern.map_err(|error| *error);
                 visit(&Point {
-                    frequency: *frequency,
+                    frequency,
                     friction,
                     region: region::name(pattern),
                     found: found.clone(),
