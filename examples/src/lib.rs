@@ -1,10 +1,8 @@
 //! What the programs share: figures with their data and captions (`draw`, `gallery`), and the numbers that the thesis
-//! prints beside what they come out as (`facts`), with emitted scenes to sample for them (`scene`).
+//! prints beside what they come out as (`facts`).
 
 pub mod album;
 pub mod draw;
 pub mod facts;
 pub mod gallery;
-pub mod scene;
-pub mod scenes;
 pub mod two_stops;

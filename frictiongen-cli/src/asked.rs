@@ -2,8 +2,7 @@
 
 use crate::failure::Failure;
 use frictiongen::study::{SystemAt, SystemMotion, UnknownMass};
-use frictiongen::{Complex, Error, NoOrbit, NotContinuous, Of, OutOfDomain, Regime, System};
-use std::f64::consts::PI;
+use frictiongen::{Error, NoOrbit, NotContinuous, Of, OutOfDomain, Regime, System};
 use std::ops::RangeInclusive;
 
 /// The highest harmonic there may be.
@@ -169,10 +168,4 @@ pub fn reason(error: NoOrbit) -> &'static str {
         NoOrbit::Unsettled => "unsettled",
         _ => "none",
     }
-}
-
-/// |z|, and −arg z in (−π, π].
-pub fn polar(z: Complex<f64>) -> (f64, f64) {
-    let lag = -z.im.atan2(z.re);
-    (z.re.hypot(z.im), if lag == -PI { PI } else { lag })
 }

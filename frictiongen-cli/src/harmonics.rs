@@ -1,11 +1,11 @@
 //! How harmonics are written: amplitude and lag, and in JSON both parts too.
 
-use crate::asked::polar;
 use crate::json::object;
 use crate::measure::Measure;
 use crate::number::Value;
 use crate::table::Column;
 use frictiongen::Complex;
+use frictiongen::study::units::polar;
 use serde_json::Value as Json;
 
 /// The columns of the table.

@@ -1,5 +1,6 @@
 //! What moves at the limit of continuous motion.
 
+use frictiongen::study::units::polar;
 use frictiongen::{Of, System};
 use frictiongen_plot::desk::Reading;
 use frictiongen_plot::{Colour, Line, Point, Stroke};
@@ -63,9 +64,6 @@ fn read(system: &System, r: f64, limit: f64, of: Of, reading: Reading) -> Option
             let swing = response.swing(of)?;
             Some((swing.amplitude, swing.phase?))
         }
-        Reading::Harmonic(_) | Reading::HarmonicPhase(_) => {
-            let x = response.harmonic(of, 1)?;
-            Some((x.re.hypot(x.im), -x.im.atan2(x.re)))
-        }
+        Reading::Harmonic(_) | Reading::HarmonicPhase(_) => Some(polar(response.harmonic(of, 1)?)),
     }
 }

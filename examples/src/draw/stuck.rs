@@ -1,5 +1,6 @@
 //! What still moves when the contact is stuck.
 
+use frictiongen::study::units::polar;
 use frictiongen::{Of, System};
 use frictiongen_plot::desk::Reading;
 use frictiongen_plot::{Colour, Line, Point, Stroke};
@@ -47,6 +48,5 @@ fn read(system: &System, r: f64, of: Of) -> Option<(f64, f64)> {
         return None;
     };
     let x = system.at(r).ok()?.stuck().ok()?.mass_at(index)?;
-    let amplitude = x.re.hypot(x.im);
-    (REST < amplitude).then(|| (amplitude, -x.im.atan2(x.re)))
+    Some(polar(x)).filter(|(amplitude, _)| REST < *amplitude)
 }

@@ -3,34 +3,8 @@
 //! A question that a scene does not answer gives NaN, with which no comparison holds: the row then
 //! has no verdict, and its test fails.
 
+pub use crate::draw::chain;
 use frictiongen::study::{System, SystemMotion, SystemOrbit};
-
-/// A fixed-free chain m1, m2, … with springs base - m1, m1 - m2, …; `gamma` and `kappa` list the
-/// ratios.
-///
-/// # Panics
-/// Where they make no valid scene.
-#[must_use]
-pub fn chain(gamma: &[f64], kappa: &[f64], contact: &str, excitation: &str, rest: &str) -> System {
-    let masses: Vec<String> = (1..)
-        .zip(gamma)
-        .map(|(i, gamma)| format!("m{i}: {gamma:?}"))
-        .collect();
-    let springs: Vec<String> = (1..)
-        .zip(kappa)
-        .map(|(i, kappa)| match i {
-            1 => format!("base - m1: {kappa:?}"),
-            _ => format!("m{} - m{i}: {kappa:?}", i - 1),
-        })
-        .collect();
-    let text = format!(
-        "struct Scene {{ masses: {{ {} }}, springs: {{ {} }}, contact: {contact}, \
-         excitation: {excitation}, {rest} }}",
-        masses.join(", "),
-        springs.join(", "),
-    );
-    text.parse().expect("a valid scene")
-}
 
 /// A chain of equal masses and springs.
 #[must_use]

@@ -1,9 +1,10 @@
 //! Modal damping and friction together: F29, F34.
 
-use super::ask::{amplitude, limit, peak, wall};
+use super::ask::{amplitude, chain, limit, peak, wall};
 use super::row::{Entry, Row, added, claim, number, words};
-use crate::scene::{Measure, Of, Scene};
-use crate::scenes::{Low001, Low01, Middle001, Middle01};
+use crate::draw::from_rest;
+use frictiongen::study::units::polar;
+use frictiongen::{Of, System};
 use std::f64::consts::{PI, TAU};
 
 pub(super) fn rows() -> Vec<Row> {
@@ -65,20 +66,20 @@ const FIVE: [Of; 5] = [
 /// The largest difference of closed form and simulation over a cycle of all masses, and the largest
 /// departure of a mass from being in phase or in opposition with the contact, degrees.
 #[must_use]
-pub fn differences(scene: &dyn Scene, r: f64, beta: f64) -> Option<(f64, f64)> {
+pub fn differences(system: &System, r: f64, beta: f64) -> Option<(f64, f64)> {
     let angles: Vec<f64> = (0..24).map(|i| TAU * f64::from(i) / 24.0).collect();
-    let contact = scene.continuous(r, beta, Of::Contact, Measure::Fundamental)?;
+    let motion = system.at(r).ok()?.motion(beta).ok()?;
+    let contact = motion.contact();
+    let origin = contact.phase();
+    let lag = |x| polar(x).1.to_degrees();
+    let simulated = from_rest(system, (r, beta), &FIVE, &angles)?;
     let (mut apart, mut turned) = (0.0_f64, 0.0_f64);
-    for of in FIVE {
-        let origin = scene.cycle(r, beta, of, &[])?.origin;
-        let taus: Vec<f64> = angles.iter().map(|angle| angle - origin).collect();
-        let closed = scene.cycle(r, beta, of, &taus)?.motion;
-        let simulated = scene.run(r, beta, of, &angles)?;
-        for (closed, simulated) in closed.iter().zip(&simulated) {
-            apart = apart.max((closed - simulated).abs());
+    for (mass, simulated) in simulated.iter().enumerate() {
+        let closed = motion.mass_at(mass)?;
+        for (angle, simulated) in angles.iter().zip(simulated) {
+            apart = apart.max((closed.displacement(angle - origin) - simulated).abs());
         }
-        let lag = scene.continuous(r, beta, of, Measure::Fundamental)?.lag - contact.lag;
-        let beside = lag.rem_euclid(180.0);
+        let beside = (lag(closed.harmonic(1)) - lag(contact.harmonic(1))).rem_euclid(180.0);
         turned = turned.max(beside.min(180.0 - beside));
     }
     Some((apart, turned))
@@ -88,19 +89,22 @@ fn responses() -> Row {
     // What is printed about phases, with the bounds in degrees between which it is taken to hold.
     type Phases = Option<(&'static str, f64, f64)>;
     let (nearly, lost) = (("nearly so", 0.0, 10.0), ("lost", 30.0, 90.0));
-    let scenes: [(&str, &dyn Scene, usize, Phases); 4] = [
-        ("m₁, ζ = 0.01", &Low001, 0, Some(nearly)),
-        ("m₁, ζ = 0.1", &Low01, 0, Some(lost)),
-        ("m₃, ζ = 0.01", &Middle001, 2, None),
-        ("m₃, ζ = 0.1", &Middle01, 2, None),
+    let scenes: [(&str, &str, f64, Phases); 4] = [
+        ("m₁, ζ = 0.01", "m1", 0.01, Some(nearly)),
+        ("m₁, ζ = 0.1", "m1", 0.1, Some(lost)),
+        ("m₃, ζ = 0.01", "m3", 0.01, None),
+        ("m₃, ζ = 0.1", "m3", 0.1, None),
     ];
     let mut entries = Vec::new();
-    for (name, scene, mass, printed) in scenes {
-        let found = differences(scene, 0.9, 0.2);
+    for (name, mass, zeta, printed) in scenes {
+        let (contact, damping) = (
+            format!("{mass} - wall"),
+            format!("damping: modal({zeta:?})"),
+        );
+        let system = chain(&[1.0; 5], &[1.0; 5], &contact, "m1", &damping);
+        let found = differences(&system, 0.9, 0.2);
         let (apart, turned) = found.unwrap_or((f64::NAN, f64::NAN));
-        let amplitude = scene
-            .continuous(0.9, 0.2, Of::Mass(mass), Measure::Peak)
-            .map_or(f64::NAN, |polar| polar.amplitude);
+        let amplitude = amplitude(&system, mass, 0.9, 0.2);
         // 1000 cycles: what is left of the start is below rounding, which a thousand cycles gather.
         let same = apart < 1e-9;
         let said = if same {

@@ -1,11 +1,11 @@
 //! Computes the response at one frequency ratio and one friction ratio.
 
-use crate::asked::{self, Mass, polar};
+use crate::asked::{self, Mass};
 use crate::failure::Failure;
 use crate::frequency::Frequency;
 use crate::friction::{Friction, Frictions};
 use crate::output::Visitor;
-use frictiongen::study::units::reversed_phase;
+use frictiongen::study::units::{polar, reversed_phase};
 use frictiongen::study::{SystemAt, SystemMotion, SystemOrbitMotion, SystemSteady};
 use frictiongen::{Complex, Limits, NotContinuous, OutOfDomain};
 

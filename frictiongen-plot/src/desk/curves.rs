@@ -3,6 +3,7 @@
 use super::scales::Scales;
 use crate::{Axis, Colour, Figure, Key, Label, Line, Marker, Markers, Panel, Point, Stroke};
 use frictiongen::Regime;
+use frictiongen::study::units::polar;
 use frictiongen::study::{Curve, CurvePoint, End, Piece};
 
 /// What of a motion is read.
@@ -64,9 +65,8 @@ impl Reading {
         Some(match self {
             Self::Amplitude | Self::Phase => (movement.swing.amplitude, movement.swing.phase),
             Self::Harmonic(index) | Self::HarmonicPhase(index) => {
-                let x = movement.harmonics.get(index)?;
-                let size = x.re.hypot(x.im);
-                (size, (0.0 < size).then(|| -x.im.atan2(x.re)))
+                let (size, lag) = polar(*movement.harmonics.get(index)?);
+                (size, (0.0 < size).then_some(lag))
             }
         })
     }

@@ -4,9 +4,9 @@ use super::at::SystemAt;
 use super::motion::{SystemMotion, SystemStuck};
 use super::orbit::SystemOrbit;
 use super::system::System;
+use super::units::polar;
 use crate::{Complex, Error, NotContinuous, Of, OutOfDomain, Regime};
 use frictiongen_kernel::response::Scene as _;
-use std::f64::consts::PI;
 
 /// The steady response of a system at one frequency ratio and one friction ratio.
 ///
@@ -227,10 +227,4 @@ fn fastest(orbit: &SystemOrbit<'_>, of: Of, size: Size) -> Option<f64> {
 /// μ.
 fn stiction(system: &System) -> f64 {
     (&system).numbers().chain.stiction
-}
-
-/// |z|, and −arg z in (−π, π].
-fn polar(z: Complex<f64>) -> (f64, f64) {
-    let lag = -z.im.atan2(z.re);
-    (z.re.hypot(z.im), if lag == -PI { PI } else { lag })
 }

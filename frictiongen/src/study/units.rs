@@ -5,6 +5,7 @@
 //! another order of masses or springs gives other groups. What is physical stays the same.
 
 use super::system::System;
+use crate::Complex;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{Excitation, Node};
 
@@ -134,6 +135,17 @@ pub fn reversed_phase<S: Float>(lag: S) -> S {
     } else {
         lag + S::pi()
     }
+}
+
+/// X → |X| and −arg X in (−π, π]: the amplitude of Re X e^{iτ}, and its lag behind cos τ.
+#[must_use]
+pub fn polar(x: Complex<f64>) -> (f64, f64) {
+    let lag = -x.im.atan2(x.re);
+    let half_turn = std::f64::consts::PI;
+    (
+        x.re.hypot(x.im),
+        if lag == -half_turn { half_turn } else { lag },
+    )
 }
 
 impl<S: Float> System<S> {

@@ -2,9 +2,9 @@
 
 use super::History;
 use crate::study::SystemResponse;
+use crate::study::units::polar;
 use crate::{Complex, Of};
 use rustfft::FftPlanner;
-use std::f64::consts::PI;
 
 /// A motion as a sum of harmonics and what lies between them, x̄ = Re Σ X e^{inτ}.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,14 +29,13 @@ impl SpectralLine {
     /// |X|, the amplitude of the cosine.
     #[must_use]
     pub fn amplitude(&self) -> f64 {
-        self.component.re.hypot(self.component.im)
+        polar(self.component).0
     }
 
     /// The lag of its maximum, rad of its own cycle, in (−π, π].
     #[must_use]
     pub fn phase(&self) -> f64 {
-        let lag = -self.component.im.atan2(self.component.re);
-        if lag == -PI { PI } else { lag }
+        polar(self.component).1
     }
 }
 
