@@ -20,7 +20,8 @@ pub enum Regime {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OutOfDomain {
     /// Which argument: "r", "beta", "state", "reach"; or a slice that is too short or too long, "parts",
-    /// "numbers", "multipliers", "continuous", "sliding".
+    /// "numbers", "multipliers", "continuous", "sliding"; or "stribeck" where the friction law has no constant kinetic
+    /// level, which only a stepper can do without.
     pub argument: &'static str,
 }
 
@@ -82,6 +83,11 @@ pub enum Error {
 
 impl fmt::Display for OutOfDomain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.argument == "stribeck" {
+            return f.write_str(
+                "the exact continuous response needs a constant kinetic level, and this scene has `friction: stribeck`; ask its stepper",
+            );
+        }
         let needed = match self.argument {
             "r" => {
                 "it must be a number, not negative and not NaN; a motion in time needs it clear of 0 and infinity too"

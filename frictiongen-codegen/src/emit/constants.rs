@@ -2,7 +2,7 @@
 
 use super::{Emission, Part, limits, rounded};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
-use frictiongen_model::scene::{Beyond, Declared, Scene};
+use frictiongen_model::scene::{Beyond, Declared, FrictionLaw, Scene, Stepping};
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
@@ -243,6 +243,12 @@ fn fingerprint(scene: &Scene) -> u64 {
     // What declares nothing keeps the fingerprint that it had before anything could be declared.
     let exact = format!("declared: {:?}", Declared::default());
     let text = format!("{scene:?}").replace(&exact, "accuracy: Exact, range: None");
+    let plain = format!(
+        ", friction: {:?}, stepping: {:?}",
+        FrictionLaw::default(),
+        Stepping::default()
+    );
+    let text = text.replace(&plain, "");
     let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
     for byte in text.bytes() {
         hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);

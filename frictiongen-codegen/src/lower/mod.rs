@@ -3,6 +3,7 @@
 mod places;
 mod resolve;
 mod settings;
+mod stepping;
 
 use core::fmt;
 use std::collections::HashSet;
