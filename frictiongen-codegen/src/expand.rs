@@ -137,6 +137,7 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
             Provide::Stuck,
             Provide::Orbit,
             Provide::Simulation,
+            Provide::Stepper,
         ],
         declared: Declared::default(),
         friction: FrictionLaw::default(),

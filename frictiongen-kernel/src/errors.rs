@@ -20,7 +20,8 @@ pub enum Regime {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OutOfDomain {
     /// Which argument: "r", "beta", "state", "reach"; or a slice that is too short or too long, "parts",
-    /// "numbers", "multipliers", "continuous", "sliding"; or "stribeck" where the friction law has no constant kinetic
+    /// "numbers", "multipliers", "continuous", "sliding"; of a stepper "dt", "force", "forces",
+    /// "base", "friction", "stiction", "steps", "saved"; or "stribeck" where the friction law has no constant kinetic
     /// level, which only a stepper can do without.
     pub argument: &'static str,
 }
@@ -94,7 +95,19 @@ impl fmt::Display for OutOfDomain {
             }
             "state" => "it must have a finite displacement and velocity for each mass",
             "continuous" | "sliding" => "the slice must have one place for each r",
-            "parts" | "numbers" | "multipliers" => "the room for the answer has another size",
+            "parts" | "numbers" | "multipliers" | "tables" => {
+                "the room for the answer has another size"
+            }
+            "dt" => {
+                "a step must be greater than zero, and so short that no oscillator turns by more than 1024 rad in it"
+            }
+            "force" | "base" => "it must be finite, and its square within the range of the scalar",
+            "forces" => {
+                "there must be one force for each mass that may be loaded, and for no other"
+            }
+            "stiction" => "it must be a finite number, 1 or more",
+            "steps" => "the input at the start is said before the first step",
+            "saved" => "it belongs to another scene",
             _ => "it must be a finite number, not negative",
         };
         write!(f, "{} is outside the domain: {needed}", self.argument)

@@ -13,6 +13,7 @@ use frictiongen_kernel::response::{At, Scene as _};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::{FrictionLaw, Scene};
+use frictiongen_model::stepping::Steps;
 use frictiongen_model::transient::Transient;
 use frictiongen_model::validate::validate;
 use std::sync::OnceLock;
@@ -46,6 +47,7 @@ pub struct System<S = f64> {
     /// The smallest and the largest 1/r at which the formulas are evaluated.
     pub(super) range: (S, S),
     transient: OnceLock<Transient<S>>,
+    steps: OnceLock<Steps<S>>,
 }
 
 impl<S: Float> std::str::FromStr for System<S> {
@@ -110,6 +112,7 @@ impl<S: Float> System<S> {
             resonances: all(data.resonances.clone()),
             reference: to(data.reference),
             transient: OnceLock::new(),
+            steps: OnceLock::new(),
         }
     }
 
@@ -127,6 +130,13 @@ impl<S: Float> System<S> {
     pub(super) fn transient(&self) -> &Transient<S> {
         self.transient
             .get_or_init(|| Transient::of(&self.scene, &self.modal, rounded::<S>))
+    }
+
+    /// What a stepper needs besides: every mass may be loaded.
+    pub(super) fn steps(&self) -> &Steps<S> {
+        let masses = 0..self.scene.masses.len();
+        self.steps
+            .get_or_init(|| Steps::of(&self.scene, &self.modal, masses, rounded::<S>))
     }
 
     /// The scene as it was described.
