@@ -216,6 +216,12 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         (value, slope)
     }
 
+    /// How fast the fastest of its modes moves.
+    pub(crate) fn fastest(&self) -> S {
+        let waves = self.waves.iter();
+        fastest(waves.map(|wave| (wave.x, wave.decay.zeta())))
+    }
+
     /// What rounding leaves of the sum at most: waves beside the excitation's frequency, whose
     /// differences from it are small, do not count.
     pub(crate) fn rounding(&self) -> S {
@@ -247,6 +253,13 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         };
         self.waves.iter().fold(S::constant(0.0), add)
     }
+}
+
+/// The largest x(1 + 2ζ), which bounds how fast a mode of (x, ζ) turns and how fast it decays.
+pub(crate) fn fastest<S: Float>(modes: impl Iterator<Item = (S, S)>) -> S {
+    modes.fold(S::constant(0.0), |most, (x, zeta)| {
+        most.max(x * (S::constant(1.0) + (zeta + zeta)))
+    })
 }
 
 /// p″ and p‴, from the mode's equation p″ + 2ζx p′ + x²p = 0.

@@ -46,6 +46,7 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
             "number::scalar::Scalar::replaced",
             "number::scalar::Scalar::select",
             "modal_sum::search::Peak::effort",
+            "modal_sum::search::most_evaluations",
             "orbit::Orbit::beta",
         ],
     ),
