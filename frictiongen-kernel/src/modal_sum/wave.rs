@@ -58,8 +58,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     pub(crate) fn swing_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         let (one, x) = (S::constant(1.0), self.x);
         let loss = (self.decay.zeta() + self.decay.zeta()) * x;
-        let apart = (x - one) * (x + one);
-        apart * at.sine + loss * (at.cosine - basis.swing_slope) - x * x * basis.swing
+        let detuning = (x - one) * (x + one);
+        detuning * at.sine + loss * (at.cosine - basis.swing_slope) - x * x * basis.swing
     }
 
     /// No motion yet, in a mode's place.
@@ -101,9 +101,9 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     pub(crate) fn forcing(&self) -> (S, S) {
         let (one, x) = (S::constant(1.0), self.x);
         let loss = (self.decay.zeta() + self.decay.zeta()) * x;
-        let apart = (x - one) * (x + one);
+        let detuning = (x - one) * (x + one);
         let (b, c) = (self.swing_slope, self.swing);
-        (c * loss + b * apart, c * apart - b * loss)
+        (c * loss + b * detuning, c * detuning - b * loss)
     }
 
     /// The slope at an instant, from the mode's functions there.
@@ -285,9 +285,9 @@ fn differences<S: Float, D: Decay<S>>(
         return (-at.sine - p2, -at.cosine - p3);
     }
     let loss = (wave.decay.zeta() + wave.decay.zeta()) * x;
-    let apart = (x - one) * (x + one);
+    let detuning = (x - one) * (x + one);
     let second = wave.swing_curve(basis, at);
-    let third = apart * at.cosine - loss * (at.sine + second) - x * x * basis.swing_slope;
+    let third = detuning * at.cosine - loss * (at.sine + second) - x * x * basis.swing_slope;
     (second, third)
 }
 

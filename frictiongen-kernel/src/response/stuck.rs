@@ -31,13 +31,13 @@ impl<T: ProvidesStuck> At<T> {
         numbers
             .chain
             .stuck_admitted(self.r, &self.contact, numbers.invisible)?;
-        Ok(self.clone().held().into())
+        Ok(self.clone().stuck_unchecked().into())
     }
 
     /// The response with the contact stuck, without a look at resonances: there it is infinite.
     #[inline]
     #[must_use]
-    pub fn held(self) -> Stuck<T> {
+    pub fn stuck_unchecked(self) -> Stuck<T> {
         Stuck { at: self }
     }
 

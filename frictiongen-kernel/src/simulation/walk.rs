@@ -27,7 +27,7 @@ pub(super) enum Start<S> {
     /// On zero, with this slope, exactly.
     Zero(S),
     /// Where it has just failed to leave: it must pass the level by more than rounding.
-    Held,
+    Wedged,
 }
 
 /// The first zero of a positive sum; `steps` counts on.
@@ -93,7 +93,7 @@ pub(super) fn first_reach<S: Float>(
     let zero = S::constant(0.0);
     let noise = sum.noise + level * S::constant(4.0 * S::EPSILON);
     let level = match start {
-        Start::Held => level + noise * S::constant(16.0),
+        Start::Wedged => level + noise * S::constant(16.0),
         _ => level,
     };
     let mut tau = from;

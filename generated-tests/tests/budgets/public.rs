@@ -28,7 +28,7 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
             "contact::regime::regime",
             "contact::regime::with_ends",
             "number::scalar::Float::carried",
-            "number::scalar::Float::held",
+            "number::scalar::Float::primal",
             "number::scalar::Float::to_index",
             "number::scalar::Float::inverse_ratio_range",
             "number::scalar::Float::euler_terms",

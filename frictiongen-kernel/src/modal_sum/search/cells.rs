@@ -45,7 +45,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let width = (S::constant(384.0 * SLACK) * self.size(&bounds) / fourth)
                 .sqrt()
                 .sqrt();
-            let stretch = Stretch::new(from, end, width.held(), false);
+            let stretch = Stretch::new(from, end, width.primal(), false);
             self.settle(&stretch, &bounds);
             from = stretch.to;
         }

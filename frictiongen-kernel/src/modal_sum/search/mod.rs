@@ -47,7 +47,7 @@ const EQUAL: f64 = 64.0;
 const NOISE: f64 = 16.0;
 /// Places closer than this belong to the same maximum: about it the sum falls by the square of the
 /// distance, far more than maxima may differ that count as equal.
-const APART: f64 = 0.05;
+const SAME_MAXIMUM: f64 = 0.05;
 
 /// By what the sum is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
