@@ -32,9 +32,14 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     } else {
         code!(response::At)
     };
+    // A paragraph of its own, below what the scene says.
+    let documented = attributes
+        .iter()
+        .any(|attribute| attribute.path().is_ident("doc"));
+    let blank = documented.then(|| code!(#[doc = ""]));
     let types = code! {
         #(#attributes)*
-        #[doc = ""]
+        #blank
         #[doc = #header]
         #[::core::prelude::v1::derive(
             ::core::clone::Clone,
@@ -94,7 +99,9 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
 
             /// The modes that the load or the contact drives.
             const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
+            /// What the limits need beyond the modes.
             const CHAIN: Chain<#scalar> = #chain;
+            /// All that the steady response rests on.
             const NUMBERS: Numbers<'static, #scalar> = Numbers {
                 modes: &Self::MODES,
                 chain: Self::CHAIN,

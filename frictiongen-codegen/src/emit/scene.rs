@@ -42,11 +42,13 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
 
             #shapes
 
+            /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
             #[inline]
             fn inverse_ratio_range(&self) -> (#scalar, #scalar) {
                 (#low, #high)
             }
 
+            /// Working space of the searches, and of the waves of a motion.
             #[inline]
             fn idle(&self) -> Self::Waves {
                 Self::MODES.map(|mode| Wave::idle(&mode))
