@@ -84,6 +84,16 @@ impl<T: Scene> At<T> {
         }
     }
 
+    /// The same once more, for a motion to keep.
+    #[inline]
+    pub(super) fn kept(&self) -> Self {
+        Self {
+            scene: self.scene.clone(),
+            modes: T::kept(&self.modes),
+            ..*self
+        }
+    }
+
     /// Both limits without search: the same bits as
     /// [`continuous_limit_without_search`](Self::continuous_limit_without_search) and
     /// [`sliding_limit`](Self::sliding_limit), in less time, as nothing is kept for a motion.

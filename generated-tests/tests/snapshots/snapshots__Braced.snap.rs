@@ -165,6 +165,11 @@ const _: () = {
         fn idle(&self) -> Self::Waves {
             Self::MODES.map(|mode| Wave::idle(&mode))
         }
+        /// A copy of the modes for a motion to keep.
+        #[inline]
+        fn kept(modes: &Self::Modes) -> Self::Modes {
+            *modes
+        }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
