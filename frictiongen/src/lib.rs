@@ -94,6 +94,8 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod in_time;
+#[cfg(feature = "measure")]
+pub mod measure;
 pub mod sweep;
 pub mod system;
 mod targets;
