@@ -6,7 +6,7 @@
 use nalgebra::{DMatrix, DVector};
 
 /// Steps, rejected ones included.
-const MOST_STEPS: usize = 100;
+const MOST_STEPS: usize = 200;
 /// A step that changes every parameter by less than this part is the last one.
 const SMALL: f64 = 1e-10;
 /// What damping grows and shrinks by (Marquardt's choice).
@@ -24,6 +24,8 @@ pub(super) struct Linearised {
 #[derive(Debug)]
 pub(super) struct Fit {
     pub(super) parameters: Vec<f64>,
+    /// Whether the steps came to an end.
+    pub(super) settled: bool,
     /// The sum of squares.
     pub(super) squares: f64,
     /// The covariance for residuals of deviation 1; none where the data do not tell some parameter.
@@ -35,7 +37,7 @@ pub(super) struct Fit {
 /// Minimises the sum of squares from `start`.
 ///
 /// `residuals` gives them at parameters, or none where there is no answer; `linearise` also their derivatives.  A parameter
-/// stays within its bounds.  None if nothing can be evaluated at the start, or the steps do not end.
+/// stays within its bounds.  None if nothing can be evaluated at the start.
 pub(super) fn minimise(
     start: &[f64],
     bounds: &[(f64, f64)],
@@ -94,7 +96,9 @@ pub(super) fn minimise(
             }
         }
     }
-    ended.then(|| judged(at, squares, &lines.jacobian))
+    let mut fit = judged(at, squares, &lines.jacobian);
+    fit.settled = ended;
+    Some(fit)
 }
 
 /// A fit with its covariance.
@@ -124,6 +128,7 @@ fn judged(parameters: Vec<f64>, squares: f64, jacobian: &DMatrix<f64>) -> Fit {
     });
     Fit {
         parameters,
+        settled: false,
         squares,
         covariance,
         condition: largest / smallest,

@@ -97,9 +97,12 @@ impl Measured {
         }
         let all = std::iter::once((drive.name.as_str(), drive.samples.as_slice()));
         let masses = places.masses.iter();
-        let all = all.chain(masses.map(|(_, channel)| (channel.name.as_str(), channel.samples.as_slice())));
+        let all = all
+            .chain(masses.map(|(_, channel)| (channel.name.as_str(), channel.samples.as_slice())));
         let from = steady::start(&all.collect::<Vec<_>>(), per_sample, rate)?;
-        let kept = |channel: &'_ Channel| -> Vec<f64> { channel.samples.iter().skip(from).copied().collect() };
+        let kept = |channel: &'_ Channel| -> Vec<f64> {
+            channel.samples.iter().skip(from).copied().collect()
+        };
         let driven = kept(drive);
         let per_sample = frequency(&driven).unwrap_or(per_sample);
         if per_sample * (driven.len() as f64) < FEWEST_CYCLES {
@@ -183,13 +186,18 @@ fn places<'r>(recording: &'r Recording, scene: &Scene) -> Result<Places<'r>, Mea
     for channel in recording.channels() {
         let dimension = channel.unit.dimension();
         let is_force = dimension == Dimension::Force;
-        let place = scene.masses.iter().position(|mass| mass.name == channel.name);
+        let place = scene
+            .masses
+            .iter()
+            .position(|mass| mass.name == channel.name);
         let is_drive = channel.name == drive_name;
         if place.is_none() && !is_drive {
             let names = scene.masses.iter().map(|mass| mass.name.clone());
             return Err(MeasureError::NoSuchPlace {
                 channel: channel.name.clone(),
-                known: std::iter::once(drive_name.to_owned()).chain(names).collect(),
+                known: std::iter::once(drive_name.to_owned())
+                    .chain(names)
+                    .collect(),
             });
         }
         if is_force != (is_drive && drive_name == "force") {
@@ -225,7 +233,11 @@ fn in_metres(tone: Tone, channel: &Channel, omega: f64) -> Tone {
     let at_omega = scale / omega.powi(derivatives);
     Tone {
         // The mean of a velocity says nothing of the place.
-        mean: if derivatives == 0 { tone.mean * scale } else { 0.0 },
+        mean: if derivatives == 0 {
+            tone.mean * scale
+        } else {
+            0.0
+        },
         harmonics: harmonics.collect(),
         deviation: tone.deviation * at_omega,
         residual: tone.residual * at_omega,

@@ -5,6 +5,13 @@ pub(super) const NORMAL: f64 = 1.959_963_984_540_054;
 /// Of χ² with one degree of freedom: the square.
 pub(super) const CHI: f64 = NORMAL * NORMAL;
 
+/// What the variances of a fit are multiplied by: its sum of squares over the degrees of freedom where that is more than
+/// chance, three of its deviations above 1; else 1, because the deviations are known.
+pub(super) fn excess(misfit: Option<f64>, freedom: usize) -> f64 {
+    let chance = 1.0 + 3.0 * (2.0 / freedom.max(1) as f64).sqrt();
+    misfit.filter(|misfit| chance < *misfit).unwrap_or(1.0)
+}
+
 /// Of Student's distribution with so many degrees of freedom, two-sided.
 pub(super) fn student(freedom: usize) -> f64 {
     if freedom == 0 {

@@ -139,10 +139,14 @@ fn bend(phases: &[f64]) -> (f64, f64, f64) {
 /// The block from which on a channel keeps its fundamental.
 fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
     let values = &blocks.values;
-    let last = values.get(values.len() - values.len().div_ceil(3)..).unwrap_or(&[]);
+    let last = values
+        .get(values.len() - values.len().div_ceil(3)..)
+        .unwrap_or(&[]);
     let middle = mean(last);
     // Of neighbours: a trend counts as none.
-    let pairs = last.windows(2).filter_map(|pair| Some(pair.last()? - pair.first()?));
+    let pairs = last
+        .windows(2)
+        .filter_map(|pair| Some(pair.last()? - pair.first()?));
     let squares: f64 = pairs.map(|step| step.norm_sqr()).sum();
     let scatter = (0.5 * squares / (last.len() - 1).max(1) as f64).sqrt();
     let noise = blocks.deviation * std::f64::consts::SQRT_2;
@@ -152,7 +156,9 @@ fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
     }
     for share in STEADY {
         let near = (SURE * scatter.max(noise)).max(share * middle.norm());
-        let off = values.iter().rposition(|value| near < (value - middle).norm());
+        let off = values
+            .iter()
+            .rposition(|value| near < (value - middle).norm());
         let first = off.map_or(0, |place| place + 1);
         if 3 * first <= 2 * values.len() {
             return Ok(first);

@@ -16,6 +16,8 @@ pub const HARMONICS: usize = 5;
 const BESIDE: f64 = 0.45;
 /// Bins of a Hann window that belong to its line.
 const LINE: f64 = 3.0;
+/// Fewer bins beside the line tell the noise to less than a tenth; then those between the harmonics are taken too.
+const ENOUGH_BINS: usize = 64;
 /// Fewer bins do not make a floor.
 const FEWEST_BINS: usize = 12;
 
@@ -148,16 +150,20 @@ impl Basis {
         let windowed = left.iter().zip(&self.window).map(|(x, w)| x * w);
         let mut spectrum: Vec<Complex<f64>> =
             windowed.map(|value| Complex::new(value, 0.0)).collect();
-        FftPlanner::new().plan_fft_forward(count).process(&mut spectrum);
+        FftPlanner::new()
+            .plan_fft_forward(count)
+            .process(&mut spectrum);
         let apart = |bin: f64| (bin - self.cycles).abs();
         let beside = |bin: f64| LINE < apart(bin) && apart(bin) < BESIDE * self.cycles;
         let power = |wanted: &dyn Fn(f64) -> bool| {
             let half = spectrum.iter().take(count / 2).enumerate();
             let bins = half.filter(|(bin, _)| wanted(*bin as f64));
-            bins.fold((0_usize, 0.0), |(n, sum), (_, value)| (n + 1, sum + value.norm_sqr()))
+            bins.fold((0_usize, 0.0), |(n, sum), (_, value)| {
+                (n + 1, sum + value.norm_sqr())
+            })
         };
         let (bins, sum) = power(&beside);
-        if FEWEST_BINS <= bins {
+        if ENOUGH_BINS <= bins {
             return sum / bins as f64;
         }
         // Few cycles: everything between the harmonics.
@@ -178,12 +184,20 @@ impl Basis {
 /// The matrix of the weighted least squares, of the sums Σ w e^{imωt}.
 fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
     let at = |m: isize| {
-        let sum = sums.get(m.unsigned_abs()).copied().unwrap_or(Complex::new(0.0, 0.0));
+        let sum = sums
+            .get(m.unsigned_abs())
+            .copied()
+            .unwrap_or(Complex::new(0.0, 0.0));
         if m < 0 { sum.conj() } else { sum }
     };
     let size = 2 * harmonics + 1;
     // Columns: 1, cos ωt, sin ωt, cos 2ωt, …
-    let order = |index: usize| (index.div_ceil(2) as isize, index > 0 && index.is_multiple_of(2));
+    let order = |index: usize| {
+        (
+            index.div_ceil(2) as isize,
+            index > 0 && index.is_multiple_of(2),
+        )
+    };
     DMatrix::from_fn(size, size, |i, j| {
         let ((a, a_sine), (b, b_sine)) = (order(i), order(j));
         let (sum, difference) = (at(a + b), at(a - b));
@@ -217,7 +231,9 @@ pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
         })
         .collect();
     spectrum.resize(padded, Complex::new(0.0, 0.0));
-    FftPlanner::new().plan_fft_forward(padded).process(&mut spectrum);
+    FftPlanner::new()
+        .plan_fft_forward(padded)
+        .process(&mut spectrum);
     let half = spectrum.iter().take(padded / 2).enumerate();
     let (bin, _) = half.max_by(|a, b| a.1.norm_sqr().total_cmp(&b.1.norm_sqr()))?;
     let mut found = bin as f64 / padded as f64;

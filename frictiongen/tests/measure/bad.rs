@@ -65,15 +65,27 @@ fn clipped() {
 fn flat_but_not_clipped() {
     use crate::made::{How, NATURAL, motions};
     let system = rig("");
-    let how = How { hertz: 0.5 * NATURAL, beta: 0.6, rate: 1000.0, seconds: 20.0, skip: 50.0 };
+    let how = How {
+        hertz: 0.5 * NATURAL,
+        beta: 0.6,
+        rate: 1000.0,
+        seconds: 20.0,
+        skip: 50.0,
+    };
     let all = motions(&system, how);
     let channel = |name: &str, motion: &[f64], step: f64| Channel {
         name: name.into(),
         unit: Unit::MILLIMETRE,
-        samples: motion.iter().map(|x| (1e3 * Y * x / step).round() * step).collect(),
+        samples: motion
+            .iter()
+            .map(|x| (1e3 * Y * x / step).round() * step)
+            .collect(),
     };
     for step in [1e-12, 0.01, 0.05] {
-        let channels = vec![channel("base", &all[0], step), channel("plate", &all[1], step)];
+        let channels = vec![
+            channel("base", &all[0], step),
+            channel("plate", &all[1], step),
+        ];
         let recording = Recording::new(1000.0, channels);
         assert!(recording.is_ok(), "step {step}: {}", recording.unwrap_err());
         assert!(Measured::of(&recording.unwrap(), system.scene()).is_ok());
@@ -99,22 +111,39 @@ fn two_samples() {
 fn not_a_number() {
     let mut all = channels(good);
     all[1].samples[777] = f64::NAN;
-    told(measured(all), "sample 777 of `plate` is not a finite number");
+    told(
+        measured(all),
+        "sample 777 of `plate` is not a finite number",
+    );
     let text = "time_s,base_mm,plate_mm\n0,1,2\n0.1,inf,2\n";
     let error = Recording::from_csv(text, &CsvRequest::default()).unwrap_err();
-    assert_eq!(error.to_string(), "line 3: `inf` of `base_mm` is not a finite number");
-    let error = Recording::from_csv("time_s,base_mm\n0,1\n0.1,\n", &CsvRequest::default()).unwrap_err();
-    assert!(error.to_string().starts_with("line 3: `` of `base_mm`"), "{error}");
+    assert_eq!(
+        error.to_string(),
+        "line 3: `inf` of `base_mm` is not a finite number"
+    );
+    let error =
+        Recording::from_csv("time_s,base_mm\n0,1\n0.1,\n", &CsvRequest::default()).unwrap_err();
+    assert!(
+        error.to_string().starts_with("line 3: `` of `base_mm`"),
+        "{error}"
+    );
     // A decimal comma.
-    let error = Recording::from_csv("time_s;base_mm\n0;1\n0,1;2\n", &CsvRequest::default()).unwrap_err();
-    assert_eq!(error.to_string(), "line 3: `0,1` of `time_s` is not a finite number");
+    let error =
+        Recording::from_csv("time_s;base_mm\n0;1\n0,1;2\n", &CsvRequest::default()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "line 3: `0,1` of `time_s` is not a finite number"
+    );
 }
 
 #[test]
 fn wrong_column() {
     let mut all = channels(good);
     all[1].name = "plat".into();
-    told(measured(all), "`plat` is nothing of this scene, which has base, plate");
+    told(
+        measured(all),
+        "`plat` is nothing of this scene, which has base, plate",
+    );
     let mut all = channels(good);
     all[1].unit = Unit::NEWTON;
     told(measured(all), "`plate` cannot be in N");
@@ -124,12 +153,28 @@ fn wrong_column() {
     let all = channels(good);
     told(measured(all[1..].to_vec()), "a channel `base` is needed");
     told(measured(all[..1].to_vec()), "no mass was recorded");
-    let error = Recording::from_csv("time_s,base,plate_mm\n0,1,2\n", &CsvRequest::default()).unwrap_err();
-    assert!(error.to_string().starts_with("the channel `base` has no unit"), "{error}");
+    let error =
+        Recording::from_csv("time_s,base,plate_mm\n0,1,2\n", &CsvRequest::default()).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .starts_with("the channel `base` has no unit"),
+        "{error}"
+    );
     let error = Recording::from_csv("0,1,2\n", &CsvRequest::default()).unwrap_err();
-    assert!(error.to_string().contains("the first line names the columns"), "{error}");
+    assert!(
+        error
+            .to_string()
+            .contains("the first line names the columns"),
+        "{error}"
+    );
     let error = Recording::from_csv("base_mm,plate_mm\n1,2\n", &CsvRequest::default()).unwrap_err();
-    assert!(error.to_string().starts_with("nothing says how many samples"), "{error}");
+    assert!(
+        error
+            .to_string()
+            .starts_with("nothing says how many samples"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -158,10 +203,16 @@ fn a_drive_that_drifts() {
             let [size, lag] = [[1e3 * Y, 0.0], [2.0, 0.5]][place];
             size * (TAU * (4.0 * t + 0.5 * rate * t * t) - lag).cos()
         };
-        told(measured(channels(drifting)), "the frequency of the excitation drifts from 4.");
+        told(
+            measured(channels(drifting)),
+            "the frequency of the excitation drifts from 4.",
+        );
     }
     let swelling = |place: usize, t: f64| good(place, t) * (1.0 + 0.02 * t);
-    told(measured(channels(swelling)), "the amplitude of the excitation changes by");
+    told(
+        measured(channels(swelling)),
+        "the amplitude of the excitation changes by",
+    );
 }
 
 #[test]
@@ -169,7 +220,10 @@ fn no_drive() {
     let silent = |place: usize, t: f64| if place == 0 { 0.0 } else { good(place, t) };
     let error = measured(channels(silent)).unwrap_err();
     assert!(
-        matches!(error, MeasureError::Silent(_) | MeasureError::TooShort { .. } | MeasureError::TooSlow { .. }),
+        matches!(
+            error,
+            MeasureError::Silent(_) | MeasureError::TooShort { .. } | MeasureError::TooSlow { .. }
+        ),
         "{error}"
     );
 }
@@ -186,6 +240,7 @@ fn too_slow() {
     for channel in &mut all {
         channel.samples = channel.samples.iter().step_by(150).copied().collect();
     }
-    let error = Measured::of(&Recording::new(RATE / 150.0, all).unwrap(), rig("").scene()).unwrap_err();
+    let error =
+        Measured::of(&Recording::new(RATE / 150.0, all).unwrap(), rig("").scene()).unwrap_err();
     assert!(error.to_string().contains("are too few for 4.0"), "{error}");
 }

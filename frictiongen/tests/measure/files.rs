@@ -30,15 +30,34 @@ fn a_csv_comes_back_bit_for_bit() {
 #[test]
 fn other_programs_write_it_otherwise() {
     let data = "0,1,2\n0.5,3,4\n1,5,7\n";
-    let more: String = (3..40).map(|i| format!("{},{},{}\n", f64::from(i) / 2.0, i % 7, i % 5)).collect();
+    let more: String = (3..40)
+        .map(|i| format!("{},{},{}\n", f64::from(i) / 2.0, i % 7, i % 5))
+        .collect();
     let body = format!("{data}{more}");
-    let plain = Recording::from_csv(&format!("time_s,base_mm,plate_mm\n{body}"), &CsvRequest::default()).unwrap();
+    let plain = Recording::from_csv(
+        &format!("time_s,base_mm,plate_mm\n{body}"),
+        &CsvRequest::default(),
+    )
+    .unwrap();
     for text in [
-        format!("\u{feff}# a rig\ntime_s;base (mm);plate [mm]\n{}", body.replace(',', ";")),
-        format!("time\tbase\tplate.displacement\ns\tmm\tmm\n{}", body.replace(',', "\t")),
-        format!("\"time (s)\", \"base_mm\", \"plate_mm\"\r\n{}", body.replace('\n', "\r\n")),
+        format!(
+            "\u{feff}# a rig\ntime_s;base (mm);plate [mm]\n{}",
+            body.replace(',', ";")
+        ),
+        format!(
+            "time\tbase\tplate.displacement\ns\tmm\tmm\n{}",
+            body.replace(',', "\t")
+        ),
+        format!(
+            "\"time (s)\", \"base_mm\", \"plate_mm\"\r\n{}",
+            body.replace('\n', "\r\n")
+        ),
     ] {
-        assert_eq!(Recording::from_csv(&text, &CsvRequest::default()).unwrap(), plain, "{text}");
+        assert_eq!(
+            Recording::from_csv(&text, &CsvRequest::default()).unwrap(),
+            plain,
+            "{text}"
+        );
     }
     // Columns that say nothing by themselves.
     let column = |name: &str, column: &str| Column {
@@ -83,7 +102,12 @@ fn a_universal_file_of_another_program() {
     let values: Vec<f64> = (0..32).map(|i| f64::from(i * i % 17) - 8.25).collect();
     let single: String = values
         .chunks(6)
-        .map(|line| line.iter().map(|v| format!("{v:>13.5}")).collect::<String>() + "\n")
+        .map(|line| {
+            line.iter()
+                .map(|v| format!("{v:>13.5}"))
+                .collect::<String>()
+                + "\n"
+        })
         .collect();
     let pairs: String = values
         .iter()

@@ -2,7 +2,8 @@
 
 use crate::made::{How, NATURAL, Noise, RATE, Y, motions, recording, rig};
 use frictiongen::measure::{
-    Datum, Identified, IdentifyRequest, MeasureError, Measured, Observation, Unknown, Using, Verdict,
+    Datum, Identified, IdentifyRequest, MeasureError, Measured, Observation, Unknown, Using,
+    Verdict,
 };
 use frictiongen::study::{Load, Quantity};
 use frictiongen::{Of, Regime, System};
@@ -31,7 +32,10 @@ pub fn scale(system: &System) -> f64 {
 }
 
 fn identified(system: &System, seen: Observation, using: Using) -> Identified {
-    let request = IdentifyRequest { using, ..IdentifyRequest::default() };
+    let request = IdentifyRequest {
+        using,
+        ..IdentifyRequest::default()
+    };
     system.identify(&[seen], &request).unwrap()
 }
 
@@ -43,16 +47,30 @@ fn within_two_per_cent_over_the_range_of_chapter_4() {
     let (mut told, mut stops, mut worst) = (0, 0, 0.0_f64);
     for beta in [0.2, 0.4, 0.6] {
         for r in [0.5, 0.62, 0.75, 0.9, 0.97, 1.05, 1.25, 1.6, 2.0, 2.5] {
-            let how = How { hertz: r * NATURAL, beta, rate: RATE, seconds: 60.0, skip: 200.0 };
+            let how = How {
+                hertz: r * NATURAL,
+                beta,
+                rate: RATE,
+                seconds: 60.0,
+                skip: 200.0,
+            };
             let recording = recording(&system, &motions(&system, how), RATE, 100.0, &mut noise);
             let measured = Measured::of(&recording, system.scene()).unwrap();
             let seen = Observation::of(&measured, &system, 1);
             for using in [Using::Complex, Using::Phase] {
                 let found = identified(&system, seen.clone(), using);
                 // At r = 1/2 the steady state is one of a continuum, and the model reaches the same from rest.
-                assert_eq!(found.verdict, Verdict::Told, "β = {beta}, r = {r}, {using:?}: {:?}", found.levels);
+                assert_eq!(
+                    found.verdict,
+                    Verdict::Told,
+                    "β = {beta}, r = {r}, {using:?}: {:?}",
+                    found.levels
+                );
                 let error = found.friction.value / scale(&system) / beta - 1.0;
-                assert!(error.abs() < 0.02, "β = {beta}, r = {r}, {using:?}: {error}");
+                assert!(
+                    error.abs() < 0.02,
+                    "β = {beta}, r = {r}, {using:?}: {error}"
+                );
                 worst = worst.max(error.abs());
                 told += 1;
                 stops += usize::from(found.explained[0].regime == Regime::StickSlip);
@@ -97,8 +115,17 @@ fn at_an_invariant_point_it_says_so() {
     .unwrap();
     let at = |r: f64, mass: usize| {
         let response = pair.at(r).unwrap();
-        let value = response.response(0.3).unwrap().harmonic(Of::Mass(mass), 1).unwrap();
-        let datum = Datum { mass, harmonic: 1, value, deviation: 1e-4 };
+        let value = response
+            .response(0.3)
+            .unwrap()
+            .harmonic(Of::Mass(mass), 1)
+            .unwrap();
+        let datum = Datum {
+            mass,
+            harmonic: 1,
+            value,
+            deviation: 1e-4,
+        };
         let seen = Observation {
             hertz: pair.hertz(r),
             load: Load::Force(1.0),
@@ -106,11 +133,19 @@ fn at_an_invariant_point_it_says_so() {
             motions: vec![datum],
         };
         // Below the largest threshold of a resonance the contact slides there; beyond, an undamped scene takes its time.
-        let request = IdentifyRequest { range: Some((0.0, 1.2)), ..IdentifyRequest::default() };
+        let request = IdentifyRequest {
+            range: Some((0.0, 1.2)),
+            ..IdentifyRequest::default()
+        };
         pair.identify(&[seen], &request).unwrap()
     };
     let invariant = at(2.0_f64.sqrt(), 1);
-    assert_eq!(invariant.verdict, Verdict::NotTold, "{:?}", invariant.levels);
+    assert_eq!(
+        invariant.verdict,
+        Verdict::NotTold,
+        "{:?}",
+        invariant.levels
+    );
     assert!(invariant.friction.holds(0.3));
     // The other mass tells it.
     let other = at(2.0_f64.sqrt(), 0);
@@ -124,12 +159,29 @@ fn two_levels_of_friction_with_one_amplitude() {
     let system = rig("");
     let observation = seen(&system, 0.5, 0.2, &[0], 1e-4);
     let amplitude = identified(&system, observation.clone(), Using::Amplitude);
-    assert_eq!(amplitude.verdict, Verdict::SeveralLevels, "{:?}", amplitude.levels);
-    let betas: Vec<f64> = amplitude.levels.iter().map(|level| level.value / scale(&system)).collect();
-    assert!(betas.iter().any(|beta| (beta - 0.2).abs() < 1e-3), "{betas:?}");
+    assert_eq!(
+        amplitude.verdict,
+        Verdict::SeveralLevels,
+        "{:?}",
+        amplitude.levels
+    );
+    let betas: Vec<f64> = amplitude
+        .levels
+        .iter()
+        .map(|level| level.value / scale(&system))
+        .collect();
+    assert!(
+        betas.iter().any(|beta| (beta - 0.2).abs() < 1e-3),
+        "{betas:?}"
+    );
     let at = system.at(0.5).unwrap();
     for beta in betas {
-        let size = at.response(beta).unwrap().harmonic(Of::Mass(0), 1).unwrap().norm();
+        let size = at
+            .response(beta)
+            .unwrap()
+            .harmonic(Of::Mass(0), 1)
+            .unwrap()
+            .norm();
         assert!((size - observation.motions[0].value.norm()).abs() < 1e-3);
     }
     let both = identified(&system, observation, Using::Complex);
@@ -143,7 +195,10 @@ fn a_stuck_contact_tells_the_least_force() {
     assert_eq!(found.verdict, Verdict::Stuck);
     let beta = found.friction.from / scale(&system);
     // It sticks from β = 1 on; what moves less than the noise before looks the same.
-    assert!(found.friction.to.is_infinite() && (0.97..=1.0).contains(&beta), "{beta}");
+    assert!(
+        found.friction.to.is_infinite() && (0.97..=1.0).contains(&beta),
+        "{beta}"
+    );
 }
 
 /// F, ζ and the natural frequency together, from four frequencies.
@@ -155,14 +210,19 @@ fn with_damping_and_frequency() {
     let mut scene = guess.scene().clone();
     scene.springs[0].stiffness *= 1.02;
     let guess = System::try_from(scene).unwrap();
-    let observations: Vec<Observation> =
-        [0.7, 0.92, 1.1, 1.7].iter().map(|r| seen(&truth, *r, 0.3, &[0], 1e-4)).collect();
+    let observations: Vec<Observation> = [0.7, 0.92, 1.1, 1.7]
+        .iter()
+        .map(|r| seen(&truth, *r, 0.3, &[0], 1e-4))
+        .collect();
     let request = IdentifyRequest {
         unknowns: vec![Unknown::Damping, Unknown::Quantity(Quantity::Stiffness(0))],
         ..IdentifyRequest::default()
     };
     let found = guess.identify(&observations, &request).unwrap();
-    assert!((found.friction.value / (0.3 * scale(&truth)) - 1.0).abs() < 1e-6, "{found:?}");
+    assert!(
+        (found.friction.value / (0.3 * scale(&truth)) - 1.0).abs() < 1e-6,
+        "{found:?}"
+    );
     assert!((found.unknowns[0].1.value - 0.015).abs() < 1e-7);
     let stiffness = truth.scene().springs[0].stiffness;
     assert!((found.unknowns[1].1.value / stiffness - 1.0).abs() < 1e-7);
@@ -172,7 +232,10 @@ fn with_damping_and_frequency() {
         ..IdentifyRequest::default()
     };
     let found = guess.identify(&observations, &request).unwrap();
-    assert!((found.unknowns[1].1.value - 1.02_f64.sqrt().recip()).abs() < 1e-7, "{found:?}");
+    assert!(
+        (found.unknowns[1].1.value - 1.02_f64.sqrt().recip()).abs() < 1e-7,
+        "{found:?}"
+    );
     assert!((found.friction.value / (0.3 * scale(&truth)) - 1.0).abs() < 1e-6);
 }
 
@@ -181,11 +244,26 @@ fn with_damping_and_frequency() {
 fn stiction_where_it_shows() {
     let truth = rig("stiction: 1.3, damping: modal(0.01),");
     let guess = rig("stiction: 1.1, damping: modal(0.01),");
-    let request = IdentifyRequest { unknowns: vec![Unknown::Stiction], ..IdentifyRequest::default() };
-    let stops: Vec<Observation> = [0.3, 0.42].iter().map(|r| seen(&truth, *r, 0.5, &[0], 1e-5)).collect();
+    let request = IdentifyRequest {
+        unknowns: vec![Unknown::Stiction],
+        ..IdentifyRequest::default()
+    };
+    let stops: Vec<Observation> = [0.3, 0.42]
+        .iter()
+        .map(|r| seen(&truth, *r, 0.5, &[0], 1e-5))
+        .collect();
     let found = guess.identify(&stops, &request).unwrap();
-    assert!(found.explained.iter().all(|point| point.regime == Regime::StickSlip));
-    assert!((found.unknowns[0].1.value - 1.3).abs() < 1e-3, "{:?}", found.unknowns);
+    assert!(
+        found
+            .explained
+            .iter()
+            .all(|point| point.regime == Regime::StickSlip)
+    );
+    assert!(
+        (found.unknowns[0].1.value - 1.3).abs() < 1e-3,
+        "{:?}",
+        found.unknowns
+    );
     assert!((found.friction.value / (0.5 * scale(&truth)) - 1.0).abs() < 1e-3);
     let slides = [seen(&truth, 1.3, 0.3, &[0], 1e-5)];
     let found = guess.identify(&slides, &request).unwrap();
@@ -205,19 +283,33 @@ fn wrong_units_and_other_motions() {
         seen
     };
     for using in [Using::Complex, Using::Amplitude, Using::Phase] {
-        let request = IdentifyRequest { using, ..IdentifyRequest::default() };
+        let request = IdentifyRequest {
+            using,
+            ..IdentifyRequest::default()
+        };
         // The amplitude alone may be as small as any: the contact then is all but stuck.
-        let factors: &[f64] = if using == Using::Amplitude { &[1e3] } else { &[1e3, 1e-3, 1e-6] };
+        let factors: &[f64] = if using == Using::Amplitude {
+            &[1e3]
+        } else {
+            &[1e3, 1e-3, 1e-6]
+        };
         for factor in factors.iter().copied() {
-            let error = system.identify(&[scaled(factor, 1.0)], &request).unwrap_err();
+            let error = system
+                .identify(&[scaled(factor, 1.0)], &request)
+                .unwrap_err();
             assert!(
                 matches!(error, MeasureError::WrongUnit { factor: found, .. } if found == factor),
                 "{using:?}: {error}"
             );
         }
     }
-    let error = system.identify(&[scaled(30.0, 1.0)], &IdentifyRequest::default()).unwrap_err();
-    assert!(matches!(error, MeasureError::NotExplained { .. }), "{error}");
+    let error = system
+        .identify(&[scaled(30.0, 1.0)], &IdentifyRequest::default())
+        .unwrap_err();
+    assert!(
+        matches!(error, MeasureError::NotExplained { .. }),
+        "{error}"
+    );
     assert!(matches!(
         system.identify(&[], &IdentifyRequest::default()),
         Err(MeasureError::NoObservation)
@@ -227,5 +319,14 @@ fn wrong_units_and_other_motions() {
         ..IdentifyRequest::default()
     };
     let error = system.identify(&[scaled(1.0, 1.0)], &request).unwrap_err();
-    assert!(matches!(error, MeasureError::TooFewData { data: 2, unknowns: 3 }), "{error}");
+    assert!(
+        matches!(
+            error,
+            MeasureError::TooFewData {
+                data: 2,
+                unknowns: 3
+            }
+        ),
+        "{error}"
+    );
 }

@@ -8,7 +8,10 @@
 )]
 
 mod bad;
+mod decay;
 mod files;
 mod force;
+mod intervals;
 mod made;
 mod recordings;
+mod sweeps;

@@ -26,13 +26,24 @@ fn transmissibility_and_phase_are_those_of_the_steady_state() {
         let expected = response.harmonic(Of::Mass(0), 1).unwrap();
         // Five deviations of each: one in a million, and the seed is fixed.
         let error = (found.value - expected).norm();
-        assert!(error < 5.0 * found.deviation, "r = {r}: {error} of {}", found.deviation);
-        assert!(found.deviation < 2e-4 * expected.norm().max(1.0), "{}", found.deviation);
+        assert!(
+            error < 5.0 * found.deviation,
+            "r = {r}: {error} of {}",
+            found.deviation
+        );
+        assert!(
+            found.deviation < 2e-4 * expected.norm().max(1.0),
+            "{}",
+            found.deviation
+        );
         assert!((measured.hertz - how.hertz).abs() < 5.0 * measured.hertz_deviation);
         assert!(measured.hertz_deviation < 1e-6 * how.hertz);
         let third = measured.harmonic(0, 3).unwrap();
         let error = (third - response.harmonic(Of::Mass(0), 3).unwrap()).norm();
-        assert!(error < 6.0 * found.deviation, "third harmonic at r = {r}: {error}");
+        assert!(
+            error < 6.0 * found.deviation,
+            "third harmonic at r = {r}: {error}"
+        );
         assert!((measured.drive_amplitude() - Y).abs() < 5.0 * measured.drive.deviation);
     }
 }
@@ -45,11 +56,17 @@ fn the_deviation_is_that_of_repeats() {
     let (mut squares, mut claimed) = (0.0, 0.0);
     for seed in 0..repeats {
         let mut noise = Noise::new(seed);
-        let wave = |lag: f64, size: f64| (0..count).map(move |i| size * (TAU * 3.3 * i as f64 / 500.0 - lag).cos());
+        let wave = |lag: f64, size: f64| {
+            (0..count).map(move |i| size * (TAU * 3.3 * i as f64 / 500.0 - lag).cos())
+        };
         let mut channel = |name: &str, lag, size| {
             let mut samples: Vec<f64> = wave(lag, size).collect();
             noise.add(&mut samples, 0.01);
-            Channel { name: name.into(), unit: Unit::METRE, samples }
+            Channel {
+                name: name.into(),
+                unit: Unit::METRE,
+                samples,
+            }
         };
         let channels = vec![channel("base", 0.0, 1.0), channel("plate", 0.7, 2.0)];
         let recording = Recording::new(500.0, channels).unwrap();
@@ -64,8 +81,14 @@ fn the_deviation_is_that_of_repeats() {
     let (seen, claimed) = ((squares / repeats).sqrt(), (claimed / repeats).sqrt());
     // √(1 + |T|²) for the noise of both channels; 800 numbers tell a deviation to 2.5 %, taken three times.
     let expected = 0.01 * (3.0 / f64::from(count)).sqrt() * 5.0_f64.sqrt();
-    assert!((seen / expected - 1.0).abs() < 0.08, "{seen} for {expected}");
-    assert!((claimed / expected - 1.0).abs() < 0.05, "{claimed} for {expected}");
+    assert!(
+        (seen / expected - 1.0).abs() < 0.08,
+        "{seen} for {expected}"
+    );
+    assert!(
+        (claimed / expected - 1.0).abs() < 0.05,
+        "{claimed} for {expected}"
+    );
 }
 
 /// e^{−i lag}.
@@ -88,7 +111,11 @@ fn the_steady_part_is_found() {
     let recording = recording(&system, &motions(&system, how), 500.0, 1000.0, &mut noise);
     let measured = Measured::of(&recording, system.scene()).unwrap();
     // Free vibration dies as e^{−ζω_n t} and by friction.
-    assert!((1.0..20.0).contains(&measured.steady.0), "{:?}", measured.steady);
+    assert!(
+        (1.0..20.0).contains(&measured.steady.0),
+        "{:?}",
+        measured.steady
+    );
     let found = measured.transmissibility(0).unwrap();
     let expected = system.at(1.3).unwrap().response(0.1).unwrap();
     let expected = expected.harmonic(Of::Mass(0), 1).unwrap();
@@ -102,12 +129,16 @@ fn any_kind_of_sensor() {
     let system = rig("");
     let omega = TAU * 4.0;
     let wave = |shift: f64, size: f64| -> Vec<f64> {
-        (0..4000).map(|i| size * (omega * f64::from(i) / 800.0 - 0.4 + shift).cos()).collect()
+        (0..4000)
+            .map(|i| size * (omega * f64::from(i) / 800.0 - 0.4 + shift).cos())
+            .collect()
     };
     let base = Channel {
         name: "base".into(),
         unit: "um".parse().unwrap(),
-        samples: (0..4000).map(|i| 1750.0 * (omega * f64::from(i) / 800.0).cos()).collect(),
+        samples: (0..4000)
+            .map(|i| 1750.0 * (omega * f64::from(i) / 800.0).cos())
+            .collect(),
     };
     let quarter = TAU / 4.0;
     let kinds = [
@@ -117,7 +148,11 @@ fn any_kind_of_sensor() {
         ("g", wave(2.0 * quarter, 3.5e-3 * omega * omega / 9.80665)),
     ];
     for (unit, samples) in kinds {
-        let plate = Channel { name: "plate".into(), unit: unit.parse().unwrap(), samples };
+        let plate = Channel {
+            name: "plate".into(),
+            unit: unit.parse().unwrap(),
+            samples,
+        };
         let recording = Recording::new(800.0, vec![base.clone(), plate]).unwrap();
         let measured = Measured::of(&recording, system.scene()).unwrap();
         let found = measured.transmissibility(0).unwrap();

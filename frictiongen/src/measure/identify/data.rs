@@ -49,7 +49,8 @@ impl<'o> Weighed<'o> {
     ) -> Option<Self> {
         let (Load::Base(amplitude) | Load::Force(amplitude)) = seen.load;
         let relative = seen.load_deviation / amplitude;
-        let certain = |datum: &Datum| using != Using::Phase || datum.deviation < VAGUE * datum.value.norm();
+        let certain =
+            |datum: &Datum| using != Using::Phase || datum.deviation < VAGUE * datum.value.norm();
         let kept: Vec<usize> = (0..seen.motions.len())
             .filter(|place| seen.motions.get(*place).is_some_and(certain))
             .collect();
@@ -58,7 +59,10 @@ impl<'o> Weighed<'o> {
             let datum = seen.motions.get(*place)?;
             let value = datum.value;
             let zero = Complex::new(0.0, 0.0);
-            let by_friction = friction.and_then(|all| all.get(*place)).copied().unwrap_or(zero);
+            let by_friction = friction
+                .and_then(|all| all.get(*place))
+                .copied()
+                .unwrap_or(zero);
             let unit = match using {
                 Using::Phase => datum.deviation / value.norm(),
                 _ => datum.deviation,
@@ -67,7 +71,11 @@ impl<'o> Weighed<'o> {
             own.extend(std::iter::repeat_n(unit * unit, size.len()));
             of_size.extend(size);
             let order = f64::from(datum.harmonic);
-            of_phase.extend(seen_change(using, value, turned(value) * (-order * relative)));
+            of_phase.extend(seen_change(
+                using,
+                value,
+                turned(value) * (-order * relative),
+            ));
         }
         let (of_size, of_phase) = (DVector::from_vec(of_size), DVector::from_vec(of_phase));
         let covariance = DMatrix::from_diagonal(&DVector::from_vec(own))
@@ -106,7 +114,11 @@ impl<'o> Weighed<'o> {
     }
 
     /// How the residuals move with what the scene does.
-    pub(super) fn slopes(&self, model: &[Complex<f64>], slopes: &[Complex<f64>]) -> Option<DVector<f64>> {
+    pub(super) fn slopes(
+        &self,
+        model: &[Complex<f64>],
+        slopes: &[Complex<f64>],
+    ) -> Option<DVector<f64>> {
         let mut all = Vec::with_capacity(self.len());
         for place in &self.kept {
             let change = seen_change(self.using, *model.get(*place)?, *slopes.get(*place)?);

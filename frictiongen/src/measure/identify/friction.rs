@@ -4,7 +4,7 @@ use super::data::Weighed;
 use super::model::{self, Along, Direction};
 use super::{Estimate, Explained, Identified, IdentifyRequest, Observation, Using, Verdict};
 use crate::measure::MeasureError;
-use crate::measure::statistics::CHI;
+use crate::measure::statistics::{CHI, excess};
 use crate::study::System;
 use crate::{Complex, Regime};
 
@@ -46,10 +46,14 @@ impl<'a> Problem<'a> {
             system.at(system.frequency_ratio_at_hertz(seen.hertz))?;
             let known = system.scene().masses.len();
             if seen.motions.iter().any(|datum| known <= datum.mass) {
-                return Err(MeasureError::Asked("an observation is of a mass that the scene does not have"));
+                return Err(MeasureError::Asked(
+                    "an observation is of a mass that the scene does not have",
+                ));
             }
             let usable = |datum: &super::Datum| {
-                0.0 < datum.deviation && datum.deviation.is_finite() && datum.value.norm().is_finite()
+                0.0 < datum.deviation
+                    && datum.deviation.is_finite()
+                    && datum.value.norm().is_finite()
             };
             if !seen.motions.iter().all(usable) || !(0.0 <= seen.load_deviation) {
                 return Err(MeasureError::Asked(
@@ -57,7 +61,9 @@ impl<'a> Problem<'a> {
                 ));
             }
         }
-        let limits = observations.iter().filter_map(|seen| model::sticks_from(system, seen));
+        let limits = observations
+            .iter()
+            .filter_map(|seen| model::sticks_from(system, seen));
         let (stuck, sought) = limits.fold((0.0_f64, 0.0_f64), |(stuck, sought), limit| {
             (stuck.max(limit.0), sought.max(limit.1))
         });
@@ -77,24 +83,39 @@ impl<'a> Problem<'a> {
     }
 
     /// What is compared, with weights for this friction force.
-    pub(super) fn weighed(&self, system: &System, friction: Option<f64>) -> Result<Vec<Weighed<'a>>, MeasureError> {
+    pub(super) fn weighed(
+        &self,
+        system: &System,
+        friction: Option<f64>,
+    ) -> Result<Vec<Weighed<'a>>, MeasureError> {
         let along = friction.and_then(|_| Along::new(system, Direction::Friction));
         let weighed = self.observations.iter().map(|seen| {
             let slopes = friction.zip(along.as_ref()).and_then(|(friction, along)| {
                 let slopes = along.slopes(seen, friction)?;
-                Some(slopes.into_iter().map(|slope| slope * friction).collect::<Vec<_>>())
+                Some(
+                    slopes
+                        .into_iter()
+                        .map(|slope| slope * friction)
+                        .collect::<Vec<_>>(),
+                )
             });
             Weighed::new(seen, self.using, slopes.as_deref())
         });
-        weighed.collect::<Option<Vec<_>>>().ok_or(MeasureError::NoFit)
+        weighed
+            .collect::<Option<Vec<_>>>()
+            .ok_or(MeasureError::NoFit)
     }
 
     /// The sum of squares; infinite where there is no response.
     fn squares(&self, weighed: &[Weighed<'_>], friction: f64) -> f64 {
-        let sums = self.observations.iter().zip(weighed).map(|(seen, weights)| {
-            let answer = model::answer(self.system, seen, friction)?;
-            Some(weights.residuals(&answer.values)?.norm_squared())
-        });
+        let sums = self
+            .observations
+            .iter()
+            .zip(weighed)
+            .map(|(seen, weights)| {
+                let answer = model::answer(self.system, seen, friction)?;
+                Some(weights.residuals(&answer.values)?.norm_squared())
+            });
         sums.sum::<Option<f64>>().unwrap_or(f64::INFINITY)
     }
 
@@ -121,13 +142,16 @@ impl<'a> Problem<'a> {
             .map(|(force, _)| (*force, self.squares(&weighed, *force)))
             .collect();
         let minima = self.minima(&weighed, &scanned);
-        let least = minima.iter().map(|(_, squares)| *squares).fold(f64::INFINITY, f64::min);
+        let least = minima
+            .iter()
+            .map(|(_, squares)| *squares)
+            .fold(f64::INFINITY, f64::min);
         if !least.is_finite() {
             return Err(MeasureError::NoFit);
         }
         let freedom = data - 1;
         let misfit = (freedom > 0).then(|| least / freedom as f64);
-        let most = least + CHI * misfit.unwrap_or(1.0).max(1.0);
+        let most = least + CHI * excess(misfit, freedom);
         let mut levels: Vec<(Estimate, f64)> = Vec::new();
         for (force, squares) in minima.into_iter().filter(|(_, squares)| *squares <= most) {
             if let Some((known, lowest)) = levels.iter_mut().find(|(known, _)| known.holds(force)) {
@@ -163,7 +187,11 @@ impl<'a> Problem<'a> {
                 let from = before.map_or(*force, |other| other.0);
                 let to = after.map_or(*force, |other| other.0);
                 let sharp = self.golden(weighed, from, to);
-                found.push(if sharp.1 < *squares { sharp } else { (*force, *squares) });
+                found.push(if sharp.1 < *squares {
+                    sharp
+                } else {
+                    (*force, *squares)
+                });
             }
         }
         found
@@ -190,7 +218,11 @@ impl<'a> Problem<'a> {
 
     /// Where the sum of squares rises above `most`, on one side of a minimum.
     fn edge(&self, weighed: &[Weighed<'_>], force: f64, most: f64, side: f64) -> f64 {
-        let end = if side < 0.0 { self.range.0 } else { self.range.1 };
+        let end = if side < 0.0 {
+            self.range.0
+        } else {
+            self.range.1
+        };
         let mut inside = force;
         let mut step = 1e-6 * (self.range.1 - self.range.0);
         let outside = loop {
@@ -202,7 +234,11 @@ impl<'a> Problem<'a> {
             }
             inside = next;
             if beyond {
-                return if 0.0 < side && self.stuck_beyond { f64::INFINITY } else { end };
+                return if 0.0 < side && self.stuck_beyond {
+                    f64::INFINITY
+                } else {
+                    end
+                };
             }
             step *= 2.0;
         };
@@ -240,13 +276,22 @@ impl<'a> Problem<'a> {
                 }
             }
         }
-        Some(((left / all.max(f64::MIN_POSITIVE)).sqrt(), worst.1, worst.2, worst.3))
+        Some((
+            (left / all.max(f64::MIN_POSITIVE)).sqrt(),
+            worst.1,
+            worst.2,
+            worst.3,
+        ))
     }
 
     /// Nothing, if the scene explains the measurement at this friction force somehow.
     pub(super) fn explains(&self, friction: f64) -> Result<(), MeasureError> {
         // A phase alone does not ask for the right amplitude, only for a likely one.
-        let gross = if self.using == Using::Phase { 0.9 } else { GROSS };
+        let gross = if self.using == Using::Phase {
+            0.9
+        } else {
+            GROSS
+        };
         let Some((part, mass, measured, nearest)) = self.unexplained(friction, 1.0) else {
             return Err(MeasureError::NoFit);
         };
@@ -270,7 +315,11 @@ impl<'a> Problem<'a> {
     }
 
     /// Each observation beside what a scene does.
-    pub(super) fn explained(&self, system: &System, friction: f64) -> Result<Vec<Explained>, MeasureError> {
+    pub(super) fn explained(
+        &self,
+        system: &System,
+        friction: f64,
+    ) -> Result<Vec<Explained>, MeasureError> {
         let answers = self.observations.iter().map(|seen| {
             let answer = model::answer(system, seen, friction).ok_or(MeasureError::NoFit)?;
             Ok(Explained {
@@ -294,7 +343,8 @@ pub(super) struct Alone {
 impl Alone {
     pub(super) fn best(&self) -> Result<Estimate, MeasureError> {
         let best = self.levels.iter().min_by(|a, b| a.1.total_cmp(&b.1));
-        best.map(|(estimate, _)| *estimate).ok_or(MeasureError::NoFit)
+        best.map(|(estimate, _)| *estimate)
+            .ok_or(MeasureError::NoFit)
     }
 
     /// Nothing, if the best force explains the measurement somehow.

@@ -2,7 +2,7 @@
 
 mod data;
 mod friction;
-mod model;
+pub(super) mod model;
 mod several;
 
 use super::{MeasureError, Measured};
@@ -200,7 +200,8 @@ impl Identified {
     /// Residuals of an observation: measured less computed, over the load.
     #[must_use]
     pub fn residuals(&self, observations: &[Observation], index: usize) -> Vec<Complex<f64>> {
-        let (Some(seen), Some(explained)) = (observations.get(index), self.explained.get(index)) else {
+        let (Some(seen), Some(explained)) = (observations.get(index), self.explained.get(index))
+        else {
             return Vec::new();
         };
         let pairs = seen.motions.iter().zip(&explained.model);

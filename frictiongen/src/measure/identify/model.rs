@@ -9,17 +9,21 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
 /// The response of a scene where something was measured.
-pub(super) struct Answer {
+pub(in crate::measure) struct Answer {
     pub(super) r: f64,
     pub(super) beta: f64,
     pub(super) regime: Regime,
     /// In the order of the observation's motions, over the load.
-    pub(super) values: Vec<Complex<f64>>,
+    pub(in crate::measure) values: Vec<Complex<f64>>,
 }
 
 /// The first spring's stiffness.
 fn reference(system: &System) -> f64 {
-    system.scene().springs.first().map_or(1.0, |spring| spring.stiffness)
+    system
+        .scene()
+        .springs
+        .first()
+        .map_or(1.0, |spring| spring.stiffness)
 }
 
 /// What x̄ is multiplied by to be over the load: x/Y, or x/P in m/N.
@@ -39,7 +43,11 @@ pub(super) fn force_scale(system: &System, load: Load) -> f64 {
 }
 
 /// The response at a friction force in N; none where there is no steady one.
-pub(super) fn answer(system: &System, seen: &Observation, friction: f64) -> Option<Answer> {
+pub(in crate::measure) fn answer(
+    system: &System,
+    seen: &Observation,
+    friction: f64,
+) -> Option<Answer> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let beta = friction / force_scale(system, seen.load);
     let at = system.at(r).ok()?;
@@ -71,7 +79,11 @@ pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f
     let others = others.chain([slow, system.high_frequency_limits().1]);
     let usual = others.filter(|beta| beta.is_finite()).fold(0.0, f64::max);
     let scale = force_scale(system, seen.load);
-    let sought = if 0.0 < usual { limit.min(FAR * usual) } else { limit };
+    let sought = if 0.0 < usual {
+        limit.min(FAR * usual)
+    } else {
+        limit
+    };
     let sought = sought * scale;
     sought.is_finite().then_some((limit * scale, sought))
 }
@@ -145,7 +157,7 @@ pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> 
 
 /// What a derivative is taken with respect to.
 #[derive(Clone, Copy)]
-pub(super) enum Direction {
+pub(in crate::measure) enum Direction {
     /// The friction force, N.
     Friction,
     /// A factor on all frequencies, at 1.
@@ -155,14 +167,14 @@ pub(super) enum Direction {
 }
 
 /// A scene that carries one derivative through every answer.
-pub(super) struct Along<'s> {
+pub(in crate::measure) struct Along<'s> {
     system: &'s System,
     direction: Direction,
     varied: Varied,
 }
 
 impl<'s> Along<'s> {
-    pub(super) fn new(system: &'s System, direction: Direction) -> Option<Self> {
+    pub(in crate::measure) fn new(system: &'s System, direction: Direction) -> Option<Self> {
         let varied = match direction {
             Direction::Quantity(quantity) => system.along(quantity)?,
             _ => system.unvaried(),
@@ -175,10 +187,18 @@ impl<'s> Along<'s> {
     }
 
     /// The derivatives of the values of [`answer`]; none where there is no derivative.
-    pub(super) fn slopes(&self, seen: &Observation, friction: f64) -> Option<Vec<Complex<f64>>> {
+    pub(in crate::measure) fn slopes(
+        &self,
+        seen: &Observation,
+        friction: f64,
+    ) -> Option<Vec<Complex<f64>>> {
         let number = |value: f64, own: bool| -> Sensitive {
             let value = Dd::from(value);
-            if own { Dual::variable(value) } else { Dual::fixed(value) }
+            if own {
+                Dual::variable(value)
+            } else {
+                Dual::fixed(value)
+            }
         };
         let factor = number(1.0, matches!(self.direction, Direction::Frequencies));
         let own = matches!(self.direction, Direction::Quantity(Quantity::Stiffness(0)));
@@ -189,7 +209,10 @@ impl<'s> Along<'s> {
             Load::Force(force) => (number(force, false), number(1.0, false) / stiffness),
         };
         let omega = angular_frequency(number(seen.hertz, false));
-        let (r, beta) = (self.varied.frequency_ratio(omega) / factor, friction_dual / force);
+        let (r, beta) = (
+            self.varied.frequency_ratio(omega) / factor,
+            friction_dual / force,
+        );
         let at = self.system.at(r.value.to_f64()).ok()?;
         let response = at.response(beta.value.to_f64()).ok()?;
         let values = self.harmonics(&response, r, beta, seen)?;

@@ -4,11 +4,11 @@ use super::data::Weighed;
 use super::friction::{Alone, Problem, verdict};
 use super::model::{self, Along, Direction};
 use super::{Estimate, Identified, Unknown};
+use crate::Complex;
 use crate::measure::MeasureError;
 use crate::measure::least_squares::{Fit, Linearised, minimise};
-use crate::measure::statistics::NORMAL;
+use crate::measure::statistics::{NORMAL, excess};
 use crate::study::{Quantity, System};
-use crate::Complex;
 use nalgebra::{DMatrix, DVector};
 
 /// The step of a difference where there is no derivative, of the value.
@@ -71,7 +71,10 @@ impl Several<'_, '_> {
                 .or_else(|| self.difference(parameters, index))?;
             jacobian.set_column(index, &column);
         }
-        Some(Linearised { residuals, jacobian })
+        Some(Linearised {
+            residuals,
+            jacobian,
+        })
     }
 
     /// The derivatives of the residuals by dual numbers.
@@ -84,7 +87,10 @@ impl Several<'_, '_> {
             Some(place) => directions(*self.unknowns.get(place)?, masses),
         };
         // A factor on the frequencies is 1 in the changed scene, and not in the one that it is a factor of.
-        let factor = match index.checked_sub(1).and_then(|place| self.unknowns.get(place)) {
+        let factor = match index
+            .checked_sub(1)
+            .and_then(|place| self.unknowns.get(place))
+        {
             Some(Unknown::Frequencies) => 1.0 / parameters.get(index)?,
             _ => 1.0,
         };
@@ -132,21 +138,37 @@ pub(super) fn fit(
             unknown,
             Unknown::Damping | Unknown::Quantity(Quantity::DampingRatio(_))
         );
-        Some(if damping && value == 0.0 { SOME_DAMPING } else { value })
+        Some(if damping && value == 0.0 {
+            SOME_DAMPING
+        } else {
+            value
+        })
     };
-    let start: Vec<f64> = unknowns
-        .iter()
-        .map(start)
-        .collect::<Option<_>>()
-        .ok_or(MeasureError::Asked("the scene does not have one of the unknowns that are asked for"))?;
+    let start: Vec<f64> =
+        unknowns
+            .iter()
+            .map(start)
+            .collect::<Option<_>>()
+            .ok_or(MeasureError::Asked(
+                "the scene does not have one of the unknowns that are asked for",
+            ))?;
     let mut levels = alone.levels.clone();
     levels.sort_by(|a, b| a.1.total_cmp(&b.1));
     let (low, high) = problem.range;
     // Also a third and two thirds of the range: other values of the unknowns may be far from the scene's.
     let others = [1.0, 2.0].map(|part| low + (high - low) * part / 3.0);
-    let forces = levels.iter().take(STARTS).map(|level| level.0.value).chain(others);
+    let forces = levels
+        .iter()
+        .take(STARTS)
+        .map(|level| level.0.value)
+        .chain(others);
     let limits: Vec<(f64, f64)> = std::iter::once((low, 5.0 * high))
-        .chain(unknowns.iter().zip(&start).map(|(unknown, start)| bounds(*unknown, *start)))
+        .chain(
+            unknowns
+                .iter()
+                .zip(&start)
+                .map(|(unknown, start)| bounds(*unknown, *start)),
+        )
         .collect();
     let mut best: Option<Fit> = None;
     let mut several = Several {
@@ -168,19 +190,24 @@ pub(super) fn fit(
             |at| several.residuals(at),
             |at| several.linearise(at),
         )
+        .filter(|fit| fit.settled)
     };
     for force in forces {
         let mut from = vec![force.max(1e-3 * high)];
         from.extend(&start);
         if let Some(found) = run(&several, &from)
-            && best.as_ref().is_none_or(|best| found.squares < best.squares)
+            && best
+                .as_ref()
+                .is_none_or(|best| found.squares < best.squares)
         {
             best = Some(found);
         }
     }
     let first = best.ok_or(MeasureError::NoFit)?;
     // Once more with the errors of the load as they are there.
-    let system = several.system(&first.parameters).ok_or(MeasureError::NoFit)?;
+    let system = several
+        .system(&first.parameters)
+        .ok_or(MeasureError::NoFit)?;
     let friction = first.parameters.first().copied();
     several.weighed = problem.weighed(&system, friction)?;
     let fit = run(&several, &first.parameters).ok_or(MeasureError::NoFit)?;
@@ -191,11 +218,14 @@ fn answer(several: &Several<'_, '_>, fit: Fit, data: usize) -> Result<Identified
     let (problem, unknowns) = (several.problem, several.unknowns);
     let freedom = data - fit.parameters.len();
     let misfit = (freedom > 0).then(|| fit.squares / freedom as f64);
-    let scale = misfit.unwrap_or(1.0).max(1.0).sqrt();
+    let scale = excess(misfit, freedom).sqrt();
     let system = several.system(&fit.parameters).ok_or(MeasureError::NoFit)?;
     let estimate = |index: usize| {
         let value = fit.parameters.get(index).copied().unwrap_or(f64::NAN);
-        let variance = fit.covariance.as_ref().and_then(|all| all.get((index, index)));
+        let variance = fit
+            .covariance
+            .as_ref()
+            .and_then(|all| all.get((index, index)));
         let reach = variance.map_or(f64::INFINITY, |variance| NORMAL * scale * variance.sqrt());
         Estimate {
             value,

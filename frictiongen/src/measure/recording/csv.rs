@@ -51,7 +51,9 @@ impl Table {
             line: 1,
             what: "the file is empty".to_owned(),
         })?;
-        let separator = [';', '\t', ','].into_iter().find(|mark| head.contains(*mark));
+        let separator = [';', '\t', ',']
+            .into_iter()
+            .find(|mark| head.contains(*mark));
         let cells = |line: &str| -> Vec<String> {
             let clean = |cell: &str| cell.trim().trim_matches('"').trim().to_owned();
             match separator {
@@ -153,7 +155,8 @@ fn subject(name: &str) -> &str {
 
 /// Whether a column is the time.
 fn is_time(name: &str, unit: Option<Unit>) -> bool {
-    ["time", "t", "Time"].contains(&name) || unit.is_some_and(|unit| unit.dimension() == Dimension::Time)
+    ["time", "t", "Time"].contains(&name)
+        || unit.is_some_and(|unit| unit.dimension() == Dimension::Time)
 }
 
 impl Recording {
@@ -171,7 +174,12 @@ impl Recording {
             let samples = table.column(place)?;
             if is_time(name, unit) {
                 let unit = unit.ok_or_else(|| MeasureError::NoUnit(name.to_owned()))?;
-                time = Some(samples.into_iter().map(|t| t * unit.scale()).collect::<Vec<f64>>());
+                time = Some(
+                    samples
+                        .into_iter()
+                        .map(|t| t * unit.scale())
+                        .collect::<Vec<f64>>(),
+                );
                 return Ok(());
             }
             channels.push(Channel {
@@ -190,20 +198,24 @@ impl Recording {
             let asked = request.columns.iter();
             let time_asked = asked.clone().any(|column| column.name == "time");
             for column in asked {
-                let place = table.place(&column.column).ok_or_else(|| MeasureError::Format {
-                    line: 1,
-                    what: format!(
-                        "there is no column `{}`; the columns are {}",
-                        column.column,
-                        table.names.join(", ")
-                    ),
-                })?;
+                let place = table
+                    .place(&column.column)
+                    .ok_or_else(|| MeasureError::Format {
+                        line: 1,
+                        what: format!(
+                            "there is no column `{}`; the columns are {}",
+                            column.column,
+                            table.names.join(", ")
+                        ),
+                    })?;
                 let own = table.names.get(place).and_then(|name| Unit::split(name).1);
                 add(&column.name, place, column.unit.or(own))?;
             }
             if !time_asked && request.rate.is_none() {
                 let split = table.names.iter().map(|name| Unit::split(name));
-                let found = split.enumerate().find(|(_, (name, unit))| is_time(name, *unit));
+                let found = split
+                    .enumerate()
+                    .find(|(_, (name, unit))| is_time(name, *unit));
                 if let Some((place, (name, unit))) = found {
                     add(name, place, unit)?;
                 }
@@ -263,7 +275,9 @@ fn even_rate(time: &[f64], lines: &[usize]) -> Result<f64, MeasureError> {
     if apart(mean, usual) {
         // Rounded times may differ step by step, but not in the end.
         let ten = time.len().min(11) - 1;
-        let early = time.get(ten).map_or(usual, |t| (t - first) / ten.max(1) as f64);
+        let early = time
+            .get(ten)
+            .map_or(usual, |t| (t - first) / ten.max(1) as f64);
         if apart(mean, early) {
             return Err(MeasureError::MixedRates {
                 place: "its end".to_owned(),

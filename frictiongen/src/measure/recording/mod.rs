@@ -5,6 +5,7 @@ mod csv;
 mod uff58;
 mod unit;
 
+pub(super) use csv::Table;
 pub use csv::{Column, CsvRequest};
 
 pub use unit::{Dimension, Unit};

@@ -50,7 +50,11 @@ fn field(line: &str, from: usize, to: usize) -> &str {
     line.get(from..to.min(line.len())).unwrap_or("").trim()
 }
 
-fn number<T: std::str::FromStr>(lines: &Lines<'_>, text: &str, what: &str) -> Result<T, MeasureError> {
+fn number<T: std::str::FromStr>(
+    lines: &Lines<'_>,
+    text: &str,
+    what: &str,
+) -> Result<T, MeasureError> {
     match text.replace(['D', 'd'], "E").parse() {
         Ok(value) => Ok(value),
         Err(_) => lines.wrong(format!("`{text}` is not {what}")),
@@ -133,11 +137,23 @@ impl Recording {
             let _ = writeln!(
                 text,
                 "{TIME_RESPONSE:>5}{:>10}{:>5}{:>10} {:<10}{:>10}{:>4} {:<10}{:>10}{:>4}",
-                0, 0, 0, short(name), 0, 0, "NONE", 0, 0
+                0,
+                0,
+                0,
+                short(name),
+                0,
+                0,
+                "NONE",
+                0,
+                0
             );
             let count = channel.samples.len();
             let (start, step) = (exponential(0.0, 5), exponential(1.0 / self.rate, 5));
-            let _ = writeln!(text, "{:>10}{count:>10}{:>10}{start:>13}{step:>13}{start:>13}", 4, 1);
+            let _ = writeln!(
+                text,
+                "{:>10}{count:>10}{:>10}{start:>13}{step:>13}{start:>13}",
+                4, 1
+            );
             text.push_str(&axis(TIME, "Time", "s"));
             text.push_str(&axis(ordinate, "NONE", channel.unit.name()));
             text.push_str(&axis(0, "NONE", "NONE"));
@@ -208,7 +224,9 @@ fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, Measu
         return Ok(None);
     }
     if kind != 2 && kind != 4 {
-        return lines.wrong(format!("`{name}`: its samples are complex, and a function of time is real"));
+        return lines.wrong(format!(
+            "`{name}`: its samples are complex, and a function of time is real"
+        ));
     }
     let unit = unit(&name, &label, asked)?;
     check_code(&name, code, unit)?;
@@ -218,7 +236,10 @@ fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, Measu
         unspaced(&name, line, &values)?
     };
     if samples.len() != count {
-        return lines.wrong(format!("`{name}` has {} samples, and says {count}", samples.len()));
+        return lines.wrong(format!(
+            "`{name}` has {} samples, and says {count}",
+            samples.len()
+        ));
     }
     if !(0.0 < step && step.is_finite()) {
         return lines.wrong(format!("`{name}`: the time step {step} is not above 0"));
@@ -226,7 +247,11 @@ fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, Measu
     let name = asked.map_or(name, |asked| asked.name.clone());
     Ok(Some(Set {
         line,
-        channel: Channel { name, unit, samples },
+        channel: Channel {
+            name,
+            unit,
+            samples,
+        },
         step,
     }))
 }

@@ -140,9 +140,9 @@ impl std::str::FromStr for Unit {
     fn from_str(text: &str) -> Result<Self, MeasureError> {
         let plain = text.trim().replace(['^', ' '], "").replace('²', "2");
         let plain = plain.replace("s**2", "s2").replace(['µ', 'μ'], "u");
-        let found = UNITS
-            .iter()
-            .find(|unit| unit.0 == plain || unit.1 == plain || unit.0.replace("s2", "s/s") == plain);
+        let found = UNITS.iter().find(|unit| {
+            unit.0 == plain || unit.1 == plain || unit.0.replace("s2", "s/s") == plain
+        });
         found
             .map(|unit| Self::of(*unit))
             .ok_or_else(|| MeasureError::UnknownUnit(text.trim().to_owned()))
