@@ -99,6 +99,7 @@ pub mod measure;
 pub mod sweep;
 pub mod system;
 mod targets;
+pub mod watch;
 
 #[cfg(feature = "study")]
 pub mod study;
