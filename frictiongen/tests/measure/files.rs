@@ -126,7 +126,7 @@ fn a_universal_file_of_another_program() {
     assert_eq!(read.channel("plate").unwrap().samples, values);
     // No unit: it is asked for.
     let error = Recording::from_uff58(&text.replace("mm  ", "NONE"), &CsvRequest::default());
-    assert_eq!(error.unwrap_err().to_string().contains("has no unit"), true);
+    assert!(error.unwrap_err().to_string().contains("has no unit"));
     // The other channel ran at another rate.
     let mixed = text.replacen("5.00000E-04", "1.00000E-03", 1);
     let error = Recording::from_uff58(&mixed, &CsvRequest::default()).unwrap_err();

@@ -7,6 +7,7 @@
     reason = "a test may fail"
 )]
 
+mod axis;
 mod bad;
 mod decay;
 mod files;

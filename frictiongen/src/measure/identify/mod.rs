@@ -1,6 +1,7 @@
 //! The friction force from a response (thesis 4.5, 6.4.2), with what else is not known.
 
 mod data;
+mod explained;
 mod friction;
 pub(super) mod model;
 mod several;
