@@ -94,10 +94,13 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod in_time;
+#[cfg(feature = "measure")]
+pub mod measure;
 mod stepping;
 pub mod sweep;
 pub mod system;
 mod targets;
+pub mod watch;
 
 #[cfg(feature = "study")]
 pub mod study;
