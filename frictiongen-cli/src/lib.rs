@@ -87,6 +87,7 @@ pub fn run(
         Command::Transmissibility(arguments) => recorded::transmissibility(arguments, out),
         Command::Identify(arguments) => recorded::identify(arguments, out),
         Command::Fit(arguments) => recorded::fit(arguments, out),
+        Command::Drive(arguments) => recorded::drive(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
         Command::Check(arguments) => check::run(arguments, out),

@@ -9,9 +9,10 @@ use help::{
     SENSITIVITIES, TABLES, TIMES, UNITS,
 };
 pub use recorded::{
-    Also, By, FitArguments, IdentifyArguments, RecordingArguments, TransmissibilityArguments,
+    Also, By, DriveArguments, FitArguments, IdentifyArguments, RecordingArguments,
+    TransmissibilityArguments,
 };
-use recorded::{FITS, IDENTIFICATIONS, RECORDINGS};
+use recorded::{DRIVES, FITS, IDENTIFICATIONS, RECORDINGS};
 use std::path::PathBuf;
 
 /// Exact solutions of mass-spring chains with one Coulomb friction contact.
@@ -59,6 +60,9 @@ pub enum Command {
     /// Frequencies, mass and stiffness ratios from a sweep without friction
     #[command(after_help = FITS)]
     Fit(FitArguments),
+    /// The motion under a recorded force or motion of the base, step by step
+    #[command(after_help = DRIVES)]
+    Drive(DriveArguments),
     /// Tables of the limits and of the contact's motion, to a declared accuracy
     #[command(after_help = TABLES)]
     Compile(CompileArguments),

@@ -110,6 +110,49 @@ pub struct FitArguments {
     pub output: Option<PathBuf>,
 }
 
+/// Of `frictiongen drive`.
+#[derive(Debug, Args)]
+pub struct DriveArguments {
+    /// The files.
+    #[command(flatten)]
+    pub recordings: RecordingArguments,
+    /// The kinetic friction force F in N [default: the channel friction]
+    #[arg(long, value_name = "F", allow_hyphen_values = true)]
+    pub friction: Option<String>,
+    /// Only this mass, or the contact; may be given more than once [default: every mass and the contact]
+    #[arg(long, value_name = "NAME")]
+    pub of: Vec<String>,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
+    /// Write to this file; its ending decides: .csv, .json, .svg, .png
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+}
+
+/// Below the options of `drive`.
+pub const DRIVES: &str = "\
+Recording:
+  A CSV of the inputs at even times: base, or force on the excited mass, names of masses for forces on
+  them, and friction where it changes:
+    time_s,base_m_s2
+  The base comes as displacement, velocity or acceleration. It goes along the cubic spline through
+  displacements, and in straight lines between velocities or accelerations; forces go in straight lines.
+  --channel base=EW:m_s2  the column EW is the acceleration of the base
+  The chain starts from rest; displacements of the base count from the first sample.
+
+Quantities:
+  displacement, velocity  of a mass; of the contact the relative motion
+  force           the friction force in N; what holds the contact while it sticks
+  state           sticks, or which way it slides, at the sample
+  events          stops, break-aways and reversals since the sample before
+
+Below the table, and in the JSON: the work of the load, and what friction and damping took of it, in J;
+in how many steps more events happened than are followed.
+
+Exit status:
+  0, or 2 with one line on standard error for each thing that is wrong.";
+
 /// Below the options of all that read recordings.
 pub const RECORDINGS: &str = "\
 Recordings:

@@ -85,6 +85,15 @@ impl RecordingArguments {
         self.recordings.iter().map(read).collect()
     }
 
+    /// The one recording, as what drives a scene.
+    pub fn inputs(&self) -> Result<Recording, Failure> {
+        let [path] = self.recordings.as_slice() else {
+            return Err(Failure::new("one recording at a time drives a scene"));
+        };
+        let text = text(path)?;
+        Recording::inputs_from_csv(&text, &self.request()?).map_err(|error| told(path, &error))
+    }
+
     /// The steady motion in each of them.
     pub fn measured(&self, system: &System) -> Result<Vec<Measured>, Failure> {
         let recordings = self.recordings()?;

@@ -76,6 +76,8 @@ pub enum MeasureError {
     },
     /// The excitation was not recorded.
     NoDrive(&'static str),
+    /// No friction force was given.
+    NoFriction,
     /// No mass was recorded.
     NoMass,
     /// A channel whose unit does not fit what it is of.
@@ -220,6 +222,9 @@ impl std::fmt::Display for MeasureError {
                 f,
                 "the excitation was not recorded: a channel `{name}` is needed for frequency and phase"
             ),
+            Self::NoFriction => {
+                f.write_str("no friction force is given: give one, or a channel `friction` in N")
+            }
             Self::NoMass => write!(f, "the motion of no mass was recorded"),
             Self::WrongDimension { channel, unit } => {
                 write!(f, "the channel `{channel}` cannot be in {unit}")

@@ -8,11 +8,13 @@
 //! * [`System::free_decay`](crate::System::free_decay): friction and damping from a free vibration (4.2, 4.3).
 //! * [`System::fit_sweep`](crate::System::fit_sweep): frequencies, masses and springs from sweeps without friction (4.1, 6.15
 //!   to 6.20).
+//! * [`Inputs`]: what drives a scene's stepper, from a recording.
 //! * [`Recording::regression`]: mass and friction of an axis without a spring.
 //!
 //! On a microcontroller [`crate::watch`] follows one frequency sample by sample.
 
 mod decay;
+mod drive;
 mod error;
 mod identify;
 mod least_squares;
@@ -25,6 +27,7 @@ mod sweep;
 mod tone;
 
 pub use decay::FreeDecay;
+pub use drive::Inputs;
 pub use error::MeasureError;
 pub use identify::{
     Datum, Estimate, Explained, Identified, IdentifyRequest, Observation, Unknown, Using, Verdict,

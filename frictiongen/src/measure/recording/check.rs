@@ -23,25 +23,28 @@ const HARD: f64 = 10.0;
 
 /// Nothing, if these channels can tell something.
 pub(super) fn channels(channels: &[Channel]) -> Result<(), MeasureError> {
+    form(channels, FEWEST)?;
+    channels.iter().try_for_each(samples)
+}
+
+/// Nothing, if there are channels, of at least so many finite samples, all alike.
+pub(super) fn form(channels: &[Channel], fewest: usize) -> Result<(), MeasureError> {
     let Some(first) = channels.first() else {
         return Err(MeasureError::TooShort {
             found: "it has no channel".to_owned(),
-            needed: "two",
+            needed: if fewest == FEWEST { "two" } else { "one" },
         });
     };
     let count = first.samples.len();
-    if count < FEWEST {
+    if count < fewest {
         return Err(MeasureError::TooShort {
             found: format!("{count} samples"),
-            needed: "16",
+            needed: if fewest == FEWEST { "16" } else { "2" },
         });
     }
     for (index, channel) in channels.iter().enumerate() {
-        if channels
-            .iter()
-            .take(index)
-            .any(|other| other.name == channel.name)
-        {
+        let before = channels.iter().take(index);
+        if before.into_iter().any(|other| other.name == channel.name) {
             return Err(MeasureError::Twice(channel.name.clone()));
         }
         if channel.unit.dimension() == Dimension::Time {
@@ -53,19 +56,19 @@ pub(super) fn channels(channels: &[Channel]) -> Result<(), MeasureError> {
         if channel.samples.len() != count {
             return Err(MeasureError::Lengths(channel.name.clone()));
         }
-        samples(channel)?;
+        let values = channel.samples.iter();
+        if let Some(sample) = values.into_iter().position(|value| !value.is_finite()) {
+            return Err(MeasureError::NotFinite {
+                channel: channel.name.clone(),
+                sample,
+            });
+        }
     }
     Ok(())
 }
 
 fn samples(channel: &Channel) -> Result<(), MeasureError> {
     let values = &channel.samples;
-    if let Some(sample) = values.iter().position(|value| !value.is_finite()) {
-        return Err(MeasureError::NotFinite {
-            channel: channel.name.clone(),
-            sample,
-        });
-    }
     let (low, high) = values
         .iter()
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {

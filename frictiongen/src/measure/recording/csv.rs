@@ -167,66 +167,17 @@ impl Recording {
     /// [`MeasureError`]: what [`new`](Self::new) refuses, a unit or a rate that is missing, a column that is not there, a
     /// cell that is no number, and steps of time that differ.
     pub fn from_csv(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
-        let table = Table::read(text)?;
-        let mut time = None;
-        let mut channels = Vec::new();
-        let mut add = |name: &str, place: usize, unit: Option<Unit>| -> Result<(), MeasureError> {
-            let samples = table.column(place)?;
-            if is_time(name, unit) {
-                let unit = unit.ok_or_else(|| MeasureError::NoUnit(name.to_owned()))?;
-                time = Some(
-                    samples
-                        .into_iter()
-                        .map(|t| t * unit.scale())
-                        .collect::<Vec<f64>>(),
-                );
-                return Ok(());
-            }
-            channels.push(Channel {
-                name: name.to_owned(),
-                unit: unit.ok_or_else(|| MeasureError::NoUnit(name.to_owned()))?,
-                samples,
-            });
-            Ok(())
-        };
-        if request.columns.is_empty() {
-            for (place, header) in table.names.iter().enumerate() {
-                let (name, unit) = Unit::split(header);
-                add(subject(name), place, unit)?;
-            }
-        } else {
-            let asked = request.columns.iter();
-            let time_asked = asked.clone().any(|column| column.name == "time");
-            for column in asked {
-                let place = table
-                    .place(&column.column)
-                    .ok_or_else(|| MeasureError::Format {
-                        line: 1,
-                        what: format!(
-                            "there is no column `{}`; the columns are {}",
-                            column.column,
-                            table.names.join(", ")
-                        ),
-                    })?;
-                let own = table.names.get(place).and_then(|name| Unit::split(name).1);
-                add(&column.name, place, column.unit.or(own))?;
-            }
-            if !time_asked && request.rate.is_none() {
-                let split = table.names.iter().map(|name| Unit::split(name));
-                let found = split
-                    .enumerate()
-                    .find(|(_, (name, unit))| is_time(name, *unit));
-                if let Some((place, (name, unit))) = found {
-                    add(name, place, unit)?;
-                }
-            }
-        }
-        let rate = match (time, request.rate) {
-            (Some(time), None) => even_rate(&time, &table.lines)?,
-            (_, Some(rate)) => rate,
-            (None, None) => return Err(MeasureError::NoRate),
-        };
+        let (rate, channels) = read(text, request)?;
         Self::new(rate, channels)
+    }
+
+    /// The same of what drives a scene.
+    ///
+    /// # Errors
+    /// As of [`from_csv`](Self::from_csv), with what [`inputs`](Self::inputs) refuses.
+    pub fn inputs_from_csv(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
+        let (rate, channels) = read(text, request)?;
+        Self::inputs(rate, channels)
     }
 
     /// The recording as a CSV that [`from_csv`](Self::from_csv) reads back; every number with all its digits.
@@ -247,6 +198,70 @@ impl Recording {
         }
         text
     }
+}
+
+/// Rate and channels of a CSV.
+fn read(text: &str, request: &CsvRequest) -> Result<(f64, Vec<Channel>), MeasureError> {
+    let table = Table::read(text)?;
+    let mut time = None;
+    let mut channels = Vec::new();
+    let mut add = |name: &str, place: usize, unit: Option<Unit>| -> Result<(), MeasureError> {
+        let samples = table.column(place)?;
+        if is_time(name, unit) {
+            let unit = unit.ok_or_else(|| MeasureError::NoUnit(name.to_owned()))?;
+            time = Some(
+                samples
+                    .into_iter()
+                    .map(|t| t * unit.scale())
+                    .collect::<Vec<f64>>(),
+            );
+            return Ok(());
+        }
+        channels.push(Channel {
+            name: name.to_owned(),
+            unit: unit.ok_or_else(|| MeasureError::NoUnit(name.to_owned()))?,
+            samples,
+        });
+        Ok(())
+    };
+    if request.columns.is_empty() {
+        for (place, header) in table.names.iter().enumerate() {
+            let (name, unit) = Unit::split(header);
+            add(subject(name), place, unit)?;
+        }
+    } else {
+        let asked = request.columns.iter();
+        let time_asked = asked.clone().any(|column| column.name == "time");
+        for column in asked {
+            let place = table
+                .place(&column.column)
+                .ok_or_else(|| MeasureError::Format {
+                    line: 1,
+                    what: format!(
+                        "there is no column `{}`; the columns are {}",
+                        column.column,
+                        table.names.join(", ")
+                    ),
+                })?;
+            let own = table.names.get(place).and_then(|name| Unit::split(name).1);
+            add(&column.name, place, column.unit.or(own))?;
+        }
+        if !time_asked && request.rate.is_none() {
+            let split = table.names.iter().map(|name| Unit::split(name));
+            let found = split
+                .enumerate()
+                .find(|(_, (name, unit))| is_time(name, *unit));
+            if let Some((place, (name, unit))) = found {
+                add(name, place, unit)?;
+            }
+        }
+    }
+    let rate = match (time, request.rate) {
+        (Some(time), None) => even_rate(&time, &table.lines)?,
+        (_, Some(rate)) => rate,
+        (None, None) => return Err(MeasureError::NoRate),
+    };
+    Ok((rate, channels))
 }
 
 /// The rate of a column of times, if they are evenly spaced.

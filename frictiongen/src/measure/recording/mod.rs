@@ -48,10 +48,20 @@ impl Recording {
     /// [`MeasureError`] for a rate that is not above 0, no samples or a few, channels of different lengths or of the same
     /// name, values that are not finite, and a channel that is constant or clipped.
     pub fn new(rate: f64, channels: Vec<Channel>) -> Result<Self, MeasureError> {
+        check::channels(&channels)?;
+        Self::inputs(rate, channels)
+    }
+
+    /// The same of what drives a scene: one channel will do, and a constant one too.
+    ///
+    /// # Errors
+    /// [`MeasureError`] for a rate that is not above 0, no samples, channels of different lengths or of the same name, and values
+    /// that are not finite.
+    pub fn inputs(rate: f64, channels: Vec<Channel>) -> Result<Self, MeasureError> {
+        check::form(&channels, 2)?;
         if !(0.0 < rate && rate.is_finite()) {
             return Err(MeasureError::NoRate);
         }
-        check::channels(&channels)?;
         Ok(Self { rate, channels })
     }
 
