@@ -12,6 +12,7 @@ mod decimal;
 mod destination;
 mod expand;
 mod failure;
+mod features;
 mod file;
 mod frequency;
 mod friction;
@@ -80,6 +81,7 @@ pub fn run(
         Command::Map(arguments) => map::run(arguments, out),
         Command::Time(arguments) => time::run(arguments, out),
         Command::Optimum(arguments) => optimum::run(arguments, out),
+        Command::Features(arguments) => features::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
     }?)
