@@ -183,7 +183,7 @@ impl Count {
 fn undamped_functions() {
     let mut random_numbers = Random(22);
     let mut count = Count::default();
-    for scene in 0..60 {
+    for scene in 0..30 {
         let system = random(&mut random_numbers, 10, false);
         let largest = *system.resonances().last().unwrap();
         let range = [0.12 * largest, 1.5 * largest];
@@ -269,7 +269,7 @@ fn undamped_functions() {
         "{} zeros, {} more than the samples show",
         count.compared, count.more
     );
-    assert!(count.compared > 1_000, "{}", count.compared);
+    assert!(count.compared > 600, "{}", count.compared);
 }
 
 /// Friction enlarges within, and does not outside: the growth of the estimate and of the fundamental themselves.
@@ -335,7 +335,7 @@ fn inversions() {
 fn sliding_ranges() {
     let mut random_numbers = Random(24);
     let (mut bounds, mut seen) = (0, 0);
-    for scene in 0..120 {
+    for scene in 0..60 {
         let system = random(&mut random_numbers, 10, scene % 2 == 0);
         let largest = *system.resonances().last().unwrap();
         let range = [0.02 * largest, 2.0 * largest];
@@ -380,7 +380,7 @@ fn sliding_ranges() {
         bounds += found;
     }
     println!("{bounds} ends, {seen} places");
-    assert!(bounds > 300 && seen > 300_000, "{bounds} {seen}");
+    assert!(bounds > 150 && seen > 150_000, "{bounds} {seen}");
 }
 
 /// The regime at dense places.
@@ -388,7 +388,7 @@ fn sliding_ranges() {
 fn regimes() {
     let mut random_numbers = Random(25);
     let (mut changes, mut seen, mut proven) = (0, 0, 0);
-    for scene in 0..60 {
+    for scene in 0..30 {
         let system = random(&mut random_numbers, 6, scene % 3 == 0);
         let largest = *system.resonances().last().unwrap();
         let lowest = if scene % 2 == 0 { 0.5 } else { 0.15 };
@@ -446,7 +446,7 @@ fn regimes() {
     }
     println!("{changes} changes, {seen} places, {proven} proven");
     assert!(
-        changes > 100 && seen > 50_000 && proven > 10,
+        changes > 60 && seen > 25_000 && proven > 5,
         "{changes} {seen} {proven}"
     );
 }

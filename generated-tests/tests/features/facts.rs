@@ -111,6 +111,16 @@ fn f10_without_stick_slip() {
     assert_eq!(regimes, [Regime::Stuck, Regime::Continuous]);
     close(ranges[0].to, 1.5_f64.sqrt(), ROUNDING);
     assert!(matches!(ranges[0].end, RegimeEnd::Sliding(_)));
+    // With μ = 1 there is stick-slip between.  β*_lim is β on the resonance itself, where V − βH has no pole left.
+    let system = base(1.0);
+    let features = system.features(None).unwrap();
+    let (ranges, _) = features.regimes(1.0, [0.6, 1.4]).unwrap();
+    let regimes: Vec<Regime> = ranges.iter().map(|range| range.regime).collect();
+    assert_eq!(
+        regimes,
+        [Regime::Stuck, Regime::StickSlip, Regime::Continuous]
+    );
+    close(ranges[0].to, 1.0, ROUNDING);
 }
 
 /// From the pole of U at 1/3 to where U = −(2/π)V.

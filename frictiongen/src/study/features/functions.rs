@@ -106,23 +106,26 @@ pub(super) struct Near<T> {
 
 /// One sum over modes.
 #[derive(Clone, Copy)]
-enum Sum {
+enum Sum<T> {
     V,
     H,
     FreeOf,
     HOf,
     U,
     UOf,
+    /// V − level·H, mode by mode: where a mode drops out of it, its pole does too.
+    Against(T),
 }
 
 impl<T: Number> Numbers<T> {
-    fn sum(&self, which: Sum, y: T, near: Option<&Near<T>>) -> [T; 2] {
+    fn sum(&self, which: Sum<T>, y: T, near: Option<&Near<T>>) -> [T; 2] {
         let (one, two, zero) = (T::number(1.0), T::number(2.0), T::number(0.0));
         let mut sum = [zero; 2];
         for (index, mode) in self.modes.iter().enumerate() {
             let share = match which {
                 Sum::V => mode.contact * mode.load,
                 Sum::H | Sum::U => mode.contact * mode.contact,
+                Sum::Against(level) => mode.contact * (mode.load - level * mode.contact),
                 Sum::FreeOf => mode.shape * mode.load,
                 Sum::HOf | Sum::UOf => mode.shape * mode.contact,
             };
@@ -166,6 +169,10 @@ impl<T: Number> Numbers<T> {
             let gap = near.map_or(one, |near| near.gap);
             sum[0] = sum[0] + at_rest / (y * y) * gap;
         }
+        if let (Sum::Against(_), Some(_)) = (which, self.on_base) {
+            let gap = near.map_or(one, |near| near.gap);
+            sum[0] = sum[0] - one / (y * y) * gap;
+        }
         sum
     }
 
@@ -190,12 +197,12 @@ impl<T: Number> Numbers<T> {
             }
             Target::Sliding(beta) => {
                 let level = beta * self.stiction;
-                let ([v, turned], [h, lost]) = (sum(Sum::V), sum(Sum::H));
                 if self.damped {
+                    let ([v, turned], [h, lost]) = (sum(Sum::V), sum(Sum::H));
                     v.squared() + turned.squared()
                         - level.squared() * (h.squared() + lost.squared())
                 } else {
-                    v - level * h
+                    real(Sum::Against(level))
                 }
             }
             Target::Continuous(beta) => {

@@ -34,6 +34,9 @@ pub struct SlidingRange {
     pub to_frequency: Option<Sensed>,
 }
 
+/// On a resonance β*_lim is known to this share.
+const ON_POLE: f64 = 1e-13;
+
 /// A place where a limit equals β.
 #[derive(Clone, Debug)]
 pub(super) struct Bound {
@@ -123,6 +126,18 @@ impl Features<'_> {
                     r: zero.r(),
                     frequency: self.variations.of_zero(&function, &zero, Some(beta)),
                 });
+            }
+        }
+        // On an undamped resonance, where V and H have their poles, β*_lim may be β without a zero of V − βμH.
+        let resonances = modal.resonances.iter().zip(&modal.damping_ratios);
+        for (resonance, zeta) in resonances {
+            let r = resonance.to_f64();
+            let near = (self.sliding_limit(r) / beta - 1.0).abs() <= ON_POLE;
+            if zeta.is_zero() && near && range[0] < r && r < range[1] {
+                let frequency = self.variations.of_place(r, beta, |varied, r, beta| {
+                    Some(varied.at(r).ok()?.sliding_limit() - beta)
+                });
+                bounds.push(Bound { r, frequency });
             }
         }
         bounds.sort_by(|a, b| a.r.total_cmp(&b.r));
