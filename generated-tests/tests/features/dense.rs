@@ -148,7 +148,7 @@ impl Count {
         for place in found {
             // Its sign changes there, or it is the end of what numbers can tell.
             let beside = 1e-7;
-            let crosses = |f: &Box<dyn Fn(f64) -> f64 + '_>| {
+            let crosses = |f: &dyn Fn(f64) -> f64| {
                 f(place * (1.0 - beside)) * f(place * (1.0 + beside)) < 0.0
             };
             let near = found
@@ -160,7 +160,7 @@ impl Count {
                 (resonance / odd / place - 1.0).abs() < 4.0 * beside
             });
             assert!(
-                near || pole || functions.iter().any(crosses),
+                near || pole || functions.iter().any(|f| crosses(f.as_ref())),
                 "{what}: {place} is none"
             );
             if wanted.iter().any(|want| (want / place - 1.0).abs() < NEAR) {

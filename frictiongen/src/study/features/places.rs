@@ -44,10 +44,14 @@ pub(super) fn changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     }
     all.extend(hidden.into_iter().map(|r| (r, f(r))));
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let pairs = all.windows(2).filter_map(|pair| match pair {
-        &[(low, a), (high, b)] if a * b < 0.0 => Some(bisected([low, high], a, &f)),
-        &[_, (high, b)] if b == 0.0 => Some(high),
-        _ => None,
+    let pairs = all.windows(2).filter_map(|pair| {
+        let &[(low, a), (high, b)] = pair else {
+            return None;
+        };
+        if a * b < 0.0 {
+            return Some(bisected([low, high], a, &f));
+        }
+        (b == 0.0).then_some(high)
     });
     pairs.collect()
 }
