@@ -13,6 +13,7 @@ mod decimal;
 mod destination;
 mod expand;
 mod failure;
+mod features;
 mod file;
 mod frequency;
 mod friction;
@@ -88,6 +89,7 @@ pub fn run(
         Command::Identify(arguments) => recorded::identify(arguments, out),
         Command::Fit(arguments) => recorded::fit(arguments, out),
         Command::Drive(arguments) => recorded::drive(arguments, out),
+        Command::Features(arguments) => features::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
         Command::Check(arguments) => check::run(arguments, out),

@@ -98,6 +98,13 @@ impl Measure {
         self.scale.map_or(ratio, |scale| scale.displacement(ratio))
     }
 
+    /// A displacement that is in units already → the multiple that it is.
+    #[cfg(feature = "pictures")]
+    pub fn length_ratio(&self, length: f64) -> f64 {
+        self.scale
+            .map_or(length, |scale| scale.displacement_ratio(length))
+    }
+
     /// A velocity, at an angular frequency.
     pub fn velocity(&self, rate: f64, omega: f64) -> f64 {
         self.scale.map_or(rate, |scale| scale.velocity(rate, omega))

@@ -93,6 +93,7 @@
 //! Coulomb friction*, DPhil thesis, Oxford, 2021.
 #![cfg_attr(not(feature = "std"), no_std)]
 
+pub mod features;
 mod in_time;
 #[cfg(feature = "measure")]
 pub mod measure;
