@@ -5,7 +5,7 @@ use super::names::local;
 use super::step_table::{self, Sizes};
 use super::{Emission, Part, rounded};
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_kernel::stepper::{Input, MAX_EVENTS, MAX_PARTS, StepScene, Units};
+use frictiongen_kernel::stepper::{Input, MAX_EVENTS, MAX_PARTS, MAX_STRETCHES, StepScene, Units};
 use frictiongen_model::stepping::Steps;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -155,8 +155,8 @@ fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
     };
     vec![
         parts,
-        " A part in which the contact certainly neither stops nor leaves is one product with the tables; in any other".to_owned(),
-        format!(" part at most {MAX_EVENTS} events are followed."),
+        " A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is".to_owned(),
+        format!(" followed through at most {MAX_EVENTS} events, in at most {MAX_STRETCHES} stretches."),
     ]
 }
 

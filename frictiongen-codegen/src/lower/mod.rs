@@ -15,8 +15,6 @@ use frictiongen_model::table::{TableError, Tables};
 use frictiongen_model::validate::{MOST_MASSES, may_name};
 use proc_macro2::{Ident, Span, TokenStream};
 
-use frictiongen_kernel::stepper::MAX_PARTS;
-
 use crate::diagnostics::{Diagnostics, Failure, Partial, Problems};
 use crate::parse;
 use crate::parse::syntax::{AccuracyEntry, Syntax};
@@ -161,11 +159,11 @@ fn lower(
         .as_ref()
         .filter(|_| limits.tables && problems.is_empty())
         && scene.stepping.step.is_some()
-        && let Some(angle) = refused_step(scene, &Modal::of(scene))
+        && let Some((angle, [least, most])) = refused_step(scene, &Modal::of(scene))
     {
         let place = fields.step.given().map_or(syntax.place, |step| step.place);
         let message = format!(
-            "the fastest oscillator turns by {angle:.1e} rad in this step, and a stepper follows up to {MAX_PARTS}; write a shorter step"
+            "the fastest oscillator turns by {angle:.1e} rad in this step, and a stepper follows {least:.0e} to {most} rad; write a step within that"
         );
         problems.report(place, message);
     }
