@@ -179,12 +179,25 @@ fn lower(
         }),
         (_, name) => {
             let mut seen = HashSet::new();
-            let mass_names = names
+            let mass_names: Vec<Ident> = names
                 .filter(|name| may_name(&name.text))
                 .filter(|name| seen.insert(name.text.as_str()))
                 .map(|name| name.ident.clone())
                 .collect();
+            let excitation = fields.excitation.given().map(|name| name.text.as_str());
+            let loaded = fields.force.given();
+            let loaded = loaded.map_or(&[][..], |force| &force.list.entries);
+            let mut forces: Vec<usize> = loaded
+                .iter()
+                .filter(|name| excitation != Some(name.text.as_str()))
+                .filter_map(|name| mass_names.iter().position(|mass| *mass == name.text))
+                .collect();
+            forces.sort_unstable();
+            forces.dedup();
             Err(Box::new(Partial {
+                on_base: excitation == Some("base"),
+                forces,
+                has_step: !fields.step.is_missing(),
                 attributes: syntax.attributes,
                 visibility: syntax.visibility,
                 name: name.map(|name| name.ident),
