@@ -141,17 +141,22 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
 /// What a step costs.
 fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
     let fastest = scene.fastest().to_f64();
+    let shown = if (0.1..1e7).contains(&fastest) {
+        format!("{fastest:.2}")
+    } else {
+        format!("{fastest:.3e}")
+    };
     let parts = match step {
         Some(step) => {
             let parts = (fastest * step).ceil().max(1.0);
             let plural = if parts > 1.0 { "s" } else { "" };
             format!(
-                " A step `STEP` is cut into {parts} part{plural}, any other into {fastest:.4e}·dt, rounded up, and at most {MAX_PARTS}."
+                " A step `STEP` is cut into {parts} part{plural}, any other into {shown}·dt, rounded up, and at most {MAX_PARTS}."
             )
         }
-        None => format!(
-            " A step is cut into {fastest:.4e}·dt parts, rounded up, and at most {MAX_PARTS}."
-        ),
+        None => {
+            format!(" A step is cut into {shown}·dt parts, rounded up, and at most {MAX_PARTS}.")
+        }
     };
     vec![
         parts,
