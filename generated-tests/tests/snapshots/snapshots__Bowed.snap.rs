@@ -13,7 +13,7 @@
 pub struct Bowed;
 /// The motion of [`Bowed`] by steps of one length, under any input; `advance` takes a step.
 ///
-/// A step `STEP` is cut into 1 part, any other into 7.3539e1·dt, rounded up, and at most 1024.
+/// A step `STEP` is cut into 1 part, any other into 73.54·dt, rounded up, and at most 1024.
 /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
 /// followed through at most 8 events, in at most 64 stretches.
 #[allow(deprecated, non_camel_case_types)]
@@ -275,7 +275,7 @@ const _: () = {
         }
         /// The motion by steps of dt, in s, from rest under no load.
         ///
-        /// A step `STEP` is cut into 1 part, any other into 7.3539e1·dt, rounded up, and at most 1024.
+        /// A step `STEP` is cut into 1 part, any other into 73.54·dt, rounded up, and at most 1024.
         /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
         /// followed through at most 8 events, in at most 64 stretches.
         ///
@@ -318,7 +318,7 @@ const _: () = {
         }
         /// Takes a step, in a straight line from the last input to this one.
         ///
-        /// A step `STEP` is cut into 1 part, any other into 7.3539e1·dt, rounded up, and at most 1024.
+        /// A step `STEP` is cut into 1 part, any other into 73.54·dt, rounded up, and at most 1024.
         /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
         /// followed through at most 8 events, in at most 64 stretches.
         ///

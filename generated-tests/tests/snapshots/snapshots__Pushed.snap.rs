@@ -13,7 +13,7 @@
 pub struct Pushed;
 /// The motion of [`Pushed`] by steps of one length, under any input; `advance` takes a step.
 ///
-/// A step is cut into 2.0000e1·dt parts, rounded up, and at most 1024.
+/// A step is cut into 20.00·dt parts, rounded up, and at most 1024.
 /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
 /// followed through at most 8 events, in at most 64 stretches.
 #[allow(deprecated, non_camel_case_types)]
@@ -125,7 +125,7 @@ const _: () = {
         }
         /// The motion by steps of dt, in s, from rest under no load.
         ///
-        /// A step is cut into 2.0000e1·dt parts, rounded up, and at most 1024.
+        /// A step is cut into 20.00·dt parts, rounded up, and at most 1024.
         /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
         /// followed through at most 8 events, in at most 64 stretches.
         ///
@@ -168,7 +168,7 @@ const _: () = {
         }
         /// Takes a step under an input that is held over it.
         ///
-        /// A step is cut into 2.0000e1·dt parts, rounded up, and at most 1024.
+        /// A step is cut into 20.00·dt parts, rounded up, and at most 1024.
         /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
         /// followed through at most 8 events, in at most 64 stretches.
         ///
