@@ -5,7 +5,7 @@ use super::names::local;
 use super::step_table::{self, Sizes};
 use super::{Emission, Part, rounded};
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_kernel::stepper::{Input, MAX_EVENTS, MAX_PARTS, StepScene, Units};
+use frictiongen_kernel::stepper::{Input, MAX_EVENTS, MAX_PARTS, MAX_STRETCHES, StepScene, Units};
 use frictiongen_model::stepping::Steps;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -141,22 +141,27 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
 /// What a step costs.
 fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
     let fastest = scene.fastest().to_f64();
+    let shown = if (0.1..1e7).contains(&fastest) {
+        format!("{fastest:.2}")
+    } else {
+        format!("{fastest:.3e}")
+    };
     let parts = match step {
         Some(step) => {
             let parts = (fastest * step).ceil().max(1.0);
             let plural = if parts > 1.0 { "s" } else { "" };
             format!(
-                " A step `STEP` is cut into {parts} part{plural}, any other into {fastest:.4e}·dt, rounded up, and at most {MAX_PARTS}."
+                " A step `STEP` is cut into {parts} part{plural}, any other into {shown}·dt, rounded up, and at most {MAX_PARTS}."
             )
         }
-        None => format!(
-            " A step is cut into {fastest:.4e}·dt parts, rounded up, and at most {MAX_PARTS}."
-        ),
+        None => {
+            format!(" A step is cut into {shown}·dt parts, rounded up, and at most {MAX_PARTS}.")
+        }
     };
     vec![
         parts,
-        " A part in which the contact certainly neither stops nor leaves is one product with the tables; in any other".to_owned(),
-        format!(" part at most {MAX_EVENTS} events are followed."),
+        " A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is".to_owned(),
+        format!(" followed through at most {MAX_EVENTS} events, in at most {MAX_STRETCHES} stretches."),
     ]
 }
 

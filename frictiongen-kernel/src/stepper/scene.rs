@@ -43,13 +43,18 @@ impl<S: Float> StepScene<'_, S> {
     /// as many parts as this times dt.
     #[must_use]
     pub fn fastest(&self) -> S {
+        self.turning() * self.units.rate
+    }
+
+    /// The same in the time t√(k₁/m₁).
+    pub(super) fn turning(&self) -> S {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let turned = |frequency: S, zeta: S| frequency * (one + two * zeta);
         let modes = self.dynamics.modes.iter();
         let modes = modes.map(|mode| turned(mode.resonance, mode.zeta));
         let held = self.dynamics.held.iter();
         let held = held.map(|mode| turned(mode.frequency, mode.zeta));
-        modes.chain(held).fold(S::constant(0.0), S::max) * self.units.rate
+        modes.chain(held).fold(S::constant(0.0), S::max)
     }
 
     /// How strongly an input drives a mode.

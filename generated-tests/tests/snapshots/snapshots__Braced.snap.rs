@@ -44,6 +44,27 @@ const _: () = {
             [0.613271751551687, 1.2488972723454137],
             [0.7898719888366252, -0.9696677797721163],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 2.5,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl Braced {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
@@ -73,13 +94,6 @@ const _: () = {
                 static_residue: -0.24492536196720122,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f64> = Chain {
-            damped: true,
-            on_moving_base: None,
-            inverse_mass: 2.5,
-            stiction: 1.0,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
@@ -94,18 +108,6 @@ const _: () = {
             unbounded: &[],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -435,6 +437,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(BracedAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(Braced : stepper);
     ::frictiongen::kernel::not_provided!(Braced : simulation);
     impl ProvidesMotion for Braced {
         type Motion = BracedMotion;

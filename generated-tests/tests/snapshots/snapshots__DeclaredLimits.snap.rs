@@ -38,6 +38,27 @@ const _: () = {
             [0.5257311, 0.8506508],
             [0.8506508, -0.5257311],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f32> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f32) -> f32 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
+            friction / load
+        }
+    }
+    impl DeclaredLimits {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f32>; 2] = [
             Mode {
@@ -67,13 +88,6 @@ const _: () = {
                 static_residue: -0.1708204,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f32> = Chain {
-            damped: true,
-            on_moving_base: None,
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f32> = Numbers {
             modes: &Self::MODES,
@@ -88,18 +102,6 @@ const _: () = {
             unbounded: &[],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f32) -> f32 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁), to the declared accuracy.
         ///
         /// # Errors
@@ -497,5 +499,6 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(DeclaredLimitsAt : motion, stuck, orbit);
+    ::frictiongen::kernel::not_provided!(DeclaredLimits : stepper);
     ::frictiongen::kernel::not_provided!(DeclaredLimits : simulation);
 };

@@ -89,6 +89,27 @@ const _: () = {
                 0.16989112404918136,
             ],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl Five {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 5] = [
             Mode {
@@ -157,13 +178,6 @@ const _: () = {
                 static_residue: 0.028862994030694332,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f64> = Chain {
-            damped: true,
-            on_moving_base: None,
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
@@ -178,18 +192,6 @@ const _: () = {
             unbounded: &[],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -864,6 +866,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(FiveAt : orbit);
+    ::frictiongen::kernel::not_provided!(Five : stepper);
     ::frictiongen::kernel::not_provided!(Five : simulation);
     ::frictiongen::kernel::left_out!(FiveMotion : m1, m2, m3, m4);
     impl ProvidesMotion for Five {

@@ -50,6 +50,27 @@ const _: () = {
             [0.9784361822489328, -0.0716397579987311, -0.21513493245568865],
             [0.09780920955001465, -0.3820304129816263, 0.9989558017116655],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 0.5,
+            stiction: 1.5,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl OneMotion {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 3] = [
             Mode {
@@ -92,13 +113,6 @@ const _: () = {
                 static_residue: -0.012613668066784031,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f64> = Chain {
-            damped: true,
-            on_moving_base: None,
-            inverse_mass: 0.5,
-            stiction: 1.5,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
@@ -113,18 +127,6 @@ const _: () = {
             unbounded: &[],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -553,6 +555,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(OneMotionAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(OneMotion : stepper);
     ::frictiongen::kernel::not_provided!(OneMotion : simulation);
     ::frictiongen::kernel::left_out!(OneMotionMotion : m1, m2);
     impl ProvidesMotion for OneMotion {

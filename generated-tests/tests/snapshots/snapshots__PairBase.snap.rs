@@ -44,6 +44,27 @@ const _: () = {
             [0.5446174012864552, 0.8412612267718186],
             [0.8386846166563378, -0.5462905769681745],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: false,
+            on_moving_base: Some(0.0),
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega / 19.07653986153372
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl PairBase {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
@@ -73,13 +94,6 @@ const _: () = {
                 static_residue: 0.2480286185815999,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f64> = Chain {
-            damped: false,
-            on_moving_base: Some(0.0),
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
@@ -94,18 +108,6 @@ const _: () = {
             unbounded: &[0.6280451371556012, 1.6840220742078127],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega / 19.07653986153372
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -323,6 +325,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(PairBaseAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(PairBase : stepper);
     ::frictiongen::kernel::not_provided!(PairBase : simulation);
     impl ProvidesMotion for PairBase {
         type Motion = PairBaseMotion;

@@ -47,6 +47,27 @@ const _: () = {
             [0.5773502691896257, 1.1547005383792515],
             [0.816496580927726, -0.816496580927726],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: false,
+            on_moving_base: None,
+            inverse_mass: 3.0,
+            stiction: 1.2,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl PairMasses {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
@@ -76,13 +97,6 @@ const _: () = {
                 static_residue: -0.6666666666666666,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f64> = Chain {
-            damped: false,
-            on_moving_base: None,
-            inverse_mass: 3.0,
-            stiction: 1.2,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
@@ -97,18 +111,6 @@ const _: () = {
             unbounded: &[0.7071067811865476, 1.4142135623730951],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -324,6 +326,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(PairMassesAt : orbit);
+    ::frictiongen::kernel::not_provided!(PairMasses : stepper);
     ::frictiongen::kernel::not_provided!(PairMasses : simulation);
     impl ProvidesMotion for PairMasses {
         type Motion = PairMassesMotion;

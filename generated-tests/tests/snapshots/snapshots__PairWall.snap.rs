@@ -44,6 +44,27 @@ const _: () = {
             [0.5257311121191336, 0.8506508083520399],
             [0.8506508083520399, -0.5257311121191336],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: false,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl PairWall {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
@@ -73,13 +94,6 @@ const _: () = {
                 static_residue: -0.17082039324993692,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f64> = Chain {
-            damped: false,
-            on_moving_base: None,
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
@@ -94,18 +108,6 @@ const _: () = {
             unbounded: &[0.6180339887498949, 1.618033988749895],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -321,6 +323,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(PairWallAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(PairWall : stepper);
     ::frictiongen::kernel::not_provided!(PairWall : simulation);
     impl ProvidesMotion for PairWall {
         type Motion = PairWallMotion;

@@ -38,6 +38,27 @@ const _: () = {
         pub const RESONANCES: [f64; 1] = [1.0];
         /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: false,
+            on_moving_base: Some(0.0),
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega / 5.0
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl SdofBase {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 1] = [
             Mode {
@@ -54,13 +75,6 @@ const _: () = {
                 static_residue: 1.0,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f64> = Chain {
-            damped: false,
-            on_moving_base: Some(0.0),
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
@@ -75,18 +89,6 @@ const _: () = {
             unbounded: &[1.0],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega / 5.0
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -233,6 +235,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(SdofBaseAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(SdofBase : stepper);
     ::frictiongen::kernel::not_provided!(SdofBase : simulation);
     impl ProvidesMotion for SdofBase {
         type Motion = SdofBaseMotion;

@@ -38,6 +38,27 @@ const _: () = {
         pub const RESONANCES: [f64; 1] = [1.0];
         /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl SdofDamped {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 1] = [
             Mode {
@@ -54,13 +75,6 @@ const _: () = {
                 static_residue: 1.0,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f64> = Chain {
-            damped: true,
-            on_moving_base: None,
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
@@ -75,18 +89,6 @@ const _: () = {
             unbounded: &[],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -301,6 +303,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(SdofDampedAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(SdofDamped : stepper);
     ::frictiongen::kernel::not_provided!(SdofDamped : simulation);
     impl ProvidesMotion for SdofDamped {
         type Motion = SdofDampedMotion;

@@ -41,6 +41,27 @@ const _: () = {
             [0.5257311, 0.8506508],
             [0.8506508, -0.5257311],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f32> = Chain {
+            damped: false,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f32) -> f32 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
+            friction / load
+        }
+    }
+    impl Single {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f32>; 2] = [
             Mode {
@@ -70,13 +91,6 @@ const _: () = {
                 static_residue: -0.1708204,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f32> = Chain {
-            damped: false,
-            on_moving_base: None,
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f32> = Numbers {
             modes: &Self::MODES,
@@ -91,18 +105,6 @@ const _: () = {
             unbounded: &[0.618034, 1.618034],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f32) -> f32 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -314,6 +316,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(SingleAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(Single : stepper);
     ::frictiongen::kernel::not_provided!(Single : simulation);
     impl ProvidesMotion for Single {
         type Motion = SingleMotion;

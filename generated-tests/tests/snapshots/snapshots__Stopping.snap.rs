@@ -51,6 +51,27 @@ const _: () = {
             [0.5683291693328758, 0.8673087078783189],
             [0.8228012854179333, -0.5990715452678017],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 1.1111111111111112,
+            stiction: 1.2,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl Stopping {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
@@ -80,13 +101,6 @@ const _: () = {
                 static_residue: -0.16991879278905825,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f64> = Chain {
-            damped: true,
-            on_moving_base: None,
-            inverse_mass: 1.1111111111111112,
-            stiction: 1.2,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
@@ -101,18 +115,6 @@ const _: () = {
             unbounded: &[],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -433,6 +435,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(StoppingAt : motion, stuck);
+    ::frictiongen::kernel::not_provided!(Stopping : stepper);
     impl Stopping {
         /// The motion in time: all modes, those that the contact drives first, and the modes of
         /// the chain with its contact held.

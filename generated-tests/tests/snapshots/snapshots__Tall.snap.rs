@@ -398,6 +398,27 @@ const _: () = {
                 0.03030361732426425,
             ],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl Tall {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 17] = [
             Mode {
@@ -622,13 +643,6 @@ const _: () = {
                 static_residue: -0.0018071032318584057,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f64> = Chain {
-            damped: true,
-            on_moving_base: None,
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
@@ -643,18 +657,6 @@ const _: () = {
             unbounded: &[],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -881,6 +883,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(TallAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(Tall : stepper);
     ::frictiongen::kernel::not_provided!(Tall : simulation);
     ::frictiongen::kernel::left_out!(
         TallMotion : m1, m2, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16,

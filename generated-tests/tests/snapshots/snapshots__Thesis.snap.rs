@@ -50,6 +50,27 @@ const _: () = {
             [0.7369762290995783, 0.32798527760568175, -0.5910090485061035],
             [0.5910090485061035, -0.7369762290995783, 0.32798527760568175],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: false,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl Thesis {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 3] = [
             Mode {
@@ -92,13 +113,6 @@ const _: () = {
                 static_residue: -0.13414301076393756,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f64> = Chain {
-            damped: false,
-            on_moving_base: None,
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
@@ -113,18 +127,6 @@ const _: () = {
             unbounded: &[0.4450418679126288, 1.246979603717467, 1.8019377358048383],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -389,6 +391,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(ThesisAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(Thesis : stepper);
     ::frictiongen::kernel::not_provided!(Thesis : simulation);
     impl ProvidesMotion for Thesis {
         type Motion = ThesisMotion;
