@@ -16,6 +16,14 @@ pub(super) struct Line<S> {
 /// The line with this place.  Without points there is one: Coulomb's law.
 pub(super) fn line<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    if points.is_empty() {
+        return Line {
+            level: one,
+            slope: zero,
+            low: zero,
+            high: None,
+        };
+    }
     let [low, first] = match place.checked_sub(1) {
         None => [zero, one],
         Some(before) => points.get(before).copied().unwrap_or([zero, one]),

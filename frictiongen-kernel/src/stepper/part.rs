@@ -75,6 +75,9 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     /// The line of the friction law that holds, with speeds in lengths a part.
     pub(super) fn line(&self) -> Line<S> {
         let mut line = law::line(self.scene.law, self.status.line);
+        if self.scene.law.is_empty() {
+            return line;
+        }
         let pace = &self.table.pace;
         let seconds = pace.step / S::constant(f64::from(pace.parts));
         line.slope = line.slope / seconds;

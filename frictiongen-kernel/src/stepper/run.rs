@@ -343,7 +343,11 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         let on_base = self.scene.on_base;
         let hold = self.scene.input == Input::Hold;
         let stiffness = self.scene.units.stiffness;
-        let base = stretch.cubic(motion);
+        let base = if on_base {
+            stretch.cubic(motion)
+        } else {
+            motion
+        };
         let store = self.store.change();
         let mut channels = store.drive.iter_mut().zip(store.last);
         if on_base && let Some((drive, _)) = channels.next() {
