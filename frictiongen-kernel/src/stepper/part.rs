@@ -58,9 +58,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
                 }
             }
         }
-        if self.scene.rubs_on_base() {
-            let velocity = derived(self.base);
-            let motions = [velocity, derived(velocity)];
+        if let Some(motions) = self.carrier() {
             for (lift, motion) in step.lift.iter().zip(motions) {
                 for (sum, lift) in sum.iter_mut().zip(lift) {
                     for (sum, term) in sum.iter_mut().zip(motion) {
@@ -70,6 +68,13 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             }
         }
         sum
+    }
+
+    /// Velocity and acceleration of the base where it carries the contact.
+    pub(super) fn carrier(&self) -> Option<[[S; 4]; 2]> {
+        let velocity = derived(self.base);
+        let motions = [velocity, derived(velocity)];
+        self.scene.rubs_on_base().then_some(motions)
     }
 
     /// The line of the friction law that holds, with speeds in lengths a part.
@@ -205,7 +210,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let (still, mut bend) = self.still();
         let (mut start, mut end) = (still[0], at(&still, one));
         let mut size = start.abs();
-        let mut work = self.carried_work(one);
+        let mut work = self.carried_work(Some(&still), one);
         for index in 0..self.store.held.len() {
             let Some(step) = self.table.held.get(index) else {
                 return false;
@@ -253,9 +258,9 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
 
     /// The force in the held contact without the held modes: a polynomial, and what its curve cannot exceed over a part.
     pub(super) fn still(&self) -> ([S; 4], S) {
-        let zero = S::constant(0.0);
+        let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let pace = &self.table.pace;
-        let inverse_mass = self.scene.dynamics.chain.inverse_mass;
+        let mass = one / self.scene.dynamics.chain.inverse_mass;
         let mut sum = [zero; 4];
         for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
             for (sum, term) in sum.iter_mut().zip(drive) {
@@ -263,19 +268,20 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             }
         }
         for term in &mut sum {
-            *term = *term / inverse_mass;
+            *term = *term * mass;
         }
         sum[0] = sum[0] - self.status.place / pace.receptance;
         if self.scene.rubs_on_base() {
             let velocity = derived(self.base);
             let acceleration = derived(velocity);
-            let inverse = S::constant(1.0) / pace.span;
-            let of_velocity = pace.drag * inverse / inverse_mass;
-            let of_acceleration = inverse * inverse / inverse_mass;
+            let inverse = one / pace.span;
+            let of_place = one / pace.receptance;
+            let of_velocity = pace.drag * inverse * mass;
+            let of_acceleration = inverse * inverse * mass;
             let motions = self.base.iter().zip(velocity).zip(acceleration);
             for (sum, ((place, velocity), acceleration)) in sum.iter_mut().zip(motions) {
                 *sum = *sum
-                    - *place / pace.receptance
+                    - *place * of_place
                     - of_velocity * velocity
                     - of_acceleration * acceleration;
             }
@@ -286,7 +292,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 
     /// The work of the inputs on the chain while the base carries the held contact, held modes left out, up to a place.
-    pub(super) fn carried_work(&self, place: S) -> S {
+    pub(super) fn carried_work(&self, still: Option<&[S; 4]>, place: S) -> S {
         let zero = S::constant(0.0);
         if !self.scene.rubs_on_base() {
             return zero;
@@ -296,7 +302,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
             work = work + channel.lift * product(drive, &velocity, place);
         }
-        let (still, _) = self.still();
+        let still = still.copied().unwrap_or_else(|| self.still().0);
         work - product(&still, &velocity, place)
     }
 

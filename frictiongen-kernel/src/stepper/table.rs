@@ -318,18 +318,17 @@ fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDom
     })
 }
 
-/// The next coefficients of an oscillator's power series, of s to the power `order`, from those before and those of
-/// what drives y′ and u′.
+/// The next coefficients of an oscillator's power series times their order, from those before and those of what
+/// drives y′ and u′.
 #[inline]
 pub(super) fn next<S: Float>(
     (angle, zeta): (S, S),
     [y, u]: [S; 2],
     [first, second]: [S; 2],
-    order: S,
 ) -> [S; 2] {
     let rise = angle * u + first;
     let turn = second - angle * (y + (zeta + zeta) * u);
-    [rise / order, turn / order]
+    [rise, turn]
 }
 
 /// An oscillator from a state under a drive, up to a place: ∫ sʲ y′ ds and ∫ sʲ u′ ds.
@@ -344,11 +343,15 @@ pub(super) fn moments<S: Float, const D: usize>(
     let mut sums = [[zero; D]; 2];
     let (mut order, mut power) = (one, place);
     for index in 0..terms {
-        state = next(of, state, drive(index), order);
+        state = next(of, state, drive(index)).map(|term| term / order);
         let (mut beyond, mut factor) = (order, power);
         let [of_y, of_u] = &mut sums;
-        for (of_y, of_u) in of_y.iter_mut().zip(of_u) {
-            let [y, u] = state.map(|term| term * factor * (order / beyond));
+        for (place_of, (of_y, of_u)) in of_y.iter_mut().zip(of_u).enumerate() {
+            let mut weight = factor;
+            if place_of != 0 {
+                weight = factor * (order / beyond);
+            }
+            let [y, u] = state.map(|term| term * weight);
             (*of_y, *of_u) = (*of_y + y, *of_u + u);
             (beyond, factor) = (beyond + one, factor * place);
         }
