@@ -9,6 +9,7 @@
 //! converges, and its cost is bounded.  Section 11 of docs/derivation.md derives it.
 
 mod account;
+mod dot;
 mod drive;
 mod event;
 mod law;

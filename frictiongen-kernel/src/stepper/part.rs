@@ -1,5 +1,6 @@
 //! One part of a step: by the tables where the contact certainly has no event.
 
+use super::dot::{add, dot, sizes};
 use super::drive::{at, derived, gain};
 use super::law::{self, Line};
 use super::scene::StepScene;
@@ -37,9 +38,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let start = mode * inputs;
         let loads = self.table.loads.get(start..start + inputs);
         for (load, drive) in loads.unwrap_or_default().iter().zip(&*self.store.drive) {
-            for (sum, term) in sum.iter_mut().zip(drive) {
-                *sum = *sum + *load * *term;
-            }
+            add(&mut sum, *load, drive);
         }
         sum
     }
@@ -53,9 +52,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let loads = self.table.held_loads.get(start..start + inputs);
         for (load, drive) in loads.unwrap_or_default().iter().zip(&*self.store.drive) {
             for (sum, load) in sum.iter_mut().zip(load.drive) {
-                for (sum, term) in sum.iter_mut().zip(drive) {
-                    *sum = *sum + load * *term;
-                }
+                add(sum, load, drive);
             }
         }
         if let Some(motions) = self.carrier() {
@@ -78,6 +75,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 
     /// The line of the friction law that holds, with speeds in lengths a part.
+    #[inline]
     pub(super) fn line(&self) -> Line<S> {
         let mut line = law::line(self.scene.law, self.status.line);
         if self.scene.law.is_empty() {
@@ -358,14 +356,12 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
     /// The state after a part, and the work of the load in it.
     #[inline]
     fn moved(&self, [y, u]: [S; 2], drive: &[S; D], load: &[S; D]) -> ([S; 2], S) {
-        let (mut rise, mut work) = (S::constant(0.0), S::constant(0.0));
-        for (order, (row, term)) in self.moments.iter().zip(load).enumerate() {
-            let moment = row.times([y, u], drive);
-            if order == 0 {
-                rise = moment;
-            }
-            work = work + *term * moment;
+        let mut moments = [S::constant(0.0); D];
+        for (moment, row) in moments.iter_mut().zip(&self.moments) {
+            *moment = row.times([y, u], drive);
         }
+        let rise = moments.first().copied().unwrap_or(S::constant(0.0));
+        let work = dot(S::constant(0.0), load, &moments);
         let turn = self.turn.times([y, u], drive);
         ([y + rise, u + turn], work / self.gain)
     }
@@ -401,16 +397,4 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         let total = of_y + of_u;
         rate * rate * (y.abs() + u.abs() + total) + rate * total + change
     }
-}
-
-/// The largest that a drive can be over a part, and its slope.
-#[inline]
-fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
-    let (mut total, mut change, mut order) = (S::constant(0.0), S::constant(0.0), S::constant(0.0));
-    for term in drive {
-        total = total + term.abs();
-        change = change + order * term.abs();
-        order = order + S::constant(1.0);
-    }
-    (total, change)
 }

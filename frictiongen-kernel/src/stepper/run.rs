@@ -264,22 +264,9 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             exceeded: false,
         };
         for part in 0..pace.parts {
-            let stretch = Stretch::of(part, pace.parts);
-            let base = self.lay(&sample, motion, stretch);
-            let mut through = Through {
-                scene: &self.scene,
-                table: self.tables.view(),
-                store: self.store.change(),
-                status: &mut self.status,
-                base,
-                place: S::constant(0.0),
-                events: 0,
-                exceeded: false,
-            };
-            through.go();
-            through.leave_base();
-            stepped.events += through.events;
-            stepped.exceeded |= through.exceeded;
+            let (events, exceeded) = self.part(&sample, motion, Stretch::of(part, pace.parts));
+            stepped.events += events;
+            stepped.exceeded |= exceeded;
         }
         self.keep(&sample);
         if hold && self.scene.on_base {
@@ -291,6 +278,26 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         stepped.contact = self.status.contact;
         stepped.force = self.force();
         Ok(stepped)
+    }
+
+    /// Goes through one part of a step; how many events it had, and whether there were more than are followed.
+    // In a loop the compiler prepares addresses for parts that mostly do not come: a seventh of a step.
+    #[inline(never)]
+    fn part(&mut self, sample: &Sample<'_, S>, motion: [S; 4], stretch: Stretch<S>) -> (u32, bool) {
+        let base = self.lay(sample, motion, stretch);
+        let mut through = Through {
+            scene: &self.scene,
+            table: self.tables.view(),
+            store: self.store.change(),
+            status: &mut self.status,
+            base,
+            place: S::constant(0.0),
+            events: 0,
+            exceeded: false,
+        };
+        through.go();
+        through.leave_base();
+        (through.events, through.exceeded)
     }
 
     /// The base where a held input puts it: it leaves a contact behind that rubs on it.

@@ -1,5 +1,6 @@
 //! What each oscillator does over a part of a step, as constants.
 
+use super::dot::dot;
 use super::scene::StepScene;
 use super::{MAX_PARTS, TERMS};
 use crate::errors::OutOfDomain;
@@ -472,13 +473,10 @@ impl<S: Float, const D: usize> HeldRow<S, D> {
     /// The sum over state and drive.
     #[inline]
     pub(super) fn times(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> S {
-        let mut sum = self.state[0] * y + self.state[1] * u;
-        for (weights, drive) in self.drive.iter().zip(drive) {
-            for (weight, term) in weights.iter().zip(drive) {
-                sum = sum + *weight * *term;
-            }
-        }
-        sum
+        let [first, second] = &self.drive;
+        let [of_y, of_u] = drive;
+        let sum = self.state[0] * y + self.state[1] * u;
+        dot(dot(sum, first, of_y), second, of_u)
     }
 }
 
@@ -486,11 +484,8 @@ impl<S: Float, const D: usize> Row<S, D> {
     /// The sum over state and drive.
     #[inline]
     pub(super) fn times(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
-        let mut sum = self.state[0] * y + self.state[1] * u;
-        for (weight, term) in self.drive.iter().zip(drive) {
-            sum = sum + *weight * *term;
-        }
-        sum
+        let sum = self.state[0] * y + self.state[1] * u;
+        dot(sum, &self.drive, drive)
     }
 }
 
