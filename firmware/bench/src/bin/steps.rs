@@ -8,8 +8,8 @@ use core::panic::PanicInfo;
 use cortex_m::peripheral::{Peripherals, SYST};
 use cortex_m_rt::entry;
 use cortex_m_semihosting::{debug, hprintln};
-use scenes::steps::machines::*;
-use scenes::steps::script::{FRICTION, STEPS, Song, Tone};
+use scenes::steps::machines::{Visitor, visit};
+use scenes::steps::script::{FRICTION, STEPS, Song, Tone, played};
 use scenes::steps::{Machine, Outcome};
 
 #[panic_handler]
@@ -19,95 +19,130 @@ fn panic(_: &PanicInfo) -> ! {
     }
 }
 
-/// The instructions of some steps.
+/// No step needs more stack.
+const STACK: usize = 8192;
+
+/// What some steps needed: the least and the most instructions, and the most stack.
 #[derive(Clone, Copy)]
-struct Steps {
-    count: u64,
+struct Needs {
     least: u64,
     most: u64,
-    sum: u64,
-    deepest: usize,
+    stack: usize,
 }
 
-impl Steps {
+impl Needs {
     const NONE: Self = Self {
-        count: 0,
         least: u64::MAX,
         most: 0,
-        sum: 0,
-        deepest: 0,
+        stack: 0,
     };
 
-    fn add(&mut self, instructions: u64, depth: usize) {
-        self.count += 1;
+    fn add(&mut self, instructions: u64, stack: usize) {
         self.least = self.least.min(instructions);
         self.most = self.most.max(instructions);
-        self.sum += instructions;
-        self.deepest = self.deepest.max(depth);
-    }
-
-    fn print(&self, scene: &str, what: &str) {
-        if self.count == 0 {
-            return;
-        }
-        for (which, figure) in [
-            ("least", self.least),
-            ("mean", self.sum / self.count),
-            ("worst", self.most),
-        ] {
-            hprintln!(
-                "step|{}|{}, the {} of {}|{}|{}",
-                scene,
-                what,
-                which,
-                self.count,
-                figure,
-                self.deepest
-            );
-        }
+        self.stack = self.stack.max(stack);
     }
 }
 
-/// All steps of a song, by what happened in them.
-fn measure<M: Machine>(timer: &mut SYST, on_base: bool, storm: bool)
+/// Steps by what happened in them.
+struct Kinds {
+    sliding: Needs,
+    sticking: Needs,
+    quiet: Needs,
+    one: Needs,
+    all: Needs,
+    sum: u64,
+    exceeded: u32,
+}
+
+/// All steps of a song or of a storm.
+fn measured<M: Machine>(timer: &mut SYST, storm: bool) -> Option<Kinds>
 where
     M::Scalar: Tone,
 {
-    let (Some(mut machine), mut song) = (M::start(), Song::new()) else {
-        return;
-    };
+    let (mut machine, mut song) = (M::start()?, Song::new());
     let empty = timer::ticks(timer, || ());
-    let mut kinds = [Steps::NONE; 5];
+    let mut kinds = Kinds {
+        sliding: Needs::NONE,
+        sticking: Needs::NONE,
+        quiet: Needs::NONE,
+        one: Needs::NONE,
+        all: Needs::NONE,
+        sum: 0,
+        exceeded: 0,
+    };
     for _ in 0..STEPS {
-        let load = if storm { song.storm(on_base) } else { song.next(on_base) };
-        let load = black_box(load);
+        let load = black_box(song.next(M::ON_BASE, storm));
         let friction = black_box(M::Scalar::of(FRICTION));
         let mut outcome = None;
         let mut ticks = 0;
-        let depth = stack::depth(|| {
+        let stack = stack::depth_within(STACK, || {
             ticks = timer::ticks(timer, || outcome = machine.advance(load, friction));
         });
+        let Outcome {
+            sticks,
+            events,
+            exceeded,
+        } = outcome?;
         let count = ((ticks - empty) * timer::INSTRUCTIONS + timer::TICKS / 2) / timer::TICKS;
-        let Some(Outcome { sticks, events, exceeded }) = outcome else {
+        match (events, sticks) {
+            (0, false) => kinds.sliding.add(count, stack),
+            (0, true) => kinds.sticking.add(count, stack),
+            (1, _) => kinds.one.add(count, stack),
+            _ => {}
+        }
+        if events == 0 {
+            kinds.quiet.add(count, stack);
+        }
+        kinds.all.add(count, stack);
+        kinds.sum += count;
+        kinds.exceeded += u32::from(exceeded);
+    }
+    Some(kinds)
+}
+
+struct Bench<'t>(&'t mut SYST);
+
+impl Visitor for Bench<'_> {
+    fn visit<M: Machine>(&mut self)
+    where
+        M::Scalar: Tone,
+    {
+        let (Some(song), Some(storm)) = (measured::<M>(self.0, false), measured::<M>(self.0, true))
+        else {
             hprintln!("{}: an error", M::NAME);
-            debug::exit(debug::EXIT_FAILURE);
             return;
         };
-        let kind = match (events, sticks) {
-            _ if exceeded => 4,
-            (0, false) => 0,
-            (0, true) => 1,
-            (1, _) => 2,
-            _ => 3,
-        };
-        kinds[kind].add(count, depth);
-    }
-    let names = ["sliding", "sticking", "one event", "more events", "more events than are followed"];
-    for (kind, name) in kinds.iter().zip(names) {
-        kind.print(M::NAME, name);
-    }
-    for bits in machine.bits() {
-        hprintln!("end|{}|{:016x}", M::NAME, bits);
+        let quiet = song.quiet.most.max(storm.quiet.most);
+        let one = song.one.most.max(storm.one.most);
+        let stack = song.all.stack.max(storm.all.stack);
+        let least = song.sticking.least.min(storm.sticking.least);
+        for (what, count, stack) in [
+            (
+                "sliding, by the tables",
+                song.sliding.least,
+                song.sliding.stack,
+            ),
+            ("sticking, by the tables", least, song.sticking.stack),
+            ("mean of a song", song.sum / STEPS as u64, song.all.stack),
+            ("worst without event", quiet, stack),
+            ("worst with one event", one, stack),
+            (
+                "worst of a song and a storm",
+                song.all.most.max(storm.all.most),
+                stack,
+            ),
+        ] {
+            if count != u64::MAX {
+                hprintln!("cost|{}|step: {}|{}|{}", M::NAME, what, count, stack);
+            }
+        }
+        hprintln!(
+            "# {}: {} of {} steps exceeded",
+            M::NAME,
+            storm.exceeded,
+            STEPS
+        );
     }
 }
 
@@ -116,25 +151,32 @@ fn main() -> ! {
     if let Some(mut peripherals) = Peripherals::take() {
         let timer = &mut peripherals.SYST;
         timer::set_up(timer);
-        for storm in [false, true] {
-            if storm {
-                hprintln!("storm");
-            }
-            measure::<one_force::Run>(timer, false, storm);
-            measure::<one_base::Run>(timer, true, storm);
-            measure::<two_force::Run>(timer, false, storm);
-            measure::<two_base::Run>(timer, true, storm);
-            measure::<five_force::Run>(timer, false, storm);
-            measure::<five_base::Run>(timer, true, storm);
-            measure::<ten_force::Run>(timer, false, storm);
-            measure::<ten_base::Run>(timer, true, storm);
-            measure::<one_force_double::Run>(timer, false, storm);
-            measure::<one_base_double::Run>(timer, true, storm);
-            measure::<two_force_double::Run>(timer, false, storm);
-            measure::<two_base_double::Run>(timer, true, storm);
-        }
+        visit(&mut Ends);
+        visit(&mut Bench(timer));
     }
     loop {
         debug::exit(debug::EXIT_SUCCESS);
+    }
+}
+
+/// Where the machines end.
+struct Ends;
+
+impl Visitor for Ends {
+    fn visit<M: Machine>(&mut self)
+    where
+        M::Scalar: Tone,
+    {
+        for (storm, name) in [(false, "song"), (true, "storm")] {
+            let [place, velocity, work] = played::<M>(storm).unwrap_or_default();
+            hprintln!(
+                "{} of {}: {:016x} {:016x} {:016x}",
+                name,
+                M::NAME,
+                place,
+                velocity,
+                work
+            );
+        }
     }
 }

@@ -20,6 +20,8 @@ pub trait Machine: Sized {
     type Scalar: Copy;
     /// What the tables of figures call it.
     const NAME: &'static str;
+    /// Whether the load is the base's motion.
+    const ON_BASE: bool;
     /// At rest.
     fn start() -> Option<Self>;
     /// A step: under a force, or to a displacement and a velocity of the base; and the friction force.

@@ -31,7 +31,7 @@ pub trait Tone:
     + core::ops::Add<Output = Self>
     + core::ops::Sub<Output = Self>
     + core::ops::Mul<Output = Self>
-    + 'static
+    + From<i8>
 {
     /// The nearest to a constant.
     fn of(value: f64) -> Self;
@@ -63,7 +63,10 @@ impl<S: Tone> Song<S> {
     }
 
     /// The next sample: of the base in metres and metres a second, or of a force, N, and nothing.
-    pub fn next(&mut self, on_base: bool) -> [S; 2] {
+    pub fn next(&mut self, on_base: bool, storm: bool) -> [S; 2] {
+        if storm {
+            return self.storm(on_base);
+        }
         let turned = |[c, s]: [S; 2], [by_c, by_s]: Turn| {
             let (by_c, by_s) = (S::of(by_c), S::of(by_s));
             [c * by_c - s * by_s, s * by_c + c * by_s]
@@ -75,26 +78,30 @@ impl<S: Tone> Song<S> {
         if on_base {
             let size = S::of(0.0075);
             let place = size * (s + share * fast_s);
-            [place, size * (S::of(RATES[0]) * c + share * S::of(RATES[1]) * fast_c)]
+            let velocity = S::of(RATES[0]) * c + share * S::of(RATES[1]) * fast_c;
+            [place, size * velocity]
         } else {
             [S::of(10.0) * (s + share * fast_s), S::of(0.0)]
         }
     }
 
     /// 10⁴ times the friction force, this way or that from step to step.
-    pub fn storm(&mut self, on_base: bool) -> [S; 2] {
-        let mut draw = || {
-            self.seed = self.seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            // Eight bits, with a sign.
-            let bits = (self.seed >> 24) as u8 as i8;
-            S::small(bits)
-        };
-        let (first, second) = (draw(), draw());
+    fn storm(&mut self, on_base: bool) -> [S; 2] {
+        let (first, second) = (self.draw(), self.draw());
         if on_base {
             [S::of(0.2) * first, S::of(20.0) * second]
         } else {
             [S::of(240.0) * first, S::of(0.0)]
         }
+    }
+
+    /// A whole number from −128 to 127.
+    fn draw(&mut self) -> S {
+        self.seed = self
+            .seed
+            .wrapping_mul(1_664_525)
+            .wrapping_add(1_013_904_223);
+        S::from((self.seed >> 24) as u8 as i8)
     }
 }
 
@@ -104,44 +111,15 @@ impl<S: Tone> Default for Song<S> {
     }
 }
 
-/// Whole numbers from −128 to 127.
-trait Small {
-    fn small(value: i8) -> Self;
-}
-
-impl<S: Tone> Small for S {
-    fn small(value: i8) -> Self {
-        // By doubling: without a conversion for each scalar.
-        let mut sum = S::of(0.0);
-        let size = value.unsigned_abs();
-        for bit in (0..8).rev() {
-            sum = sum + sum;
-            if size >> bit & 1 == 1 {
-                sum = sum + S::of(1.0);
-            }
-        }
-        if value < 0 { S::of(0.0) - sum } else { sum }
-    }
-}
-
-/// The bits of where a machine is after all steps of the song, and after as many of the storm.
-pub fn played<M: Machine>(on_base: bool, storm: bool) -> [u64; 3]
+/// The bits of where a machine is after all steps of a song or of a storm; none if it came to an error.
+pub fn played<M: Machine>(storm: bool) -> Option<[u64; 3]>
 where
     M::Scalar: Tone,
 {
     let mut song = Song::new();
-    let Some(mut machine) = M::start() else {
-        return [0; 3];
-    };
+    let mut machine = M::start()?;
     for _ in 0..STEPS {
-        let load = if storm {
-            song.storm(on_base)
-        } else {
-            song.next(on_base)
-        };
-        if machine.advance(load, M::Scalar::of(FRICTION)).is_none() {
-            return [0; 3];
-        }
+        machine.advance(song.next(M::ON_BASE, storm), M::Scalar::of(FRICTION))?;
     }
-    machine.bits()
+    Some(machine.bits())
 }
