@@ -5,7 +5,7 @@ use super::law;
 use super::part::{Through, product};
 use super::series::Power;
 use super::table::{HeldLoad, moments, next};
-use super::{MAX_EVENTS, MAX_STRETCHES, TERMS};
+use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Start, Walk, first_reach, first_zero};
 
@@ -262,12 +262,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 
     fn terms(&self) -> usize {
-        let terms = if self.scene.law.is_empty() {
-            usize::try_from(self.table.pace.terms).unwrap_or(TERMS)
-        } else {
-            TERMS
-        };
-        terms.clamp(5, TERMS)
+        self.scene.terms(self.table.pace.terms)
     }
 
     /// The relative velocity as a power series about here, under the friction force level + slope·velocity.

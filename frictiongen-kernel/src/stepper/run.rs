@@ -1,6 +1,7 @@
 //! A stepper: what it is asked, and what it answers.
 
 use super::account::Work;
+use super::cost::Cost;
 use super::drive::{Sample, Stretch, base_motion};
 use super::part::Through;
 use super::scene::StepScene;
@@ -367,6 +368,13 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             *drive = stretch.line(if hold { force } else { *last }, force);
         }
         base
+    }
+
+    /// What a step costs at most.
+    #[must_use]
+    pub fn cost(&self) -> Cost {
+        let pace = self.tables.view().pace;
+        self.scene.cost(D, pace.parts, pace.terms)
     }
 
     /// The length of a step, in seconds.

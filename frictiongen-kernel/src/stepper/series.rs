@@ -4,6 +4,9 @@ use super::TERMS;
 use crate::number::scalar::Float;
 use crate::simulation::{Local, ORDER, Series, Walked};
 
+/// No walk along a series has more steps than this.
+pub(super) const WALK: u32 = 64;
+
 /// Σ c_n sⁿ, and what rounding can do to its first terms.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Power<S> {
@@ -69,7 +72,7 @@ pub(super) struct Seen<'p, S> {
 }
 
 impl<S: Float> Walked<S> for Seen<'_, S> {
-    const MOST: u32 = 64;
+    const MOST: u32 = WALK;
 
     fn local(&self, tau: S) -> Local<S> {
         let zero = S::constant(0.0);

@@ -272,6 +272,19 @@ pub fn fill<S: Float, const D: usize>(
     Ok(pace)
 }
 
+/// How many terms of a power series reach the end of a part in which the fastest oscillator turns by so much, at most 1,
+/// to a sixteenth of a scalar's rounding.
+#[must_use]
+pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
+    let one = S::constant(1.0);
+    let (mut terms, mut order, mut size) = (0, one, one);
+    while terms < TERMS && S::constant(epsilon / 16.0) < size {
+        size = size * rate / order;
+        (terms, order) = (terms + 1, order + one);
+    }
+    u32::try_from(terms).unwrap_or(u32::MAX)
+}
+
 /// How a step is cut.
 fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDomain> {
     let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
@@ -298,11 +311,6 @@ fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDom
     }
     let span = whole / S::constant(f64::from(parts));
     let rate = rate * span;
-    let (mut terms, mut size) = (0, one);
-    while terms < TERMS && S::constant(S::EPSILON / 16.0) < size {
-        terms += 1;
-        size = size * rate / S::constant(f64::from(u32::try_from(terms).unwrap_or(u32::MAX)));
-    }
     let mut drag = zero;
     for mode in dynamics.driven() {
         drag = drag + two * mode.zeta * mode.inverse_mass / mode.resonance;
@@ -313,7 +321,7 @@ fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDom
         parts,
         span,
         rate,
-        terms: u32::try_from(terms).unwrap_or(u32::MAX),
+        terms: series_terms(rate, S::EPSILON),
         receptance,
         drag: drag / receptance,
     })

@@ -10,7 +10,7 @@ use cortex_m_rt::entry;
 use cortex_m_semihosting::{debug, hprintln};
 use scenes::steps::machines::{Visitor, visit};
 use scenes::steps::script::{FRICTION, STEPS, Song, Tone, played};
-use scenes::steps::{Machine, Outcome};
+use scenes::steps::{Cost, Machine, Outcome};
 
 #[panic_handler]
 fn panic(_: &PanicInfo) -> ! {
@@ -137,12 +137,36 @@ impl Visitor for Bench<'_> {
                 hprintln!("cost|{}|step: {}|{}|{}", M::NAME, what, count, stack);
             }
         }
+        hprintln!("cost|{}|stepper with its tables|0|{}", M::NAME, M::SIZE);
         hprintln!(
             "# {}: {} of {} steps exceeded",
             M::NAME,
             storm.exceeded,
             STEPS
         );
+        let Some(cost) = M::start().map(|machine| machine.cost()) else {
+            return;
+        };
+        let tables = song
+            .sliding
+            .least
+            .max(if least == u64::MAX { 0 } else { least });
+        for (what, measured, operations) in [
+            ("by the tables", tables, cost.tables),
+            ("one event", one, cost.one_event),
+            ("any", song.all.most.max(storm.all.most), cost.most),
+        ] {
+            hprintln!(
+                "# {}, {}: {} instructions, {} operations",
+                M::NAME,
+                what,
+                measured,
+                operations
+            );
+            if !M::SOFTWARE && Cost::INSTRUCTIONS * operations + Cost::FIXED < measured {
+                hprintln!("over: {}, {}", M::NAME, what);
+            }
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::{Machine, Outcome};
 use frictiongen::kernel::simulation::Contact;
+use frictiongen::kernel::stepper::Cost;
 
 macro_rules! machine {
     ($module:ident $name:literal $scalar:ident $on_base:literal $last:ident
@@ -54,6 +55,10 @@ macro_rules! machine {
 
                 fn advance(&mut self, load: [$scalar; 2], friction: $scalar) -> Option<Outcome> {
                     advance(self, load, friction)
+                }
+
+                fn cost(&self) -> Cost {
+                    self.0.cost()
                 }
 
                 fn bits(&self) -> [u64; 3] {

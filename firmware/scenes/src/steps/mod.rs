@@ -3,6 +3,8 @@
 pub mod machines;
 pub mod script;
 
+pub use frictiongen::kernel::stepper::Cost;
+
 /// What a step has led to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
@@ -22,10 +24,16 @@ pub trait Machine: Sized {
     const NAME: &'static str;
     /// Whether the load is the base's motion.
     const ON_BASE: bool;
+    /// Whether a processor without double precision has no instruction for its sums.
+    const SOFTWARE: bool = core::mem::size_of::<Self::Scalar>() == 8;
     /// At rest.
     fn start() -> Option<Self>;
     /// A step: under a force, or to a displacement and a velocity of the base; and the friction force.
     fn advance(&mut self, load: [Self::Scalar; 2], friction: Self::Scalar) -> Option<Outcome>;
+    /// What a step costs at most.
+    fn cost(&self) -> Cost;
+    /// Its size in memory, its tables included, in bytes.
+    const SIZE: usize = core::mem::size_of::<Self>();
     /// The bits of displacement and velocity of the last mass, and of the load's work.
     fn bits(&self) -> [u64; 3];
 }
