@@ -2,32 +2,16 @@
 #![no_std]
 #![no_main]
 
-mod stack;
-
+use bench::{stack, timer};
 use core::hint::black_box;
 use core::panic::PanicInfo;
-use core::sync::atomic::{AtomicU32, Ordering};
-use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m::peripheral::{Peripherals, SYST};
-use cortex_m_rt::{entry, exception};
+use cortex_m_rt::entry;
 use cortex_m_semihosting::{debug, hprintln};
 use scenes::calls::{Call, DOUBLE, INPUTS, INPUTS_SINGLE, Input, SINGLE, tabled_five_limits};
 
-/// The timer counts 25 MHz while the emulator runs an instruction in 64 ns: eight ticks for five.
-const TICKS: u64 = 8;
-const INSTRUCTIONS: u64 = 5;
 const FEW: u64 = 4;
 const MANY: u64 = 20;
-/// The timer's 24 bits.
-const RANGE: u64 = 1 << 24;
-
-/// How often the timer has run through.
-static TURNS: AtomicU32 = AtomicU32::new(0);
-
-#[exception]
-fn SysTick() {
-    TURNS.store(TURNS.load(Ordering::Relaxed) + 1, Ordering::Relaxed);
-}
 
 #[panic_handler]
 fn panic(_: &PanicInfo) -> ! {
@@ -38,34 +22,26 @@ fn panic(_: &PanicInfo) -> ! {
 
 fn ticks<S: Copy>(timer: &mut SYST, call: &Call<S>, input: &Input<S>, times: u64) -> u64 {
     let run = black_box(call.run);
-    // A write reloads the counter without an interrupt.
-    timer.clear_current();
-    TURNS.store(0, Ordering::Relaxed);
-    let start = u64::from(SYST::get_current());
-    for _ in 0..times {
-        black_box(run(black_box(input)));
-    }
-    let end = u64::from(SYST::get_current());
-    // The timer counts down.
-    u64::from(TURNS.load(Ordering::Relaxed)) * RANGE + start - end
+    timer::ticks(timer, || {
+        for _ in 0..times {
+            black_box(run(black_box(input)));
+        }
+    })
 }
 
 /// Instructions a call, the loop about it included.
 fn instructions<S: Copy>(timer: &mut SYST, call: &Call<S>, input: &Input<S>) -> u64 {
     let few = ticks(timer, call, input, FEW);
     let many = ticks(timer, call, input, MANY);
-    let denominator = TICKS * (MANY - FEW);
-    ((many - few) * INSTRUCTIONS + denominator / 2) / denominator
+    let denominator = timer::TICKS * (MANY - FEW);
+    ((many - few) * timer::INSTRUCTIONS + denominator / 2) / denominator
 }
 
 #[entry]
 fn main() -> ! {
     if let Some(mut peripherals) = Peripherals::take() {
         let timer = &mut peripherals.SYST;
-        timer.set_clock_source(SystClkSource::Core);
-        timer.set_reload(0x00ff_ffff);
-        timer.enable_interrupt();
-        timer.enable_counter();
+        timer::set_up(timer);
         for (number, call) in SINGLE.iter().enumerate() {
             for (place, input) in INPUTS_SINGLE.iter().enumerate() {
                 let [a, b] = (call.run)(black_box(input));

@@ -14,10 +14,15 @@ fn pointer() -> usize {
 }
 
 /// The bytes of stack below this function's own frame that the call has written.
-#[inline(never)]
 pub fn depth(call: impl FnOnce()) -> usize {
+    depth_within(PAINTED, call)
+}
+
+/// The same of a call that is known to need less than this.
+#[inline(never)]
+pub fn depth_within(painted: usize, call: impl FnOnce()) -> usize {
     let top = pointer() & !3;
-    let bottom = top - PAINTED;
+    let bottom = top - painted;
     let mut at = bottom;
     while at < top {
         // SAFETY: below the stack pointer, inside the 4 MiB of RAM, nothing is alive.

@@ -2,8 +2,33 @@
 #![forbid(unsafe_code)]
 
 use scenes::calls::{DOUBLE, INPUTS, INPUTS_SINGLE, SINGLE};
+use scenes::steps::Machine;
+use scenes::steps::machines::{Visitor, visit};
+use scenes::steps::script::{Tone, played};
+
+/// Where the steppers end.
+struct Ends;
+
+impl Visitor for Ends {
+    fn visit<M: Machine>(&mut self)
+    where
+        M::Scalar: Tone,
+    {
+        for (storm, name) in [(false, "song"), (true, "storm")] {
+            let [place, velocity, work] = played::<M>(storm).unwrap_or_default();
+            println!(
+                "{name} of {}: {place:016x} {velocity:016x} {work:016x}",
+                M::NAME
+            );
+        }
+    }
+}
 
 fn main() {
+    if std::env::args().nth(1).as_deref() == Some("steps") {
+        visit(&mut Ends);
+        return;
+    }
     for (number, call) in SINGLE.iter().enumerate() {
         for (place, input) in INPUTS_SINGLE.iter().enumerate() {
             let [a, b] = (call.run)(input);

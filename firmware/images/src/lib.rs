@@ -25,3 +25,30 @@ macro_rules! image {
         }
     };
 }
+
+/// The same that steps a machine: from rest, under what it is given.
+#[macro_export]
+macro_rules! stepping {
+    ($machine:ident) => {
+        #[panic_handler]
+        fn panic(_: &core::panic::PanicInfo) -> ! {
+            unsafe extern "C" {
+                fn a_panic_can_be_reached() -> !;
+            }
+            // SAFETY: never linked.
+            unsafe { a_panic_can_be_reached() }
+        }
+
+        #[cortex_m_rt::entry]
+        fn main() -> ! {
+            use core::hint::black_box;
+            use scenes::steps::machines::$machine::{advance, start};
+            let mut machine = start();
+            loop {
+                if let Some(machine) = &mut machine {
+                    black_box(advance(machine, black_box([10.0, 0.0]), black_box(3.0)));
+                }
+            }
+        }
+    };
+}

@@ -1,14 +1,39 @@
 //! Links only if no call can panic.
 
 use scenes::calls::{DOUBLE, INPUTS, INPUTS_SINGLE, SINGLE};
+use scenes::steps::Machine;
+use scenes::steps::machines::{Visitor, visit};
+use scenes::steps::script::Tone;
 use std::hint::black_box;
 
+/// Starts and steps.
+struct Steps(usize);
+
+impl Visitor for Steps {
+    fn visit<M: Machine>(&mut self)
+    where
+        M::Scalar: Tone,
+    {
+        let mut machine = black_box(M::start());
+        if let Some(machine) = &mut machine {
+            let load = [M::Scalar::of(1.0), M::Scalar::of(0.5)];
+            black_box(machine.advance(black_box(load), black_box(M::Scalar::of(0.1))));
+        }
+        self.0 += 2;
+    }
+}
+
 fn main() {
+    let mut steps = Steps(0);
+    visit(&mut steps);
     for call in &SINGLE {
         black_box((call.run)(black_box(&INPUTS_SINGLE[0])));
     }
     for call in &DOUBLE {
         black_box((call.run)(black_box(&INPUTS[0])));
     }
-    println!("{} functions cannot panic", SINGLE.len() + DOUBLE.len());
+    println!(
+        "{} functions cannot panic",
+        SINGLE.len() + DOUBLE.len() + steps.0
+    );
 }

@@ -4,6 +4,7 @@
 #![cfg_attr(not(feature = "prove"), forbid(unsafe_code))]
 
 pub mod calls;
+pub mod steps;
 
 /// Each scene with the least that a question needs: what is not provided is not in the image.
 pub mod least {

@@ -85,6 +85,9 @@ impl<S: Float> Stretch<S> {
     /// A cubic over the step, seen from the part.
     pub(super) fn cubic(self, cubic: [S; 4]) -> [S; 4] {
         let mut terms = cubic;
+        if self.length == S::constant(1.0) {
+            return terms;
+        }
         shift(&mut terms, self.start);
         let mut factor = S::constant(1.0);
         for term in &mut terms {

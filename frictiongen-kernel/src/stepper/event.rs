@@ -4,8 +4,8 @@ use super::drive::{derived, gain, shift};
 use super::law;
 use super::part::{Through, product};
 use super::series::Power;
-use super::table::{moments, next};
-use super::{MAX_EVENTS, MAX_STRETCHES, TERMS};
+use super::table::{HeldLoad, moments, next};
+use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Start, Walk, first_reach, first_zero};
 
@@ -266,12 +266,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 
     fn terms(&self) -> usize {
-        let terms = if self.scene.law.is_empty() {
-            usize::try_from(self.table.pace.terms).unwrap_or(TERMS)
-        } else {
-            TERMS
-        };
-        terms.clamp(5, TERMS)
+        self.scene.terms(self.table.pace.terms)
     }
 
     /// The relative velocity as a power series about here, under the friction force level + slope·velocity.
@@ -288,47 +283,33 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         for (to, state) in self.store.scratch.iter_mut().zip(modes) {
             *to = *state;
         }
-        let mut order = S::constant(1.0);
-        for place in 0..velocity.count {
-            let mut sum = -base.get(place).copied().unwrap_or(zero);
-            let mut size = sum.abs();
-            for (step, [_, u]) in self
-                .table
-                .modes
-                .iter()
-                .zip(&*self.store.scratch)
-                .take(driven)
-            {
+        let steps = self.table.modes.get(..driven).unwrap_or_default();
+        let mut base = base.into_iter();
+        let (mut order, mut size) = (S::constant(1.0), zero);
+        for (place, slot) in velocity.slots().enumerate() {
+            let mut sum = -base.next().unwrap_or(zero);
+            let mut sizes = sum.abs();
+            for (step, [_, u]) in steps.iter().zip(&*self.store.scratch) {
                 let term = step.contact * step.angle * *u;
-                (sum, size) = (sum + term, size + term.abs());
+                (sum, sizes) = (sum + term, sizes + term.abs());
             }
-            if let Some(term) = velocity.terms.get_mut(place) {
-                *term = sum;
+            *slot = sum;
+            if place < 4 {
+                size = size + sizes;
             }
-            velocity.size = velocity.size + if place < 4 { size } else { zero };
             let force = slope * sum + if place == 0 { level } else { zero };
-            for index in 0..driven {
-                let load = self.load_term(index, place);
-                let Some(step) = self.table.modes.get(index) else {
-                    continue;
-                };
+            let inverse = S::constant(1.0) / order;
+            let states = steps.iter().zip(&mut *self.store.scratch);
+            for (index, (step, state)) in states.enumerate() {
+                let load = load_term(self.table.loads, self.store.drive, index, place);
                 let drive = load - step.gain * step.contact * force;
-                if let Some(state) = self.store.scratch.get_mut(index) {
-                    *state = next((step.angle, step.zeta), *state, [zero, drive], order);
-                }
+                let rates = next((step.angle, step.zeta), *state, [zero, drive]);
+                *state = rates.map(|rate| rate * inverse);
             }
             order = order + S::constant(1.0);
         }
+        velocity.size = size;
         velocity
-    }
-
-    fn load_term(&self, mode: usize, place: usize) -> S {
-        if place < D {
-            let load = self.load(mode);
-            load.get(place).copied().unwrap_or(S::constant(0.0))
-        } else {
-            S::constant(0.0)
-        }
     }
 
     /// The force in the held contact as a power series about here.
@@ -339,34 +320,41 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         for (to, state) in self.store.scratch.iter_mut().zip(&*self.store.held) {
             *to = *state;
         }
-        let mut order = S::constant(1.0);
-        for place in 0..force.count {
-            let mut sum = still.get(place).copied().unwrap_or(zero);
-            let mut size = sum.abs();
+        let motions = self.carrier();
+        let mut still = still.into_iter();
+        let (mut order, mut size) = (S::constant(1.0), zero);
+        for (place, slot) in force.slots().enumerate() {
+            let mut sum = still.next().unwrap_or(zero);
+            let mut sizes = sum.abs();
             for (step, [y, _]) in self.table.held.iter().zip(&*self.store.scratch) {
                 let term = step.force * *y;
-                (sum, size) = (sum - term, size + term.abs());
+                (sum, sizes) = (sum - term, sizes + term.abs());
             }
-            if let Some(term) = force.terms.get_mut(place) {
-                *term = sum;
+            *slot = sum;
+            if place < 4 {
+                size = size + sizes;
             }
-            force.size = force.size + if place < 4 { size } else { zero };
-            for index in 0..self.store.held.len() {
-                let Some(step) = self.table.held.get(index) else {
-                    continue;
-                };
-                let drive = if place < 4 {
-                    let load = self.held_load(index, step);
-                    load.map(|load| load.get(place).copied().unwrap_or(zero))
-                } else {
-                    [zero; 2]
-                };
-                if let Some(state) = self.store.scratch.get_mut(index) {
-                    *state = next((step.angle, step.zeta), *state, drive, order);
+            let inverse = S::constant(1.0) / order;
+            let states = self.table.held.iter().zip(&mut *self.store.scratch);
+            for (index, (step, state)) in states.enumerate() {
+                let mut drive = [zero; 2];
+                if place < D {
+                    drive = held_load_term(self.table.held_loads, self.store.drive, index, place);
                 }
+                if let Some(motions) = &motions {
+                    for (lift, motion) in step.lift.iter().zip(motions) {
+                        let motion = motion.get(place).copied().unwrap_or(zero);
+                        for (term, lift) in drive.iter_mut().zip(lift) {
+                            *term = *term + *lift * motion;
+                        }
+                    }
+                }
+                let rates = next((step.angle, step.zeta), *state, drive);
+                *state = rates.map(|rate| rate * inverse);
             }
             order = order + S::constant(1.0);
         }
+        force.size = size;
         force
     }
 
@@ -383,7 +371,10 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             };
             let pull = step.gain * step.contact;
             let drive = |place: usize| {
-                let force = slope * velocity.term(place) + if place == 0 { level } else { zero };
+                let mut force = if place == 0 { level } else { zero };
+                if !slope.is_zero() {
+                    force = force + slope * velocity.term(place);
+                }
                 let load = load.get(place).copied().unwrap_or(zero);
                 [zero, load - pull * force]
             };
@@ -392,9 +383,9 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             let [y, u] = *state;
             let gained = |rows: &[S; D]| rows.first().copied().unwrap_or(zero);
             *state = [y + gained(&rises), u + gained(&turns)];
-            for (term, moment) in load.iter().zip(&rises) {
-                work = work + *term * *moment / step.gain;
-            }
+            let done = load.iter().zip(&rises);
+            let done = done.fold(zero, |sum, (term, moment)| sum + *term * *moment);
+            work = work + done / step.gain;
         }
         let used = velocity.used();
         let moved = gain_of_integral(used, tau);
@@ -416,7 +407,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     /// Moves the held modes on by a stretch of sticking.
     fn move_held(&mut self, tau: S) {
         let zero = S::constant(0.0);
-        let mut work = self.carried_work(tau);
+        let mut work = self.carried_work(None, tau);
         let terms = self.terms();
         for index in 0..self.store.held.len() {
             let (Some(step), Some(&state)) =
@@ -455,4 +446,43 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
 /// ∫ of a power series from 0 to a place.
 fn gain_of_integral<S: Float>(terms: &[S], place: S) -> S {
     product(terms, &[S::constant(1.0)], place)
+}
+
+/// What the inputs add to the u′ of a mode, one coefficient.
+#[inline]
+fn load_term<S: Float, const D: usize>(
+    loads: &[S],
+    inputs: &[[S; D]],
+    mode: usize,
+    place: usize,
+) -> S {
+    let zero = S::constant(0.0);
+    if D <= place {
+        return zero;
+    }
+    let start = mode * inputs.len();
+    let loads = loads.get(start..).unwrap_or_default();
+    let pairs = loads.iter().zip(inputs);
+    pairs.fold(zero, |sum, (load, input)| {
+        sum + *load * input.get(place).copied().unwrap_or(zero)
+    })
+}
+
+/// What the inputs add to the y′ and u′ of a held mode, one coefficient.
+#[inline]
+fn held_load_term<S: Float, const D: usize>(
+    loads: &[HeldLoad<S>],
+    inputs: &[[S; D]],
+    mode: usize,
+    place: usize,
+) -> [S; 2] {
+    let zero = S::constant(0.0);
+    let start = mode * inputs.len();
+    let loads = loads.get(start..).unwrap_or_default();
+    let pairs = loads.iter().zip(inputs);
+    pairs.fold([zero; 2], |[first, second], (load, input)| {
+        let term = input.get(place).copied().unwrap_or(zero);
+        let [of_y, of_u] = load.drive;
+        [first + of_y * term, second + of_u * term]
+    })
 }

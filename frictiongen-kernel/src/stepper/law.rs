@@ -14,7 +14,22 @@ pub(super) struct Line<S> {
 }
 
 /// The line with this place.  Without points there is one: Coulomb's law.
+#[inline(always)]
 pub(super) fn line<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
+    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    if points.is_empty() {
+        return Line {
+            level: one,
+            slope: zero,
+            low: zero,
+            high: None,
+        };
+    }
+    between(points, place)
+}
+
+/// The same, with points.
+fn between<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [low, first] = match place.checked_sub(1) {
         None => [zero, one],

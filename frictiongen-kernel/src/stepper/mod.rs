@@ -9,6 +9,8 @@
 //! converges, and its cost is bounded.  Section 11 of docs/derivation.md derives it.
 
 mod account;
+mod cost;
+mod dot;
 mod drive;
 mod event;
 mod law;
@@ -20,12 +22,14 @@ mod state;
 mod table;
 
 pub use account::Work;
+pub use cost::{Cost, Extent};
 pub use drive::{Input, Sample};
 pub use run::{ContactNow, FixedStepper, MassNow, Stepped, Stepper};
 pub use scene::{StepScene, Units};
 pub use state::{FixedStore, Saved, Store, StoreMut, StoreRef};
 pub use table::{
     Channel, FixedTables, HeldLoad, HeldRow, HeldStep, ModeStep, Pace, Row, Tables, View, fill,
+    series_terms,
 };
 
 /// In one part of a step no more events than this are followed.  For what is left of the part the contact is held at rest.

@@ -1,5 +1,6 @@
 //! One part of a step: by the tables where the contact certainly has no event.
 
+use super::dot::{add, dot, sizes};
 use super::drive::{at, derived, gain};
 use super::law::{self, Line};
 use super::scene::StepScene;
@@ -37,9 +38,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let start = mode * inputs;
         let loads = self.table.loads.get(start..start + inputs);
         for (load, drive) in loads.unwrap_or_default().iter().zip(&*self.store.drive) {
-            for (sum, term) in sum.iter_mut().zip(drive) {
-                *sum = *sum + *load * *term;
-            }
+            add(&mut sum, *load, drive);
         }
         sum
     }
@@ -53,14 +52,10 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let loads = self.table.held_loads.get(start..start + inputs);
         for (load, drive) in loads.unwrap_or_default().iter().zip(&*self.store.drive) {
             for (sum, load) in sum.iter_mut().zip(load.drive) {
-                for (sum, term) in sum.iter_mut().zip(drive) {
-                    *sum = *sum + load * *term;
-                }
+                add(sum, load, drive);
             }
         }
-        if self.scene.rubs_on_base() {
-            let velocity = derived(self.base);
-            let motions = [velocity, derived(velocity)];
+        if let Some(motions) = self.carrier() {
             for (lift, motion) in step.lift.iter().zip(motions) {
                 for (sum, lift) in sum.iter_mut().zip(lift) {
                     for (sum, term) in sum.iter_mut().zip(motion) {
@@ -72,9 +67,20 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         sum
     }
 
+    /// Velocity and acceleration of the base where it carries the contact.
+    pub(super) fn carrier(&self) -> Option<[[S; 4]; 2]> {
+        let velocity = derived(self.base);
+        let motions = [velocity, derived(velocity)];
+        self.scene.rubs_on_base().then_some(motions)
+    }
+
     /// The line of the friction law that holds, with speeds in lengths a part.
+    #[inline]
     pub(super) fn line(&self) -> Line<S> {
         let mut line = law::line(self.scene.law, self.status.line);
+        if self.scene.law.is_empty() {
+            return line;
+        }
         let pace = &self.table.pace;
         let seconds = pace.step / S::constant(f64::from(pace.parts));
         line.slope = line.slope / seconds;
@@ -202,7 +208,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let (still, mut bend) = self.still();
         let (mut start, mut end) = (still[0], at(&still, one));
         let mut size = start.abs();
-        let mut work = self.carried_work(one);
+        let mut work = self.carried_work(Some(&still), one);
         for index in 0..self.store.held.len() {
             let Some(step) = self.table.held.get(index) else {
                 return false;
@@ -250,9 +256,9 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
 
     /// The force in the held contact without the held modes: a polynomial, and what its curve cannot exceed over a part.
     pub(super) fn still(&self) -> ([S; 4], S) {
-        let zero = S::constant(0.0);
+        let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let pace = &self.table.pace;
-        let inverse_mass = self.scene.dynamics.chain.inverse_mass;
+        let mass = one / self.scene.dynamics.chain.inverse_mass;
         let mut sum = [zero; 4];
         for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
             for (sum, term) in sum.iter_mut().zip(drive) {
@@ -260,19 +266,20 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             }
         }
         for term in &mut sum {
-            *term = *term / inverse_mass;
+            *term = *term * mass;
         }
         sum[0] = sum[0] - self.status.place / pace.receptance;
         if self.scene.rubs_on_base() {
             let velocity = derived(self.base);
             let acceleration = derived(velocity);
-            let inverse = S::constant(1.0) / pace.span;
-            let of_velocity = pace.drag * inverse / inverse_mass;
-            let of_acceleration = inverse * inverse / inverse_mass;
+            let inverse = one / pace.span;
+            let of_place = one / pace.receptance;
+            let of_velocity = pace.drag * inverse * mass;
+            let of_acceleration = inverse * inverse * mass;
             let motions = self.base.iter().zip(velocity).zip(acceleration);
             for (sum, ((place, velocity), acceleration)) in sum.iter_mut().zip(motions) {
                 *sum = *sum
-                    - *place / pace.receptance
+                    - *place * of_place
                     - of_velocity * velocity
                     - of_acceleration * acceleration;
             }
@@ -283,7 +290,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 
     /// The work of the inputs on the chain while the base carries the held contact, held modes left out, up to a place.
-    pub(super) fn carried_work(&self, place: S) -> S {
+    pub(super) fn carried_work(&self, still: Option<&[S; 4]>, place: S) -> S {
         let zero = S::constant(0.0);
         if !self.scene.rubs_on_base() {
             return zero;
@@ -293,7 +300,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
             work = work + channel.lift * product(drive, &velocity, place);
         }
-        let (still, _) = self.still();
+        let still = still.copied().unwrap_or_else(|| self.still().0);
         work - product(&still, &velocity, place)
     }
 
@@ -349,14 +356,12 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
     /// The state after a part, and the work of the load in it.
     #[inline]
     fn moved(&self, [y, u]: [S; 2], drive: &[S; D], load: &[S; D]) -> ([S; 2], S) {
-        let (mut rise, mut work) = (S::constant(0.0), S::constant(0.0));
-        for (order, (row, term)) in self.moments.iter().zip(load).enumerate() {
-            let moment = row.times([y, u], drive);
-            if order == 0 {
-                rise = moment;
-            }
-            work = work + *term * moment;
+        let mut moments = [S::constant(0.0); D];
+        for (moment, row) in moments.iter_mut().zip(&self.moments) {
+            *moment = row.times([y, u], drive);
         }
+        let rise = moments.first().copied().unwrap_or(S::constant(0.0));
+        let work = dot(S::constant(0.0), load, &moments);
         let turn = self.turn.times([y, u], drive);
         ([y + rise, u + turn], work / self.gain)
     }
@@ -392,16 +397,4 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         let total = of_y + of_u;
         rate * rate * (y.abs() + u.abs() + total) + rate * total + change
     }
-}
-
-/// The largest that a drive can be over a part, and its slope.
-#[inline]
-fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
-    let (mut total, mut change, mut order) = (S::constant(0.0), S::constant(0.0), S::constant(0.0));
-    for term in drive {
-        total = total + term.abs();
-        change = change + order * term.abs();
-        order = order + S::constant(1.0);
-    }
-    (total, change)
 }

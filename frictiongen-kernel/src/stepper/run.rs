@@ -1,6 +1,7 @@
 //! A stepper: what it is asked, and what it answers.
 
 use super::account::Work;
+use super::cost::Cost;
 use super::drive::{Sample, Stretch, base_motion};
 use super::part::Through;
 use super::scene::StepScene;
@@ -264,22 +265,9 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             exceeded: false,
         };
         for part in 0..pace.parts {
-            let stretch = Stretch::of(part, pace.parts);
-            let base = self.lay(&sample, motion, stretch);
-            let mut through = Through {
-                scene: &self.scene,
-                table: self.tables.view(),
-                store: self.store.change(),
-                status: &mut self.status,
-                base,
-                place: S::constant(0.0),
-                events: 0,
-                exceeded: false,
-            };
-            through.go();
-            through.leave_base();
-            stepped.events += through.events;
-            stepped.exceeded |= through.exceeded;
+            let (events, exceeded) = self.part(&sample, motion, Stretch::of(part, pace.parts));
+            stepped.events += events;
+            stepped.exceeded |= exceeded;
         }
         self.keep(&sample);
         if hold && self.scene.on_base {
@@ -291,6 +279,26 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         stepped.contact = self.status.contact;
         stepped.force = self.force();
         Ok(stepped)
+    }
+
+    /// Goes through one part of a step; how many events it had, and whether there were more than are followed.
+    // In a loop the compiler prepares addresses for parts that mostly do not come: a seventh of a step.
+    #[inline(never)]
+    fn part(&mut self, sample: &Sample<'_, S>, motion: [S; 4], stretch: Stretch<S>) -> (u32, bool) {
+        let base = self.lay(sample, motion, stretch);
+        let mut through = Through {
+            scene: &self.scene,
+            table: self.tables.view(),
+            store: self.store.change(),
+            status: &mut self.status,
+            base,
+            place: S::constant(0.0),
+            events: 0,
+            exceeded: false,
+        };
+        through.go();
+        through.leave_base();
+        (through.events, through.exceeded)
     }
 
     /// The base where a held input puts it: it leaves a contact behind that rubs on it.
@@ -343,7 +351,11 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         let on_base = self.scene.on_base;
         let hold = self.scene.input == Input::Hold;
         let stiffness = self.scene.units.stiffness;
-        let base = stretch.cubic(motion);
+        let base = if on_base {
+            stretch.cubic(motion)
+        } else {
+            motion
+        };
         let store = self.store.change();
         let mut channels = store.drive.iter_mut().zip(store.last);
         if on_base && let Some((drive, _)) = channels.next() {
@@ -356,6 +368,13 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             *drive = stretch.line(if hold { force } else { *last }, force);
         }
         base
+    }
+
+    /// What a step costs at most.
+    #[must_use]
+    pub fn cost(&self) -> Cost {
+        let pace = self.tables.view().pace;
+        self.scene.cost(D, pace.parts, pace.terms)
     }
 
     /// The length of a step, in seconds.

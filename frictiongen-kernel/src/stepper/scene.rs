@@ -1,5 +1,7 @@
 //! What a stepper is told of a scene.
 
+use super::TERMS;
+use super::cost::{Cost, Extent};
 use super::drive::Input;
 use crate::number::scalar::Float;
 use crate::simulation::Dynamics;
@@ -55,6 +57,33 @@ impl<S: Float> StepScene<'_, S> {
         let held = self.dynamics.held.iter();
         let held = held.map(|mode| turned(mode.frequency, mode.zeta));
         modes.chain(held).fold(S::constant(0.0), S::max)
+    }
+
+    /// How many terms of a power series are formed, if so many reach the end of a part.
+    pub(super) fn terms(&self, enough: u32) -> usize {
+        let terms = if self.law.is_empty() {
+            usize::try_from(enough).unwrap_or(TERMS)
+        } else {
+            TERMS
+        };
+        terms.clamp(5, TERMS)
+    }
+
+    /// What a step costs at most that is cut into so many parts, from how many coefficients an input has and how many
+    /// terms of a power series reach the end of a part ([`series_terms`](super::series_terms)).
+    #[must_use]
+    pub fn cost(&self, coefficients: usize, parts: u32, terms: u32) -> Cost {
+        let count = |size: usize| u64::try_from(size).unwrap_or(u64::MAX);
+        Cost::of(&Extent {
+            modes: count(self.dynamics.modes.len()),
+            driven: count(self.dynamics.in_contact()),
+            inputs: count(self.channels()),
+            coefficients: count(coefficients),
+            terms: count(self.terms(terms)),
+            parts: u64::from(parts),
+            on_moving_base: self.rubs_on_base(),
+            lines: !self.law.is_empty(),
+        })
     }
 
     /// How strongly an input drives a mode.

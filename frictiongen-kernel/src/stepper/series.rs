@@ -4,6 +4,9 @@ use super::TERMS;
 use crate::number::scalar::Float;
 use crate::simulation::{Local, ORDER, Series, Walked};
 
+/// No walk along a series has more steps than this.
+pub(super) const WALK: u32 = 64;
+
 /// Σ c_n sⁿ, and what rounding can do to its first terms.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Power<S> {
@@ -23,6 +26,10 @@ impl<S: Float> Power<S> {
         }
     }
 
+    pub(super) fn slots(&mut self) -> impl Iterator<Item = &mut S> {
+        self.terms.iter_mut().take(self.count)
+    }
+
     pub(super) fn used(&self) -> &[S] {
         self.terms.get(..self.count).unwrap_or(&self.terms)
     }
@@ -32,23 +39,20 @@ impl<S: Float> Power<S> {
     }
 
     /// sign·f − level, up to a place.
-    pub(super) fn seen(&self, sign: S, level: S, reach: S) -> Seen<S> {
-        let mut power = *self;
-        for term in &mut power.terms {
-            *term = *term * sign;
-        }
-        let [first, ..] = &mut power.terms;
-        *first = *first - level;
+    pub(super) fn seen(&self, sign: S, level: S, reach: S) -> Seen<'_, S> {
+        let (one, two) = (S::constant(1.0), S::constant(2.0));
         let mut bound = S::constant(0.0);
-        let three = power.used().iter().enumerate().skip(3).rev();
-        for (order, term) in three {
-            let n = S::constant(f64::from(u32::try_from(order).unwrap_or(u32::MAX)));
-            let (one, two) = (S::constant(1.0), S::constant(2.0));
+        let count = u32::try_from(self.count).unwrap_or(u32::MAX);
+        let mut n = S::constant(f64::from(count));
+        for term in self.used().iter().skip(3).rev() {
+            n = n - one;
             bound = bound * reach + term.abs() * n * (n - one) * (n - two);
         }
-        let noise = (power.size + level.abs()) * S::constant(4.0 * S::EPSILON);
+        let noise = (self.size + level.abs()) * S::constant(4.0 * S::EPSILON);
         Seen {
-            power,
+            power: self,
+            sign,
+            level,
             reach,
             bound,
             noise,
@@ -58,40 +62,46 @@ impl<S: Float> Power<S> {
 
 /// A power series up to a place, with a bound on its third derivative there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen<S> {
-    power: Power<S>,
+pub(super) struct Seen<'p, S> {
+    power: &'p Power<S>,
+    sign: S,
+    level: S,
     reach: S,
     bound: S,
     noise: S,
 }
 
-impl<S: Float> Walked<S> for Seen<S> {
-    const MOST: u32 = 64;
+impl<S: Float> Walked<S> for Seen<'_, S> {
+    const MOST: u32 = WALK;
 
     fn local(&self, tau: S) -> Local<S> {
         let zero = S::constant(0.0);
         let (mut value, mut slope, mut half) = (zero, zero, zero);
-        for term in self.power.used().iter().rev() {
+        for term in self.power.used().iter().skip(1).rev() {
             half = half * tau + slope;
             slope = slope * tau + value;
             value = value * tau + *term;
         }
+        half = half * tau + slope;
+        slope = slope * tau + value;
+        let first = self.power.term(0) * self.sign - self.level;
         Local {
-            value,
-            slope,
-            curve: half + half,
+            value: value * tau * self.sign + first,
+            slope: slope * self.sign,
+            curve: (half + half) * self.sign,
             bound: self.bound,
         }
     }
 
     fn series(&self, value: S, slope: S) -> Series<S> {
-        let mut terms = [S::constant(0.0); ORDER];
-        let mut factorial = S::constant(1.0);
-        let used = self.power.used().iter();
-        for (order, (term, from)) in terms.iter_mut().zip(used).enumerate() {
-            let n = S::constant(f64::from(u32::try_from(order.max(1)).unwrap_or(u32::MAX)));
-            factorial = factorial * n;
+        let (zero, one) = (S::constant(0.0), S::constant(1.0));
+        let mut terms = [zero; ORDER];
+        let (mut factorial, mut order) = (self.sign, one);
+        let used = self.power.used().iter().skip(1);
+        for (term, from) in terms.iter_mut().skip(1).zip(used) {
+            factorial = factorial * order;
             *term = *from * factorial;
+            order = order + one;
         }
         let [first, second, ..] = &mut terms;
         (*first, *second) = (value, slope);

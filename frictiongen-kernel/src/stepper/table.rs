@@ -1,5 +1,6 @@
 //! What each oscillator does over a part of a step, as constants.
 
+use super::dot::dot;
 use super::scene::StepScene;
 use super::{MAX_PARTS, TERMS};
 use crate::errors::OutOfDomain;
@@ -271,6 +272,19 @@ pub fn fill<S: Float, const D: usize>(
     Ok(pace)
 }
 
+/// How many terms of a power series reach the end of a part in which the fastest oscillator turns by so much, at most 1,
+/// to a sixteenth of a scalar's rounding.
+#[must_use]
+pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
+    let one = S::constant(1.0);
+    let (mut terms, mut order, mut size) = (0, one, one);
+    while terms < TERMS && S::constant(epsilon / 16.0) < size {
+        size = size * rate / order;
+        (terms, order) = (terms + 1, order + one);
+    }
+    u32::try_from(terms).unwrap_or(u32::MAX)
+}
+
 /// How a step is cut.
 fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDomain> {
     let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
@@ -289,11 +303,6 @@ fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDom
     }
     let span = whole / S::constant(f64::from(parts));
     let rate = rate * span;
-    let (mut terms, mut size) = (0, one);
-    while terms < TERMS && S::constant(S::EPSILON / 16.0) < size {
-        terms += 1;
-        size = size * rate / S::constant(f64::from(u32::try_from(terms).unwrap_or(u32::MAX)));
-    }
     let mut drag = zero;
     for mode in dynamics.driven() {
         drag = drag + two * mode.zeta * mode.inverse_mass / mode.resonance;
@@ -304,24 +313,23 @@ fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDom
         parts,
         span,
         rate,
-        terms: u32::try_from(terms).unwrap_or(u32::MAX),
+        terms: series_terms(rate, S::EPSILON),
         receptance,
         drag: drag / receptance,
     })
 }
 
-/// The next coefficients of an oscillator's power series, of s to the power `order`, from those before and those of
-/// what drives y′ and u′.
+/// The next coefficients of an oscillator's power series times their order, from those before and those of what
+/// drives y′ and u′.
 #[inline]
 pub(super) fn next<S: Float>(
     (angle, zeta): (S, S),
     [y, u]: [S; 2],
     [first, second]: [S; 2],
-    order: S,
 ) -> [S; 2] {
     let rise = angle * u + first;
     let turn = second - angle * (y + (zeta + zeta) * u);
-    [rise / order, turn / order]
+    [rise, turn]
 }
 
 /// An oscillator from a state under a drive, up to a place: ∫ sʲ y′ ds and ∫ sʲ u′ ds.
@@ -336,11 +344,15 @@ pub(super) fn moments<S: Float, const D: usize>(
     let mut sums = [[zero; D]; 2];
     let (mut order, mut power) = (one, place);
     for index in 0..terms {
-        state = next(of, state, drive(index), order);
+        state = next(of, state, drive(index)).map(|term| term / order);
         let (mut beyond, mut factor) = (order, power);
         let [of_y, of_u] = &mut sums;
-        for (of_y, of_u) in of_y.iter_mut().zip(of_u) {
-            let [y, u] = state.map(|term| term * factor * (order / beyond));
+        for (place_of, (of_y, of_u)) in of_y.iter_mut().zip(of_u).enumerate() {
+            let mut weight = factor;
+            if place_of != 0 {
+                weight = factor * (order / beyond);
+            }
+            let [y, u] = state.map(|term| term * weight);
             (*of_y, *of_u) = (*of_y + y, *of_u + u);
             (beyond, factor) = (beyond + one, factor * place);
         }
@@ -461,13 +473,10 @@ impl<S: Float, const D: usize> HeldRow<S, D> {
     /// The sum over state and drive.
     #[inline]
     pub(super) fn times(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> S {
-        let mut sum = self.state[0] * y + self.state[1] * u;
-        for (weights, drive) in self.drive.iter().zip(drive) {
-            for (weight, term) in weights.iter().zip(drive) {
-                sum = sum + *weight * *term;
-            }
-        }
-        sum
+        let [first, second] = &self.drive;
+        let [of_y, of_u] = drive;
+        let sum = self.state[0] * y + self.state[1] * u;
+        dot(dot(sum, first, of_y), second, of_u)
     }
 }
 
@@ -475,11 +484,8 @@ impl<S: Float, const D: usize> Row<S, D> {
     /// The sum over state and drive.
     #[inline]
     pub(super) fn times(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
-        let mut sum = self.state[0] * y + self.state[1] * u;
-        for (weight, term) in self.drive.iter().zip(drive) {
-            sum = sum + *weight * *term;
-        }
-        sum
+        let sum = self.state[0] * y + self.state[1] * u;
+        dot(sum, &self.drive, drive)
     }
 }
 

@@ -1,0 +1,206 @@
+//! Steppers on the emulated processor: where they end, and the instructions and the stack of their steps.
+#![no_std]
+#![no_main]
+
+use bench::{stack, timer};
+use core::hint::black_box;
+use core::panic::PanicInfo;
+use cortex_m::peripheral::{Peripherals, SYST};
+use cortex_m_rt::entry;
+use cortex_m_semihosting::{debug, hprintln};
+use scenes::steps::machines::{Visitor, visit};
+use scenes::steps::script::{FRICTION, STEPS, Song, Tone, played};
+use scenes::steps::{Cost, Machine, Outcome};
+
+#[panic_handler]
+fn panic(_: &PanicInfo) -> ! {
+    loop {
+        debug::exit(debug::EXIT_FAILURE);
+    }
+}
+
+/// No step needs more stack.
+const STACK: usize = 8192;
+
+/// What some steps needed: the least and the most instructions, and the most stack.
+#[derive(Clone, Copy)]
+struct Needs {
+    least: u64,
+    most: u64,
+    stack: usize,
+}
+
+impl Needs {
+    const NONE: Self = Self {
+        least: u64::MAX,
+        most: 0,
+        stack: 0,
+    };
+
+    fn add(&mut self, instructions: u64, stack: usize) {
+        self.least = self.least.min(instructions);
+        self.most = self.most.max(instructions);
+        self.stack = self.stack.max(stack);
+    }
+}
+
+/// Steps by what happened in them.
+struct Kinds {
+    sliding: Needs,
+    sticking: Needs,
+    quiet: Needs,
+    one: Needs,
+    all: Needs,
+    sum: u64,
+    exceeded: u32,
+}
+
+/// All steps of a song or of a storm.
+fn measured<M: Machine>(timer: &mut SYST, storm: bool) -> Option<Kinds>
+where
+    M::Scalar: Tone,
+{
+    let (mut machine, mut song) = (M::start()?, Song::new());
+    let empty = timer::ticks(timer, || ());
+    let mut kinds = Kinds {
+        sliding: Needs::NONE,
+        sticking: Needs::NONE,
+        quiet: Needs::NONE,
+        one: Needs::NONE,
+        all: Needs::NONE,
+        sum: 0,
+        exceeded: 0,
+    };
+    for _ in 0..STEPS {
+        let load = black_box(song.next(M::ON_BASE, storm));
+        let friction = black_box(M::Scalar::of(FRICTION));
+        let mut outcome = None;
+        let mut ticks = 0;
+        let stack = stack::depth_within(STACK, || {
+            ticks = timer::ticks(timer, || outcome = machine.advance(load, friction));
+        });
+        let Outcome {
+            sticks,
+            events,
+            exceeded,
+        } = outcome?;
+        let count = ((ticks - empty) * timer::INSTRUCTIONS + timer::TICKS / 2) / timer::TICKS;
+        match (events, sticks) {
+            (0, false) => kinds.sliding.add(count, stack),
+            (0, true) => kinds.sticking.add(count, stack),
+            (1, _) => kinds.one.add(count, stack),
+            _ => {}
+        }
+        if events == 0 {
+            kinds.quiet.add(count, stack);
+        }
+        kinds.all.add(count, stack);
+        kinds.sum += count;
+        kinds.exceeded += u32::from(exceeded);
+    }
+    Some(kinds)
+}
+
+struct Bench<'t>(&'t mut SYST);
+
+impl Visitor for Bench<'_> {
+    fn visit<M: Machine>(&mut self)
+    where
+        M::Scalar: Tone,
+    {
+        let (Some(song), Some(storm)) = (measured::<M>(self.0, false), measured::<M>(self.0, true))
+        else {
+            hprintln!("{}: an error", M::NAME);
+            return;
+        };
+        let quiet = song.quiet.most.max(storm.quiet.most);
+        let one = song.one.most.max(storm.one.most);
+        let stack = song.all.stack.max(storm.all.stack);
+        let least = song.sticking.least.min(storm.sticking.least);
+        for (what, count, stack) in [
+            (
+                "sliding, by the tables",
+                song.sliding.least,
+                song.sliding.stack,
+            ),
+            ("sticking, by the tables", least, song.sticking.stack),
+            ("mean of a song", song.sum / STEPS as u64, song.all.stack),
+            ("worst without event", quiet, stack),
+            ("worst with one event", one, stack),
+            (
+                "worst of a song and a storm",
+                song.all.most.max(storm.all.most),
+                stack,
+            ),
+        ] {
+            if count != u64::MAX {
+                hprintln!("cost|{}|step: {}|{}|{}", M::NAME, what, count, stack);
+            }
+        }
+        hprintln!("cost|{}|stepper with its tables|0|{}", M::NAME, M::SIZE);
+        hprintln!(
+            "# {}: {} of {} steps exceeded",
+            M::NAME,
+            storm.exceeded,
+            STEPS
+        );
+        let Some(cost) = M::start().map(|machine| machine.cost()) else {
+            return;
+        };
+        let tables = song
+            .sliding
+            .least
+            .max(if least == u64::MAX { 0 } else { least });
+        for (what, measured, operations) in [
+            ("by the tables", tables, cost.tables),
+            ("one event", one, cost.one_event),
+            ("any", song.all.most.max(storm.all.most), cost.most),
+        ] {
+            hprintln!(
+                "# {}, {}: {} instructions, {} operations",
+                M::NAME,
+                what,
+                measured,
+                operations
+            );
+            if !M::SOFTWARE && Cost::INSTRUCTIONS * operations + Cost::FIXED < measured {
+                hprintln!("over: {}, {}", M::NAME, what);
+            }
+        }
+    }
+}
+
+#[entry]
+fn main() -> ! {
+    if let Some(mut peripherals) = Peripherals::take() {
+        let timer = &mut peripherals.SYST;
+        timer::set_up(timer);
+        visit(&mut Ends);
+        visit(&mut Bench(timer));
+    }
+    loop {
+        debug::exit(debug::EXIT_SUCCESS);
+    }
+}
+
+/// Where the machines end.
+struct Ends;
+
+impl Visitor for Ends {
+    fn visit<M: Machine>(&mut self)
+    where
+        M::Scalar: Tone,
+    {
+        for (storm, name) in [(false, "song"), (true, "storm")] {
+            let [place, velocity, work] = played::<M>(storm).unwrap_or_default();
+            hprintln!(
+                "{} of {}: {:016x} {:016x} {:016x}",
+                name,
+                M::NAME,
+                place,
+                velocity,
+                work
+            );
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! What both programs measure with.
+#![no_std]
+
+pub mod stack;
+pub mod timer;

@@ -1,0 +1,210 @@
+//! The scenes that step: chains of equal masses, the last one rubbing.
+
+use super::{Machine, Outcome};
+use frictiongen::kernel::simulation::Contact;
+use frictiongen::kernel::stepper::Cost;
+
+macro_rules! machine {
+    ($module:ident $name:literal $scalar:ident $on_base:literal $last:ident
+        |$load:ident, $friction:ident| { $($field:ident: $value:expr),* }
+        $($scene:tt)*) => {
+        #[doc = concat!("Steps of ", $name, ".")]
+        pub mod $module {
+            use super::*;
+
+            frictiongen::friction_system! {
+                /// A chain.
+                pub struct Chain {
+                    $($scene)*
+                    scalar: $scalar,
+                    provide: [stepper],
+                    step: 1e-3,
+                }
+            }
+
+            /// The stepper.
+            pub struct Run(ChainStepper);
+
+            /// At rest.
+            #[inline(never)]
+            #[cfg_attr(feature = "prove", no_panic::no_panic)]
+            pub fn start() -> Option<Run> {
+                Chain::stepper(Chain::STEP).ok().map(Run)
+            }
+
+            /// A step.
+            #[inline(never)]
+            #[cfg_attr(feature = "prove", no_panic::no_panic)]
+            pub fn advance(run: &mut Run, $load: [$scalar; 2], $friction: $scalar) -> Option<Outcome> {
+                let stepped = run.0.advance(ChainInput { $($field: $value),* }).ok()?;
+                Some(Outcome {
+                    sticks: stepped.contact == Contact::Stuck,
+                    events: stepped.events,
+                    exceeded: stepped.exceeded,
+                })
+            }
+
+            impl Machine for Run {
+                type Scalar = $scalar;
+                const NAME: &'static str = $name;
+                const ON_BASE: bool = $on_base;
+
+                fn start() -> Option<Self> {
+                    start()
+                }
+
+                fn advance(&mut self, load: [$scalar; 2], friction: $scalar) -> Option<Outcome> {
+                    advance(self, load, friction)
+                }
+
+                fn cost(&self) -> Cost {
+                    self.0.cost()
+                }
+
+                fn bits(&self) -> [u64; 3] {
+                    let mass = self.0.$last();
+                    let values = [mass.displacement(), mass.velocity(), self.0.work().load];
+                    values.map(|value| u64::from(value.to_bits()))
+                }
+            }
+        }
+    };
+}
+
+machine! {
+    one_force "1 mass f32, undamped, force held" f32 false m1 |load, friction| { force: load[0], friction: friction }
+    masses: { m1: 3.25 },
+    springs: { base - m1: 1323.0 },
+    contact: m1 - wall,
+    excitation: m1,
+    input: hold,
+}
+
+machine! {
+    one_base "1 mass f32, damped, on a moving base, linear" f32 true m1 |load, friction| { displacement: load[0], velocity: load[1], friction: friction }
+    masses: { m1: 3.25 },
+    springs: { base - m1: 1323.0 },
+    contact: m1 - base,
+    excitation: base,
+    damping: modal(0.02),
+    input: linear,
+}
+
+machine! {
+    two_force "2 masses f32, undamped, force held" f32 false m2 |load, friction| { force: load[0], friction: friction }
+    masses: { m1: 3.25, m2: 3.25 },
+    springs: { base - m1: 1323.0, m1 - m2: 1323.0 },
+    contact: m2 - wall,
+    excitation: m1,
+    input: hold,
+}
+
+machine! {
+    two_base "2 masses f32, damped, on a moving base, linear" f32 true m2 |load, friction| { displacement: load[0], velocity: load[1], friction: friction }
+    masses: { m1: 3.25, m2: 3.25 },
+    springs: { base - m1: 1323.0, m1 - m2: 1323.0 },
+    contact: m2 - base,
+    excitation: base,
+    damping: modal(0.02),
+    input: linear,
+}
+
+machine! {
+    five_force "5 masses f32, undamped, force held" f32 false m5 |load, friction| { force: load[0], friction: friction }
+    masses: { m1: 3.25, m2: 3.25, m3: 3.25, m4: 3.25, m5: 3.25 },
+    springs: { base - m1: 1323.0, m1 - m2: 1323.0, m2 - m3: 1323.0, m3 - m4: 1323.0, m4 - m5: 1323.0 },
+    contact: m5 - wall,
+    excitation: m1,
+    input: hold,
+}
+
+machine! {
+    five_base "5 masses f32, damped, on a moving base, linear" f32 true m5 |load, friction| { displacement: load[0], velocity: load[1], friction: friction }
+    masses: { m1: 3.25, m2: 3.25, m3: 3.25, m4: 3.25, m5: 3.25 },
+    springs: { base - m1: 1323.0, m1 - m2: 1323.0, m2 - m3: 1323.0, m3 - m4: 1323.0, m4 - m5: 1323.0 },
+    contact: m5 - base,
+    excitation: base,
+    damping: modal(0.02),
+    input: linear,
+}
+
+machine! {
+    ten_force "10 masses f32, undamped, force held" f32 false m10 |load, friction| { force: load[0], friction: friction }
+    masses: { m1: 3.25, m2: 3.25, m3: 3.25, m4: 3.25, m5: 3.25, m6: 3.25, m7: 3.25, m8: 3.25, m9: 3.25, m10: 3.25 },
+    springs: { base - m1: 1323.0, m1 - m2: 1323.0, m2 - m3: 1323.0, m3 - m4: 1323.0, m4 - m5: 1323.0, m5 - m6: 1323.0, m6 - m7: 1323.0, m7 - m8: 1323.0, m8 - m9: 1323.0, m9 - m10: 1323.0 },
+    contact: m10 - wall,
+    excitation: m1,
+    input: hold,
+}
+
+machine! {
+    ten_base "10 masses f32, damped, on a moving base, linear" f32 true m10 |load, friction| { displacement: load[0], velocity: load[1], friction: friction }
+    masses: { m1: 3.25, m2: 3.25, m3: 3.25, m4: 3.25, m5: 3.25, m6: 3.25, m7: 3.25, m8: 3.25, m9: 3.25, m10: 3.25 },
+    springs: { base - m1: 1323.0, m1 - m2: 1323.0, m2 - m3: 1323.0, m3 - m4: 1323.0, m4 - m5: 1323.0, m5 - m6: 1323.0, m6 - m7: 1323.0, m7 - m8: 1323.0, m8 - m9: 1323.0, m9 - m10: 1323.0 },
+    contact: m10 - base,
+    excitation: base,
+    damping: modal(0.02),
+    input: linear,
+}
+
+machine! {
+    one_force_double "1 mass f64, undamped, force held" f64 false m1 |load, friction| { force: load[0], friction: friction }
+    masses: { m1: 3.25 },
+    springs: { base - m1: 1323.0 },
+    contact: m1 - wall,
+    excitation: m1,
+    input: hold,
+}
+
+machine! {
+    one_base_double "1 mass f64, damped, on a moving base, linear" f64 true m1 |load, friction| { displacement: load[0], velocity: load[1], friction: friction }
+    masses: { m1: 3.25 },
+    springs: { base - m1: 1323.0 },
+    contact: m1 - base,
+    excitation: base,
+    damping: modal(0.02),
+    input: linear,
+}
+
+machine! {
+    two_force_double "2 masses f64, undamped, force held" f64 false m2 |load, friction| { force: load[0], friction: friction }
+    masses: { m1: 3.25, m2: 3.25 },
+    springs: { base - m1: 1323.0, m1 - m2: 1323.0 },
+    contact: m2 - wall,
+    excitation: m1,
+    input: hold,
+}
+
+machine! {
+    two_base_double "2 masses f64, damped, on a moving base, linear" f64 true m2 |load, friction| { displacement: load[0], velocity: load[1], friction: friction }
+    masses: { m1: 3.25, m2: 3.25 },
+    springs: { base - m1: 1323.0, m1 - m2: 1323.0 },
+    contact: m2 - base,
+    excitation: base,
+    damping: modal(0.02),
+    input: linear,
+}
+
+/// Does something with every machine.
+pub trait Visitor {
+    /// With this one.
+    fn visit<M: Machine>(&mut self)
+    where
+        M::Scalar: super::script::Tone;
+}
+
+/// All machines, one after the other.
+pub fn visit(visitor: &mut impl Visitor) {
+    visitor.visit::<one_force::Run>();
+    visitor.visit::<one_base::Run>();
+    visitor.visit::<two_force::Run>();
+    visitor.visit::<two_base::Run>();
+    visitor.visit::<five_force::Run>();
+    visitor.visit::<five_base::Run>();
+    visitor.visit::<ten_force::Run>();
+    visitor.visit::<ten_base::Run>();
+    visitor.visit::<one_force_double::Run>();
+    visitor.visit::<one_base_double::Run>();
+    visitor.visit::<two_force_double::Run>();
+    visitor.visit::<two_base_double::Run>();
+}

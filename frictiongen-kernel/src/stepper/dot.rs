@@ -1,0 +1,66 @@
+//! Sums over the few coefficients of an input, written out: on a microcontroller a loop costs more than what it sums.
+
+use crate::number::scalar::Float;
+
+/// start + Σ a·b.
+#[inline(always)]
+pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) -> S {
+    match (a.as_slice(), b.as_slice()) {
+        ([a0], [b0]) => start + *a0 * *b0,
+        ([a0, a1], [b0, b1]) => start + *a0 * *b0 + *a1 * *b1,
+        ([a0, a1, a2, a3], [b0, b1, b2, b3]) => {
+            start + *a0 * *b0 + *a1 * *b1 + *a2 * *b2 + *a3 * *b3
+        }
+        (a, b) => {
+            let pairs = a.iter().zip(b);
+            pairs.fold(start, |sum, (a, b)| sum + *a * *b)
+        }
+    }
+}
+
+/// sum + factor·terms.
+#[inline(always)]
+pub(super) fn add<S: Float, const D: usize>(sum: &mut [S; D], factor: S, terms: &[S; D]) {
+    match (sum.as_mut_slice(), terms.as_slice()) {
+        ([s0], [t0]) => *s0 = *s0 + factor * *t0,
+        ([s0, s1], [t0, t1]) => {
+            *s0 = *s0 + factor * *t0;
+            *s1 = *s1 + factor * *t1;
+        }
+        ([s0, s1, s2, s3], [t0, t1, t2, t3]) => {
+            *s0 = *s0 + factor * *t0;
+            *s1 = *s1 + factor * *t1;
+            *s2 = *s2 + factor * *t2;
+            *s3 = *s3 + factor * *t3;
+        }
+        (sum, terms) => {
+            for (sum, term) in sum.iter_mut().zip(terms) {
+                *sum = *sum + factor * *term;
+            }
+        }
+    }
+}
+
+/// The largest that a drive can be over a part, and its slope.
+#[inline(always)]
+pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
+    let (two, three) = (S::constant(2.0), S::constant(3.0));
+    match drive.as_slice() {
+        [a] => (a.abs(), S::constant(0.0)),
+        [a, b] => (a.abs() + b.abs(), b.abs()),
+        [a, b, c, d] => {
+            let (b, c, d) = (b.abs(), c.abs(), d.abs());
+            (a.abs() + b + c + d, b + two * c + three * d)
+        }
+        drive => {
+            let (mut total, mut change) = (S::constant(0.0), S::constant(0.0));
+            let mut order = S::constant(0.0);
+            for term in drive {
+                total = total + term.abs();
+                change = change + order * term.abs();
+                order = order + S::constant(1.0);
+            }
+            (total, change)
+        }
+    }
+}
