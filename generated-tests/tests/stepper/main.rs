@@ -1,0 +1,8 @@
+//! The real-time stepper: what shows that it is right.
+//!
+//! `plain` is an integrator that shares no code with it.  Long forms:
+//! `cargo test --release -p generated-tests --test stepper -- --ignored`.
+
+mod plain;
+mod plain_itself;
+mod scenes;
