@@ -1,7 +1,7 @@
 //! What generated friction solvers call.
 //!
 //! Rooms, each of which knows only those before it: [`number`], [`oscillator`], [`modal_sum`], [`contact`],
-//! [`response`], [`table`], [`simulation`], [`orbit`].  [`errors`] has what a question outside its domain is answered with.
+//! [`response`], [`table`], [`simulation`], [`stepper`], [`orbit`].  [`errors`] has what a question outside its domain is answered with.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 pub mod contact;
@@ -14,6 +14,7 @@ pub mod orbit;
 pub mod oscillator;
 pub mod response;
 pub mod simulation;
+pub mod stepper;
 pub mod table;
 #[cfg(test)]
 mod testing;

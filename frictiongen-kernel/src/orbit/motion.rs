@@ -6,7 +6,7 @@ use super::{Orbit, SegmentStart, rates};
 use crate::number::complex::{self, Complex};
 use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Part, Sum, rotated};
+use crate::simulation::{Contact, Part, Sum, lift, rotated};
 
 /// The steady motion of the contact or of a mass, in an [`Orbit`].
 #[derive(Debug)]
@@ -245,7 +245,7 @@ where
                 }
             }
             for (index, mode) in setting.dynamics.driven().iter().enumerate() {
-                let lift = component(index) * setting.lift(mode.contact, mode.resonance);
+                let lift = component(index) * lift(mode, setting.receptance);
                 constant = constant + lift * offset;
                 fundamental.re = fundamental.re + lift * setting.base;
             }

@@ -4,7 +4,7 @@ use crate::number::scalar::Float;
 
 /// A sum of many numbers, with what its roundings left out.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Total<S> {
+pub(crate) struct Total<S> {
     /// The sum, rounded.
     pub value: S,
     /// What is missing in it.
@@ -12,7 +12,7 @@ pub(super) struct Total<S> {
 }
 
 impl<S: Float> Total<S> {
-    pub(super) fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         Self {
             value: S::constant(0.0),
             low: S::constant(0.0),
@@ -20,7 +20,7 @@ impl<S: Float> Total<S> {
     }
 
     /// The sum with another number.
-    pub(super) fn plus(self, term: S) -> Self {
+    pub(crate) fn plus(self, term: S) -> Self {
         let (value, error) = two_sum(self.value, term);
         let (value, low) = two_sum(value, self.low + error);
         Self { value, low }

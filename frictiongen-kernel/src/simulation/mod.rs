@@ -6,6 +6,7 @@
 //! force reaches μβ.
 
 mod clock;
+mod held;
 mod part;
 mod peak;
 mod run;
@@ -23,8 +24,11 @@ pub type FixedSimulation<S, const PARTS: usize> = Simulation<'static, S, [Part<S
 pub use setting::Setting;
 pub use walk::MAX_STEPS;
 
+pub(crate) use clock::Total;
+pub(crate) use held::lift;
 pub(crate) use segment::{ContactState, End, leap, span};
-pub(crate) use sum::Sum;
+pub(crate) use sum::{Local, ORDER, Series, Sum};
+pub(crate) use walk::{Start, Walk, Walked, first_reach, first_zero};
 
 use crate::contact::sums::Chain;
 use crate::number::complex::Complex;

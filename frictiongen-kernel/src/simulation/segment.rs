@@ -137,60 +137,6 @@ impl<S: Float> Setting<'_, S> {
             offset,
         )
     }
-
-    /// y and u of the held modes for a state (y, u) of the modes, less what a displacement of the
-    /// contact lifts: z and r·z′.
-    pub(crate) fn project(
-        &self,
-        states: impl Iterator<Item = [S; 2]> + Clone,
-        (z, rate): (S, S),
-        held: &mut [Part<S>],
-    ) {
-        let two = S::constant(2.0);
-        for (part, (mode, shares)) in held.iter_mut().zip(self.dynamics.held_modes()) {
-            let (mut first, mut second) = (S::constant(0.0), S::constant(0.0));
-            let driven = self.dynamics.driven().iter().zip(states.clone());
-            for ((driven, [y, u]), [g, h]) in driven.zip(shares) {
-                let sigma = driven.resonance;
-                let lift = self.lift(driven.contact, sigma);
-                let y = y - lift * z;
-                let v = sigma * u - lift * rate + two * driven.zeta * sigma * y;
-                first = first + *g * v - mode.frequency * *h * y;
-                second = second + *h * v + mode.frequency * (*g - two * mode.zeta * *h) * y;
-            }
-            let [m11, m12, m22] = mode.inverse;
-            part.y = m11 * first + m12 * second;
-            part.u = m12 * first + m22 * second;
-        }
-    }
-
-    /// The state of the modes for y and u of the held modes and a displacement of the contact.
-    pub(crate) fn release<'s>(
-        &self,
-        held: &[Part<S>],
-        (z, rate): (S, S),
-        states: impl Iterator<Item = (&'s mut S, &'s mut S)>,
-    ) {
-        let two = S::constant(2.0);
-        let driven = self.dynamics.in_contact();
-        let modes = self.dynamics.driven().iter().enumerate();
-        for ((index, mode), (y, u)) in modes.zip(states) {
-            let lift = self.lift(mode.contact, mode.resonance);
-            let (mut sum_y, mut sum_u) = (lift * z, lift * rate);
-            let shares = self
-                .dynamics
-                .shares
-                .iter()
-                .skip(index)
-                .step_by(driven.max(1));
-            for ((part, of), [g, h]) in held.iter().zip(self.dynamics.held).zip(shares) {
-                sum_y = sum_y + *g * part.y + *h * part.u;
-                let slope = (*g - two * of.zeta * *h) * part.u - *h * part.y;
-                sum_u = sum_u + of.frequency * slope;
-            }
-            (*y, *u) = (sum_y, sum_u / mode.resonance);
-        }
-    }
 }
 
 /// Moves every part on by τ from its start.

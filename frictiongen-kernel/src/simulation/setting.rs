@@ -1,5 +1,6 @@
 //! A scene at one frequency ratio and one friction ratio: what all its segments share.
 
+use super::held::lift;
 use super::part::Part;
 use super::{Dynamics, rotated};
 use crate::contact::regime::{check_beta, check_ratio};
@@ -20,7 +21,7 @@ pub struct Setting<'a, S> {
     /// wᵀΓ⁻¹p + s r², the load on the held contact at a maximum of the excitation, times m*.
     load: S,
     /// Σ c_i/λ_i = wᵀK̄⁻¹w.
-    receptance: S,
+    pub(crate) receptance: S,
     /// Σ 2ζ_i c_i/σ_i over that.
     drag: S,
 }
@@ -54,10 +55,9 @@ impl<'a, S: Float> Setting<'a, S> {
         } else {
             zero
         };
-        let (mut load, mut receptance, mut drag) = (base * r * r, zero, zero);
+        let (mut load, receptance, mut drag) = (base * r * r, dynamics.receptance(), zero);
         for mode in dynamics.driven() {
             load = load + mode.residue;
-            receptance = receptance + mode.inverse_mass / (mode.resonance * mode.resonance);
             drag = drag + (mode.zeta + mode.zeta) * mode.inverse_mass / mode.resonance;
         }
         let setting = Self {
@@ -83,7 +83,7 @@ impl<'a, S: Float> Setting<'a, S> {
             // The load on each mode, less what moves the held contact along with the base.
             let mut sums = [Complex::new(zero, zero); 2];
             for (driven, share) in self.dynamics.driven().iter().zip(shares) {
-                let lift = self.base * self.lift(driven.contact, driven.resonance);
+                let lift = self.base * lift(driven, self.receptance);
                 let re = driven.load + lift * self.r * self.r;
                 let im = -(lift * two * driven.zeta * driven.resonance * self.r);
                 for (sum, share) in sums.iter_mut().zip(share) {
@@ -91,11 +91,10 @@ impl<'a, S: Float> Setting<'a, S> {
                 }
             }
             let [first, second] = sums;
-            let [m11, m12, m22] = mode.inverse;
-            let mixed = |a: S, b: S| {
-                Complex::new(a * first.re + b * second.re, a * first.im + b * second.im)
-            };
-            *part = Part::of_held(mode, self.r, [mixed(m11, m12), mixed(m12, m22)]);
+            let (re_y, re_u) = mode.state(first.re, second.re);
+            let (im_y, im_u) = mode.state(first.im, second.im);
+            let drive = [Complex::new(re_y, im_y), Complex::new(re_u, im_u)];
+            *part = Part::of_held(mode, self.r, drive);
         }
     }
 
@@ -126,11 +125,6 @@ impl<'a, S: Float> Setting<'a, S> {
     /// μβ.
     pub(crate) fn grip(&self) -> S {
         self.dynamics.chain.stiction * self.beta
-    }
-
-    /// L_i: how a held displacement of the contact lifts a mode.
-    pub(crate) fn lift(&self, contact: S, resonance: S) -> S {
-        contact / (resonance * resonance * self.receptance)
     }
 
     /// The contact's relative displacement z̄ for these displacements of the modes.

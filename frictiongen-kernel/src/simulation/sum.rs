@@ -2,6 +2,7 @@
 //! oscillators, with its derivatives and what the third of them cannot exceed.
 
 use super::part::Part;
+use super::walk::Walked;
 use crate::number::scalar::Float;
 
 /// A function about one instant.
@@ -105,11 +106,16 @@ impl<'a, S: Float> Sum<'a, S> {
         }
         local
     }
+}
 
-    /// The function shortly after the start from its derivatives there, the first two of which are
-    /// known better than the sum gives them: value, slope and curve after τ, and the largest τ for
-    /// which they hold to rounding.
-    pub(super) fn series(&self, value: S, slope: S) -> Series<S> {
+impl<S: Float> Walked<S> for Sum<'_, S> {
+    #[inline]
+    fn local(&self, tau: S) -> Local<S> {
+        self.local(tau)
+    }
+
+    /// Value, slope and curve after τ, and the largest τ for which they hold to rounding.
+    fn series(&self, value: S, slope: S) -> Series<S> {
         let mut terms = [S::constant(0.0); ORDER];
         let (mut cosine, mut sine) = (self.cosine, self.sine);
         for (order, term) in terms.iter_mut().enumerate() {
@@ -137,10 +143,18 @@ impl<'a, S: Float> Sum<'a, S> {
             reach: S::constant(0.03) / self.rate,
         }
     }
+
+    fn noise(&self) -> S {
+        self.noise
+    }
+
+    fn reach(&self) -> S {
+        self.reach
+    }
 }
 
 /// How many derivatives a series has.
-const ORDER: usize = 9;
+pub(crate) const ORDER: usize = 9;
 
 /// A function by its derivatives at the start.
 #[derive(Clone, Copy, Debug)]
@@ -151,6 +165,11 @@ pub(crate) struct Series<S> {
 }
 
 impl<S: Float> Series<S> {
+    /// From the derivatives at the start; beyond `reach` what is left out shows.
+    pub(crate) fn new(terms: [S; ORDER], reach: S) -> Self {
+        Self { terms, reach }
+    }
+
     /// Value, slope and curve.
     pub(super) fn at(&self, tau: S, bound: S) -> Local<S> {
         // Written out: in a loop the reciprocals are double-precision divisions on the target.

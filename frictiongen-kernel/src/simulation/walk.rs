@@ -2,15 +2,29 @@
 //! the function positive.  The steps shrink onto the zero from the left and are its root finder too.
 
 use super::step;
-use super::sum::{Local, Series, Sum};
+use super::sum::{Local, Series};
 use crate::number::scalar::Float;
 
 /// No segment is walked with more steps than this; one that needs more goes on as another segment.
 pub const MAX_STEPS: u32 = 4000;
 
+/// A function that a walk follows.
+pub(crate) trait Walked<S> {
+    /// No walk along it has more steps than this.
+    const MOST: u32 = MAX_STEPS;
+    /// The function after τ.
+    fn local(&self, tau: S) -> Local<S>;
+    /// The function shortly after the start, from its value and slope there, which are known better than it gives them.
+    fn series(&self, value: S, slope: S) -> Series<S>;
+    /// What rounding can do to a value.
+    fn noise(&self) -> S;
+    /// How far it is asked for.
+    fn reach(&self) -> S;
+}
+
 /// How a walk ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Walk<S> {
+pub(crate) enum Walk<S> {
     /// A zero, and whether it is the second function's.
     Zero(S, bool),
     /// None until here.
@@ -21,7 +35,7 @@ pub(super) enum Walk<S> {
 
 /// Where the function stands at the start.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Start<S> {
+pub(crate) enum Start<S> {
     /// Wherever the sum says.
     Anywhere,
     /// On zero, with this slope, exactly.
@@ -31,7 +45,11 @@ pub(super) enum Start<S> {
 }
 
 /// The first zero of a positive sum; `steps` counts on.
-pub(super) fn first_zero<S: Float>(sum: &Sum<'_, S>, start: Start<S>, steps: &mut u32) -> Walk<S> {
+pub(crate) fn first_zero<S: Float, F: Walked<S>>(
+    sum: &F,
+    start: Start<S>,
+    steps: &mut u32,
+) -> Walk<S> {
     let zero = S::constant(0.0);
     let mut tau = zero;
     let mut local = sum.local(tau);
@@ -45,9 +63,9 @@ pub(super) fn first_zero<S: Float>(sum: &Sum<'_, S>, start: Start<S>, steps: &mu
         series = Some(terms);
     }
     let mut exact = series.is_some();
-    for _ in 0..MAX_STEPS {
+    for _ in 0..F::MOST {
         *steps = steps.saturating_add(1);
-        let noise = if exact { zero } else { sum.noise };
+        let noise = if exact { zero } else { sum.noise() };
         let h = match judged(&local, noise, tau, exact) {
             Verdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), false),
             Verdict::Past(step) => step,
@@ -56,7 +74,7 @@ pub(super) fn first_zero<S: Float>(sum: &Sum<'_, S>, start: Start<S>, steps: &mu
                 local.slope,
                 local.curve,
                 local.bound,
-                sum.reach - tau,
+                sum.reach() - tau,
             ),
         };
         let next = tau + h;
@@ -64,8 +82,8 @@ pub(super) fn first_zero<S: Float>(sum: &Sum<'_, S>, start: Start<S>, steps: &mu
             return Walk::Zero(tau, false);
         }
         tau = next;
-        if !(tau < sum.reach) {
-            return Walk::Until(sum.reach);
+        if !(tau < sum.reach()) {
+            return Walk::Until(sum.reach());
         }
         match &series {
             Some(series) if tau <= series.reach => {
@@ -83,27 +101,27 @@ pub(super) fn first_zero<S: Float>(sum: &Sum<'_, S>, start: Start<S>, steps: &mu
 
 /// The first instant from `from` on at which |sum| reaches `level`; the flag says whether it is −level.
 /// `steps` counts on.
-pub(super) fn first_reach<S: Float>(
-    sum: &Sum<'_, S>,
+pub(crate) fn first_reach<S: Float, F: Walked<S>>(
+    sum: &F,
     level: S,
     from: S,
     start: Start<S>,
     steps: &mut u32,
 ) -> Walk<S> {
     let zero = S::constant(0.0);
-    let noise = sum.noise + level * S::constant(4.0 * S::EPSILON);
+    let noise = sum.noise() + level * S::constant(4.0 * S::EPSILON);
     let level = match start {
         Start::Held => level + noise * S::constant(16.0),
         _ => level,
     };
     let mut tau = from;
-    for _ in 0..MAX_STEPS {
+    for _ in 0..F::MOST {
         *steps = steps.saturating_add(1);
         let local = sum.local(tau);
-        let mut next = sum.reach;
+        let mut next = sum.reach();
         for negative in [false, true] {
             let gap = gap(&local, level, negative);
-            let most = sum.reach - tau;
+            let most = sum.reach() - tau;
             let h = match judged(&gap, noise, tau, false) {
                 Verdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), negative),
                 Verdict::Past(step) => step.min(most),
@@ -117,16 +135,16 @@ pub(super) fn first_reach<S: Float>(
             next = next.min(tau + h);
         }
         tau = next;
-        if !(tau < sum.reach) {
-            return Walk::Until(sum.reach);
+        if !(tau < sum.reach()) {
+            return Walk::Until(sum.reach());
         }
     }
     Walk::Until(tau)
 }
 
 /// A function that is flat to rounding meets zero where rounding says, not beyond what is asked for.
-fn within<S: Float>(sum: &Sum<'_, S>, tau: S) -> S {
-    tau.max(S::constant(0.0)).min(sum.reach)
+fn within<S: Float>(sum: &impl Walked<S>, tau: S) -> S {
+    tau.max(S::constant(0.0)).min(sum.reach())
 }
 
 /// level ∓ the function.

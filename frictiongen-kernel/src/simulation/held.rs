@@ -1,0 +1,116 @@
+//! Between the modes of the chain and those of the chain with its contact held.
+
+use super::part::Part;
+use super::setting::Setting;
+use super::{Dynamics, HeldMode};
+use crate::number::scalar::Float;
+use crate::oscillator::mode::Mode;
+
+impl<S: Float> Dynamics<'_, S> {
+    /// wᵀK̄⁻¹w = Σ c/λ: how far a steady unit force in the contact moves it.
+    pub(crate) fn receptance(&self) -> S {
+        let terms = self.driven().iter();
+        terms.fold(S::constant(0.0), |sum, mode| {
+            sum + mode.inverse_mass / (mode.resonance * mode.resonance)
+        })
+    }
+
+    /// y and u of the held modes for a state (y, u) of the modes, less what a displacement of the
+    /// contact lifts: z, and its rate in the time t√(k₁/m₁).
+    pub(crate) fn project<'s>(
+        &self,
+        receptance: S,
+        states: impl Iterator<Item = [S; 2]> + Clone,
+        (z, rate): (S, S),
+        held: impl Iterator<Item = (&'s mut S, &'s mut S)>,
+    ) {
+        let two = S::constant(2.0);
+        for ((to_y, to_u), (mode, shares)) in held.zip(self.held_modes()) {
+            let (mut first, mut second) = (S::constant(0.0), S::constant(0.0));
+            let driven = self.driven().iter().zip(states.clone());
+            for ((driven, [y, u]), [g, h]) in driven.zip(shares) {
+                let sigma = driven.resonance;
+                let lift = lift(driven, receptance);
+                let y = y - lift * z;
+                let v = sigma * u - lift * rate + two * driven.zeta * sigma * y;
+                first = first + *g * v - mode.frequency * *h * y;
+                second = second + *h * v + mode.frequency * (*g - two * mode.zeta * *h) * y;
+            }
+            (*to_y, *to_u) = mode.state(first, second);
+        }
+    }
+
+    /// The state of the modes for y and u of the held modes and a displacement of the contact.
+    pub(crate) fn release<'s>(
+        &self,
+        receptance: S,
+        held: impl Iterator<Item = [S; 2]> + Clone,
+        lifted: (S, S),
+        states: impl Iterator<Item = (&'s mut S, &'s mut S)>,
+    ) {
+        for (index, (y, u)) in (0..self.in_contact()).zip(states) {
+            [*y, *u] = self.released(receptance, held.clone(), lifted, index);
+        }
+    }
+
+    /// The same of one of the modes that the contact drives.
+    pub(crate) fn released(
+        &self,
+        receptance: S,
+        held: impl Iterator<Item = [S; 2]>,
+        (z, rate): (S, S),
+        index: usize,
+    ) -> [S; 2] {
+        let two = S::constant(2.0);
+        let Some(mode) = self.modes.get(index) else {
+            return [S::constant(0.0); 2];
+        };
+        let lift = lift(mode, receptance);
+        let (mut sum_y, mut sum_u) = (lift * z, lift * rate);
+        let shares = self.shares.iter().skip(index);
+        let shares = shares.step_by(self.in_contact().max(1));
+        for (([y, u], of), [g, h]) in held.zip(self.held).zip(shares) {
+            sum_y = sum_y + *g * y + *h * u;
+            let slope = (*g - two * of.zeta * *h) * u - *h * y;
+            sum_u = sum_u + of.frequency * slope;
+        }
+        [sum_y, sum_u / mode.resonance]
+    }
+}
+
+impl<S: Float> HeldMode<S> {
+    /// y and u from the products of a motion with the mode's two states.
+    pub(crate) fn state(&self, first: S, second: S) -> (S, S) {
+        let [m11, m12, m22] = self.inverse;
+        (m11 * first + m12 * second, m12 * first + m22 * second)
+    }
+}
+
+impl<S: Float> Setting<'_, S> {
+    /// The same for this setting's parts.
+    pub(crate) fn project(
+        &self,
+        states: impl Iterator<Item = [S; 2]> + Clone,
+        lifted: (S, S),
+        held: &mut [Part<S>],
+    ) {
+        let held = held.iter_mut().map(|part| (&mut part.y, &mut part.u));
+        self.dynamics.project(self.receptance, states, lifted, held);
+    }
+
+    /// The state of the modes for this setting's held parts.
+    pub(crate) fn release<'s>(
+        &self,
+        held: &[Part<S>],
+        lifted: (S, S),
+        states: impl Iterator<Item = (&'s mut S, &'s mut S)>,
+    ) {
+        let held = held.iter().map(|part| [part.y, part.u]);
+        self.dynamics.release(self.receptance, held, lifted, states);
+    }
+}
+
+/// How a held displacement of the contact lifts a mode.
+pub(crate) fn lift<S: Float>(mode: &Mode<S>, receptance: S) -> S {
+    mode.contact / (mode.resonance * mode.resonance * receptance)
+}

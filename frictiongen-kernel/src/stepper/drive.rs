@@ -1,0 +1,143 @@
+//! The input between two samples, as a polynomial over each part of a step.
+
+use super::scene::StepScene;
+use crate::errors::OutOfDomain;
+use crate::number::scalar::Float;
+
+/// What the input does between two samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Input {
+    /// A force stays what it was at the start of the step; the base goes on with the velocity that it had there.
+    Hold,
+    /// A force moves in a straight line to what it is at the end of the step; the base along the cubic with the
+    /// displacements and velocities at both ends.
+    Linear,
+}
+
+/// The input at one instant, in the scene's units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<'i, S> {
+    /// Displacement and velocity of the base; not looked at if the base is at rest.
+    pub base: [S; 2],
+    /// The forces, one for each loaded mass.
+    pub forces: &'i [S],
+    /// The kinetic friction force F, not negative.  It holds over the step that leads to this sample, or that starts
+    /// from it if the input is held.
+    pub friction: S,
+}
+
+impl<S: Float> Sample<'_, S> {
+    /// Nothing, if a scene can take it.
+    pub(super) fn check(&self, scene: &StepScene<'_, S>, stiction: S) -> Result<(), OutOfDomain> {
+        let (_, most) = S::inverse_ratio_range();
+        let most = most * scene.units.stiffness;
+        let sound = |value: S| value.abs() <= most;
+        if self.forces.len() != scene.forces.len() {
+            return Err(OutOfDomain { argument: "forces" });
+        }
+        if !self.forces.iter().all(|force| sound(*force)) {
+            return Err(OutOfDomain { argument: "force" });
+        }
+        let [place, velocity] = self.base;
+        let (stiffness, rate) = (scene.units.stiffness, scene.units.rate);
+        if scene.on_base && !(sound(place * stiffness) && sound(velocity / rate * stiffness)) {
+            return Err(OutOfDomain { argument: "base" });
+        }
+        let friction = self.friction;
+        if !(S::constant(0.0) <= friction && sound(friction) && sound(friction * stiction)) {
+            return Err(OutOfDomain {
+                argument: "friction",
+            });
+        }
+        Ok(())
+    }
+}
+
+/// The part of a step with this place among so many, as a straight line or a cubic sees it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stretch<S> {
+    /// Where it starts, from 0 to 1.
+    pub start: S,
+    /// Its length.
+    pub length: S,
+}
+
+impl<S: Float> Stretch<S> {
+    pub(super) fn of(place: u32, parts: u32) -> Self {
+        let parts = S::constant(f64::from(parts));
+        Self {
+            start: S::constant(f64::from(place)) / parts,
+            length: S::constant(1.0) / parts,
+        }
+    }
+
+    /// A straight line over the part, from its values at the step's ends.
+    pub(super) fn line<const D: usize>(self, from: S, to: S) -> [S; D] {
+        let rise = to - from;
+        let mut terms = [S::constant(0.0); D];
+        let line = [from + rise * self.start, rise * self.length];
+        for (term, value) in terms.iter_mut().zip(line) {
+            *term = value;
+        }
+        terms
+    }
+
+    /// A cubic over the step, seen from the part.
+    pub(super) fn cubic(self, cubic: [S; 4]) -> [S; 4] {
+        let mut terms = cubic;
+        shift(&mut terms, self.start);
+        let mut factor = S::constant(1.0);
+        for term in &mut terms {
+            *term = *term * factor;
+            factor = factor * self.length;
+        }
+        terms
+    }
+}
+
+/// The base's displacement over a step: a cubic with the displacement and the velocity at both ends, or what goes on
+/// from the first.  Velocities are per step.
+pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [S; 4] {
+    let zero = S::constant(0.0);
+    let (two, three) = (S::constant(2.0), S::constant(3.0));
+    match input {
+        Input::Hold => {
+            let [place, velocity] = to;
+            [place, velocity, zero, zero]
+        }
+        Input::Linear => {
+            let ([y0, v0], [y1, v1]) = (from, to);
+            let rise = y1 - y0;
+            [y0, v0, three * rise - two * v0 - v1, v0 + v1 - two * rise]
+        }
+    }
+}
+
+/// The polynomial about another place.
+pub(super) fn shift<S: Float>(terms: &mut [S], by: S) {
+    let count = terms.len();
+    for start in 0..count {
+        let mut above = S::constant(0.0);
+        for term in terms.iter_mut().skip(start).rev() {
+            *term = *term + by * above;
+            above = *term;
+        }
+    }
+}
+
+/// The coefficients of a polynomial's derivative.
+pub(super) fn derived<S: Float>([_, b, c, d]: [S; 4]) -> [S; 4] {
+    let (two, three) = (S::constant(2.0), S::constant(3.0));
+    [b, two * c, three * d, S::constant(0.0)]
+}
+
+/// A polynomial at a place.
+pub(super) fn at<S: Float>(terms: &[S], place: S) -> S {
+    let terms = terms.iter().rev();
+    terms.fold(S::constant(0.0), |sum, term| sum * place + *term)
+}
+
+/// What a polynomial gains from 0 to a place.
+pub(super) fn gain<S: Float>(terms: &[S], place: S) -> S {
+    at(terms.get(1..).unwrap_or_default(), place) * place
+}

@@ -1,0 +1,51 @@
+//! How the kinetic friction force depends on the speed of sliding: lines between points.
+
+use crate::number::scalar::Float;
+
+/// One line of the law: between two speeds the force over F is level + slope·|v|.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Line<S> {
+    pub level: S,
+    pub slope: S,
+    /// The speed at which it begins.
+    pub low: S,
+    /// The speed at which it ends; none for the last.
+    pub high: Option<S>,
+}
+
+/// The line with this place.  Without points there is one: Coulomb's law.
+pub(super) fn line<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
+    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    let [low, first] = match place.checked_sub(1) {
+        None => [zero, one],
+        Some(before) => points.get(before).copied().unwrap_or([zero, one]),
+    };
+    match points.get(place) {
+        None => Line {
+            level: first,
+            slope: zero,
+            low,
+            high: None,
+        },
+        Some([high, last]) => {
+            let slope = (*last - first) / (*high - low);
+            Line {
+                level: first - slope * low,
+                slope,
+                low,
+                high: Some(*high),
+            }
+        }
+    }
+}
+
+/// The line that holds at a speed.
+pub(super) fn place<S: Float>(points: &[[S; 2]], speed: S) -> usize {
+    points.iter().take_while(|[v, _]| *v <= speed).count()
+}
+
+/// The steepest slope, either way.
+pub(super) fn steepest<S: Float>(points: &[[S; 2]]) -> S {
+    let slopes = (0..points.len()).map(|place| line(points, place).slope.abs());
+    slopes.fold(S::constant(0.0), S::max)
+}

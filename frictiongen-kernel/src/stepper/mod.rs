@@ -1,0 +1,38 @@
+//! The motion under a force that nobody knows in advance, by steps of a fixed length.
+//!
+//! Over a step the input is a polynomial, and each oscillator answers it in closed form: what it does from the
+//! step's start to its end is a constant table.  A step in which the contact certainly keeps sliding, or keeps
+//! sticking, is one product with that table.  Otherwise the step is looked through: the contact's velocity, or the
+//! force that holds it, is a power series about an instant, whose first zero the simulation's walk finds.
+//!
+//! Time is counted in parts of a step, so short that no oscillator turns by more than a radian: a part's series
+//! converges, and its cost is bounded.
+
+mod account;
+mod drive;
+mod event;
+mod law;
+mod part;
+mod run;
+mod scene;
+mod series;
+mod state;
+mod table;
+
+pub use account::Work;
+pub use drive::{Input, Sample};
+pub use run::{ContactNow, FixedStepper, MassNow, Stepped, Stepper};
+pub use scene::{StepScene, Units};
+pub use state::{FixedStore, Saved, Store, StoreMut, StoreRef};
+pub use table::{
+    Channel, FixedTables, HeldLoad, HeldRow, HeldStep, ModeStep, Pace, Row, Tables, View, fill,
+};
+
+/// In one part of a step no more events than this are followed.  For what is left of the part the contact is held at rest.
+pub const MAX_EVENTS: u32 = 8;
+
+/// A step is cut into no more parts than this.
+pub const MAX_PARTS: u32 = 1024;
+
+/// How many terms of a power series are kept at most: 1/24! is below the rounding of every scalar's table.
+pub(crate) const TERMS: usize = 24;

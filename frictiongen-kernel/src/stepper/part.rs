@@ -1,0 +1,407 @@
+//! One part of a step: by the tables where the contact certainly has no event.
+
+use super::drive::{at, derived, gain};
+use super::law::{self, Line};
+use super::scene::StepScene;
+use super::state::{Status, StoreMut};
+use super::table::{HeldStep, ModeStep, View};
+use crate::number::scalar::Float;
+use crate::simulation::Contact;
+
+/// A stepper on its way through one part of a step.
+pub(super) struct Through<'t, 'a, S, const D: usize> {
+    pub scene: &'t StepScene<'a, S>,
+    pub table: View<'t, S, D>,
+    pub store: StoreMut<'t, S, D>,
+    pub status: &'t mut Status<S>,
+    /// The base's displacement over the part, where the contact rubs on it.
+    pub base: [S; 4],
+    /// Where in the part it is, from 0 to 1: the inputs are polynomials about here.
+    pub place: S,
+    /// How many events the part had.
+    pub events: u32,
+    /// Whether it had more than are followed.
+    pub exceeded: bool,
+}
+
+impl<S: Float, const D: usize> Through<'_, '_, S, D> {
+    pub(super) fn driven(&self) -> usize {
+        self.scene.dynamics.in_contact().min(self.store.modes.len())
+    }
+
+    /// What the inputs add to the u′ of a mode.
+    #[inline]
+    pub(super) fn load(&self, mode: usize) -> [S; D] {
+        let mut sum = [S::constant(0.0); D];
+        let inputs = self.store.drive.len();
+        let start = mode * inputs;
+        let loads = self.table.loads.get(start..start + inputs);
+        for (load, drive) in loads.unwrap_or_default().iter().zip(&*self.store.drive) {
+            for (sum, term) in sum.iter_mut().zip(drive) {
+                *sum = *sum + *load * *term;
+            }
+        }
+        sum
+    }
+
+    /// What the inputs, and the base that carries the contact, add to the y′ and u′ of a held mode.
+    #[inline]
+    pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {
+        let mut sum = [[S::constant(0.0); D]; 2];
+        let inputs = self.store.drive.len();
+        let start = mode * inputs;
+        let loads = self.table.held_loads.get(start..start + inputs);
+        for (load, drive) in loads.unwrap_or_default().iter().zip(&*self.store.drive) {
+            for (sum, load) in sum.iter_mut().zip(load.drive) {
+                for (sum, term) in sum.iter_mut().zip(drive) {
+                    *sum = *sum + load * *term;
+                }
+            }
+        }
+        if self.scene.rubs_on_base() {
+            let velocity = derived(self.base);
+            let motions = [velocity, derived(velocity)];
+            for (lift, motion) in step.lift.iter().zip(motions) {
+                for (sum, lift) in sum.iter_mut().zip(lift) {
+                    for (sum, term) in sum.iter_mut().zip(motion) {
+                        *sum = *sum + *lift * term;
+                    }
+                }
+            }
+        }
+        sum
+    }
+
+    /// The line of the friction law that holds, with speeds in lengths a part.
+    pub(super) fn line(&self) -> Line<S> {
+        let mut line = law::line(self.scene.law, self.status.line);
+        let pace = &self.table.pace;
+        let seconds = pace.step / S::constant(f64::from(pace.parts));
+        line.slope = line.slope / seconds;
+        line.low = line.low * seconds;
+        line.high = line.high.map(|high| high * seconds);
+        line
+    }
+
+    /// How fast the base moves where it carries the contact, at both ends of the part.
+    fn base_velocities(&self) -> [S; 2] {
+        if !self.scene.rubs_on_base() {
+            return [S::constant(0.0); 2];
+        }
+        let velocity = derived(self.base);
+        [velocity[0], at(&velocity, S::constant(1.0))]
+    }
+
+    /// Goes through the part.
+    pub(super) fn go(&mut self) {
+        self.others();
+        if self.status.unknown {
+            self.judge();
+        }
+        let known = match self.status.contact {
+            Contact::Stuck => self.sticks(),
+            _ => self.slides(),
+        };
+        if !known {
+            self.look();
+        }
+    }
+
+    /// Keeps what the base does at the end of the part.
+    pub(super) fn leave_base(&mut self) {
+        if self.scene.rubs_on_base() {
+            let span = self.table.pace.span;
+            let left = S::constant(1.0) - self.place;
+            let acceleration = at(&derived(derived(self.base)), left);
+            self.status.acceleration = acceleration / (span * span);
+        }
+    }
+
+    /// The modes that the contact does not drive, over the whole part.
+    fn others(&mut self) {
+        let driven = self.driven();
+        for index in driven..self.store.modes.len() {
+            let Some(step) = self.table.modes.get(index) else {
+                continue;
+            };
+            let drive = self.load(index);
+            let Some(state) = self.store.modes.get_mut(index) else {
+                continue;
+            };
+            let (next, work) = step.moved(*state, &drive, &drive);
+            *state = next;
+            self.status.load = self.status.load.plus(work);
+        }
+    }
+
+    /// By the tables, if the contact certainly keeps sliding; whether it does.
+    fn slides(&mut self) -> bool {
+        let zero = S::constant(0.0);
+        let line = self.line();
+        if !line.slope.is_zero() || line.high.is_some() {
+            return false;
+        }
+        let sign: S = self.status.contact.sign();
+        let force = sign * self.status.friction * line.level;
+        let [from, to] = self.base_velocities();
+        let (mut start, mut rise) = (-from, from - to);
+        let mut bend = if self.scene.rubs_on_base() {
+            let [_, _, _, d] = self.base;
+            S::constant(6.0) * d.abs()
+        } else {
+            zero
+        };
+        let (mut size, mut moved, mut work) = (from.abs(), zero, zero);
+        for index in 0..self.driven() {
+            let Some(step) = self.table.modes.get(index) else {
+                return false;
+            };
+            let load = self.load(index);
+            let mut drive = load;
+            if let [first, ..] = &mut drive[..] {
+                *first = *first - step.gain * step.contact * force;
+            }
+            let Some(&[y, u]) = self.store.modes.get(index) else {
+                return false;
+            };
+            let (next, done) = step.moved([y, u], &drive, &load);
+            let weight = step.contact * step.angle;
+            let own = weight * u;
+            start = start + own;
+            rise = rise + weight * (next[1] - u);
+            size = size + own.abs();
+            bend = bend + weight.abs() * step.bend([y, u], &drive);
+            moved = moved + step.contact * (next[0] - y);
+            work = work + done;
+            if let Some(to) = self.store.scratch.get_mut(index) {
+                *to = next;
+            }
+        }
+        let least = (sign * start).min(sign * (start + rise));
+        let room = bend * S::constant(0.125) + size * S::constant(8.0 * S::EPSILON);
+        if !(line.low + room < least) {
+            return false;
+        }
+        let carried = if self.scene.rubs_on_base() {
+            gain(&self.base, S::constant(1.0))
+        } else {
+            zero
+        };
+        self.take_modes();
+        self.account(work - force * carried, force * (moved - carried));
+        true
+    }
+
+    /// By the tables, if the contact certainly keeps sticking; whether it does.
+    fn sticks(&mut self) -> bool {
+        let zero = S::constant(0.0);
+        if self.status.wedged {
+            return false;
+        }
+        let one = S::constant(1.0);
+        let (still, mut bend) = self.still();
+        let (mut start, mut end) = (still[0], at(&still, one));
+        let mut size = start.abs();
+        let mut work = self.carried_work(one);
+        for index in 0..self.store.held.len() {
+            let Some(step) = self.table.held.get(index) else {
+                return false;
+            };
+            let drive = self.held_load(index, step);
+            let Some(&state) = self.store.held.get(index) else {
+                return false;
+            };
+            let (next, moments) = step.moved(state, &drive);
+            work = work + self.held_work(index, step, &moments, next[0], one);
+            start = start - step.force * state[0];
+            end = end - step.force * next[0];
+            size = size + (step.force * state[0]).abs();
+            bend = bend + step.force.abs() * step.bend(state, &drive);
+            if let Some(to) = self.store.scratch.get_mut(index) {
+                *to = next;
+            }
+        }
+        let grip = self.status.friction * self.status.stiction;
+        let most = start.abs().max(end.abs());
+        let room = bend * S::constant(0.125) + (size + grip) * S::constant(8.0 * S::EPSILON);
+        if !(most + room < grip) {
+            return false;
+        }
+        let held = self.store.held.iter_mut().zip(&*self.store.scratch);
+        for (state, next) in held {
+            *state = *next;
+        }
+        self.account(work, zero);
+        true
+    }
+
+    pub(super) fn take_modes(&mut self) {
+        let driven = self.driven();
+        let modes = self.store.modes.iter_mut().take(driven);
+        for (state, next) in modes.zip(&*self.store.scratch) {
+            *state = *next;
+        }
+    }
+
+    pub(super) fn account(&mut self, load: S, friction: S) {
+        self.status.load = self.status.load.plus(load);
+        self.status.dissipated = self.status.dissipated.plus(friction);
+    }
+
+    /// The force in the held contact without the held modes: a polynomial, and what its curve cannot exceed over a part.
+    pub(super) fn still(&self) -> ([S; 4], S) {
+        let zero = S::constant(0.0);
+        let pace = &self.table.pace;
+        let inverse_mass = self.scene.dynamics.chain.inverse_mass;
+        let mut sum = [zero; 4];
+        for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
+            for (sum, term) in sum.iter_mut().zip(drive) {
+                *sum = *sum + channel.residue * *term;
+            }
+        }
+        for term in &mut sum {
+            *term = *term / inverse_mass;
+        }
+        sum[0] = sum[0] - self.status.place / pace.receptance;
+        if self.scene.rubs_on_base() {
+            let velocity = derived(self.base);
+            let acceleration = derived(velocity);
+            let inverse = S::constant(1.0) / pace.span;
+            let of_velocity = pace.drag * inverse / inverse_mass;
+            let of_acceleration = inverse * inverse / inverse_mass;
+            let motions = self.base.iter().zip(velocity).zip(acceleration);
+            for (sum, ((place, velocity), acceleration)) in sum.iter_mut().zip(motions) {
+                *sum = *sum
+                    - *place / pace.receptance
+                    - of_velocity * velocity
+                    - of_acceleration * acceleration;
+            }
+        }
+        let [_, _, c, d] = sum;
+        let (two, six) = (S::constant(2.0), S::constant(6.0));
+        (sum, two * c.abs() + six * d.abs())
+    }
+
+    /// The work of the inputs on the chain while the base carries the held contact, held modes left out, up to a place.
+    pub(super) fn carried_work(&self, place: S) -> S {
+        let zero = S::constant(0.0);
+        if !self.scene.rubs_on_base() {
+            return zero;
+        }
+        let velocity = derived(self.base);
+        let mut work = zero;
+        for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
+            work = work + channel.lift * product(drive, &velocity, place);
+        }
+        let (still, _) = self.still();
+        work - product(&still, &velocity, place)
+    }
+
+    /// The work that the inputs do by way of one held mode, from its moments up to a place.
+    pub(super) fn held_work(
+        &self,
+        mode: usize,
+        step: &HeldStep<S, D>,
+        [moments, turns]: &[[S; D]; 2],
+        to: S,
+        place: S,
+    ) -> S {
+        let mut work = S::constant(0.0);
+        let inputs = self.store.drive.len();
+        let start = mode * inputs;
+        let loads = self.table.held_loads.get(start..start + inputs);
+        for (load, drive) in loads.unwrap_or_default().iter().zip(&*self.store.drive) {
+            let [of_y, of_u] = load.reach;
+            for ((term, y), u) in drive.iter().zip(moments).zip(turns) {
+                work = work + *term * (of_y * *y + of_u * *u);
+            }
+        }
+        if self.scene.rubs_on_base() {
+            // −∫F b′ by parts, b from where it is now.
+            let rise = gain(&self.base, place);
+            let mut sum = to * rise;
+            for (term, moment) in self.base.iter().zip(moments).skip(1) {
+                sum = sum - *term * *moment;
+            }
+            work = work + step.force * sum;
+        }
+        work
+    }
+}
+
+/// ∫ of a product of two polynomials from 0 to a place.
+pub(super) fn product<S: Float>(a: &[S], b: &[S], place: S) -> S {
+    let one = S::constant(1.0);
+    let mut sum = S::constant(0.0);
+    let (mut order, mut power) = (one, place);
+    for a in a {
+        let (mut n, mut p) = (order, power);
+        for b in b {
+            sum = sum + *a * *b * p / n;
+            (n, p) = (n + one, p * place);
+        }
+        (order, power) = (order + one, power * place);
+    }
+    sum
+}
+
+impl<S: Float, const D: usize> ModeStep<S, D> {
+    /// The state after a part, and the work of the load in it.
+    #[inline]
+    fn moved(&self, [y, u]: [S; 2], drive: &[S; D], load: &[S; D]) -> ([S; 2], S) {
+        let (mut rise, mut work) = (S::constant(0.0), S::constant(0.0));
+        for (order, (row, term)) in self.moments.iter().zip(load).enumerate() {
+            let moment = row.times([y, u], drive);
+            if order == 0 {
+                rise = moment;
+            }
+            work = work + *term * moment;
+        }
+        let turn = self.turn.times([y, u], drive);
+        ([y + rise, u + turn], work / self.gain)
+    }
+
+    /// What |u″| cannot exceed over the part.
+    #[inline]
+    fn bend(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
+        let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);
+        let (total, change) = sizes(drive);
+        rate * rate * (y.abs() + u.abs() + total) + rate * total + change
+    }
+}
+
+impl<S: Float, const D: usize> HeldStep<S, D> {
+    /// The state after a part, and the moments of both rates.
+    #[inline]
+    fn moved(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> ([S; 2], [[S; D]; 2]) {
+        let mut moments = [[S::constant(0.0); D]; 2];
+        for (moments, rows) in moments.iter_mut().zip([&self.moments, &self.turns]) {
+            for (moment, row) in moments.iter_mut().zip(rows) {
+                *moment = row.times([y, u], drive);
+            }
+        }
+        let first = |moments: &[S; D]| moments.first().copied().unwrap_or(S::constant(0.0));
+        ([y + first(&moments[0]), u + first(&moments[1])], moments)
+    }
+
+    /// What |y″| cannot exceed over the part.
+    #[inline]
+    fn bend(&self, [y, u]: [S; 2], [first, second]: &[[S; D]; 2]) -> S {
+        let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);
+        let ((of_y, change), (of_u, _)) = (sizes(first), sizes(second));
+        let total = of_y + of_u;
+        rate * rate * (y.abs() + u.abs() + total) + rate * total + change
+    }
+}
+
+/// The largest that a drive can be over a part, and its slope.
+#[inline]
+fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
+    let (mut total, mut change, mut order) = (S::constant(0.0), S::constant(0.0), S::constant(0.0));
+    for term in drive {
+        total = total + term.abs();
+        change = change + order * term.abs();
+        order = order + S::constant(1.0);
+    }
+    (total, change)
+}

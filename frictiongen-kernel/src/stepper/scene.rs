@@ -1,0 +1,59 @@
+//! What a stepper is told of a scene.
+
+use super::drive::Input;
+use crate::number::scalar::Float;
+use crate::simulation::Dynamics;
+
+/// What takes the groups of a scene to the units that it is written in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Units<S> {
+    /// k₁, force over displacement.
+    pub stiffness: S,
+    /// √(k₁/m₁), in rad/s.
+    pub rate: S,
+    /// The sum of the springs between masses and base, over k₁.
+    pub support: S,
+}
+
+/// A scene as a stepper needs it.
+#[derive(Clone, Copy, Debug)]
+pub struct StepScene<'a, S> {
+    /// The modes, and those of the chain with its contact held.
+    pub dynamics: Dynamics<'a, S>,
+    /// The units.
+    pub units: Units<S>,
+    /// Whether the base moves.
+    pub on_base: bool,
+    /// The masses that a force acts on, by their places in the description: the excited one first.
+    pub forces: &'a [usize],
+    /// What the input does between two samples.
+    pub input: Input,
+    /// Stribeck's law: points (v, f), speed and kinetic level over that at rest, v ascending.  Empty for Coulomb's.
+    pub law: &'a [[S; 2]],
+}
+
+impl<S: Float> StepScene<'_, S> {
+    /// How many inputs there are: the base's motion, and a force for each loaded mass.
+    #[must_use]
+    pub fn channels(&self) -> usize {
+        usize::from(self.on_base) + self.forces.len()
+    }
+
+    /// How strongly an input drives a mode.
+    pub(super) fn load(&self, channel: usize, mode: usize) -> S {
+        let zero = S::constant(0.0);
+        if self.on_base && channel == 0 {
+            let mode = self.dynamics.modes.get(mode);
+            return mode.map_or(zero, |mode| mode.load);
+        }
+        let place = channel.wrapping_sub(usize::from(self.on_base));
+        let mass = self.forces.get(place).copied();
+        let shape = mass.map_or(&[][..], |mass| self.dynamics.shape(mass));
+        shape.get(mode).copied().unwrap_or(zero)
+    }
+
+    /// Whether the contact rubs on the moving base.
+    pub(super) fn rubs_on_base(&self) -> bool {
+        self.on_base && self.dynamics.chain.on_moving_base.is_some()
+    }
+}

@@ -1,0 +1,158 @@
+//! Where a stepper stands.
+
+use crate::number::scalar::Float;
+use crate::simulation::{Contact, Total};
+
+/// The numbers of a stepper, to be changed.
+#[derive(Debug)]
+pub struct StoreMut<'s, S, const D: usize> {
+    /// y and u of the modes; while the contact sticks, of those alone that it does not drive.
+    pub modes: &'s mut [[S; 2]],
+    /// y and u of the held modes, while the contact sticks.
+    pub held: &'s mut [[S; 2]],
+    /// Room for as many as there are modes.
+    pub scratch: &'s mut [[S; 2]],
+    /// The inputs over a part of a step.
+    pub drive: &'s mut [[S; D]],
+    /// The forces at the last sample.
+    pub last: &'s mut [S],
+}
+
+/// The numbers of a stepper.
+#[derive(Clone, Copy, Debug)]
+pub struct StoreRef<'s, S> {
+    /// y and u of the modes.
+    pub modes: &'s [[S; 2]],
+    /// y and u of the held modes.
+    pub held: &'s [[S; 2]],
+    /// The forces at the last sample.
+    pub last: &'s [S],
+}
+
+/// What holds the numbers of a stepper: arrays, or vectors.
+pub trait Store<S, const D: usize> {
+    /// All of them, to be changed.
+    fn change(&mut self) -> StoreMut<'_, S, D>;
+    /// Those that say where it stands.
+    fn read(&self) -> StoreRef<'_, S>;
+}
+
+/// The numbers of a stepper in arrays.
+#[derive(Clone, Copy, Debug)]
+pub struct FixedStore<S, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
+{
+    modes: [[S; 2]; MODES],
+    held: [[S; 2]; HELD],
+    scratch: [[S; 2]; MODES],
+    drive: [[S; D]; INPUTS],
+    last: [S; INPUTS],
+}
+
+impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
+    FixedStore<S, D, MODES, HELD, INPUTS>
+{
+    /// At rest.
+    #[must_use]
+    pub fn new() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            modes: [[zero; 2]; MODES],
+            held: [[zero; 2]; HELD],
+            scratch: [[zero; 2]; MODES],
+            drive: [[zero; D]; INPUTS],
+            last: [zero; INPUTS],
+        }
+    }
+}
+
+impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize> Default
+    for FixedStore<S, D, MODES, HELD, INPUTS>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
+    Store<S, D> for FixedStore<S, D, MODES, HELD, INPUTS>
+{
+    #[inline]
+    fn change(&mut self) -> StoreMut<'_, S, D> {
+        StoreMut {
+            modes: &mut self.modes,
+            held: &mut self.held,
+            scratch: &mut self.scratch,
+            drive: &mut self.drive,
+            last: &mut self.last,
+        }
+    }
+
+    #[inline]
+    fn read(&self) -> StoreRef<'_, S> {
+        StoreRef {
+            modes: &self.modes,
+            held: &self.held,
+            last: &self.last,
+        }
+    }
+}
+
+/// What a stepper knows beyond the state of its oscillators.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Status<S> {
+    /// What the contact does.
+    pub contact: Contact,
+    /// Nothing is known of the contact yet: its velocity and the force in it will tell.
+    pub unknown: bool,
+    /// It was about to leave and could not: what rounding says of its grip does not count.
+    pub wedged: bool,
+    /// While it sticks: where, relative to what it rubs on.
+    pub place: S,
+    /// Which line of the friction law holds.
+    pub line: usize,
+    /// Displacement and velocity of the base at the end of the last step.
+    pub base: [S; 2],
+    /// F and μ, F over k₁.
+    pub friction: S,
+    pub stiction: S,
+    pub steps: u64,
+    /// In how many of them the bound on events was met.
+    pub exceeded: u64,
+    /// The acceleration of the base that carries the contact at the end of the last step, in the time t√(k₁/m₁).
+    pub acceleration: S,
+    /// The work of the load and that taken by friction, over k₁, and the energy at the start.
+    pub load: Total<S>,
+    pub dissipated: Total<S>,
+    pub energy: S,
+    pub pull: S,
+}
+
+impl<S: Float> Status<S> {
+    pub(super) fn new(stiction: S) -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            contact: Contact::Stuck,
+            unknown: true,
+            wedged: false,
+            place: zero,
+            line: 0,
+            base: [zero; 2],
+            friction: zero,
+            stiction,
+            steps: 0,
+            exceeded: 0,
+            acceleration: zero,
+            load: Total::zero(),
+            dissipated: Total::zero(),
+            energy: zero,
+            pull: zero,
+        }
+    }
+}
+
+/// A stepper's state, apart from its tables: what [`Stepper::save`](super::Stepper::save) gives.
+#[derive(Clone, Copy, Debug)]
+pub struct Saved<S, V> {
+    pub(super) status: Status<S>,
+    pub(super) store: V,
+}

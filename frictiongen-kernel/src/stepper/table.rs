@@ -1,0 +1,532 @@
+//! What each oscillator does over a part of a step, as constants.
+
+use super::scene::StepScene;
+use super::{MAX_PARTS, TERMS};
+use crate::errors::OutOfDomain;
+use crate::number::scalar::Float;
+use crate::simulation::lift;
+
+/// Weights of a mode's state, y and u, and of the coefficients of its drive.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<S, const D: usize> {
+    /// Of y and u at the start.
+    pub state: [S; 2],
+    /// Of the drive's coefficients.
+    pub drive: [S; D],
+}
+
+/// Weights of a held mode's state, and of the coefficients of what drives y′ and u′.
+#[derive(Clone, Copy, Debug)]
+pub struct HeldRow<S, const D: usize> {
+    /// Of y and u at the start.
+    pub state: [S; 2],
+    /// Of the coefficients of what drives y and of what drives u.
+    pub drive: [[S; D]; 2],
+}
+
+/// A mode over a part of a step: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with the part's length as the unit of time.
+#[derive(Clone, Copy, Debug)]
+pub struct ModeStep<S, const D: usize> {
+    /// Ω, the angle by which it would turn undamped.
+    pub angle: S,
+    /// ζ.
+    pub zeta: S,
+    /// What a force on the mode adds to u′: Ω/σ².
+    pub gain: S,
+    /// φᵀw: its displacement in the contact's.
+    pub contact: S,
+    /// Over the part, what u gains.
+    pub turn: Row<S, D>,
+    /// Over the part, ∫ sʲ y′ ds for j = 0, 1, …: the first is what y gains, all of them are the drive's work.
+    pub moments: [Row<S, D>; D],
+}
+
+/// A mode of the chain with its contact held, over a part of a step: y′ = Ωu + drive, u′ = −Ω(y + 2ζu) + drive.
+#[derive(Clone, Copy, Debug)]
+pub struct HeldStep<S, const D: usize> {
+    /// Ω.
+    pub angle: S,
+    /// ζ.
+    pub zeta: S,
+    /// −(contact force)/y.
+    pub force: S,
+    /// What the velocity and the acceleration of a moving base, on which the contact is held, add to y′ and u′.
+    pub lift: [[S; 2]; 2],
+    /// Over the part, ∫ sʲ y′ ds.
+    pub moments: [HeldRow<S, D>; D],
+    /// Over the part, ∫ sʲ u′ ds.
+    pub turns: [HeldRow<S, D>; D],
+}
+
+/// What an input has to do with a held mode.
+#[derive(Clone, Copy, Debug)]
+pub struct HeldLoad<S> {
+    /// What it adds to y′ and u′.
+    pub drive: [S; 2],
+    /// How far y and u move the place that it acts on.
+    pub reach: [S; 2],
+}
+
+/// What an input has to do with the contact.
+#[derive(Clone, Copy, Debug)]
+pub struct Channel<S> {
+    /// wᵀΓ⁻¹p: what it accelerates the contact by.
+    pub residue: S,
+    /// How far a displacement of the held contact moves the place that it acts on.
+    pub lift: S,
+}
+
+/// How a step is cut, and what the scene adds to that.
+#[derive(Clone, Copy, Debug)]
+pub struct Pace<S> {
+    /// The step, in seconds.
+    pub step: S,
+    /// Into how many parts it is cut.
+    pub parts: u32,
+    /// A part in the time t√(k₁/m₁).
+    pub span: S,
+    /// By how much the fastest oscillator turns in a part, its damping included; at most 1.
+    pub rate: S,
+    /// How many terms of a power series reach the end of a part.
+    pub terms: u32,
+    /// wᵀK̄⁻¹w: how far a steady unit force moves the contact.
+    pub receptance: S,
+    /// What the velocity of the held contact adds to the force in it: Σ 2ζc/σ over that.
+    pub drag: S,
+}
+
+/// The tables of a scene at a step.
+#[derive(Clone, Copy, Debug)]
+pub struct View<'t, S, const D: usize> {
+    /// How the step is cut.
+    pub pace: Pace<S>,
+    /// All modes.
+    pub modes: &'t [ModeStep<S, D>],
+    /// The modes of the held chain.
+    pub held: &'t [HeldStep<S, D>],
+    /// For each mode and input, what the input adds to u′.
+    pub loads: &'t [S],
+    /// For each held mode and input.
+    pub held_loads: &'t [HeldLoad<S>],
+    /// For each input.
+    pub channels: &'t [Channel<S>],
+}
+
+/// What holds the tables: arrays, a constant, or vectors.
+pub trait Tables<S, const D: usize> {
+    /// All of them.
+    fn view(&self) -> View<'_, S, D>;
+}
+
+/// The tables in arrays.
+#[derive(Clone, Copy, Debug)]
+pub struct FixedTables<
+    S,
+    const D: usize,
+    const MODES: usize,
+    const HELD: usize,
+    const INPUTS: usize,
+> {
+    /// How the step is cut.
+    pub pace: Pace<S>,
+    /// All modes.
+    pub modes: [ModeStep<S, D>; MODES],
+    /// The modes of the held chain.
+    pub held: [HeldStep<S, D>; HELD],
+    /// For each mode and input, what the input adds to u′.
+    pub loads: [[S; INPUTS]; MODES],
+    /// For each held mode and input.
+    pub held_loads: [[HeldLoad<S>; INPUTS]; HELD],
+    /// For each input.
+    pub channels: [Channel<S>; INPUTS],
+}
+
+impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
+    FixedTables<S, D, MODES, HELD, INPUTS>
+{
+    /// The tables of a scene for a step in seconds.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] as of [`fill`].
+    pub fn new(scene: &StepScene<'_, S>, step: S) -> Result<Self, OutOfDomain> {
+        let mut tables = Self {
+            pace: Pace::zero(),
+            modes: [ModeStep::zero(); MODES],
+            held: [HeldStep::zero(); HELD],
+            loads: [[S::constant(0.0); INPUTS]; MODES],
+            held_loads: [[HeldLoad::zero(); INPUTS]; HELD],
+            channels: [Channel::zero(); INPUTS],
+        };
+        tables.pace = fill(
+            scene,
+            step,
+            (&mut tables.modes, &mut tables.held),
+            (
+                tables.loads.as_flattened_mut(),
+                tables.held_loads.as_flattened_mut(),
+                &mut tables.channels,
+            ),
+        )?;
+        Ok(tables)
+    }
+}
+
+impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
+    Tables<S, D> for FixedTables<S, D, MODES, HELD, INPUTS>
+{
+    #[inline]
+    fn view(&self) -> View<'_, S, D> {
+        View {
+            pace: self.pace,
+            modes: &self.modes,
+            held: &self.held,
+            loads: self.loads.as_flattened(),
+            held_loads: self.held_loads.as_flattened(),
+            channels: &self.channels,
+        }
+    }
+}
+
+impl<S, const D: usize, T: Tables<S, D>> Tables<S, D> for &T {
+    #[inline]
+    fn view(&self) -> View<'_, S, D> {
+        (**self).view()
+    }
+}
+
+/// Fills the tables of a scene for a step in seconds: one entry a mode, one a held mode; one a mode and input, one a
+/// held mode and input, one an input.
+///
+/// # Errors
+/// [`OutOfDomain`] for a step ("dt") that is not positive and finite, or in which the fastest oscillator turns by more
+/// than [`MAX_PARTS`] radians; for slices of another length ("tables").
+pub fn fill<S: Float, const D: usize>(
+    scene: &StepScene<'_, S>,
+    step: S,
+    (modes, held): (&mut [ModeStep<S, D>], &mut [HeldStep<S, D>]),
+    (loads, held_loads, channels): (&mut [S], &mut [HeldLoad<S>], &mut [Channel<S>]),
+) -> Result<Pace<S>, OutOfDomain> {
+    let dynamics = &scene.dynamics;
+    let inputs = scene.channels();
+    let fits = modes.len() == dynamics.modes.len()
+        && held.len() == dynamics.held.len()
+        && loads.len() == modes.len() * inputs
+        && held_loads.len() == held.len() * inputs
+        && channels.len() == inputs;
+    if !fits {
+        return Err(OutOfDomain { argument: "tables" });
+    }
+    let pace = pace(scene, step)?;
+    for (index, (entry, mode)) in modes.iter_mut().zip(dynamics.modes).enumerate() {
+        let angle = mode.resonance * pace.span;
+        *entry = ModeStep::new(angle, mode.zeta, pace.span / mode.resonance, mode.contact);
+        let row = loads.iter_mut().skip(index * inputs).take(inputs);
+        for (channel, load) in row.enumerate() {
+            *load = scene.load(channel, index) * entry.gain;
+        }
+    }
+    for (channel, entry) in channels.iter_mut().enumerate() {
+        *entry = Channel::zero();
+        for (index, mode) in dynamics.driven().iter().enumerate() {
+            let load = scene.load(channel, index);
+            entry.residue = entry.residue + mode.contact * load;
+            entry.lift = entry.lift + load * lift(mode, pace.receptance);
+        }
+    }
+    let mut entries = held_loads.iter_mut();
+    for (entry, (mode, shares)) in held.iter_mut().zip(dynamics.held_modes()) {
+        *entry = HeldStep::new(mode.frequency * pace.span, mode.zeta, mode.force);
+        let zero = S::constant(0.0);
+        for (channel, load) in entries.by_ref().take(inputs).enumerate() {
+            let mut reach = [zero; 2];
+            for (index, [g, h]) in shares.iter().enumerate() {
+                let of = scene.load(channel, index);
+                reach = [reach[0] + *g * of, reach[1] + *h * of];
+            }
+            let (first, second) = mode.state(reach[0], reach[1]);
+            *load = HeldLoad {
+                drive: [first * pace.span, second * pace.span],
+                reach,
+            };
+        }
+        if scene.rubs_on_base() {
+            let two = S::constant(2.0);
+            let mut sums = [[zero; 2]; 2];
+            for (driven, [g, h]) in dynamics.driven().iter().zip(shares) {
+                let lift = lift(driven, pace.receptance);
+                let loss = two * driven.zeta * driven.resonance * lift;
+                sums = [
+                    [sums[0][0] - *g * loss, sums[0][1] - *h * loss],
+                    [sums[1][0] - *g * lift, sums[1][1] - *h * lift],
+                ];
+            }
+            let [velocity, acceleration] = sums.map(|[first, second]| mode.state(first, second));
+            let inverse = S::constant(1.0) / pace.span;
+            entry.lift = [
+                [velocity.0, velocity.1],
+                [acceleration.0 * inverse, acceleration.1 * inverse],
+            ];
+        }
+    }
+    Ok(pace)
+}
+
+/// How a step is cut.
+fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDomain> {
+    let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
+    let dynamics = &scene.dynamics;
+    let turned = |frequency: S, zeta: S| frequency * (one + two * zeta);
+    let modes = dynamics.modes.iter();
+    let rate = modes.fold(zero, |most, mode| {
+        most.max(turned(mode.resonance, mode.zeta))
+    });
+    let held = dynamics.held.iter();
+    let rate = held.fold(rate, |most, mode| {
+        most.max(turned(mode.frequency, mode.zeta))
+    });
+    let whole = step * scene.units.rate;
+    let (_, most) = S::inverse_ratio_range();
+    let angle = rate * whole;
+    let short = zero < step && zero < whole && one / most < angle;
+    if !(short && angle <= S::constant(f64::from(MAX_PARTS))) {
+        return Err(OutOfDomain { argument: "dt" });
+    }
+    let mut parts = 1;
+    while S::constant(f64::from(parts)) < angle {
+        parts += 1;
+    }
+    let span = whole / S::constant(f64::from(parts));
+    let rate = rate * span;
+    let (mut terms, mut size) = (0, one);
+    while terms < TERMS && S::constant(S::EPSILON / 16.0) < size {
+        terms += 1;
+        size = size * rate / S::constant(f64::from(u32::try_from(terms).unwrap_or(u32::MAX)));
+    }
+    let mut drag = zero;
+    for mode in dynamics.driven() {
+        drag = drag + two * mode.zeta * mode.inverse_mass / mode.resonance;
+    }
+    let receptance = dynamics.receptance();
+    Ok(Pace {
+        step,
+        parts,
+        span,
+        rate,
+        terms: u32::try_from(terms).unwrap_or(u32::MAX),
+        receptance,
+        drag: drag / receptance,
+    })
+}
+
+/// The next coefficients of an oscillator's power series, of s to the power `order`, from those before and those of
+/// what drives y′ and u′.
+#[inline]
+pub(super) fn next<S: Float>(
+    (angle, zeta): (S, S),
+    [y, u]: [S; 2],
+    [first, second]: [S; 2],
+    order: S,
+) -> [S; 2] {
+    let rise = angle * u + first;
+    let turn = second - angle * (y + (zeta + zeta) * u);
+    [rise / order, turn / order]
+}
+
+/// An oscillator from a state under a drive, up to a place: ∫ sʲ y′ ds and ∫ sʲ u′ ds.
+pub(super) fn moments<S: Float, const D: usize>(
+    of: (S, S),
+    mut state: [S; 2],
+    drive: impl Fn(usize) -> [S; 2],
+    terms: usize,
+    place: S,
+) -> [[S; D]; 2] {
+    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    let mut sums = [[zero; D]; 2];
+    let (mut order, mut power) = (one, place);
+    for index in 0..terms {
+        state = next(of, state, drive(index), order);
+        let (mut beyond, mut factor) = (order, power);
+        let [of_y, of_u] = &mut sums;
+        for (of_y, of_u) in of_y.iter_mut().zip(of_u) {
+            let [y, u] = state.map(|term| term * factor * (order / beyond));
+            (*of_y, *of_u) = (*of_y + y, *of_u + u);
+            (beyond, factor) = (beyond + one, factor * place);
+        }
+        (order, power) = (order + one, power * place);
+    }
+    sums
+}
+
+impl<S: Float, const D: usize> ModeStep<S, D> {
+    fn new(angle: S, zeta: S, gain: S, contact: S) -> Self {
+        let mut step = Self::zero();
+        (step.angle, step.zeta, step.gain, step.contact) = (angle, zeta, gain, contact);
+        let rows = HeldStep::rows((angle, zeta));
+        for (to, from) in step.moments.iter_mut().zip(rows[0]) {
+            *to = Row {
+                state: from.state,
+                drive: from.drive[1],
+            };
+        }
+        if let Some(from) = rows[1].first() {
+            step.turn = Row {
+                state: from.state,
+                drive: from.drive[1],
+            };
+        }
+        step
+    }
+
+    /// What an array of them starts from.
+    #[must_use]
+    pub fn zero() -> Self {
+        let zero = S::constant(0.0);
+        let row = Row {
+            state: [zero; 2],
+            drive: [zero; D],
+        };
+        Self {
+            angle: zero,
+            zeta: zero,
+            gain: zero,
+            contact: zero,
+            turn: row,
+            moments: [row; D],
+        }
+    }
+}
+
+impl<S: Float, const D: usize> HeldStep<S, D> {
+    fn new(angle: S, zeta: S, force: S) -> Self {
+        let mut step = Self::zero();
+        (step.angle, step.zeta, step.force) = (angle, zeta, force);
+        [step.moments, step.turns] = Self::rows((angle, zeta));
+        step
+    }
+
+    /// The weights of all moments, from the motions that a unit of each state and drive causes.
+    fn rows(of: (S, S)) -> [[HeldRow<S, D>; D]; 2] {
+        let (zero, one) = (S::constant(0.0), S::constant(1.0));
+        let mut rows = [[HeldRow::zero(); D]; 2];
+        for (place, start) in [[one, zero], [zero, one]].into_iter().enumerate() {
+            let values: [[S; D]; 2] = moments(of, start, |_| [zero; 2], TERMS, one);
+            for (rows, values) in rows.iter_mut().zip(values) {
+                for (row, value) in rows.iter_mut().zip(values) {
+                    if let Some(weight) = row.state.get_mut(place) {
+                        *weight = value;
+                    }
+                }
+            }
+        }
+        for channel in 0..2 {
+            for place in 0..D {
+                let drive = |order: usize| {
+                    let term = if order == place { one } else { zero };
+                    if channel == 0 {
+                        [term, zero]
+                    } else {
+                        [zero, term]
+                    }
+                };
+                let values: [[S; D]; 2] = moments(of, [zero; 2], drive, TERMS, one);
+                for (rows, values) in rows.iter_mut().zip(values) {
+                    for (row, value) in rows.iter_mut().zip(values) {
+                        let weights = row.drive.get_mut(channel);
+                        if let Some(weight) = weights.and_then(|row| row.get_mut(place)) {
+                            *weight = value;
+                        }
+                    }
+                }
+            }
+        }
+        rows
+    }
+
+    /// What an array of them starts from.
+    #[must_use]
+    pub fn zero() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            angle: zero,
+            zeta: zero,
+            force: zero,
+            lift: [[zero; 2]; 2],
+            moments: [HeldRow::zero(); D],
+            turns: [HeldRow::zero(); D],
+        }
+    }
+}
+
+impl<S: Float, const D: usize> HeldRow<S, D> {
+    fn zero() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            state: [zero; 2],
+            drive: [[zero; D]; 2],
+        }
+    }
+
+    /// The sum over state and drive.
+    #[inline]
+    pub(super) fn times(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> S {
+        let mut sum = self.state[0] * y + self.state[1] * u;
+        for (weights, drive) in self.drive.iter().zip(drive) {
+            for (weight, term) in weights.iter().zip(drive) {
+                sum = sum + *weight * *term;
+            }
+        }
+        sum
+    }
+}
+
+impl<S: Float, const D: usize> Row<S, D> {
+    /// The sum over state and drive.
+    #[inline]
+    pub(super) fn times(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
+        let mut sum = self.state[0] * y + self.state[1] * u;
+        for (weight, term) in self.drive.iter().zip(drive) {
+            sum = sum + *weight * *term;
+        }
+        sum
+    }
+}
+
+impl<S: Float> HeldLoad<S> {
+    /// What an array of them starts from.
+    #[must_use]
+    pub fn zero() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            drive: [zero; 2],
+            reach: [zero; 2],
+        }
+    }
+}
+
+impl<S: Float> Channel<S> {
+    /// What an array of them starts from.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self {
+            residue: S::constant(0.0),
+            lift: S::constant(0.0),
+        }
+    }
+}
+
+impl<S: Float> Pace<S> {
+    /// What is filled.
+    #[must_use]
+    pub fn zero() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            step: zero,
+            parts: 1,
+            span: zero,
+            rate: zero,
+            terms: 0,
+            receptance: zero,
+            drag: zero,
+        }
+    }
+}
