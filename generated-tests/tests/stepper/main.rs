@@ -3,6 +3,9 @@
 //! `plain` is an integrator that shares no code with it.  Long forms:
 //! `cargo test --release -p generated-tests --test stepper -- --ignored`.
 
+mod both;
+mod independent;
 mod plain;
 mod plain_itself;
+mod rig;
 mod scenes;

@@ -151,12 +151,12 @@ impl Plain {
         let radians = dt * self.chain.rate(input.friction);
         let parts = (radians / PART).ceil().max(1.0);
         self.order = order(radians / parts);
-        // A base that jumps leaves the masses behind, and one that leaves at another speed lets go of the contact.
+        // A base that jumps leaves the masses behind, and one that goes on at another speed may turn the contact.
         let [z, rate] = self.relative([input.base[0], input.base[1]]);
         self.held_at = z;
         let jump = (input.base[1] - self.base_rate).abs();
         let jumps = jump > 1e-9 * input.base[1].abs().max(self.base_rate.abs());
-        if self.chain.s != 0.0 && self.slip == Slip::Stuck && jumps {
+        if self.chain.s != 0.0 && jumps {
             self.slip = Slip::Slides(rate.signum(), self.piece(rate.abs()));
         }
         self.base_rate = value(&slope(&input.base), dt);
