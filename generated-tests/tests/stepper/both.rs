@@ -17,6 +17,9 @@ pub struct Both {
     /// The largest displacement and velocity of a mass, and the largest of their differences over them.
     pub size: [f64; 2],
     pub apart: [f64; 2],
+    /// What the stepper counted, and in how many steps it and the integrator counted otherwise.
+    pub events: u64,
+    pub otherwise: u32,
 }
 
 impl Both {
@@ -32,6 +35,8 @@ impl Both {
             dt,
             size: [0.0; 2],
             apart: [0.0; 2],
+            events: 0,
+            otherwise: 0,
         }
     }
 
@@ -55,8 +60,11 @@ impl Both {
                 friction: load.friction,
             },
         };
+        let before = self.plain.events;
         self.plain.advance(&polynomials, dt);
-        advance(&mut self.rig, load);
+        let events = u64::from(advance(&mut self.rig, load).events);
+        self.events += events;
+        self.otherwise += u32::from(events != self.plain.events - before);
         self.last = load.clone();
         for mass in 0..load.forces.len() {
             let now = self.rig.mass(mass);

@@ -42,6 +42,9 @@ pub fn loads(scene: &Scene, seed: u64, dt: f64) -> impl FnMut() -> Load {
     }
 }
 
+/// Both sides round each step; friction forgets, so that roundings do not add up: 3e-15 was found.
+const BAR: f64 = 3e-14;
+
 fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
     let scene = scene(text);
     let omega = (scene.springs[0].stiffness / scene.masses[0].value).sqrt();
@@ -57,16 +60,17 @@ fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
     let damping = (found.damping - want.damping).abs() / load.abs();
     let friction = (found.friction - want.friction).abs() / load.abs();
     println!(
-        "{}, μ = {}, {:?}, {} points: {} events, error {:.1e}, damping {damping:.1e}, friction {friction:.1e}",
+        "{}, μ = {}, {:?}, {} points: {} events, {} steps otherwise, error {:.1e}, damping {damping:.1e}, friction {friction:.1e}",
         scene.name,
         scene.stiction,
         kind.input,
         kind.law.len(),
         both.plain.events,
+        both.otherwise,
         both.error(),
     );
     assert!(both.plain.events > steps as u64 / 20, "too quiet");
-    assert_eq!(both.rig.exceeded(), 0);
+    assert_eq!((both.rig.exceeded(), both.otherwise), (0, 0));
     assert!(both.error() < bar, "{text}: {:e}", both.error());
     assert!(damping < 10.0 * bar && friction < 10.0 * bar);
 }
@@ -77,7 +81,7 @@ fn any_load() {
     for text in [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE] {
         for mu in [1.0, 1.3] {
             for kind in [LINEAR, HOLD] {
-                compare(&sticky(text, mu), kind, 2000, 1e-11);
+                compare(&sticky(text, mu), kind, 2000, BAR);
             }
         }
     }
@@ -90,7 +94,7 @@ fn stribeck() {
     for text in [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE] {
         for law in laws {
             for input in [Input::Linear, Input::Hold] {
-                compare(&sticky(text, 1.2), Kind { input, law }, 1000, 1e-10);
+                compare(&sticky(text, 1.2), Kind { input, law }, 1000, BAR);
             }
         }
     }

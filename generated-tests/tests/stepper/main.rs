@@ -4,6 +4,9 @@
 //! `cargo test --release -p generated-tests --test stepper -- --ignored`.
 
 mod both;
+mod creep;
+mod energy;
+mod exact;
 mod independent;
 mod plain;
 mod plain_itself;

@@ -27,3 +27,9 @@ pub fn sticky(text: &str, mu: f64) -> String {
     let body = text.trim_end().strip_suffix('}').expect("a scene");
     format!("{body}, stiction: {mu} }}")
 }
+
+/// Ten masses between base and wall, stiffness-proportional damping.
+pub const TEN: &str = "struct Ten { masses: { m1: 1, m2: 1.2, m3: 0.8, m4: 1, m5: 1.5, m6: 1, m7: 1, m8: 0.7, m9: 1, m10: 1 },
+    springs: { base - m1: 100, m1 - m2: 90, m2 - m3: 110, m3 - m4: 100, m4 - m5: 80, m5 - m6: 100, m6 - m7: 120,
+        m7 - m8: 100, m8 - m9: 100, m9 - m10: 95 },
+    contact: m10 - wall, excitation: m1, damping: rayleigh(0.05, 0.002) }";
