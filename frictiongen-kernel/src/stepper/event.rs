@@ -5,7 +5,7 @@ use super::law;
 use super::part::{Through, product};
 use super::series::Power;
 use super::table::{moments, next};
-use super::{MAX_EVENTS, TERMS};
+use super::{MAX_EVENTS, MAX_STRETCHES, TERMS};
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Start, Walk, first_reach, first_zero};
 
@@ -23,8 +23,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     pub(super) fn look(&mut self) {
         let one = S::constant(1.0);
         let mut departing = None;
-        // Each event may be followed by stretches that end without one.
-        for _ in 0..4 * MAX_EVENTS {
+        for _ in 0..MAX_STRETCHES {
             if !(self.place < one) {
                 return;
             }

@@ -6,7 +6,7 @@
 //! force that holds it, is a power series about an instant, whose first zero the simulation's walk finds.
 //!
 //! Time is counted in parts of a step, so short that no oscillator turns by more than a radian: a part's series
-//! converges, and its cost is bounded.
+//! converges, and its cost is bounded.  Section 11 of docs/derivation.md derives it.
 
 mod account;
 mod drive;
@@ -30,6 +30,10 @@ pub use table::{
 
 /// In one part of a step no more events than this are followed.  For what is left of the part the contact is held at rest.
 pub const MAX_EVENTS: u32 = 8;
+
+/// A part is followed in no more stretches than this.  An event ends one; so does the next line of the friction law, and
+/// the end of what a power series reaches where that law is steep.
+pub const MAX_STRETCHES: u32 = 8 * MAX_EVENTS;
 
 /// A step is cut into no more parts than this.
 pub const MAX_PARTS: u32 = 1024;

@@ -370,6 +370,17 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         self.status.steps
     }
 
+    /// The time since the start, in seconds.
+    #[must_use]
+    pub fn time(&self) -> S {
+        #[allow(
+            clippy::cast_precision_loss,
+            reason = "exact up to 2^53 steps, which a run of a month at 1 GHz does not take"
+        )]
+        let steps = self.status.steps as f64;
+        S::constant(steps) * self.dt()
+    }
+
     /// In how many steps more events happened than are followed.
     #[must_use]
     pub fn exceeded(&self) -> u64 {
