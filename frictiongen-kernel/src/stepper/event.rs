@@ -267,7 +267,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         } else {
             TERMS
         };
-        terms.clamp(5, TERMS)
+        // The input's last coefficient starts a series of its own, so many terms later.
+        (terms + D).clamp(5, TERMS)
     }
 
     /// The relative velocity as a power series about here, under the friction force level + slope·velocity.

@@ -2,8 +2,9 @@
 
 use crate::independent::loads;
 use crate::rig::{LINEAR, Load, advance, begin, rig, scene};
-use crate::scenes::{BASE, ONE, PAIR, TEN, WALL, sticky};
+use crate::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE, sticky};
 use frictiongen_kernel::number::dd::Dd;
+use fuzzing::Random;
 
 /// The largest difference over the largest displacement, and how many events.
 fn off(text: &str, steps: u32, friction: f64) -> (f64, u64) {
@@ -65,6 +66,49 @@ fn with_events() {
             assert!(events > 200 && error < 1e-13, "{text}: {error:e}, {events}");
         }
     }
+}
+
+/// Steps far below the fastest oscillator's turn, in which the input jumps: what it does within the step must not be
+/// left out of a series that is short because the step is.
+#[test]
+fn short_steps() {
+    let mut worst = 0.0_f64;
+    for text in [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE] {
+        for radians in [1e-5, 1e-3, 1e-2, 0.1] {
+            let scene = scene(text);
+            let (k1, m1) = (scene.springs[0].stiffness, scene.masses[0].value);
+            let dt = radians / (k1 / m1).sqrt();
+            let mut random = Random(6);
+            let mut narrow = rig::<f64>(&scene, LINEAR, dt);
+            let mut wide = rig::<Dd>(&scene, LINEAR, dt);
+            let (mut apart, mut size) = ([0.0_f64; 2], [0.0_f64; 2]);
+            for _ in 0..300 {
+                let load = Load {
+                    base: [random.signed(), random.signed() / dt],
+                    forces: scene.masses.iter().map(|_| k1 * random.signed()).collect(),
+                    friction: 0.2 * k1,
+                };
+                advance(&mut narrow, &load);
+                advance(&mut wide, &load);
+                for mass in 0..scene.masses.len() {
+                    let (found, want) = (narrow.mass(mass), wide.mass(mass));
+                    let pairs = [
+                        (found.displacement(), want.displacement()),
+                        (found.velocity(), want.velocity()),
+                    ];
+                    for (k, (found, want)) in pairs.into_iter().enumerate() {
+                        apart[k] = apart[k].max((Dd::from(found) - want).to_f64().abs());
+                        size[k] = size[k].max(want.to_f64().abs());
+                    }
+                }
+            }
+            let error = (apart[0] / size[0]).max(apart[1] / size[1]);
+            println!("{}, {radians} rad a step: {error:.1e}", scene.name);
+            // A step's gain is a difference of inputs up to a hundred times as large.
+            worst = worst.max(error);
+        }
+    }
+    assert!(worst < 1e-13, "{worst:e}");
 }
 
 /// 10⁵ steps, more than 10⁴ events.
