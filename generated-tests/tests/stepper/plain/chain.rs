@@ -22,8 +22,6 @@ pub struct Chain {
     pub mu: f64,
     /// Kinetic level over F at speeds: (0, 1), then the law's points.
     pub law: Vec<[f64; 2]>,
-    /// Natural frequencies, ascending, rad/s.
-    pub omega: Vec<f64>,
     /// The largest rate of anything that moves, 1/s.
     pub fastest: f64,
 }
@@ -96,7 +94,6 @@ impl Chain {
             mobility,
             mu: scene.stiction,
             law: points,
-            omega,
             fastest,
         }
     }
