@@ -17,13 +17,13 @@ impl FileArgument {
     }
 
     /// What the description is called in messages.
-    fn name(&self) -> String {
+    pub fn name(&self) -> String {
         self.path()
             .map_or_else(|| "<stdin>".to_owned(), |path| path.display().to_string())
     }
 
     /// The text of the description.
-    fn text(&self) -> Result<String, Failure> {
+    pub fn text(&self) -> Result<String, Failure> {
         let bytes = match self.path() {
             Some(path) => File::open(path).and_then(read),
             None => read(io::stdin().lock()),

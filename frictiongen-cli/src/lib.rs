@@ -5,6 +5,7 @@
 
 mod args;
 mod asked;
+mod check;
 mod compile;
 mod csv;
 mod curve;
@@ -23,6 +24,7 @@ mod json;
 mod limits;
 mod map;
 mod measure;
+mod new;
 mod number;
 mod optimum;
 mod orbit;
@@ -32,6 +34,7 @@ mod picture;
 mod progress;
 mod response;
 mod sensitivity;
+mod shell;
 mod summary;
 mod table;
 mod time;
@@ -82,5 +85,9 @@ pub fn run(
         Command::Optimum(arguments) => optimum::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
+        Command::Check(arguments) => check::run(arguments, out),
+        Command::New(arguments) => new::run(arguments, out),
+        Command::Completions(arguments) => shell::completions(arguments, out),
+        Command::Man(arguments) => shell::man(arguments, out),
     }?)
 }

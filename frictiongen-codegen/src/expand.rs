@@ -5,7 +5,8 @@ use crate::diagnostics::{Failure, Partial};
 use crate::lower::{Description, Limits, parse_text, parse_tokens};
 use crate::{Diagnostics, emit};
 use frictiongen_model::scene::{
-    Contact, Damping, Declared, Excitation, Mass, Node, Provide, Scene, Spring,
+    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Provide, Scene, Spring,
+    Stepping,
 };
 use proc_macro2::{Ident, Span, TokenStream};
 use std::path::{Path, PathBuf};
@@ -136,8 +137,11 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
             Provide::Stuck,
             Provide::Orbit,
             Provide::Simulation,
+            Provide::Stepper,
         ],
         declared: Declared::default(),
+        friction: FrictionLaw::default(),
+        stepping: Stepping::default(),
     };
     Some(emit(&Description {
         attributes,

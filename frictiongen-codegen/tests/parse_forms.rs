@@ -8,7 +8,8 @@
 
 use frictiongen_codegen::{Description, Limits, parse_text, parse_tokens};
 use frictiongen_model::scene::{
-    Accuracy, Contact, Damping, Excitation, Node, Precision, Provide, Scene, Spring,
+    Accuracy, Contact, Damping, Excitation, FrictionLaw, Node, Precision, Provide, Scene, Spring,
+    StepInput, Stepping,
 };
 
 /// Reads a text through both doors.
@@ -110,6 +111,28 @@ fn every_form_of_every_field() {
             Provide::Limits
         ]
     );
+}
+
+#[test]
+fn the_friction_law_and_the_stepper() {
+    let plain = scene("provide: [stepper]");
+    assert_eq!(plain.provide, [Provide::Stepper]);
+    assert_eq!(plain.friction, FrictionLaw::Coulomb);
+    assert_eq!(plain.stepping, Stepping::default());
+    assert_eq!(plain.stepping.input, StepInput::Linear);
+    let all = scene(
+        "step: 1 / 48000, input: hold, force: { b, }, stiction: 1.5, provide: [stepper], \
+         friction: stribeck(1e-3: 1.5, 2 * 0.1: 0.4,)",
+    );
+    let expected = Stepping {
+        step: Some(1.0 / 48000.0),
+        input: StepInput::Hold,
+        forces: vec![1],
+    };
+    assert_eq!(all.stepping, expected);
+    assert_eq!(all.friction.points(), [[1e-3, 1.5], [0.2, 0.4]]);
+    let spelt_out = scene("friction: coulomb, input: linear, force: {}");
+    assert_eq!(spelt_out, scene(""));
 }
 
 #[test]

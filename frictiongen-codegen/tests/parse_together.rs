@@ -83,7 +83,28 @@ fn an_unreadable_part_gives_no_second_error() {
         ("stiction: 1", "range: 0"),
         ("stiction: 1", "range: { r: 0.1..1, beta: 0..1 }"),
         ("stiction: 1", "range: { r: 0..1 }, accuracy: 1e-4"),
-        ("stiction: 1", "provide: [stepper]"),
+        ("stiction: 1", "provide: [stepper], step: 0"),
+        // Where what to provide is unreadable, nothing is short of the stepper.
+        ("stiction: 1", "provide: stepper, step: 1"),
+        ("stiction: 1", "provide: [steper], friction: stribeck(1: 1)"),
+        ("stiction: 1", "provide: [stepper, limit], force: { b }"),
+        // A law, an input or a load that cannot be read is told once.
+        ("stiction: 1", "provide: [stepper], friction: stribeck(1)"),
+        (
+            "stiction: 1",
+            "provide: [stepper], friction: stribeck(x: 0.5)",
+        ),
+        (
+            "stiction: 1",
+            "provide: [stepper], friction: stribeck(1: x, 2: 1)",
+        ),
+        ("stiction: 1", "input: 1"),
+        ("stiction: 1", "friction: stribeck"),
+        ("stiction: 1", "provide: [stepper], force: { x, b }"),
+        (
+            "stiction: 1",
+            "stiction: 0.5, provide: [stepper], friction: stribeck(1: 0.9)",
+        ),
         // Unreadable items leave the list empty, which is no error of its own.
         ("stiction: 1", "provide: [limit]"),
         ("stiction: 1", "provide: [motion(c)]"),

@@ -20,7 +20,9 @@ pub enum Regime {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OutOfDomain {
     /// Which argument: "r", "beta", "state", "reach"; or a slice that is too short or too long, "parts",
-    /// "numbers", "multipliers", "continuous", "sliding".
+    /// "numbers", "multipliers", "continuous", "sliding"; of a stepper "dt", "force", "forces",
+    /// "base", "friction", "stiction", "steps", "saved"; or "stribeck" where the friction law has no constant kinetic
+    /// level, which only a stepper can do without.
     pub argument: &'static str,
 }
 
@@ -82,13 +84,30 @@ pub enum Error {
 
 impl fmt::Display for OutOfDomain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.argument == "stribeck" {
+            return f.write_str(
+                "the exact continuous response needs a constant kinetic level, and this scene has `friction: stribeck`; ask its stepper",
+            );
+        }
         let needed = match self.argument {
             "r" => {
                 "it must be a number, not negative and not NaN; a motion in time needs it clear of 0 and infinity too"
             }
             "state" => "it must have a finite displacement and velocity for each mass",
             "continuous" | "sliding" => "the slice must have one place for each r",
-            "parts" | "numbers" | "multipliers" => "the room for the answer has another size",
+            "parts" | "numbers" | "multipliers" | "tables" => {
+                "the room for the answer has another size"
+            }
+            "dt" => {
+                "a step must be greater than zero, and so short that no oscillator turns by more than 1024 rad in it"
+            }
+            "force" | "base" => "it must be finite, and its square within the range of the scalar",
+            "forces" => {
+                "there must be one force for each mass that may be loaded, and for no other"
+            }
+            "stiction" => "it must be a finite number, 1 or more",
+            "steps" => "the input at the start is said before the first step",
+            "saved" => "it belongs to another scene",
             _ => "it must be a finite number, not negative",
         };
         write!(f, "{} is outside the domain: {needed}", self.argument)

@@ -8,6 +8,7 @@ mod roots;
 pub mod scene;
 pub mod sensitivity;
 mod special;
+pub mod stepping;
 pub mod table;
 pub mod transient;
 pub mod validate;

@@ -99,7 +99,7 @@ pub enum Provide {
     Orbit,
     /// The exact motion in time.
     Simulation,
-    /// A fixed-step real-time stepper (not built yet).
+    /// The stepper: a fixed step in physical time, under any force.
     Stepper,
 }
 
@@ -170,6 +170,52 @@ impl Declared {
     }
 }
 
+/// How the kinetic friction force depends on the sliding speed.
+#[derive(Clone, Debug, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum FrictionLaw {
+    /// It does not: Coulomb's law with a static and a kinetic level.
+    #[default]
+    Coulomb,
+    /// Piecewise linear: at each speed, in the scene's own units, the level over F.  From 1 at rest to the first point,
+    /// constant beyond the last.
+    Stribeck(Vec<[f64; 2]>),
+}
+
+impl FrictionLaw {
+    /// The points (speed, level); none of Coulomb's law.
+    #[must_use]
+    pub fn points(&self) -> &[[f64; 2]] {
+        match self {
+            Self::Coulomb => &[],
+            Self::Stribeck(points) => points,
+        }
+    }
+}
+
+/// What the stepper's input does between samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum StepInput {
+    /// It keeps the value of the sample over the step.
+    Hold,
+    /// It goes on a straight line to the sample, which it reaches at the end of the step.
+    #[default]
+    Linear,
+}
+
+/// What a scene says of its stepper.
+#[derive(Clone, Debug, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Stepping {
+    /// The step, if it is known: its tables are then constants.  In the unit of time that goes with the scene's, s in SI.
+    pub step: Option<f64>,
+    /// The input between samples.
+    pub input: StepInput,
+    /// The masses that may be loaded besides the excitation.
+    pub forces: Vec<usize>,
+}
+
 /// A whole description.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -194,9 +240,29 @@ pub struct Scene {
     pub provide: Vec<Provide>,
     /// How exact.
     pub declared: Declared,
+    /// The friction law.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub friction: FrictionLaw,
+    /// The stepper's step, input and loads.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub stepping: Stepping,
 }
 
 impl Scene {
+    /// Whether an item is provided, whatever masses it names.
+    #[must_use]
+    pub fn provides(&self, item: &Provide) -> bool {
+        let kind = core::mem::discriminant(item);
+        let mut items = self.provide.iter();
+        items.any(|item| core::mem::discriminant(item) == kind)
+    }
+
+    /// Whether anything is provided that answers at a frequency: all but the stepper does.
+    #[must_use]
+    pub fn needs_frequency(&self) -> bool {
+        self.provide.iter().any(|item| *item != Provide::Stepper)
+    }
+
     /// What a node is called in the description; `?` for a mass that does not exist.
     #[must_use]
     pub fn node_name(&self, node: Node) -> &str {

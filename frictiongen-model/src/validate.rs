@@ -10,6 +10,7 @@ mod reach;
 mod scale;
 mod settings;
 mod springs;
+mod stepping;
 
 pub use error::SceneError;
 pub use names::{RESERVED, is_keyword, is_name, is_reserved, may_name};
@@ -72,6 +73,14 @@ pub enum Path {
     Budget,
     /// What happens outside the range.
     Beyond,
+    /// The friction law as a whole, or one of its numbers: speed and level of each point in turn.
+    Friction(Option<usize>),
+    /// The stepper's step.
+    Step,
+    /// The stepper's input between samples.
+    Input,
+    /// The list of masses that the stepper may load, or one of them.
+    Force(Option<usize>),
 }
 
 /// What the checks may rely on.
@@ -90,6 +99,8 @@ pub struct Checks {
     pub contact: bool,
     /// The excitation was read.
     pub excitation: bool,
+    /// What to provide was read.
+    pub provide: bool,
 }
 
 impl Default for Checks {
@@ -100,6 +111,7 @@ impl Default for Checks {
             springs: true,
             contact: true,
             excitation: true,
+            provide: true,
         }
     }
 }
@@ -130,6 +142,7 @@ pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneErr
     }
     reach::check(scene, checks, &mut errors);
     settings::check(scene, checks, &mut errors);
+    stepping::check(scene, checks, &mut errors);
     scale::check(scene, checks, &mut errors);
     let complete = checks.masses && checks.springs && checks.contact && checks.excitation;
     if errors.is_empty() && complete {

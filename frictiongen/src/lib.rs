@@ -94,6 +94,7 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod in_time;
+mod stepping;
 pub mod sweep;
 pub mod system;
 mod targets;
@@ -112,6 +113,7 @@ pub use frictiongen_kernel::response::motion::Largest;
 /// Turns the description of a scene into its solver; see the [crate's documentation](crate).
 pub use frictiongen_macros::friction_system;
 pub use in_time::{OrbitAt, Periodic, Run, Simulates, SteadyState};
+pub use stepping::{StepLoad, Stepping, Steps};
 #[cfg(feature = "study")]
 pub use study::System;
 pub use system::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady, StuckAt};

@@ -23,7 +23,8 @@ use case::{Case, Door, cases};
 use frictiongen::System;
 use frictiongen_codegen::{Limits, expand, parse_text};
 use frictiongen_model::scene::{
-    Contact, Damping, Declared, Excitation, Mass, Node, Precision, Provide, Scene, Spring,
+    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
+    Spring, Stepping,
 };
 use frictiongen_model::validate::validate;
 use proc_macro2::{Literal, TokenTree};
@@ -158,6 +159,8 @@ fn frame() -> Scene {
         precision: Precision::F64,
         provide: vec![Provide::Limits],
         declared: Declared::default(),
+        friction: FrictionLaw::default(),
+        stepping: Stepping::default(),
     }
 }
 

@@ -50,6 +50,14 @@ pub enum Command {
     Compile(CompileArguments),
     /// The Rust that the macro emits for a description
     Expand(ExpandArguments),
+    /// Every error of a description, each with the line that it is on
+    Check(CheckArguments),
+    /// A commented description to start from
+    New(NewArguments),
+    /// A script that completes this command's words in a shell
+    Completions(CompletionsArguments),
+    /// The manual page, in roff
+    Man(ManArguments),
 }
 
 /// Which description.
@@ -403,4 +411,33 @@ pub struct ExpandArguments {
     /// Write to this file instead of standard output
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
+}
+
+/// Of `frictiongen check`.
+#[derive(Debug, Args)]
+pub struct CheckArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+}
+
+/// Of `frictiongen new`.
+#[derive(Debug, Args)]
+pub struct NewArguments {
+    /// The file to write, which must not be there; standard output if it is - or left out
+    pub file: Option<PathBuf>,
+}
+
+/// Of `frictiongen completions`.
+#[derive(Debug, Args)]
+pub struct CompletionsArguments {
+    /// The shell
+    pub shell: clap_complete::Shell,
+}
+
+/// Of `frictiongen man`.
+#[derive(Debug, Args)]
+pub struct ManArguments {
+    /// Of this command [default: of all]
+    pub command: Option<String>,
 }

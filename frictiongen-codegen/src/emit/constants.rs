@@ -2,7 +2,7 @@
 
 use super::{Emission, Part, limits, rounded};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
-use frictiongen_model::scene::{Beyond, Declared, Scene};
+use frictiongen_model::scene::{Beyond, Declared, FrictionLaw, Scene, Stepping};
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
@@ -26,12 +26,18 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     let at_about =
         format!(" [`{name}`] at one frequency ratio: limits, regime, and the way to motions.");
     let at = &emission.at;
-    let slices = limits::slices(emission);
     let inner = if emission.is_tabled() {
         code!(table::Compiled)
     } else {
         code!(response::At)
     };
+    let at_type = scene.needs_frequency().then(|| {
+        code! {
+            #[doc = #at_about]
+            #[allow(deprecated, non_camel_case_types)]
+            #visibility struct #at(#facade::kernel::#inner<#name>);
+        }
+    });
     let types = code! {
         #(#attributes)*
         #[doc = ""]
@@ -46,9 +52,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             ::core::hash::Hash
         )]
         #visibility struct #name;
-        #[doc = #at_about]
-        #[allow(deprecated, non_camel_case_types)]
-        #visibility struct #at(#facade::kernel::#inner<#name>);
+        #at_type
     };
 
     let masses = Literal::usize_unsuffixed(scene.masses.len());
@@ -66,23 +70,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         let reference = emission.literal(reference);
         code!(omega / #reference)
     };
-    let mode_count = Literal::usize_unsuffixed(emission.modes());
-    let modes = emission
-        .reduced
-        .modes
-        .iter()
-        .map(|mode| mode_constant(emission, mode));
     let chain = chain(emission);
-    let ends = emission.reduced.ends;
-    let rubbing = rubbing(emission.reduced.rubbing);
-    let absorbs = emission.reduced.absorbs;
-    let unbounded = emission.list(emission.reduced.unbounded.iter().copied());
-    let invisible = emission.list(emission.reduced.invisible.iter().copied());
-    let sliding_at_rest = emission.literal(ends.sliding_at_rest);
-    let continuous_at_infinity = emission.literal(ends.continuous_at_infinity);
-    let sliding_at_infinity = emission.literal(ends.sliding_at_infinity);
-    let names = scene.masses.iter().map(|mass| mass.name.as_str());
-    let constructor = constructor(emission);
+    let at_frequency = scene.needs_frequency().then(|| at_frequency(emission));
     let items = code! {
         impl #name {
             /// ω_i, the natural frequencies, rad/s in the units given, ascending.
@@ -92,22 +81,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
             pub const MODE_SHAPES: [[#scalar; #masses]; #masses] = [#(#shapes),*];
 
-            /// The modes that the load or the contact drives.
-            const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
             const CHAIN: Chain<#scalar> = #chain;
-            const NUMBERS: Numbers<'static, #scalar> = Numbers {
-                modes: &Self::MODES,
-                chain: Self::CHAIN,
-                ends: Ends {
-                    sliding_at_rest: #sliding_at_rest,
-                    continuous_at_infinity: #continuous_at_infinity,
-                    sliding_at_infinity: #sliding_at_infinity,
-                },
-                rubbing: #rubbing,
-                absorbs: #absorbs,
-                unbounded: &#unbounded,
-                invisible: &#invisible,
-            };
 
             /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
             #[inline]
@@ -122,15 +96,65 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             pub const fn friction_ratio(friction: #scalar, load: #scalar) -> #scalar {
                 friction / load
             }
+        }
+
+        #at_frequency
+    };
+    Part { types, items }
+}
+
+/// What a question at a frequency rests on, and the way to one.
+fn at_frequency(emission: &Emission<'_>) -> TokenStream {
+    let Emission {
+        scene,
+        scalar,
+        name,
+        at,
+        facade,
+        ..
+    } = emission;
+    let slices = limits::slices(emission);
+    let mode_count = Literal::usize_unsuffixed(emission.modes());
+    let modes = emission
+        .reduced
+        .modes
+        .iter()
+        .map(|mode| mode_constant(emission, mode));
+    let ends = emission.reduced.ends;
+    let rubbing = rubbing(emission.reduced.rubbing);
+    let absorbs = emission.reduced.absorbs;
+    let unbounded = emission.list(emission.reduced.unbounded.iter().copied());
+    let invisible = emission.list(emission.reduced.invisible.iter().copied());
+    let sliding_at_rest = emission.literal(ends.sliding_at_rest);
+    let continuous_at_infinity = emission.literal(ends.continuous_at_infinity);
+    let sliding_at_infinity = emission.literal(ends.sliding_at_infinity);
+    let names = scene.masses.iter().map(|mass| mass.name.as_str());
+    let constructor = constructor(emission);
+    code! {
+        impl #name {
+            /// The modes that the load or the contact drives.
+            const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
+            const NUMBERS: Numbers<'static, #scalar> = Numbers {
+                modes: &Self::MODES,
+                chain: Self::CHAIN,
+                ends: Ends {
+                    sliding_at_rest: #sliding_at_rest,
+                    continuous_at_infinity: #continuous_at_infinity,
+                    sliding_at_infinity: #sliding_at_infinity,
+                },
+                rubbing: #rubbing,
+                absorbs: #absorbs,
+                unbounded: &#unbounded,
+                invisible: &#invisible,
+            };
 
             #constructor
 
             #slices
-                }
+        }
 
         #facade::emitted_system!(#name, #at, #scalar, [#(#names),*]);
-    };
-    Part { types, items }
+    }
 }
 
 /// The way to a frequency ratio.
@@ -243,6 +267,12 @@ fn fingerprint(scene: &Scene) -> u64 {
     // What declares nothing keeps the fingerprint that it had before anything could be declared.
     let exact = format!("declared: {:?}", Declared::default());
     let text = format!("{scene:?}").replace(&exact, "accuracy: Exact, range: None");
+    let plain = format!(
+        ", friction: {:?}, stepping: {:?}",
+        FrictionLaw::default(),
+        Stepping::default()
+    );
+    let text = text.replace(&plain, "");
     let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
     for byte in text.bytes() {
         hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);

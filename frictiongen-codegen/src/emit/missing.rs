@@ -19,8 +19,14 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
     ];
     let of_at = of_at.into_iter().filter(|(provided, _)| !provided);
     let of_at: Vec<TokenStream> = of_at.map(|(_, method)| method).collect();
-    if !of_at.is_empty() {
+    if !of_at.is_empty() && emission.scene.needs_frequency() {
         items.extend(code!(#facade::kernel::not_provided!(#at: #(#of_at),*);));
+    }
+    if !emission.scene.needs_frequency() {
+        items.extend(code!(#facade::kernel::not_provided!(#name: limits);));
+    }
+    if !wanted.stepper {
+        items.extend(code!(#facade::kernel::not_provided!(#name: stepper);));
     }
     if !wanted.simulation {
         items.extend(code!(#facade::kernel::not_provided!(#name: simulation);));

@@ -11,6 +11,8 @@ mod orbit;
 mod scene;
 mod shield;
 mod simulation;
+mod step_table;
+mod stepper;
 mod stuck;
 mod table;
 mod trace;
@@ -53,6 +55,8 @@ struct Emission<'a> {
     stuck: Ident,
     simulation: Ident,
     orbit: Ident,
+    stepper: Ident,
+    input: Ident,
     facade: &'a syn::Path,
     /// From this many modes on passes are emitted.
     passes_from: usize,
@@ -64,10 +68,11 @@ struct Wanted<'a> {
     stuck: bool,
     simulation: bool,
     orbit: bool,
+    stepper: bool,
 }
 
 impl Emission<'_> {
-    fn names(&self) -> [Ident; 6] {
+    fn names(&self) -> [Ident; 8] {
         [
             self.name.clone(),
             self.at.clone(),
@@ -75,6 +80,8 @@ impl Emission<'_> {
             self.stuck.clone(),
             self.simulation.clone(),
             self.orbit.clone(),
+            self.stepper.clone(),
+            self.input.clone(),
         ]
     }
 
@@ -86,6 +93,8 @@ impl Emission<'_> {
             self.stuck,
             self.simulation,
             self.orbit,
+            self.stepper,
+            self.input,
         ] = names(scene);
     }
 
@@ -132,6 +141,7 @@ impl Emission<'_> {
             stuck: false,
             simulation: false,
             orbit: false,
+            stepper: false,
         };
         let all = || {
             self.description
@@ -157,8 +167,7 @@ impl Emission<'_> {
                 Provide::Stuck => wanted.stuck = true,
                 Provide::Orbit => wanted.orbit = true,
                 Provide::Simulation => wanted.simulation = true,
-                // Refused before it comes here.
-                Provide::Stepper => {}
+                Provide::Stepper => wanted.stepper = true,
             }
         }
         wanted
@@ -206,7 +215,7 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     } else {
         code!(Undamped)
     };
-    let [name, at, motion, stuck, simulation, orbit] = names(&description.name);
+    let [name, at, motion, stuck, simulation, orbit, stepper, input] = names(&description.name);
     let mut emission = Emission {
         description,
         scene,
@@ -221,17 +230,21 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
         stuck,
         simulation,
         orbit,
+        stepper,
+        input,
         facade: &description.facade,
         passes_from,
     };
     let wanted = emission.wanted();
     let has = [
         true,
-        true,
+        scene.needs_frequency(),
         wanted.motion.is_some(),
         wanted.stuck,
         wanted.simulation,
         wanted.orbit,
+        wanted.stepper,
+        wanted.stepper,
     ];
     let (types, mut items) = parts(&emission);
     let own = emission.names();
@@ -295,20 +308,24 @@ fn parts(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
         .as_deref()
         .map(|masses| motion::emit(emission, masses));
     let stuck = wanted.stuck.then(|| stuck::emit(emission));
-    items.extend(scene::emit(emission, &wanted));
-    items.extend(table::emit(emission, wanted.motion.is_some()));
+    if emission.scene.needs_frequency() {
+        items.extend(scene::emit(emission, &wanted));
+        items.extend(table::emit(emission, wanted.motion.is_some()));
+    }
     items.extend(missing::emit(emission, &wanted));
-    let in_time = wanted.simulation || wanted.orbit;
+    let in_time = wanted.simulation || wanted.orbit || wanted.stepper;
     let dynamics = in_time.then(|| dynamics::emit(emission));
-    let (mut simulation, mut orbit) = (None, None);
+    let (mut simulation, mut orbit, mut stepper) = (None, None, None);
     if let Some(dynamics) = dynamics {
         simulation = wanted
             .simulation
             .then(|| simulation::emit(emission, &dynamics));
         orbit = wanted.orbit.then(|| orbit::emit(emission, &dynamics));
+        stepper = wanted.stepper.then(|| stepper::emit(emission, &dynamics));
         items.extend(dynamics.items);
     }
-    for part in [motion, stuck, simulation, orbit].into_iter().flatten() {
+    let parts = [motion, stuck, simulation, orbit, stepper];
+    for part in parts.into_iter().flatten() {
         types.extend(part.types);
         items.extend(part.items);
     }

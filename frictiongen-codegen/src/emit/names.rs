@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
 /// What emitted code imports: a scene may have the same name.
-pub(super) const IMPORTED: [&str; 66] = [
+pub(super) const IMPORTED: [&str; 83] = [
     "Complex",
     "Scalar",
     "Chain",
@@ -47,6 +47,23 @@ pub(super) const IMPORTED: [&str; 66] = [
     "motion_wave",
     "Motion",
     "Wave",
+    "Channel",
+    "FixedStepper",
+    "FixedStore",
+    "FixedTables",
+    "HeldLoad",
+    "HeldRow",
+    "HeldStep",
+    "Input",
+    "MassNow",
+    "ModeStep",
+    "Pace",
+    "Row",
+    "Sample",
+    "StepScene",
+    "Stepped",
+    "Stepper",
+    "Units",
     "Compiled",
     "ContactTable",
     "Domain",
@@ -74,7 +91,7 @@ pub(super) const IMPORTED: [&str; 66] = [
 ];
 
 /// The names of the emitted types.
-pub(super) fn names(scene: &Ident) -> [Ident; 6] {
+pub(super) fn names(scene: &Ident) -> [Ident; 8] {
     [
         scene.clone(),
         suffixed(scene, "At"),
@@ -82,6 +99,8 @@ pub(super) fn names(scene: &Ident) -> [Ident; 6] {
         suffixed(scene, "Stuck"),
         suffixed(scene, "Simulation"),
         suffixed(scene, "Orbit"),
+        suffixed(scene, "Stepper"),
+        suffixed(scene, "Input"),
     ]
 }
 

@@ -3,14 +3,19 @@
 mod places;
 mod resolve;
 mod settings;
+mod stepping;
 
 use core::fmt;
 use std::collections::HashSet;
 
+use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Precision, Scene};
+use frictiongen_model::stepping::refused_step;
 use frictiongen_model::table::{TableError, Tables};
 use frictiongen_model::validate::{MOST_MASSES, may_name};
 use proc_macro2::{Ident, Span, TokenStream};
+
+use frictiongen_kernel::stepper::MAX_PARTS;
 
 use crate::diagnostics::{Diagnostics, Failure, Partial, Problems};
 use crate::parse;
@@ -151,6 +156,18 @@ fn lower(
                 problems.report(number.unwrap_or(syntax.place), error.to_string());
             }
         }
+    }
+    if let Some(scene) = scene
+        .as_ref()
+        .filter(|_| limits.tables && problems.is_empty())
+        && scene.stepping.step.is_some()
+        && let Some(angle) = refused_step(scene, &Modal::of(scene))
+    {
+        let place = fields.step.given().map_or(syntax.place, |step| step.place);
+        let message = format!(
+            "the fastest oscillator turns by {angle:.1e} rad in this step, and a stepper follows up to {MAX_PARTS}; write a shorter step"
+        );
+        problems.report(place, message);
     }
     match (scene, syntax.name) {
         (Some(scene), Some(name)) if problems.is_empty() => Ok(Description {

@@ -3,7 +3,10 @@
 use frictiongen_model::validate::Path;
 
 use crate::diagnostics::Place;
-use crate::parse::syntax::{AccuracyEntry, DampingKind, ProvideEntry, SpringEntry, Syntax};
+use crate::parse::Name;
+use crate::parse::syntax::{
+    AccuracyEntry, DampingKind, LawEntry, ProvideEntry, SpringEntry, Syntax,
+};
 
 /// The way back from a scene to what was written.
 pub(super) struct Places<'s> {
@@ -12,6 +15,8 @@ pub(super) struct Places<'s> {
     pub(super) springs: Vec<&'s SpringEntry>,
     /// The same for what to provide.
     pub(super) provide: Vec<&'s ProvideEntry>,
+    /// And for what may be loaded.
+    pub(super) force: Vec<&'s Name>,
 }
 
 impl Places<'_> {
@@ -63,7 +68,21 @@ impl Places<'_> {
             Path::Side => fields.side.given().map(|choice| choice.place),
             Path::Budget => fields.budget.given().map(|number| number.place),
             Path::Beyond => fields.beyond.given().map(|choice| choice.place),
+            Path::Friction(index) => self.friction(index),
+            Path::Step => fields.step.given().map(|number| number.place),
+            Path::Input => fields.input.given().map(|choice| choice.place),
+            Path::Force(None) => fields.force.given().map(|force| force.place),
+            Path::Force(Some(index)) => self.force.get(index).map(|name| name.place),
         }
+    }
+
+    fn friction(&self, index: Option<usize>) -> Option<Place> {
+        let friction = self.syntax.fields.friction.given()?;
+        let number = index.and_then(|index| match &friction.law {
+            LawEntry::Coulomb => None,
+            LawEntry::Stribeck(points) => points.as_flattened().get(index),
+        });
+        Some(number.map_or(friction.place, |number| number.place))
     }
 
     fn damping(&self, index: Option<usize>) -> Option<Place> {

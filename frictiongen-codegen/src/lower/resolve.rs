@@ -37,6 +37,8 @@ pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems)
     };
     let (provide, provide_entries) = lowering.provide(fields);
     let declared = lowering.declared(fields);
+    let friction = lowering.friction(fields);
+    let (stepping, force_entries) = lowering.stepping(fields);
     let scene = Scene {
         name: syntax
             .name
@@ -52,6 +54,8 @@ pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems)
         precision: fields.scalar.given().copied().unwrap_or_default(),
         provide,
         declared,
+        friction,
+        stepping,
     };
     let Lowering {
         problems,
@@ -64,6 +68,7 @@ pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems)
             syntax,
             springs: spring_entries,
             provide: provide_entries,
+            force: force_entries,
         };
         for error in errors {
             // A number that could not be read stands in the scene as NaN and has been reported.
@@ -159,7 +164,7 @@ impl<'s> Names<'s> {
 pub(super) struct Lowering<'s, 'p> {
     names: Names<'s>,
     pub(super) problems: &'p mut Problems,
-    checks: Checks,
+    pub(super) checks: Checks,
     /// Where numbers could not be read.
     unread: HashSet<Path>,
 }

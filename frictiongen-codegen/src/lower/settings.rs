@@ -85,6 +85,11 @@ impl<'s> Lowering<'s, '_> {
     /// The items that could be read, with what was written of each.
     pub(super) fn provide(&mut self, fields: &'s Fields) -> (Vec<Provide>, Vec<&'s ProvideEntry>) {
         let default = || (vec![Provide::Limits, Provide::Motion(None)], Vec::new());
+        self.checks.provide = match &fields.provide {
+            Slot::Missing => true,
+            Slot::Broken => false,
+            Slot::Given(written) => written.list.complete,
+        };
         let Slot::Given(Placed { list, .. }) = &fields.provide else {
             return default();
         };

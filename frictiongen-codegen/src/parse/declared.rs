@@ -138,7 +138,7 @@ pub(crate) fn beyond(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<C
     choice(reader, problems, "beyond", choices)
 }
 
-fn choice<T: Copy>(
+pub(crate) fn choice<T: Copy>(
     reader: &mut Reader<'_>,
     problems: &mut Problems,
     field: &str,

@@ -7,6 +7,7 @@ use super::declared;
 use super::forms;
 use super::graph;
 use super::reader::{Name, Read, Reader};
+use super::stepping;
 use super::suggest;
 use super::syntax::{Fields, Slot};
 use super::token::{Kind, Token};
@@ -28,10 +29,14 @@ enum Field {
     Side,
     Budget,
     Beyond,
+    Friction,
+    Step,
+    Input,
+    Force,
     Crate,
 }
 
-const FIELDS: [(&str, Field); 14] = [
+const FIELDS: [(&str, Field); 18] = [
     ("masses", Field::Masses),
     ("springs", Field::Springs),
     ("contact", Field::Contact),
@@ -45,6 +50,10 @@ const FIELDS: [(&str, Field); 14] = [
     ("side", Field::Side),
     ("budget", Field::Budget),
     ("beyond", Field::Beyond),
+    ("friction", Field::Friction),
+    ("step", Field::Step),
+    ("input", Field::Input),
+    ("force", Field::Force),
     ("crate", Field::Crate),
 ];
 
@@ -146,6 +155,22 @@ fn field(
             problems,
             declared::beyond,
         ),
+        Field::Friction => store(
+            &mut fields.friction,
+            &word,
+            reader,
+            problems,
+            stepping::friction,
+        ),
+        Field::Step => store(
+            &mut fields.step,
+            &word,
+            reader,
+            problems,
+            super::number::number,
+        ),
+        Field::Input => store(&mut fields.input, &word, reader, problems, stepping::input),
+        Field::Force => store(&mut fields.force, &word, reader, problems, stepping::force),
         Field::Crate => store(&mut fields.facade, &word, reader, problems, facade),
     }
 }
@@ -153,14 +178,8 @@ fn field(
 /// What belongs to a question rather than to a scene, and what its author is told.
 const ASKED: [(&[&str], &str); 3] = [
     (
-        &[
-            "friction",
-            "friction_force",
-            "friction_ratio",
-            "beta",
-            "coulomb",
-        ],
-        "how much friction there is, β = F/P, is said when an answer is asked for, as in `at.motion(0.3)` or `--beta 0.3`; leave it out, and see `stiction` for μ, static over kinetic friction",
+        &["friction_force", "friction_ratio", "beta", "coulomb"],
+        stepping::HOW_MUCH,
     ),
     (
         &["frequency", "frequency_ratio", "omega", "r"],

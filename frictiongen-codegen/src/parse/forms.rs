@@ -9,8 +9,15 @@ use super::syntax::{DampingEntry, DampingKind, Placed, ProvideEntry, ProvideKind
 use crate::diagnostics::{Place, Problems, Reported};
 
 const DAMPING: [&str; 3] = ["none", "modal", "rayleigh"];
-/// What can be provided; the stepper, which is not built yet, is known but not advised.
-const PROVIDE: [&str; 5] = ["limits", "motion", "stuck", "orbit", "simulation"];
+/// What can be provided.
+const PROVIDE: [&str; 6] = [
+    "limits",
+    "motion",
+    "stuck",
+    "orbit",
+    "simulation",
+    "stepper",
+];
 
 /// `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)`
 pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<DampingEntry> {
@@ -162,7 +169,7 @@ fn provide_item(
         "motion" => ProvideKind::Motion(
             reader
                 .take_group(Delimiter::Parenthesis)
-                .map(|mut inside| mass_names(&mut inside.reader, problems)),
+                .map(|mut inside| mass_names(&mut inside.reader, problems, "motion(m1)")),
         ),
         text => {
             let hint = suggest::hint(text, PROVIDE, all);
@@ -172,7 +179,12 @@ fn provide_item(
     Ok(ProvideEntry { place, kind })
 }
 
-fn mass_names(reader: &mut Reader<'_>, problems: &mut Problems) -> List<Name> {
+/// The names of masses; an example of a list of them for who writes something else.
+pub(crate) fn mass_names(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+    example: &str,
+) -> List<Name> {
     let begins = |reader: &Reader<'_>| reader.is_word(0);
     reader.list(
         problems,
@@ -184,7 +196,7 @@ fn mass_names(reader: &mut Reader<'_>, problems: &mut Problems) -> List<Name> {
                 .take_word()
                 .ok_or_else(|| {
                     let message = format!(
-                        "the name of a mass belongs here, not {}; write, for example, `motion(m1)`",
+                        "the name of a mass belongs here, not {}; write, for example, `{example}`",
                         reader.found()
                     );
                     problems.report(place, message)

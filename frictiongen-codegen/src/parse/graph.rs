@@ -163,7 +163,7 @@ pub(crate) fn excitation(reader: &mut Reader<'_>, problems: &mut Problems) -> Re
 }
 
 /// A list in braces.
-fn braces<T>(
+pub(crate) fn braces<T>(
     reader: &mut Reader<'_>,
     problems: &mut Problems,
     what: &str,

@@ -11,6 +11,7 @@ mod header;
 mod lex;
 mod number;
 mod reader;
+mod stepping;
 pub(crate) mod suggest;
 pub(crate) mod syntax;
 mod token;

@@ -1,6 +1,6 @@
 //! What was written, with the place of each word; nothing is resolved yet.
 
-use frictiongen_model::scene::{Beyond, Precision, Side};
+use frictiongen_model::scene::{Beyond, Precision, Side, StepInput};
 
 use super::number::Number;
 use super::reader::{List, Name};
@@ -108,6 +108,18 @@ pub(crate) struct RangeEntry {
     pub(crate) friction: Option<Span>,
 }
 
+pub(crate) struct FrictionEntry {
+    /// The word that names the law.
+    pub(crate) place: Place,
+    pub(crate) law: LawEntry,
+}
+
+pub(crate) enum LawEntry {
+    Coulomb,
+    /// Speed and level of each point.
+    Stribeck(Vec<[Number; 2]>),
+}
+
 /// One of a few words, with its place.
 pub(crate) struct Choice<T> {
     pub(crate) value: T,
@@ -141,5 +153,9 @@ pub(crate) struct Fields {
     pub(crate) side: Slot<Choice<Side>>,
     pub(crate) budget: Slot<Number>,
     pub(crate) beyond: Slot<Choice<Beyond>>,
+    pub(crate) friction: Slot<FrictionEntry>,
+    pub(crate) step: Slot<Number>,
+    pub(crate) input: Slot<Choice<StepInput>>,
+    pub(crate) force: Slot<Placed<Name>>,
     pub(crate) facade: Slot<syn::Path>,
 }

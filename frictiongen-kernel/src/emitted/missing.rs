@@ -3,6 +3,18 @@
 //! Emitted code has a method of that name all the same, which asks for one of these traits.  Nothing implements
 //! them, and the compiler says what to add to which field.
 
+/// Of a scene that provides its `stepper` alone.
+#[diagnostic::on_unimplemented(
+    message = "this scene provides its stepper alone",
+    label = "add `limits` to the scene's `provide: [...]`"
+)]
+pub trait AddLimitsToProvide {
+    /// Nothing.
+    type Answer;
+    /// Never called.
+    fn answer() -> Self::Answer;
+}
+
 /// Of a scene without `motion` under `provide`.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `motion`",
@@ -33,6 +45,18 @@ pub trait AddOrbitToProvide {
     label = "add `simulation` to the scene's `provide: [...]`"
 )]
 pub trait AddSimulationToProvide {
+    /// Nothing.
+    type Answer;
+    /// Never called.
+    fn answer() -> Self::Answer;
+}
+
+/// Of a scene without `stepper` under `provide`.
+#[diagnostic::on_unimplemented(
+    message = "this scene does not provide `stepper`",
+    label = "add `stepper` to the scene's `provide: [...]`"
+)]
+pub trait AddStepperToProvide {
     /// Nothing.
     type Answer;
     /// Never called.
@@ -112,6 +136,46 @@ macro_rules! not_provided {
                 &'a Self: $crate::emitted::missing::AddStuckToProvide,
             {
                 <&'a Self as $crate::emitted::missing::AddStuckToProvide>::answer()
+            }
+        }
+    };
+    (@ $type:ident limits) => {
+        impl $type {
+            #[doc(hidden)]
+            pub fn at<T: $crate::emitted::missing::AddLimitsToProvide>(_: T) -> T::Answer {
+                T::answer()
+            }
+
+            #[doc(hidden)]
+            pub fn limits_without_search<T: $crate::emitted::missing::AddLimitsToProvide>(
+                _: T,
+            ) -> T::Answer {
+                T::answer()
+            }
+
+            #[doc(hidden)]
+            pub fn limits_into<T: $crate::emitted::missing::AddLimitsToProvide, U, V>(
+                _: T,
+                _: U,
+                _: V,
+            ) -> T::Answer {
+                T::answer()
+            }
+        }
+    };
+    (@ $type:ident stepper) => {
+        impl $type {
+            #[doc(hidden)]
+            pub fn stepper<T: $crate::emitted::missing::AddStepperToProvide>(_: T) -> T::Answer {
+                T::answer()
+            }
+
+            #[doc(hidden)]
+            pub fn stepper_from<T: $crate::emitted::missing::AddStepperToProvide, U>(
+                _: T,
+                _: U,
+            ) -> T::Answer {
+                T::answer()
             }
         }
     };

@@ -21,6 +21,10 @@ pub use crate::response::{
 pub use crate::simulation::{
     Dynamics, FixedSimulation, HeldMode, Moment, Part, Segment, Simulation,
 };
+pub use crate::stepper::{
+    Channel, FixedStepper, FixedStore, FixedTables, HeldLoad, HeldRow, HeldStep, Input, MassNow,
+    ModeStep, Pace, Row, Sample, StepScene, Stepped, Stepper, Units,
+};
 pub use crate::table::{
     Compiled, ContactTable, Domain, Factor, Moving, Piece, Quotient, SteadyContact, Table, Tabled,
     TabledMotion,

@@ -39,6 +39,19 @@ impl<S: Float> StepScene<'_, S> {
         usize::from(self.on_base) + self.forces.len()
     }
 
+    /// The angle by which the fastest oscillator turns in a second, its damping included, in rad: a step dt is cut into
+    /// as many parts as this times dt.
+    #[must_use]
+    pub fn fastest(&self) -> S {
+        let (one, two) = (S::constant(1.0), S::constant(2.0));
+        let turned = |frequency: S, zeta: S| frequency * (one + two * zeta);
+        let modes = self.dynamics.modes.iter();
+        let modes = modes.map(|mode| turned(mode.resonance, mode.zeta));
+        let held = self.dynamics.held.iter();
+        let held = held.map(|mode| turned(mode.frequency, mode.zeta));
+        modes.chain(held).fold(S::constant(0.0), S::max) * self.units.rate
+    }
+
     /// How strongly an input drives a mode.
     pub(super) fn load(&self, channel: usize, mode: usize) -> S {
         let zero = S::constant(0.0);

@@ -5,7 +5,8 @@ use super::zeros::Zeros;
 use super::{Fitted, Request, TableError, Tables};
 use crate::modal::Modal;
 use crate::scene::{
-    Contact, Damping, Declared, Excitation, Mass, Node, Precision, Provide, Scene, Side, Spring,
+    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
+    Side, Spring, Stepping,
 };
 use frictiongen_kernel::table::{Piece, Table};
 
@@ -34,6 +35,8 @@ fn chain(count: usize, damping: Damping) -> Scene {
         precision: Precision::F64,
         provide: vec![Provide::Limits],
         declared: Declared::default(),
+        friction: FrictionLaw::default(),
+        stepping: Stepping::default(),
     }
 }
 

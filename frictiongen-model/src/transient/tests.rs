@@ -26,6 +26,8 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
         precision: Precision::F64,
         provide: Vec::new(),
         declared: crate::scene::Declared::default(),
+        friction: crate::scene::FrictionLaw::default(),
+        stepping: crate::scene::Stepping::default(),
     }
 }
 

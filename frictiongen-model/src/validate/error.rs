@@ -167,8 +167,6 @@ pub enum SceneError {
         "`motion()` names no mass; write `motion` for all masses, or name some in the parentheses"
     )]
     MotionOfNothing { path: Path },
-    #[error("`stepper` is not built yet: leave it out; the other items are there")]
-    StepperNotBuilt { path: Path },
     #[error(
         "an accuracy is a relative error from {finest:?} to 0.1, not {value:?}; write, for example, `accuracy: 1e-4`, or `exact`"
     )]
@@ -195,6 +193,48 @@ pub enum SceneError {
         "friction ratios range over 0 ≤ a < b, not {low:?}..{high:?}; write, for example, `beta: 0..1.5`"
     )]
     RangeOfFriction { path: Path, low: f64, high: f64 },
+    #[error("`{field}` belongs to the stepper: add `stepper` to `provide`, or leave the field out")]
+    WithoutStepper { path: Path, field: String },
+    #[error(
+        "`stribeck` is for the stepper, as the exact continuous response needs a constant kinetic level; write `provide: [stepper]`, or `friction: coulomb`"
+    )]
+    StribeckWithoutStepper { path: Path },
+    #[error(
+        "`{item}` does not go with `stribeck`: the exact continuous response needs a constant kinetic level; leave it out, or write `friction: coulomb`"
+    )]
+    NeedsConstantLevel { path: Path, item: String },
+    #[error(
+        "`{field}` is for limits and motion, and only `stepper` is provided; add `limits` to `provide`, or leave the field out"
+    )]
+    NothingToTabulate { path: Path, field: String },
+    #[error(
+        "`stribeck()` has no point; write, for example, `stribeck(0.1: 0.8)` for 0.8·F from the speed 0.1 on, or `coulomb`"
+    )]
+    StribeckWithoutPoints { path: Path },
+    #[error(
+        "the speeds of `stribeck` ascend from above zero, but {value:?} follows {before:?}; write the points in ascending order, without one at rest, where the level is 1"
+    )]
+    StribeckNotAscending { path: Path, value: f64, before: f64 },
+    #[error(
+        "the kinetic level is {value:?}: negative friction would feed energy in; write zero or more"
+    )]
+    StribeckNegative { path: Path, value: f64 },
+    #[error(
+        "the kinetic level {value:?} is above μ = {stiction:?}, but static friction is never smaller than kinetic; write at most μ"
+    )]
+    StribeckAboveStatic {
+        path: Path,
+        value: f64,
+        stiction: f64,
+    },
+    #[error(
+        "the step is {value:?}: it must be greater than zero; write it in seconds, for example `step: 1e-3`"
+    )]
+    StepNotPositive { path: Path, value: f64 },
+    #[error("the mass `{name}` is loaded by the excitation already; leave it out of `force`")]
+    ForceOnExcitation { path: Path, name: String },
+    #[error("`force` names `{name}` twice; name it once")]
+    ForceTwice { path: Path, name: String },
 }
 
 impl SceneError {
@@ -233,14 +273,24 @@ impl SceneError {
             | Self::NothingProvided { path }
             | Self::ProvidedTwice { path, .. }
             | Self::MotionOfNothing { path }
-            | Self::StepperNotBuilt { path }
             | Self::AccuracyOutside { path, .. }
             | Self::AccuracyWithoutRange { path }
             | Self::AccuracyAndBudget { path }
             | Self::BudgetOutside { path, .. }
             | Self::WithoutAccuracy { path, .. }
             | Self::RangeOfRatio { path, .. }
-            | Self::RangeOfFriction { path, .. } => *path,
+            | Self::RangeOfFriction { path, .. }
+            | Self::WithoutStepper { path, .. }
+            | Self::StribeckWithoutStepper { path }
+            | Self::NeedsConstantLevel { path, .. }
+            | Self::NothingToTabulate { path, .. }
+            | Self::StribeckWithoutPoints { path }
+            | Self::StribeckNotAscending { path, .. }
+            | Self::StribeckNegative { path, .. }
+            | Self::StribeckAboveStatic { path, .. }
+            | Self::StepNotPositive { path, .. }
+            | Self::ForceOnExcitation { path, .. }
+            | Self::ForceTwice { path, .. } => *path,
         }
     }
 }

@@ -17,6 +17,7 @@ pub const RESERVED: &[&str] = &[
     "simulation",
     "simulation_from",
     "stepper",
+    "stepper_from",
     // at one frequency ratio
     "continuous_limit",
     "continuous_limit_per_mode",
@@ -46,6 +47,19 @@ pub const RESERVED: &[&str] = &[
     "reversals",
     "stops",
     "stuck_fraction",
+    // a stepper and its input
+    "advance",
+    "begin",
+    "dt",
+    "exceeded",
+    "force",
+    "friction",
+    "restore",
+    "save",
+    "set_stiction",
+    "steps",
+    "time",
+    "work",
     // what a derive puts on the types: a mass of that name would hide it
     "clone",
     "eq",

@@ -89,9 +89,6 @@ fn check_provide(scene: &Scene, errors: &mut Vec<SceneError>) {
                 item: item_name(item).to_owned(),
             });
         }
-        if *item == Provide::Stepper {
-            errors.push(SceneError::StepperNotBuilt { path });
-        }
         if let Provide::Motion(Some(masses)) = item {
             if masses.is_empty() {
                 errors.push(SceneError::MotionOfNothing { path });
@@ -103,7 +100,7 @@ fn check_provide(scene: &Scene, errors: &mut Vec<SceneError>) {
     }
 }
 
-fn item_name(item: &Provide) -> &'static str {
+pub(super) fn item_name(item: &Provide) -> &'static str {
     match item {
         Provide::Limits => "limits",
         Provide::Motion(_) => "motion",

@@ -2,7 +2,10 @@
 //! where each has a line and a column.
 
 use super::*;
-use crate::scene::{Accuracy, Contact, Damping, Declared, Mass, Precision, Provide, Range, Spring};
+use crate::scene::{
+    Accuracy, Contact, Damping, Declared, FrictionLaw, Mass, Precision, Provide, Range, Spring,
+    Stepping,
+};
 
 fn mass(name: &str, value: f64) -> Mass {
     Mass {
@@ -38,6 +41,8 @@ fn chain(count: usize) -> Scene {
         precision: Precision::F64,
         provide: vec![Provide::Limits],
         declared: Declared::default(),
+        friction: FrictionLaw::default(),
+        stepping: Stepping::default(),
     }
 }
 
@@ -76,6 +81,8 @@ fn masses_that_do_not_exist_are_told_wherever_they_are_named() {
     };
     scene.excitation = Excitation::Force(6);
     scene.provide.push(Provide::Motion(Some(vec![0, 7])));
+    scene.provide.push(Provide::Stepper);
+    scene.stepping.forces = vec![1, 8];
     let paths: Vec<_> = messages(&scene).into_iter().map(|(path, _)| path).collect();
     assert_eq!(
         paths,
@@ -84,7 +91,8 @@ fn masses_that_do_not_exist_are_told_wherever_they_are_named() {
             Path::SpringTo(2),
             Path::ContactTo,
             Path::Excitation,
-            Path::Provide(Some(1))
+            Path::Provide(Some(1)),
+            Path::Force(Some(1))
         ]
     );
     let (_, message) = messages(&scene).swap_remove(3);
@@ -113,6 +121,9 @@ fn numbers_that_are_not_finite_are_told_wherever_they_stand() {
         r: (0.0, f64::INFINITY),
         beta: (f64::NAN, 1.0),
     });
+    scene.provide = vec![Provide::Stepper, Provide::Limits];
+    scene.stepping.step = Some(f64::NAN);
+    scene.friction = FrictionLaw::Stribeck(vec![[f64::NAN, 0.5], [1.0, f64::INFINITY]]);
     let paths: Vec<_> = messages(&scene).into_iter().map(|(path, _)| path).collect();
     assert_eq!(
         paths,
@@ -125,7 +136,11 @@ fn numbers_that_are_not_finite_are_told_wherever_they_stand() {
             Path::Stiction,
             Path::Accuracy,
             Path::RangeOfRatio,
-            Path::RangeOfFriction
+            Path::RangeOfFriction,
+            Path::Friction(Some(0)),
+            Path::Friction(Some(3)),
+            Path::Provide(Some(1)),
+            Path::Step
         ]
     );
     assert_eq!(

@@ -4,7 +4,8 @@ use super::error::InvalidScene;
 use super::system::System;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{
-    Contact, Damping, Declared, Excitation, Mass, Node, Precision, Provide, Scene, Spring,
+    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
+    Spring, StepInput, Stepping,
 };
 use frictiongen_model::validate::{Checks, validate_known};
 
@@ -38,6 +39,10 @@ pub struct Builder {
     excitation: Option<String>,
     damping: Damping,
     stiction: f64,
+    friction: FrictionLaw,
+    step: Option<f64>,
+    input: StepInput,
+    forces: Vec<String>,
 }
 
 impl System {
@@ -51,6 +56,10 @@ impl System {
             excitation: None,
             damping: Damping::None,
             stiction: 1.0,
+            friction: FrictionLaw::Coulomb,
+            step: None,
+            input: StepInput::Linear,
+            forces: Vec::new(),
         }
     }
 }
@@ -99,6 +108,48 @@ impl Builder {
     /// Sets μ, the ratio of static to kinetic friction; 1 unless it is set.
     pub fn stiction(mut self, stiction: f64) -> Self {
         self.stiction = stiction;
+        self
+    }
+
+    /// Sets the friction law; Coulomb's unless it is set.  With another only the stepper answers.
+    ///
+    /// ```
+    /// use frictiongen::study::System;
+    /// use frictiongen::study::scene::FrictionLaw;
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let string: System = System::builder()
+    ///     .mass("string", 0.01)
+    ///     .spring("base", "string", 1e5)
+    ///     .contact("string", "base")
+    ///     .excitation("base")
+    ///     .friction(FrictionLaw::Stribeck(vec![[0.02, 0.5], [0.2, 0.3]]))
+    ///     .build()?;
+    /// let told = string.at(0.9).map(|_| ()).map_err(|error| error.to_string());
+    /// assert!(told.is_err_and(|told| told.contains("needs a constant kinetic level")));
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn friction(mut self, law: FrictionLaw) -> Self {
+        self.friction = law;
+        self
+    }
+
+    /// Sets the stepper's step, in s; at run time it is kept for what is emitted of the scene.
+    pub fn step(mut self, step: f64) -> Self {
+        self.step = Some(step);
+        self
+    }
+
+    /// Says what the stepper's input does between samples; linear unless it is said.
+    pub fn input(mut self, input: StepInput) -> Self {
+        self.input = input;
+        self
+    }
+
+    /// Adds a mass that the stepper may load besides the excitation; at run time every mass may be loaded.
+    pub fn force(mut self, mass: &str) -> Self {
+        self.forces.push(mass.to_owned());
         self
     }
 
@@ -185,6 +236,20 @@ impl Builder {
                 Excitation::Base
             }
         };
+        let mut forces = Vec::with_capacity(self.forces.len());
+        for name in &self.forces {
+            let known = self.masses.iter().position(|mass| mass.name == *name);
+            match known {
+                Some(mass) => forces.push(mass),
+                None => unknown.push(format!("`force` names `{name}`, which is no mass")),
+            }
+        }
+        let stepping = Stepping {
+            step: self.step,
+            input: self.input,
+            forces,
+        };
+        let provide = provided(&self.friction, &stepping);
         let scene = Scene {
             name: self.name,
             masses: self.masses,
@@ -194,8 +259,10 @@ impl Builder {
             damping: self.damping,
             stiction: self.stiction,
             precision: Precision::F64,
-            provide: vec![Provide::Limits, Provide::Motion(None)],
+            provide,
             declared: Declared::default(),
+            friction: self.friction,
+            stepping,
         };
         if unknown.is_empty() {
             return System::try_from(scene);
@@ -203,4 +270,16 @@ impl Builder {
         let errors = validate_known(&scene, &checks).err().unwrap_or_default();
         Err(InvalidScene { unknown, errors })
     }
+}
+
+/// What a scene of these settings can be emitted with.
+fn provided(friction: &FrictionLaw, stepping: &Stepping) -> Vec<Provide> {
+    if *friction != FrictionLaw::Coulomb {
+        return vec![Provide::Stepper];
+    }
+    let mut provide = vec![Provide::Limits, Provide::Motion(None)];
+    if *stepping != Stepping::default() {
+        provide.push(Provide::Stepper);
+    }
+    provide
 }

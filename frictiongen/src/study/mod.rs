@@ -18,6 +18,7 @@ mod physical;
 mod response;
 mod sensitivity;
 mod simulation;
+mod stepper;
 mod system;
 pub mod units;
 
@@ -45,6 +46,7 @@ pub use physical::{OperatingPoint, Parameter, ParameterSensitivity, ResponseSens
 pub use response::{Size, Swing, SystemResponse};
 pub use sensitivity::{Sensitive, Varied};
 pub use simulation::SystemSimulation;
+pub use stepper::{SystemInput, SystemStepSaved, SystemStepStore, SystemStepTables, SystemStepper};
 pub use system::System;
 pub use units::{Load, LoadError, LoadScale};
 

@@ -46,8 +46,9 @@ impl<S: Plain> System<S> {
     /// ```
     ///
     /// # Errors
-    /// [`OutOfDomain`] unless r is positive and finite and β finite and not negative.
+    /// [`OutOfDomain`] unless r is positive and finite and β finite and not negative; and for `friction: stribeck`.
     pub fn simulation(&self, r: S, beta: S) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
+        self.constant_level()?;
         let run = Simulation::new(self.dynamics(), r, beta, None, self.parts())?;
         Ok(SystemSimulation { system: self, run })
     }
@@ -62,6 +63,7 @@ impl<S: Plain> System<S> {
         beta: S,
         state: (&[S], &[S]),
     ) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
+        self.constant_level()?;
         self.check_state(state)?;
         let run = Simulation::new(self.dynamics(), r, beta, Some(state), self.parts())?;
         Ok(SystemSimulation { system: self, run })

@@ -12,7 +12,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::response::{At, Scene as _};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;
-use frictiongen_model::scene::Scene;
+use frictiongen_model::scene::{FrictionLaw, Scene};
+use frictiongen_model::stepping::Steps;
 use frictiongen_model::transient::Transient;
 use frictiongen_model::validate::validate;
 use std::sync::OnceLock;
@@ -46,6 +47,7 @@ pub struct System<S = f64> {
     /// The smallest and the largest 1/r at which the formulas are evaluated.
     pub(super) range: (S, S),
     transient: OnceLock<Transient<S>>,
+    steps: OnceLock<Steps<S>>,
 }
 
 impl<S: Float> std::str::FromStr for System<S> {
@@ -110,6 +112,7 @@ impl<S: Float> System<S> {
             resonances: all(data.resonances.clone()),
             reference: to(data.reference),
             transient: OnceLock::new(),
+            steps: OnceLock::new(),
         }
     }
 
@@ -127,6 +130,13 @@ impl<S: Float> System<S> {
     pub(super) fn transient(&self) -> &Transient<S> {
         self.transient
             .get_or_init(|| Transient::of(&self.scene, &self.modal, rounded::<S>))
+    }
+
+    /// What a stepper needs besides: every mass may be loaded.
+    pub(super) fn steps(&self) -> &Steps<S> {
+        let masses = 0..self.scene.masses.len();
+        self.steps
+            .get_or_init(|| Steps::of(&self.scene, &self.modal, masses, rounded::<S>))
     }
 
     /// The scene as it was described.
@@ -183,8 +193,10 @@ impl<S: Float> System<S> {
     /// The scene at the frequency ratio r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.  Also for `friction: stribeck`, as the
+    /// exact continuous response needs a constant kinetic level.
     pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
+        self.constant_level()?;
         At::new(self, r).map(SystemAt::from)
     }
 
@@ -192,13 +204,15 @@ impl<S: Float> System<S> {
     /// (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.  Also for `friction: stribeck`, as the
+    /// exact continuous response needs a constant kinetic level.
     pub fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
+        self.constant_level()?;
         At::limits_without_search(&self, r)
     }
 
     /// β_n,i: the friction ratio below which the i-th undamped resonance is unbounded (6.2, 6.26);
-    /// none for a mode that the contact does not drive.
+    /// none for a mode that the contact does not drive.  As of every closed form, F is a constant kinetic level here.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<S>> {
         self.modal
@@ -246,6 +260,16 @@ impl<S: Float> System<S> {
     pub fn high_frequency_limits(&self) -> (S, S) {
         let ends = &self.reduced.ends;
         (ends.continuous_at_infinity, ends.sliding_at_infinity)
+    }
+
+    /// Nothing, if the kinetic level is constant: the exact response and the motion from event to event rest on that.
+    pub(super) fn constant_level(&self) -> Result<(), OutOfDomain> {
+        match self.scene.friction {
+            FrictionLaw::Coulomb => Ok(()),
+            FrictionLaw::Stribeck(_) => Err(OutOfDomain {
+                argument: "stribeck",
+            }),
+        }
     }
 
     pub(super) fn mass_index(&self, name: &str) -> Result<usize, UnknownMass> {

@@ -209,7 +209,7 @@ struct Frame {
     springs: { base - lower: 1190.0, lower - upper: 1323.0 },
     contact: upper - wall,
     excitation: base,
-    friction: 2.0,
+    friction_force: 2.0,
 }
 }
 }

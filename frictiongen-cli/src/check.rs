@@ -1,0 +1,60 @@
+//! `frictiongen check`: the errors of a description, as a compiler prints them.
+
+use crate::args::CheckArguments;
+use crate::failure::Failure;
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use frictiongen_codegen::{Diagnostic, Limits, parse_text};
+use std::io::Write;
+use std::ops::Range;
+
+/// Runs the command.
+pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let name = arguments.file.name();
+    let text = arguments.file.text()?;
+    // What a macro would refuse is refused here too.
+    let description = parse_text(&text, &Limits::MACRO).map_err(|diagnostics| {
+        let list = diagnostics.list.iter();
+        Failure::Lines(list.map(|error| shown(&name, &text, error)).collect())
+    })?;
+    let scene = &description.scene;
+    let count = |count: usize, one: &str, more: &str| match count {
+        1 => format!("1 {one}"),
+        count => format!("{count} {more}"),
+    };
+    let masses = count(scene.masses.len(), "mass", "masses");
+    let springs = count(scene.springs.len(), "spring", "springs");
+    writeln!(out, "{name}: no errors; {masses}, {springs}")?;
+    Ok(out.flush()?)
+}
+
+/// An error with the line that it is on.
+fn shown(name: &str, text: &str, error: &Diagnostic) -> String {
+    let snippet = Snippet::source(text)
+        .path(name)
+        .annotation(AnnotationKind::Primary.span(token(text, error.line, error.column)));
+    let report = Level::ERROR
+        .primary_title(error.message.as_str())
+        .element(snippet);
+    Renderer::plain().render(&[report])
+}
+
+/// The bytes of the token at a line and a column, both counted from 1; none beyond the end.
+fn token(text: &str, line: usize, column: usize) -> Range<usize> {
+    let before: usize = text
+        .split_inclusive('\n')
+        .take(line - 1)
+        .map(str::len)
+        .sum();
+    let rest = text.get(before..).unwrap_or_default();
+    let within = rest.char_indices().nth(column - 1);
+    let start = before + within.map_or(rest.len(), |(place, _)| place);
+    let token = text.get(start..).unwrap_or_default();
+    let word = |letter: char| letter.is_alphanumeric() || letter == '_' || letter == '.';
+    // A number may have a sign; what is no word is a sign or a bracket.
+    let first = token.chars().next().map_or(0, char::len_utf8);
+    let sign = if token.starts_with('-') { first } else { 0 };
+    let after = token.get(sign..).unwrap_or_default();
+    let length = sign + after.find(|letter| !word(letter)).unwrap_or(after.len());
+    let length = length.max(first);
+    start..start + length
+}

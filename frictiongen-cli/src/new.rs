@@ -1,0 +1,28 @@
+//! `frictiongen new`: a description to start from.
+
+use crate::args::NewArguments;
+use crate::failure::{Failure, reason};
+use std::fs::OpenOptions;
+use std::io::Write;
+use std::path::Path;
+
+/// A frame of two storeys, every field of it explained.
+const SCENE: &str = include_str!("new.friction");
+
+/// Runs the command.
+pub fn run(arguments: &NewArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let path = arguments.file.as_deref();
+    let Some(path) = path.filter(|path| *path != Path::new("-")) else {
+        out.write_all(SCENE.as_bytes())?;
+        return Ok(out.flush()?);
+    };
+    let file = OpenOptions::new().write(true).create_new(true).open(path);
+    let written = file.and_then(|mut file| file.write_all(SCENE.as_bytes()));
+    written.map_err(|error| {
+        let why = match error.kind() {
+            std::io::ErrorKind::AlreadyExists => "it is there already".to_owned(),
+            _ => reason(&error),
+        };
+        Failure::new(format_args!("cannot write {}: {why}", path.display()))
+    })
+}

@@ -1,0 +1,301 @@
+//! The stepper: a fixed step in physical time, under any input.
+
+use super::dynamics::{Constants, count};
+use super::names::local;
+use super::step_table::{self, Sizes};
+use super::{Emission, Part, rounded};
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::stepper::{Input, MAX_EVENTS, MAX_PARTS, StepScene, Units};
+use frictiongen_model::stepping::Steps;
+use frictiongen_model::transient::Transient;
+use proc_macro2::{Ident, Literal, TokenStream};
+
+pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
+    let Emission {
+        scene,
+        modal,
+        precision,
+        name,
+        stepper,
+        input,
+        scalar,
+        facade,
+        ..
+    } = emission;
+    let steps = Steps::of(scene, modal, std::iter::empty(), |value| value);
+    let transient = Transient::<Dd>::of(scene, modal, |value| value);
+    let exact = steps.scene(transient.dynamics());
+    let sizes = Sizes {
+        coefficients: steps.coefficients(),
+        modes: transient.modes.len(),
+        held: constants.driven - 1,
+        inputs: steps.inputs(),
+    };
+    let literals = sizes.literals();
+    let masses = count(scene.masses.len());
+    let number = |value: Dd| emission.literal(rounded(value, *precision));
+    let step_scene = step_scene(emission, &steps, &number);
+    let tables = scene
+        .stepping
+        .step
+        .and_then(|step| step_table::emit(emission, &exact, step, &sizes));
+    let cost = cost(&exact, scene.stepping.step);
+    let from_tables = tables.is_some().then(|| {
+        code! {
+            if dt == Self::STEP {
+                return Ok(Self::STEP_TABLES);
+            }
+        }
+    });
+    let types = types(emission, &steps, &literals, &cost);
+    let methods = methods(emission);
+    let fields = force_fields(emission, &steps);
+    let base = if steps.on_base {
+        code!([input.displacement, input.velocity])
+    } else {
+        code!([0.0; 2])
+    };
+    let sample = code! {
+        Sample { base: #base, forces: &[#(input.#fields),*], friction: input.friction }
+    };
+    let when = match steps.input {
+        Input::Hold => " Takes a step under an input that is held over it.",
+        Input::Linear => " Takes a step, in a straight line from the last input to this one.",
+    };
+    let loaded = steps.forces.iter().map(|mass| count(*mass));
+    let on_base = steps.on_base;
+    let items = code! {
+        impl #name {
+            #step_scene
+            #tables
+
+            #[inline]
+            fn step_tables(dt: #scalar) -> Result<FixedTables<#scalar, #literals>, OutOfDomain> {
+                #from_tables
+                FixedTables::new(&Self::STEP_SCENE, dt)
+            }
+
+            /// The motion by steps of dt, in s, from rest under no load.
+            ///
+            #(#[doc = #cost])*
+            ///
+            /// # Errors
+            /// `OutOfDomain` for a step that is not positive and finite, or too long.
+            #[inline]
+            pub fn stepper(dt: #scalar) -> Result<#stepper, OutOfDomain> {
+                let tables = Self::step_tables(dt)?;
+                Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), None).map(From::from)
+            }
+
+            /// The same from a state: displacement and velocity of every mass.
+            ///
+            /// # Errors
+            /// `OutOfDomain` also for a state that is not finite.
+            #[inline]
+            pub fn stepper_from(
+                dt: #scalar,
+                state: (&[#scalar; #masses], &[#scalar; #masses]),
+            ) -> Result<#stepper, OutOfDomain> {
+                let tables = Self::step_tables(dt)?;
+                let state = Some((&state.0[..], &state.1[..]));
+                Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), state).map(From::from)
+            }
+        }
+
+        #facade::kernel::wraps!(#stepper, FixedStepper of #scalar, #literals);
+
+        impl #stepper {
+            /// Says what the input is before the first step; none unless said so.
+            ///
+            /// # Errors
+            /// `OutOfDomain` as of `advance`, and after the first step.
+            pub fn begin(&mut self, input: #input) -> Result<(), OutOfDomain> {
+                self.0.begin(#sample)
+            }
+
+            #[doc = #when]
+            ///
+            #(#[doc = #cost])*
+            ///
+            /// # Errors
+            /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares
+            /// overflow: the stepper is then what it was.
+            pub fn advance(&mut self, input: #input) -> Result<Stepped<#scalar>, OutOfDomain> {
+                self.0.advance(#sample)
+            }
+
+            #methods
+        }
+
+        impl ::core::ops::DerefMut for #stepper {
+            fn deref_mut(&mut self) -> &mut Self::Target {
+                &mut self.0
+            }
+        }
+
+        #facade::emitted_stepper!(#name, #stepper, #scalar, #on_base, [#(#loaded),*]);
+    };
+    Part { types, items }
+}
+
+/// What a step costs.
+fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
+    let fastest = scene.fastest().to_f64();
+    let parts = match step {
+        Some(step) => {
+            let parts = (fastest * step).ceil().max(1.0);
+            let plural = if parts > 1.0 { "s" } else { "" };
+            format!(
+                " A step `STEP` is cut into {parts} part{plural}, any other into {fastest:.4e}·dt, rounded up, and at most {MAX_PARTS}."
+            )
+        }
+        None => format!(
+            " A step is cut into {fastest:.4e}·dt parts, rounded up, and at most {MAX_PARTS}."
+        ),
+    };
+    vec![
+        parts,
+        " A part in which the contact certainly neither stops nor leaves is one product with the tables; in any other".to_owned(),
+        format!(" part at most {MAX_EVENTS} events are followed."),
+    ]
+}
+
+/// The scene as constants.
+fn step_scene(
+    emission: &Emission<'_>,
+    steps: &Steps<Dd>,
+    number: &impl Fn(Dd) -> TokenStream,
+) -> TokenStream {
+    let scalar = &emission.scalar;
+    let Units {
+        stiffness,
+        rate,
+        support,
+    } = steps.units;
+    let (stiffness, rate, support) = (number(stiffness), number(rate), number(support));
+    let on_base = steps.on_base;
+    let forces = steps.forces.iter().map(|mass| count(*mass));
+    let input = match steps.input {
+        Input::Hold => code!(Hold),
+        Input::Linear => code!(Linear),
+    };
+    let law = steps.law.iter().map(|[speed, level]| {
+        let (speed, level) = (number(*speed), number(*level));
+        code!([#speed, #level])
+    });
+    let step = emission.scene.stepping.step.map(|step| {
+        let step = number(Dd::from(step));
+        code! {
+            /// The step of which the tables are constants, in s.
+            pub const STEP: #scalar = #step;
+        }
+    });
+    code! {
+        #step
+
+        /// What a stepper is told of the scene.
+        const STEP_SCENE: StepScene<'static, #scalar> = StepScene {
+            dynamics: Self::DYNAMICS,
+            units: Units { stiffness: #stiffness, rate: #rate, support: #support },
+            on_base: #on_base,
+            forces: &[#(#forces),*],
+            input: Input::#input,
+            law: &[#(#law),*],
+        };
+    }
+}
+
+/// The stepper and its input.
+fn types(
+    emission: &Emission<'_>,
+    steps: &Steps<Dd>,
+    literals: &TokenStream,
+    cost: &[String],
+) -> TokenStream {
+    let Emission {
+        description,
+        scene,
+        name,
+        stepper,
+        input,
+        scalar,
+        facade,
+        ..
+    } = emission;
+    let visibility = &description.visibility;
+    let about = format!(
+        " The motion of [`{name}`] by steps of one length, under any input; `advance` takes a step."
+    );
+    let input_about = format!(" What acts on [`{name}`] at an instant, in the scene's units.");
+    let scalar = code!(::core::primitive::#scalar);
+    let base = steps.on_base.then(|| {
+        code! {
+            /// The base's displacement.
+            pub displacement: #scalar,
+            /// The base's velocity, in that unit a second.
+            pub velocity: #scalar,
+        }
+    });
+    let forces = force_fields(emission, steps);
+    let forces = forces.iter().zip(&steps.forces).map(|(field, mass)| {
+        let mass = scene.masses.get(*mass).map_or("", |mass| &mass.name);
+        let about = format!(" The force on mass `{mass}`.");
+        code! {
+            #[doc = #about]
+            pub #field: #scalar,
+        }
+    });
+    code! {
+        #[doc = #about]
+        ///
+        #(#[doc = #cost])*
+        #[allow(deprecated, non_camel_case_types)]
+        #visibility struct #stepper(#facade::kernel::stepper::FixedStepper<#scalar, #literals>);
+
+        #[doc = #input_about]
+        #[allow(deprecated, non_camel_case_types, non_snake_case)]
+        #[::core::prelude::v1::derive(
+            ::core::clone::Clone,
+            ::core::marker::Copy,
+            ::core::fmt::Debug,
+            ::core::cmp::PartialEq,
+            ::core::default::Default
+        )]
+        #visibility struct #input {
+            #base
+            #(#forces)*
+            /// The kinetic friction force F at rest, not negative.
+            pub friction: #scalar,
+        }
+    }
+}
+
+/// The input's fields of the loaded masses: `force` of the excited one, of the others their names.
+fn force_fields(emission: &Emission<'_>, steps: &Steps<Dd>) -> Vec<Ident> {
+    let places = steps.forces.iter().enumerate();
+    let names = places.filter_map(|(place, mass)| {
+        if place == 0 && !steps.on_base {
+            return Some(local("force"));
+        }
+        emission.description.mass_names.get(*mass).cloned()
+    });
+    names.collect()
+}
+
+/// Where each mass is.
+fn methods(emission: &Emission<'_>) -> TokenStream {
+    let scalar = &emission.scalar;
+    let names = emission.description.mass_names.iter().enumerate();
+    let methods = names.map(|(index, method)| {
+        let about = format!(" Displacement and velocity of mass `{method}` now.");
+        let index = Literal::usize_unsuffixed(index);
+        code! {
+            #[doc = #about]
+            #[must_use]
+            pub fn #method(&self) -> MassNow<#scalar> {
+                self.mass(#index)
+            }
+        }
+    });
+    methods.collect()
+}

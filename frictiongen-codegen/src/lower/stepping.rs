@@ -1,0 +1,47 @@
+//! The friction law and what is said of the stepper, from what was written.
+
+use frictiongen_model::scene::{FrictionLaw, Stepping};
+use frictiongen_model::validate::Path;
+
+use super::resolve::Lowering;
+use crate::parse::Name;
+use crate::parse::syntax::{Fields, LawEntry};
+
+impl<'s> Lowering<'s, '_> {
+    pub(super) fn friction(&mut self, fields: &Fields) -> FrictionLaw {
+        let Some(entry) = fields.friction.given() else {
+            return FrictionLaw::Coulomb;
+        };
+        let LawEntry::Stribeck(points) = &entry.law else {
+            return FrictionLaw::Coulomb;
+        };
+        let points = points.iter().enumerate();
+        let points = points.map(|(index, [speed, level])| {
+            [
+                self.number(*speed, Path::Friction(Some(2 * index))),
+                self.number(*level, Path::Friction(Some(2 * index + 1))),
+            ]
+        });
+        FrictionLaw::Stribeck(points.collect())
+    }
+
+    /// What is said of the stepper, and what was written of each mass that it may load.
+    pub(super) fn stepping(&mut self, fields: &'s Fields) -> (Stepping, Vec<&'s Name>) {
+        let (mut forces, mut entries) = (Vec::new(), Vec::new());
+        let written = fields.force.given();
+        for name in written.map_or(&[][..], |force| &force.list.entries) {
+            if let Ok(mass) = self.mass(name, &[]) {
+                forces.push(mass);
+                entries.push(name);
+            }
+        }
+        let step = fields.step.given();
+        let input = fields.input.given();
+        let stepping = Stepping {
+            step: step.map(|step| self.number(*step, Path::Step)),
+            input: input.map(|input| input.value).unwrap_or_default(),
+            forces,
+        };
+        (stepping, entries)
+    }
+}

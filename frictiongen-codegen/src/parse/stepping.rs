@@ -1,0 +1,106 @@
+//! The friction law, and the fields of the stepper.
+
+use frictiongen_model::scene::StepInput;
+use proc_macro2::Delimiter;
+
+use super::declared::choice;
+use super::forms::mass_names;
+use super::graph::braces;
+use super::number::{Number, number};
+use super::reader::{Name, Read, Reader};
+use super::suggest;
+use super::syntax::{Choice, FrictionEntry, LawEntry, Placed};
+use crate::diagnostics::{Place, Problems, Reported};
+
+/// What is told of a friction force in a description.
+pub(crate) const HOW_MUCH: &str = "how much friction there is, β = F/P, is said when an answer is asked for, as in `at.motion(0.3)` or `--beta 0.3`; leave it out, and see `stiction` for μ, static over kinetic friction";
+
+/// `coulomb`, or `stribeck(v₁: f₁, …)`
+pub(crate) fn friction(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<FrictionEntry> {
+    const LAWS: &str = "the laws are `coulomb` and, for the stepper, `stribeck(0.1: 0.8)`";
+    let place = reader.place();
+    let Some(word) = reader.take_word() else {
+        let message = format!(
+            "the friction is a law, not {}; {LAWS}; {HOW_MUCH}",
+            reader.found()
+        );
+        problems.report(place, message);
+        return Read::lost();
+    };
+    let law = match word.text.as_str() {
+        "coulomb" => Ok(LawEntry::Coulomb),
+        "stribeck" => points(reader, problems, place).map(LawEntry::Stribeck),
+        text => {
+            let hint = suggest::hint(text, ["coulomb", "stribeck"], || LAWS.to_owned());
+            let reported = problems.report(place, format!("there is no friction `{text}`{hint}"));
+            // Its points go with it.
+            let _ = reader.take_group(Delimiter::Parenthesis);
+            Err(reported)
+        }
+    };
+    // The bracket is behind us even where its points are wrong.
+    Read {
+        value: law.ok().map(|law| FrictionEntry { place, law }),
+        clean: true,
+    }
+}
+
+/// The points in parentheses, if all their places could be told apart.
+fn points(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+    place: Place,
+) -> Result<Vec<[Number; 2]>, Reported> {
+    let Some(mut inside) = reader.take_group(Delimiter::Parenthesis) else {
+        let message = "`stribeck` needs its points in parentheses, speed and kinetic level over F; write, for example, `stribeck(0.1: 0.8)`";
+        let reported = problems.report(place, message);
+        let _ = reader.take_group(Delimiter::Bracket);
+        let _ = reader.take_group(Delimiter::Brace);
+        return Err(reported);
+    };
+    let list = inside.reader.list(
+        problems,
+        |_| false,
+        |_| false,
+        |reader, problems| point(reader, problems).unwrap_or_else(|Reported| Read::lost()),
+    );
+    if list.complete {
+        Ok(list.entries)
+    } else {
+        Err(Reported)
+    }
+}
+
+/// `speed: level`
+fn point(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<[Number; 2]>, Reported> {
+    let speed = number(reader, problems);
+    if !speed.clean {
+        return Err(Reported);
+    }
+    reader.take_colon(problems, "a speed and its kinetic level")?;
+    let level = number(reader, problems);
+    Ok(Read {
+        value: speed
+            .value
+            .zip(level.value)
+            .map(|(speed, level)| [speed, level]),
+        clean: level.clean,
+    })
+}
+
+/// `hold` or `linear`
+pub(crate) fn input(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<StepInput>> {
+    let choices = [("hold", StepInput::Hold), ("linear", StepInput::Linear)];
+    choice(reader, problems, "input", choices)
+}
+
+/// `{ name, … }`
+pub(crate) fn force(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Placed<Name>> {
+    braces(
+        reader,
+        problems,
+        "the masses that the stepper may load stand in braces",
+        "{ m1, m2 }",
+        |inner, problems| mass_names(inner, problems, "force: { m1 }"),
+    )
+}

@@ -1,0 +1,154 @@
+//! What a stepper needs beyond the motion in time: units, loads, and the friction law.
+
+use crate::modal::Modal;
+use crate::scene::{Excitation, FrictionLaw, Node, Precision, Scene, StepInput};
+use crate::transient::Transient;
+use frictiongen_kernel::errors::OutOfDomain;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::simulation::Dynamics;
+use frictiongen_kernel::stepper::{
+    Channel, HeldLoad, HeldStep, Input, ModeStep, Pace, StepScene, Units, fill,
+};
+use frictiongen_kernel::{Float, Scalar};
+
+/// What a scene says of its stepper, in a scalar.
+#[derive(Clone, Debug)]
+pub struct Steps<S> {
+    /// What takes the groups to the scene's units.
+    pub units: Units<S>,
+    /// Whether the base moves.
+    pub on_base: bool,
+    /// The masses that a force acts on: the excited one, those of `force`, and what else was asked for.
+    pub forces: Vec<usize>,
+    /// The input between samples.
+    pub input: Input,
+    /// The points of the friction law; none of Coulomb's.
+    pub law: Vec<[S; 2]>,
+}
+
+impl<S: Scalar> Steps<S> {
+    /// Of a scene, each number rounded once from double-double by `to`.  `more` are masses that may be loaded besides
+    /// those that the scene names.
+    #[must_use]
+    pub fn of(
+        scene: &Scene,
+        modal: &Modal,
+        more: impl Iterator<Item = usize>,
+        to: impl Fn(Dd) -> S,
+    ) -> Self {
+        let excited = match scene.excitation {
+            Excitation::Force(mass) => Some(mass),
+            Excitation::Base => None,
+        };
+        let mut forces: Vec<usize> = excited.into_iter().collect();
+        forces.extend(&scene.stepping.forces);
+        for mass in more {
+            if !forces.contains(&mass) {
+                forces.push(mass);
+            }
+        }
+        let reference = scene.springs.first().map_or(1.0, |spring| spring.stiffness);
+        let on_base = scene.springs.iter().filter(|spring| {
+            let ends = [spring.from, spring.to];
+            ends.contains(&Node::Base)
+        });
+        let support = on_base.fold(Dd::ZERO, |sum, spring| sum + Dd::from(spring.stiffness));
+        Self {
+            units: Units {
+                stiffness: to(Dd::from(reference)),
+                rate: to(modal.reference),
+                support: to(support / Dd::from(reference)),
+            },
+            on_base: excited.is_none(),
+            forces,
+            input: match scene.stepping.input {
+                StepInput::Hold => Input::Hold,
+                StepInput::Linear => Input::Linear,
+            },
+            law: match &scene.friction {
+                FrictionLaw::Coulomb => Vec::new(),
+                FrictionLaw::Stribeck(points) => {
+                    let points = points.iter();
+                    let point = points.map(|point| point.map(|value| to(Dd::from(value))));
+                    point.collect()
+                }
+            },
+        }
+    }
+
+    /// How many coefficients an input has over a step.
+    #[must_use]
+    pub fn coefficients(&self) -> usize {
+        match (self.on_base, self.input) {
+            (true, Input::Linear) => 4,
+            (true, Input::Hold) | (false, Input::Linear) => 2,
+            (false, Input::Hold) => 1,
+        }
+    }
+
+    /// How many inputs there are: the base's motion, and a force for each loaded mass.
+    #[must_use]
+    pub fn inputs(&self) -> usize {
+        usize::from(self.on_base) + self.forces.len()
+    }
+}
+
+impl<S: Float> Steps<S> {
+    /// The same as the kernel reads it.
+    #[must_use]
+    pub fn scene<'a>(&'a self, dynamics: Dynamics<'a, S>) -> StepScene<'a, S> {
+        StepScene {
+            dynamics,
+            units: self.units,
+            on_base: self.on_base,
+            forces: &self.forces,
+            input: self.input,
+            law: &self.law,
+        }
+    }
+}
+
+/// How the kernel cuts a step of a scene.
+///
+/// # Errors
+/// [`OutOfDomain`] for a step that it refuses.
+pub fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDomain> {
+    let (modes, held) = (scene.dynamics.modes.len(), scene.dynamics.held.len());
+    let inputs = scene.channels();
+    fill::<S, 1>(
+        scene,
+        step,
+        (
+            &mut vec![ModeStep::zero(); modes],
+            &mut vec![HeldStep::zero(); held],
+        ),
+        (
+            &mut vec![S::constant(0.0); modes * inputs],
+            &mut vec![HeldLoad::zero(); held * inputs],
+            &mut vec![Channel::zero(); inputs],
+        ),
+    )
+}
+
+/// The angle by which the fastest oscillator turns in the scene's step, if that is one that a stepper cannot take.
+#[must_use]
+pub fn refused_step(scene: &Scene, modal: &Modal) -> Option<f64> {
+    let step = scene.stepping.step?;
+    let turned = match scene.precision {
+        Precision::F64 => turned::<f64>(scene, modal, step),
+        Precision::F32 => turned::<f32>(scene, modal, step),
+    };
+    turned.err()
+}
+
+fn turned<S: Float>(scene: &Scene, modal: &Modal, step: f64) -> Result<(), f64> {
+    let to = |value: Dd| S::constant(value.to_f64());
+    let transient = Transient::of(scene, modal, to);
+    let steps = Steps::of(scene, modal, std::iter::empty(), to);
+    let scene = steps.scene(transient.dynamics());
+    let step = S::constant(step);
+    match pace(&scene, step) {
+        Ok(_) => Ok(()),
+        Err(_) => Err(scene.fastest().to_f64() * step.to_f64()),
+    }
+}

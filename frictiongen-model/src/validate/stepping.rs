@@ -1,0 +1,161 @@
+//! Checks of the friction law and of what a scene says of its stepper.
+
+use std::collections::HashSet;
+
+use super::settings::item_name;
+use super::{Checks, LARGEST, Path, SMALLEST, SceneError, check_node};
+use crate::scene::{Accuracy, Excitation, FrictionLaw, Node, Precision, Provide, Scene, StepInput};
+
+/// Checks the friction law, the step, the input and the loads.
+pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
+    // Where not all of `provide` could be read, the stepper may be what was meant.
+    let stepper = scene.provides(&Provide::Stepper) || !checks.provide;
+    if let FrictionLaw::Stribeck(points) = &scene.friction {
+        check_points(scene, points, errors);
+        if !stepper {
+            let path = Path::Friction(None);
+            errors.push(SceneError::StribeckWithoutStepper { path });
+        } else if checks.provide {
+            check_constant_level(scene, errors);
+        }
+    }
+    let stepping = &scene.stepping;
+    let belongs = [
+        (stepping.step.is_some(), Path::Step, "step"),
+        (stepping.input != StepInput::Linear, Path::Input, "input"),
+        (!stepping.forces.is_empty(), Path::Force(None), "force"),
+    ];
+    for (given, path, field) in belongs {
+        if given && !stepper {
+            let field = field.to_owned();
+            errors.push(SceneError::WithoutStepper { path, field });
+        }
+    }
+    if checks.provide {
+        check_tables(scene, errors);
+    }
+    if let Some(step) = stepping.step {
+        check_step(step, scene.precision, errors);
+    }
+    check_forces(scene, checks, errors);
+}
+
+/// A number as the scene's scalar holds it.
+fn held(value: f64, precision: Precision) -> f64 {
+    match precision {
+        Precision::F64 => value,
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "what a rounding makes of it"
+        )]
+        Precision::F32 => f64::from(value as f32),
+    }
+}
+
+fn check_points(scene: &Scene, points: &[[f64; 2]], errors: &mut Vec<SceneError>) {
+    if points.is_empty() {
+        let path = Path::Friction(None);
+        errors.push(SceneError::StribeckWithoutPoints { path });
+    }
+    let mut before = 0.0;
+    for (index, [speed, level]) in points.iter().copied().enumerate() {
+        let path = Path::Friction(Some(2 * index));
+        if check_finite(speed, path, "a speed of `stribeck`", errors) {
+            if held(speed, scene.precision) <= held(before, scene.precision) {
+                errors.push(SceneError::StribeckNotAscending {
+                    path,
+                    value: speed,
+                    before,
+                });
+            }
+            before = speed;
+        }
+        let path = Path::Friction(Some(2 * index + 1));
+        if !check_finite(level, path, "a level of `stribeck`", errors) {
+            continue;
+        }
+        if level < 0.0 {
+            errors.push(SceneError::StribeckNegative { path, value: level });
+        } else if scene.stiction < level && scene.stiction >= 1.0 {
+            // A μ that is none is an error of its own.
+            errors.push(SceneError::StribeckAboveStatic {
+                path,
+                value: level,
+                stiction: scene.stiction,
+            });
+        }
+    }
+}
+
+/// Whether a number is finite and not too large.
+fn check_finite(value: f64, path: Path, what: &str, errors: &mut Vec<SceneError>) -> bool {
+    let what = what.to_owned();
+    if !value.is_finite() {
+        errors.push(SceneError::NotFinite { path, what, value });
+    } else if LARGEST < value {
+        errors.push(SceneError::OutOfScale { path, what, value });
+    } else {
+        return true;
+    }
+    false
+}
+
+/// Refuses what rests on one kinetic level.
+fn check_constant_level(scene: &Scene, errors: &mut Vec<SceneError>) {
+    for (index, item) in scene.provide.iter().enumerate() {
+        if *item != Provide::Stepper {
+            errors.push(SceneError::NeedsConstantLevel {
+                path: Path::Provide(Some(index)),
+                item: item_name(item).to_owned(),
+            });
+        }
+    }
+}
+
+/// Tables are of limits and motion: the stepper alone has none of them.
+fn check_tables(scene: &Scene, errors: &mut Vec<SceneError>) {
+    if scene.needs_frequency() || scene.provide.is_empty() {
+        return;
+    }
+    let declared = &scene.declared;
+    let exact = declared.accuracy == Accuracy::Exact;
+    let budget = declared.budget.is_some();
+    for (given, path, field) in [
+        (!exact, Path::Accuracy, "accuracy"),
+        (budget, Path::Budget, "budget"),
+    ] {
+        if given {
+            let field = field.to_owned();
+            errors.push(SceneError::NothingToTabulate { path, field });
+        }
+    }
+}
+
+fn check_step(value: f64, precision: Precision, errors: &mut Vec<SceneError>) {
+    let path = Path::Step;
+    let what = "the step".to_owned();
+    if !value.is_finite() {
+        errors.push(SceneError::NotFinite { path, what, value });
+    } else if value <= 0.0 {
+        errors.push(SceneError::StepNotPositive { path, value });
+    } else {
+        let held = held(value, precision);
+        if !(SMALLEST..=LARGEST).contains(&held) {
+            errors.push(SceneError::OutOfScale { path, what, value });
+        }
+    }
+}
+
+fn check_forces(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
+    let mut seen = HashSet::new();
+    for (index, mass) in scene.stepping.forces.iter().copied().enumerate() {
+        let path = Path::Force(Some(index));
+        check_node(scene, Node::Mass(mass), path, errors);
+        let name = || scene.node_name(Node::Mass(mass)).to_owned();
+        if !seen.insert(mass) {
+            errors.push(SceneError::ForceTwice { path, name: name() });
+        } else if checks.excitation && scene.excitation == Excitation::Force(mass) {
+            errors.push(SceneError::ForceOnExcitation { path, name: name() });
+        }
+    }
+}

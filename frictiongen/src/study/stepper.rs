@@ -1,0 +1,381 @@
+//! Steppers of a run-time system.
+
+use super::error::{StudyError, UnknownMass};
+use super::system::System;
+use crate::{OutOfDomain, StepLoad, Stepping, Steps};
+use frictiongen_kernel::stepper::{
+    Channel, ContactNow, HeldLoad, HeldStep, MassNow, ModeStep, Pace, Sample, Saved, StepScene,
+    Stepped, Stepper, Store, StoreMut, StoreRef, Tables, View, Work, fill,
+};
+use frictiongen_kernel::{Float, Plain};
+use std::ops::{Deref, DerefMut};
+
+/// How many coefficients an input has over a step: enough for each kind.
+const COEFFICIENTS: usize = 4;
+
+/// The tables of a stepper in vectors.
+#[derive(Clone, Debug)]
+pub struct SystemStepTables<S> {
+    pace: Pace<S>,
+    modes: Vec<ModeStep<S, COEFFICIENTS>>,
+    held: Vec<HeldStep<S, COEFFICIENTS>>,
+    loads: Vec<S>,
+    held_loads: Vec<HeldLoad<S>>,
+    channels: Vec<Channel<S>>,
+}
+
+impl<S: Float> SystemStepTables<S> {
+    fn new(scene: &StepScene<'_, S>, step: S) -> Result<Self, OutOfDomain> {
+        let (modes, held) = (scene.dynamics.modes.len(), scene.dynamics.held.len());
+        let inputs = scene.channels();
+        let mut tables = Self {
+            pace: Pace::zero(),
+            modes: vec![ModeStep::zero(); modes],
+            held: vec![HeldStep::zero(); held],
+            loads: vec![S::constant(0.0); modes * inputs],
+            held_loads: vec![HeldLoad::zero(); held * inputs],
+            channels: vec![Channel::zero(); inputs],
+        };
+        tables.pace = fill(
+            scene,
+            step,
+            (&mut tables.modes, &mut tables.held),
+            (
+                &mut tables.loads,
+                &mut tables.held_loads,
+                &mut tables.channels,
+            ),
+        )?;
+        Ok(tables)
+    }
+}
+
+impl<S> Tables<S, COEFFICIENTS> for SystemStepTables<S>
+where
+    S: Copy,
+{
+    fn view(&self) -> View<'_, S, COEFFICIENTS> {
+        View {
+            pace: self.pace,
+            modes: &self.modes,
+            held: &self.held,
+            loads: &self.loads,
+            held_loads: &self.held_loads,
+            channels: &self.channels,
+        }
+    }
+}
+
+/// The numbers of a stepper in vectors.
+#[derive(Clone, Debug)]
+pub struct SystemStepStore<S> {
+    modes: Vec<[S; 2]>,
+    held: Vec<[S; 2]>,
+    scratch: Vec<[S; 2]>,
+    drive: Vec<[S; COEFFICIENTS]>,
+    last: Vec<S>,
+}
+
+impl<S: Float> SystemStepStore<S> {
+    /// At rest.
+    fn new(scene: &StepScene<'_, S>) -> Self {
+        let (modes, held) = (scene.dynamics.modes.len(), scene.dynamics.held.len());
+        let zero = S::constant(0.0);
+        Self {
+            modes: vec![[zero; 2]; modes],
+            held: vec![[zero; 2]; held],
+            scratch: vec![[zero; 2]; modes],
+            drive: vec![[zero; COEFFICIENTS]; scene.channels()],
+            last: vec![zero; scene.channels()],
+        }
+    }
+}
+
+impl<S> Store<S, COEFFICIENTS> for SystemStepStore<S> {
+    fn change(&mut self) -> StoreMut<'_, S, COEFFICIENTS> {
+        StoreMut {
+            modes: &mut self.modes,
+            held: &mut self.held,
+            scratch: &mut self.scratch,
+            drive: &mut self.drive,
+            last: &mut self.last,
+        }
+    }
+
+    fn read(&self) -> StoreRef<'_, S> {
+        StoreRef {
+            modes: &self.modes,
+            held: &self.held,
+            last: &self.last,
+        }
+    }
+}
+
+/// The kernel's stepper in vectors.
+type Inner<'a, S> = Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>>;
+
+/// Where the stepper of a system stands, as [`save`](Stepper::save) gives it.
+pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
+
+/// The motion of a system by steps of one length, under any input.
+#[derive(Clone, Debug)]
+pub struct SystemStepper<'a, S = f64> {
+    system: &'a System<S>,
+    stepper: Inner<'a, S>,
+    /// A force for each mass that may be loaded: all of them, the excited one first.
+    forces: Vec<S>,
+}
+
+/// What acts on a system at an instant, in the scene's units.
+///
+/// ```
+/// use frictiongen::study::SystemInput;
+///
+/// // 20 N on the excited mass and 3 N on the one called `roof`, with a friction force of 12 N.
+/// let input = SystemInput::force(20.0).on("roof", 3.0).friction(12.0);
+/// # let _ = input;
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[must_use = "an input acts in a step of a stepper"]
+pub struct SystemInput<'n, S = f64> {
+    excitation: Acting<S>,
+    more: Vec<(&'n str, S)>,
+    friction: S,
+}
+
+/// What acts as the scene's excitation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Acting<S> {
+    Force(S),
+    Base([S; 2]),
+}
+
+impl<'n, S: Float> SystemInput<'n, S> {
+    /// A force on the excited mass.
+    pub fn force(force: S) -> Self {
+        Self::new(Acting::Force(force))
+    }
+
+    /// Displacement and velocity of the base.
+    pub fn base(displacement: S, velocity: S) -> Self {
+        Self::new(Acting::Base([displacement, velocity]))
+    }
+
+    fn new(excitation: Acting<S>) -> Self {
+        Self {
+            excitation,
+            more: Vec::new(),
+            friction: S::constant(0.0),
+        }
+    }
+
+    /// A force on another mass; forces on the same mass add up.
+    pub fn on(mut self, mass: &'n str, force: S) -> Self {
+        self.more.push((mass, force));
+        self
+    }
+
+    /// The kinetic friction force F at rest, not negative; none unless it is set.
+    pub fn friction(mut self, friction: S) -> Self {
+        self.friction = friction;
+        self
+    }
+}
+
+impl<S: Plain> System<S> {
+    /// The motion by steps of dt, in s, from rest under no load.  Every mass may be loaded; the friction law and what
+    /// the input does between samples are the scene's.
+    ///
+    /// ```
+    /// use frictiongen::study::SystemInput;
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let frame: frictiongen::System = "struct Frame {
+    ///     masses: { lower: 3.27, upper: 3.25 },
+    ///     springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    ///     contact: upper - wall,
+    ///     excitation: base,
+    ///     damping: modal[0.010, 0.012],
+    ///     stiction: 1.2,
+    /// }"
+    /// .parse()?;
+    /// let mut stepper = frame.stepper(1e-3)?;
+    /// for step in 1..=2000_u32 {
+    ///     let (sine, cosine) = (12.0 * 1e-3 * f64::from(step)).sin_cos();
+    ///     let input = SystemInput::base(0.01 * sine, 0.12 * cosine).friction(2.0);
+    ///     stepper.advance(input)?;
+    /// }
+    /// assert!(stepper.mass("upper")?.displacement().abs() > 1e-3);
+    /// let work = stepper.work();
+    /// assert!(work.friction > 0.0 && work.damping > 0.0);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a step that is not positive and finite, or in which the fastest oscillator turns by more
+    /// than [`MAX_PARTS`](frictiongen_kernel::stepper::MAX_PARTS) radians.
+    pub fn stepper(&self, dt: S) -> Result<SystemStepper<'_, S>, OutOfDomain> {
+        self.stepping(dt, None)
+    }
+
+    /// The same from a state: displacement and velocity of every mass.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] also for a state that is not finite or not one number for each mass.
+    pub fn stepper_from(
+        &self,
+        dt: S,
+        state: (&[S], &[S]),
+    ) -> Result<SystemStepper<'_, S>, OutOfDomain> {
+        self.stepping(dt, Some(state))
+    }
+
+    fn stepping(
+        &self,
+        dt: S,
+        state: Option<(&[S], &[S])>,
+    ) -> Result<SystemStepper<'_, S>, OutOfDomain> {
+        let scene = self.steps().scene(self.dynamics());
+        let tables = SystemStepTables::new(&scene, dt)?;
+        let store = SystemStepStore::new(&scene);
+        Ok(SystemStepper {
+            system: self,
+            forces: vec![S::constant(0.0); scene.forces.len()],
+            stepper: Stepper::new(scene, tables, store, state)?,
+        })
+    }
+}
+
+impl<'a, S: Plain> SystemStepper<'a, S> {
+    /// Says what the input is before the first step; none unless said so.
+    ///
+    /// # Errors
+    /// As of [`advance`](Self::advance); [`OutOfDomain`] after the first step.
+    pub fn begin(&mut self, input: SystemInput<'_, S>) -> Result<(), StudyError> {
+        let (base, friction) = self.lay(&input)?;
+        let forces = &self.forces;
+        Ok(self.stepper.begin(Sample {
+            base,
+            forces,
+            friction,
+        })?)
+    }
+
+    /// Takes a step: in a straight line to this input, or under it where the scene says `input: hold`.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for what is NaN or infinite, for friction below zero, for a force where the base is excited and a
+    /// motion of the base where a mass is; [`UnknownMass`] for a name that is not there.  The stepper is then what it
+    /// was.
+    pub fn advance(&mut self, input: SystemInput<'_, S>) -> Result<Stepped<S>, StudyError> {
+        let (base, friction) = self.lay(&input)?;
+        let forces = &self.forces;
+        Ok(self.stepper.advance(Sample {
+            base,
+            forces,
+            friction,
+        })?)
+    }
+
+    /// Puts the forces in their places; the base's motion and the friction.
+    fn lay(&mut self, input: &SystemInput<'_, S>) -> Result<([S; 2], S), StudyError> {
+        let steps = self.system.steps();
+        self.forces.fill(S::constant(0.0));
+        let base = match (input.excitation, self.forces.first_mut()) {
+            (Acting::Base(base), _) if steps.on_base => base,
+            (Acting::Force(force), Some(excited)) if !steps.on_base => {
+                *excited = force;
+                [S::constant(0.0); 2]
+            }
+            (Acting::Base(_), _) => return Err(OutOfDomain { argument: "base" }.into()),
+            (Acting::Force(_), _) => return Err(OutOfDomain { argument: "forces" }.into()),
+        };
+        for (name, force) in &input.more {
+            let mass = self.system.mass_index(name)?;
+            let place = steps.forces.iter().position(|loaded| *loaded == mass);
+            if let Some(sum) = place.and_then(|place| self.forces.get_mut(place)) {
+                *sum = *sum + *force;
+            }
+        }
+        Ok((base, input.friction))
+    }
+
+    /// A mass now.
+    ///
+    /// # Errors
+    /// [`UnknownMass`] if there is none of this name.
+    pub fn mass(&self, name: &str) -> Result<MassNow<S>, UnknownMass> {
+        Ok(self.stepper.mass(self.system.mass_index(name)?))
+    }
+
+    fn sample(&mut self, load: &StepLoad<'_, S>) -> Result<(), OutOfDomain> {
+        let steps = self.system.steps();
+        load.spread(&steps.forces, steps.on_base, &mut self.forces)
+    }
+}
+
+impl<'a, S> Deref for SystemStepper<'a, S> {
+    type Target = Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.stepper
+    }
+}
+
+impl<S> DerefMut for SystemStepper<'_, S> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.stepper
+    }
+}
+
+impl<S: Plain> Steps for System<S> {
+    type Scalar = S;
+    type Stepper<'a> = SystemStepper<'a, S>;
+
+    fn stepper(&self, dt: S) -> Result<SystemStepper<'_, S>, OutOfDomain> {
+        Self::stepper(self, dt)
+    }
+}
+
+impl<S: Plain> Stepping for SystemStepper<'_, S> {
+    type Scalar = S;
+
+    fn begin_with(&mut self, load: &StepLoad<'_, S>) -> Result<(), OutOfDomain> {
+        self.sample(load)?;
+        self.stepper.begin(Sample {
+            base: load.base,
+            forces: &self.forces,
+            friction: load.friction,
+        })
+    }
+    fn step(&mut self, load: &StepLoad<'_, S>) -> Result<Stepped<S>, OutOfDomain> {
+        self.sample(load)?;
+        self.stepper.advance(Sample {
+            base: load.base,
+            forces: &self.forces,
+            friction: load.friction,
+        })
+    }
+    fn mass(&self, index: usize) -> MassNow<S> {
+        self.stepper.mass(index)
+    }
+    fn contact(&self) -> ContactNow<S> {
+        self.stepper.contact()
+    }
+    fn work(&self) -> Work<S> {
+        self.stepper.work()
+    }
+    fn steps(&self) -> u64 {
+        self.stepper.steps()
+    }
+    fn exceeded(&self) -> u64 {
+        self.stepper.exceeded()
+    }
+    fn dt(&self) -> S {
+        self.stepper.dt()
+    }
+    fn set_stiction(&mut self, mu: S) -> Result<(), OutOfDomain> {
+        self.stepper.set_stiction(mu)
+    }
+}
