@@ -15,3 +15,4 @@ mod plain;
 mod plain_itself;
 mod rig;
 mod scenes;
+mod steady;
