@@ -60,13 +60,14 @@ impl<S: Float> StepScene<'_, S> {
     }
 
     /// How many terms of a power series are formed, if so many reach the end of a part.
-    pub(super) fn terms(&self, enough: u32) -> usize {
+    pub(super) fn terms(&self, enough: u32, coefficients: usize) -> usize {
         let terms = if self.law.is_empty() {
             usize::try_from(enough).unwrap_or(TERMS)
         } else {
             TERMS
         };
-        terms.clamp(5, TERMS)
+        // The input's last coefficient starts a series of its own, so many terms later.
+        (terms + coefficients).clamp(5, TERMS)
     }
 
     /// What a step costs at most that is cut into so many parts, from how many coefficients an input has and how many
@@ -79,7 +80,7 @@ impl<S: Float> StepScene<'_, S> {
             driven: count(self.dynamics.in_contact()),
             inputs: count(self.channels()),
             coefficients: count(coefficients),
-            terms: count(self.terms(terms)),
+            terms: count(self.terms(terms, coefficients)),
             parts: u64::from(parts),
             on_moving_base: self.rubs_on_base(),
             lines: !self.law.is_empty(),
