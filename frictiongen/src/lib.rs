@@ -6,6 +6,7 @@
 //! * [`friction_system!`] does the modal analysis at compile time and emits specialised Rust:
 //!   `no_std`, without allocation, without `unsafe`, everything of fixed size.
 //! * `System` (feature `study`) reads the same text at run time.
+//! * `measure` (feature `measure`) reads the friction force from recordings, and [`watch`] from samples on a device.
 //! * The command `frictiongen` reads it from a file.
 //!
 //! ```

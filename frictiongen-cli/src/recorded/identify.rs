@@ -102,6 +102,10 @@ fn word(verdict: Verdict) -> &'static str {
 fn lines(system: &System, observations: &[Observation], found: &Identified) -> Lines {
     let mut lines = Lines::default();
     lines.said.push(("verdict", found.verdict.to_string()));
+    if !found.is_explained() {
+        let note = "the scene moves otherwise than the rig by more than noise: see the residuals; the intervals are as much wider";
+        lines.said.push(("note", note.to_owned()));
+    }
     lines.word("friction force is", word(found.verdict));
     if found.verdict == Verdict::SeveralLevels {
         for (index, level) in found.levels.iter().enumerate() {

@@ -212,6 +212,8 @@ fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
 
 /// How many times longer the samples are made with zeros before their spectrum is taken.
 const PADDING: usize = 4;
+/// From so many samples on none are added.
+const LONG: usize = 1 << 20;
 /// Steps in which a frequency is made better by the phases of both halves.
 const STEPS: usize = 4;
 /// Fewer cycles do not tell a frequency.
@@ -221,7 +223,9 @@ pub(super) const FEWEST_CYCLES: f64 = 4.0;
 pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
     let count = samples.len();
     let mean = samples.iter().sum::<f64>() / count as f64;
-    let padded = (PADDING * count).next_power_of_two();
+    // A long recording has bins enough.
+    let padding = if count < LONG { PADDING } else { 1 };
+    let padded = (padding * count).next_power_of_two();
     let mut spectrum: Vec<Complex<f64>> = samples
         .iter()
         .enumerate()

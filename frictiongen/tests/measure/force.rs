@@ -330,3 +330,50 @@ fn wrong_units_and_other_motions() {
         "{error}"
     );
 }
+
+/// Two amplitudes at resonance tell friction and damping (Liang and Feeny 2004): 2ζk|X| + 4F/π = kY for small ζ.
+#[test]
+fn two_amplitudes_at_resonance() {
+    let truth = rig("damping: modal(0.02),");
+    let stiffness = truth.scene().springs[0].stiffness;
+    let friction = 0.3 * stiffness * Y;
+    let at = |load: f64| {
+        let beta = friction / (stiffness * load);
+        let response = truth.at(1.0).unwrap().response(beta).unwrap();
+        let value = response.harmonic(Of::Mass(0), 1).unwrap();
+        Observation {
+            hertz: truth.hertz(1.0),
+            load: Load::Base(load),
+            load_deviation: 0.0,
+            motions: vec![Datum {
+                mass: 0,
+                harmonic: 1,
+                value,
+                deviation: 1e-4,
+            }],
+        }
+    };
+    let seen = [at(Y), at(2.0 * Y)];
+    let request = IdentifyRequest {
+        using: Using::Amplitude,
+        unknowns: vec![Unknown::Damping],
+        ..IdentifyRequest::default()
+    };
+    let found = rig("damping: modal(0.05),")
+        .identify(&seen, &request)
+        .unwrap();
+    assert!(
+        (found.friction.value / friction - 1.0).abs() < 1e-5,
+        "{:?}",
+        found.friction
+    );
+    assert!((found.unknowns[0].1.value - 0.02).abs() < 1e-6);
+    // The method of the literature: two lines, one unknown each.
+    let [x, wide] = [0, 1].map(|place| seen[place].motions[0].value.norm() * [Y, 2.0 * Y][place]);
+    let damping = Y / (2.0 * (wide - x));
+    let simple = std::f64::consts::FRAC_PI_4 * stiffness * (Y - 2.0 * damping * x);
+    assert!(
+        (simple / friction - 1.0).abs() < 0.01 && (damping / 0.02 - 1.0).abs() < 0.01,
+        "{simple}, {damping}"
+    );
+}

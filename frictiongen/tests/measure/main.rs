@@ -12,6 +12,7 @@ mod bad;
 mod decay;
 mod files;
 mod force;
+mod fuzz;
 mod intervals;
 mod made;
 mod recordings;

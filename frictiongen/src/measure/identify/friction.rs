@@ -163,7 +163,11 @@ impl<'a> Problem<'a> {
             };
             levels.push((estimate, squares));
         }
-        Ok(Alone { levels, misfit })
+        Ok(Alone {
+            levels,
+            misfit,
+            freedom,
+        })
     }
 
     fn lowest(&self, weighed: &[Weighed<'_>], scanned: &[(f64, f64)]) -> Result<f64, MeasureError> {
@@ -256,6 +260,7 @@ pub(super) struct Alone {
     /// Each with its sum of squares; ascending forces.
     pub(super) levels: Vec<(Estimate, f64)>,
     misfit: Option<f64>,
+    freedom: usize,
 }
 
 impl Alone {
@@ -285,6 +290,7 @@ impl Alone {
             verdict,
             unknowns: Vec::new(),
             misfit: self.misfit,
+            freedom: self.freedom,
             explained,
             system: problem.system.clone(),
         })

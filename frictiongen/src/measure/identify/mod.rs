@@ -6,6 +6,7 @@ mod friction;
 pub(super) mod model;
 mod several;
 
+use super::statistics::excess;
 use super::{MeasureError, Measured};
 use crate::study::scene::Excitation;
 use crate::study::{Load, Quantity, System};
@@ -189,6 +190,8 @@ pub struct Identified {
     /// The sum of squares of the residuals over their deviations, over the degrees of freedom; none where there are none.
     /// Above 1 by more than chance the scene does not explain the measurement, and the intervals are that much wider.
     pub misfit: Option<f64>,
+    /// The degrees of freedom: data less unknowns.
+    pub freedom: usize,
     /// By how much a relative error of the data may be multiplied, at most, between parameters: the condition of the fit.
     pub condition: f64,
     /// Each observation beside the scene's answer.
@@ -198,6 +201,12 @@ pub struct Identified {
 }
 
 impl Identified {
+    /// Whether what is left is no more than noise, as far as chance can tell.
+    #[must_use]
+    pub fn is_explained(&self) -> bool {
+        excess(self.misfit, self.freedom) == 1.0
+    }
+
     /// Residuals of an observation: measured less computed, over the load.
     #[must_use]
     pub fn residuals(&self, observations: &[Observation], index: usize) -> Vec<Complex<f64>> {

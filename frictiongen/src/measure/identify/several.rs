@@ -248,6 +248,7 @@ fn answer(several: &Several<'_, '_>, fit: Fit, data: usize) -> Result<Identified
         friction,
         unknowns: unknowns.collect(),
         misfit,
+        freedom,
         condition: fit.condition,
         explained,
         system,

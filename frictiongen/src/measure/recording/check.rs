@@ -99,7 +99,7 @@ fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
         .count();
     // Two a cycle; noise adds some, which makes a cycle look shorter and the test milder.
     let cycle = 2.0 * values.len() as f64 / crossings.max(1) as f64;
-    let reach = (BEFORE * cycle).ceil() as usize;
+    let reach = ((BEFORE * cycle).ceil() as usize).max(2);
     let largest = (extreme - middle).abs() * 2.0 * PI / cycle;
     let size = (extreme - middle).abs();
     let gaps = values.iter().map(|value| (value - extreme).abs());
@@ -113,9 +113,11 @@ fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
             continue;
         }
         flat += group.len();
+        // From the last sample before, because the first flat one may lie anywhere beyond.
         let slope = |reach: usize| {
-            let before = values.get(at.checked_sub(reach)?)?;
-            Some((extreme - before).abs() / (reach as f64 * largest))
+            let last = values.get(at.checked_sub(1)?)?;
+            let before = values.get(at.checked_sub(1 + reach)?)?;
+            Some((last - before).abs() / (reach as f64 * largest))
         };
         if let (Some(one), Some(two)) = (slope(reach), slope(2 * reach)) {
             near += one;
