@@ -138,6 +138,20 @@ class System:
         """Mode shapes by mode and mass, over the first mass: the sum of m phi**2 is m1."""
         return self._native.mode_shapes
 
+    def hertz(self, r: float) -> float:
+        """The frequency in Hz of a frequency ratio r."""
+        return self._native.hertz(r)
+
+    def frequency_ratio(self, hz: float) -> float:
+        """The frequency ratio r of a frequency in Hz.
+
+        >>> import frictiongen
+        >>> frame = frictiongen.System(frictiongen.FRAME)
+        >>> round(frame.hertz(1.0), 2), frame.frequency_ratio(frame.hertz(1.0))
+        (3.04, 1.0)
+        """
+        return self._native.frequency_ratio_at_hertz(hz)
+
     def limits(
         self,
         *,
