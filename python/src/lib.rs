@@ -17,6 +17,7 @@ mod orbit;
 mod response;
 mod sensitivities;
 mod simulate;
+mod step;
 mod system;
 mod words;
 mod work;
@@ -42,6 +43,8 @@ mod _native {
     use crate::sensitivities::sensitivities;
     #[pymodule_export]
     use crate::simulate::simulate;
+    #[pymodule_export]
+    use crate::step::step;
     #[pymodule_export]
     use crate::system::NativeSystem;
 }

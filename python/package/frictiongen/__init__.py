@@ -27,7 +27,9 @@ from ._results import (
     Orbit,
     Response,
     Sensitivities,
+    Steps,
     Table,
+    Work,
 )
 from ._system import FRAME, Mistake, System
 
@@ -46,6 +48,8 @@ __all__ = [
     "Response",
     "SceneError",
     "Sensitivities",
+    "Steps",
     "System",
     "Table",
+    "Work",
 ]

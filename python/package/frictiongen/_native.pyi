@@ -65,6 +65,14 @@ def simulate(
     of: Any | None,
     extent: tuple[Any | None, Any | None, Any | None, tuple[Any, Any] | None, bool],
 ) -> tuple[_Columns, _Columns]: ...
+def step(
+    system: System,
+    dt: Any,
+    acting: tuple[Any | None, Any | None, Any | None],
+    friction: Any,
+    on: dict[Any, Any] | None,
+    of: Any | None,
+) -> _Columns: ...
 def optimum(system: System, of: Any, frequency: _Frequency, load: _Load) -> list[_Columns]: ...
 def sensitivities(
     system: System, of: Any, frequency: _Frequency, friction: _Friction, load: _Load

@@ -90,18 +90,37 @@ def curve(answer: _results.Curve, ax: Axes | None, of: str | None) -> Axes:
     unit = " N" if "friction_N" in answer else ""
     values, title = _column(answer, _first(answer, of), "amplitude", "m")
     for place, force in enumerate(dict.fromkeys(friction.tolist())):
-        named = False
+        ax.plot([], [], color=f"C{place}", label=f"{force:g}{unit}")
         for piece in np.unique(answer.piece[(friction == force) & (answer.piece > 0)]):
             of_piece = (friction == force) & (answer.piece == piece)
             stroke = STROKES.get(str(answer.regime[of_piece][0]), "-")
-            name = None if named else f"{force:g}{unit}"
-            ax.plot(along[of_piece], values[of_piece], stroke, color=f"C{place}", label=name)
-            named = True
+            ax.plot(along[of_piece], values[of_piece], stroke, color=f"C{place}")
     ax.set_xlabel(label)
     ax.set_ylabel(title)
     ax.set_yscale("log")
     ax.legend(title="friction; dashed: with stops,\ndotted: stuck")
     return ax
+
+
+def _order(region: str) -> tuple[int, str]:
+    """Regions from sliding to stuck."""
+    first = ("continuous", "sliding reversals")
+    last = ("subharmonic", "unsettled")
+    if region in first:
+        return first.index(region), ""
+    if region[0].isdigit():
+        return 2 + int(region.split()[0]), ""
+    if region in last:
+        return 1000 + last.index(region), ""
+    return (3000, "") if region == "stuck" else (2000, region)
+
+
+def _places(regions: Any, known: list[str]) -> Any:
+    """The place of each region among those that are known."""
+    codes = np.zeros(regions.shape, int)
+    for place, region in enumerate(known):
+        codes[regions == region] = place
+    return codes
 
 
 def map(answer: _results.Map, ax: Axes | None, shade: str) -> Axes:
@@ -111,9 +130,10 @@ def map(answer: _results.Map, ax: Axes | None, shade: str) -> Axes:
         raise ValueError("a picture of a map needs at least two frequencies and two frictions")
     ax = _axes(ax)
     if shade == "region":
-        regions, codes = np.unique(answer.region, return_inverse=True)
-        codes = np.reshape(codes, answer.shape)
         import matplotlib
+
+        regions = sorted(set(answer.region.ravel().tolist()), key=_order)
+        codes = _places(answer.region, regions)
 
         colours = matplotlib.colormaps["viridis"].resampled(len(regions))
         drawn = ax.pcolormesh(
@@ -126,7 +146,9 @@ def map(answer: _results.Map, ax: Axes | None, shade: str) -> Axes:
             values, title = answer.stuck_fraction, "stuck part of the period"
         else:
             values, title = _column(answer, shade, "amplitude", "m")
-        drawn = ax.pcolormesh(along, friction, values.T, shading="nearest")
+        # Resonances stand out by orders of magnitude.
+        norm = None if shade == "stuck" or not (values > 0).any() else "log"
+        drawn = ax.pcolormesh(along, friction, values.T, norm=norm, shading="nearest")
         ax.figure.colorbar(drawn, ax=ax, label=title)
     top = float(np.max(friction))
     for limit, stroke in (("continuous_limit", "-"), ("sliding_limit", "--")):
@@ -137,7 +159,7 @@ def map(answer: _results.Map, ax: Axes | None, shade: str) -> Axes:
     return ax
 
 
-def history(answer: _results.History, ax: Axes | None) -> Axes:
+def history(answer: _results.History | _results.Steps, ax: Axes | None) -> Axes:
     ax = _axes(ax)
     unit = ""
     for motion in answer.motions:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -338,6 +338,41 @@ class History(Table):
         :raises ImportError: if matplotlib is not installed.
         """
         return _plot.history(self, ax)
+
+
+class Steps(Table):
+    """Motions under any load, at each of its samples.
+
+    `steps[name].displacement_m` and `.velocity_m_s` of the contact and of masses; `steps["contact"].friction_N` the friction
+    force and `.state` what the contact does; `events`, how many stops, break-aways and reversals the step to a sample had.
+    `work` of the load, and where it went, in J.
+    """
+
+    time_s: Floats
+    events: Counts
+    #: The work of the `load`, what `friction` and `damping` took of it, and by how much more is `stored` than at the start.
+    work: Work
+
+    def __init__(self, columns: dict[str, Any]) -> None:
+        columns = dict(columns)
+        self.work = Work(*columns.pop("work"))
+        super().__init__(columns)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws all displacements over time; where the contact sticks, the ground is shaded.
+
+        :raises ImportError: if matplotlib is not installed.
+        """
+        return _plot.history(self, ax)
+
+
+class Work(NamedTuple):
+    """What a load has done and where it went, J: `load` is the sum of the others."""
+
+    load: float
+    friction: float
+    damping: float
+    stored: float
 
 
 class Optimum(Table):

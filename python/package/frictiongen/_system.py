@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, NamedTuple
 
 from . import _native
-from ._results import Curve, History, Limits, Map, Optimum, Orbit, Response, Sensitivities
+from ._results import Curve, History, Limits, Map, Optimum, Orbit, Response, Sensitivities, Steps
 
 if TYPE_CHECKING:
     import numpy as np
@@ -376,6 +376,41 @@ class System:
                 (cycles, skip, samples, halves, bool(steady)),
             )
         )
+
+    def step(
+        self,
+        dt: float,
+        *,
+        force: ArrayLike | None = None,
+        base: ArrayLike | None = None,
+        base_velocity: ArrayLike | None = None,
+        friction: ArrayLike,
+        on: Mapping[str, ArrayLike] | None = None,
+        of: str | Iterable[str] | None = None,
+    ) -> Steps:
+        """The motion from rest under any load, sample by sample, exact between events.
+
+        :param dt: from one sample to the next, s.
+        :param force: on the excited mass, N, at each sample, where a force drives the scene.
+        :param base: displacement of the base, m, at each sample, where the base moves; with `base_velocity` in m/s.
+        :param friction: the kinetic friction force, N: one, or one for each sample.
+        :param on: forces on further masses, N, by their names.
+
+        Between samples forces are straight lines, or steps where the description says `input: hold`.
+
+        >>> import frictiongen, numpy
+        >>> frame = frictiongen.System(frictiongen.FRAME)
+        >>> t = 1e-3 * numpy.arange(2001)
+        >>> steps = frame.step(
+        ...     1e-3, base=0.01 * numpy.sin(12 * t), base_velocity=0.12 * numpy.cos(12 * t), friction=2.0
+        ... )
+        >>> steps["upper"].displacement_m.shape, bool(steps.work.friction > 0)
+        ((2001,), True)
+        """
+        if on is not None and not isinstance(on, Mapping):
+            raise TypeError("on: forces by the names of masses are needed, {name: force}")
+        forces = None if on is None else dict(on)
+        return Steps(_native.step(self._native, dt, (force, base, base_velocity), friction, forces, _names(of)))
 
     def optimum(
         self,
