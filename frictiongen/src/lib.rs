@@ -82,7 +82,7 @@
 //! | `at`, `continuous_limit_without_search`, `continuous_limit_per_mode` in passes, `sliding_limit`, `stuck` | operations, listed with each emitted function |
 //! | `continuous_limit`, `limits`, `regime`, `margin` | one search; `motion` one or two |
 //! | `amplitude`, `phase`, `largest` of a mass | one search |
-//! | a search | [`MAX_EVALUATIONS`](kernel::modal_sum::search::MAX_EVALUATIONS) evaluations of a sum over the modes; [`Effort`] tells if they did not do, and then the answer is the best seen: a limit on the unsafe side, an amplitude too small |
+//! | a search | [`at.most_evaluations()`](kernel::response::At::most_evaluations) evaluations of a sum over the modes, by the scene and the least r: 256 or 1024 and some, where half the searches take 2 or 8; [`Effort`] tells if they did not do, and then the answer is the best seen: a limit on the unsafe side, an amplitude too small |
 //! | `simulation`'s `advance` | two segments of [`MAX_STEPS`](kernel::simulation::MAX_STEPS) steps each |
 //! | `orbit` | about [`MAX_CYCLES`](kernel::orbit::MAX_CYCLES) cycles, and [`orbit::MAX_STEPS`](kernel::orbit::MAX_STEPS) steps in all, else [`NoOrbit`] |
 //!
@@ -94,10 +94,13 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod in_time;
+#[cfg(feature = "measure")]
+pub mod measure;
 mod stepping;
 pub mod sweep;
 pub mod system;
 mod targets;
+pub mod watch;
 
 #[cfg(feature = "study")]
 pub mod study;

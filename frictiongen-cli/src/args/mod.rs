@@ -1,12 +1,18 @@
 //! What can be typed.
 
 mod help;
+mod recorded;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use help::{
     CURVES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA, ORBITS, RANGES, RESPONSES,
     SENSITIVITIES, TABLES, TIMES, UNITS,
 };
+pub use recorded::{
+    Also, By, DriveArguments, FitArguments, IdentifyArguments, RecordingArguments,
+    TransmissibilityArguments,
+};
+use recorded::{DRIVES, FITS, IDENTIFICATIONS, RECORDINGS};
 use std::path::PathBuf;
 
 /// Exact solutions of mass-spring chains with one Coulomb friction contact.
@@ -45,6 +51,18 @@ pub enum Command {
     /// The derivatives of amplitude, phase and limits with respect to every parameter, in any regime
     #[command(after_help = format!("{SENSITIVITIES}{UNITS}{GRIDS_IN_TIME}"))]
     Sensitivity(SensitivityArguments),
+    /// Driving frequency, transmissibility and phase of recordings
+    #[command(after_help = RECORDINGS)]
+    Transmissibility(TransmissibilityArguments),
+    /// The friction force from recordings, with its interval
+    #[command(after_help = format!("{IDENTIFICATIONS}{RECORDINGS}"))]
+    Identify(IdentifyArguments),
+    /// Frequencies, mass and stiffness ratios from a sweep without friction
+    #[command(after_help = FITS)]
+    Fit(FitArguments),
+    /// The motion under a recorded force or motion of the base, step by step
+    #[command(after_help = DRIVES)]
+    Drive(DriveArguments),
     /// Tables of the limits and of the contact's motion, to a declared accuracy
     #[command(after_help = TABLES)]
     Compile(CompileArguments),
