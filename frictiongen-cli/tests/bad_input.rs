@@ -204,7 +204,7 @@ fn a_friction_law_without_a_constant_level() {
         &["map", "--r", "1:1:2", "--beta", "0:1:1", "--csv"],
         &["time", "--r", "1", "--beta", "1"],
         &["optimum", "--of", "block", "--r", "1:2"],
-        &["sensitivity", "--r", "1", "--beta", "1"],
+        &["sensitivity", "--of", "block", "--r", "1", "--beta", "1"],
         &["compile", "--accuracy", "1e-2", "--r", "0.5:2"],
     ];
     for arguments in commands {
