@@ -22,7 +22,7 @@ const LIMITS: Limits = Limits {
 
 /// Runs the command.
 pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let mut scene = arguments.file.description(&LIMITS)?.scene;
+    let mut scene = arguments.file.constant_level(&LIMITS)?.scene;
     declare(&mut scene, arguments)?;
     match SceneTables::of(&scene).map_err(Failure::new)? {
         Some(SceneTables::Double(tables)) => write(&scene, &tables, arguments, out),

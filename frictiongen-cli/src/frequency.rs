@@ -16,6 +16,12 @@ enum Unit {
     Omega,
 }
 
+/// The band about the resonances: from this share of the lowest, to this multiple of the highest, and no more below that than
+/// this.
+const BELOW: f64 = 0.55;
+const ABOVE: f64 = 1.5;
+const FAR_BELOW: f64 = 0.02;
+
 /// A range of frequencies, all of them.
 #[derive(Clone, Debug)]
 pub struct Band {
@@ -47,6 +53,20 @@ impl Band {
         match lost {
             Some(value) => Err(too_far(quantity, value)),
             None => Ok(band),
+        }
+    }
+
+    /// From below the lowest resonance to above the highest: where nothing else is asked for.  Far below the highest,
+    /// where its sub-harmonics crowd, it begins later.
+    pub fn about_resonances(system: &System, in_hertz: bool) -> Self {
+        let all = system.resonances();
+        let lowest = all.first().copied().unwrap_or(1.0);
+        let highest = all.last().copied().unwrap_or(1.0);
+        Self {
+            from: (BELOW * lowest).max(FAR_BELOW * highest),
+            to: ABOVE * highest,
+            widest: None,
+            unit: if in_hertz { Unit::Hertz } else { Unit::Ratio },
         }
     }
 

@@ -2,7 +2,9 @@
 
 use crate::args::FileArgument;
 use crate::failure::{Failure, reason};
+use frictiongen::study::scene::FrictionLaw;
 use frictiongen_codegen::{Description, Limits, parse_text};
+
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -52,6 +54,18 @@ impl FileArgument {
             let lines = diagnostics.list.into_iter();
             Failure::Lines(lines.map(|line| format!("{name}:{line}")).collect())
         })
+    }
+
+    /// The description, of which the exact response is asked: it needs a constant kinetic level.
+    pub fn constant_level(&self, limits: &Limits) -> Result<Description, Failure> {
+        let description = self.description(limits)?;
+        if description.scene.friction == FrictionLaw::Coulomb {
+            return Ok(description);
+        }
+        Err(Failure::new(format_args!(
+            "{}: the exact response needs a constant kinetic level, and this scene has `friction: stribeck`: write `friction: coulomb`, or drive its stepper",
+            self.name()
+        )))
     }
 }
 

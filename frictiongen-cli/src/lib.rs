@@ -13,6 +13,7 @@ mod decimal;
 mod destination;
 mod expand;
 mod failure;
+mod features;
 mod file;
 mod frequency;
 mod friction;
@@ -32,6 +33,7 @@ mod output;
 #[cfg(feature = "pictures")]
 mod picture;
 mod progress;
+mod recorded;
 mod response;
 mod sensitivity;
 mod shell;
@@ -83,6 +85,11 @@ pub fn run(
         Command::Map(arguments) => map::run(arguments, out),
         Command::Time(arguments) => time::run(arguments, out),
         Command::Optimum(arguments) => optimum::run(arguments, out),
+        Command::Transmissibility(arguments) => recorded::transmissibility(arguments, out),
+        Command::Identify(arguments) => recorded::identify(arguments, out),
+        Command::Fit(arguments) => recorded::fit(arguments, out),
+        Command::Drive(arguments) => recorded::drive(arguments, out),
+        Command::Features(arguments) => features::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
         Command::Check(arguments) => check::run(arguments, out),

@@ -16,7 +16,7 @@ use std::io::Write;
 /// Runs the command.
 pub fn run(arguments: &LimitsArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.frequency, false)?;
-    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;
     let measure = Measure::of(&arguments.load, &system)?;

@@ -18,12 +18,7 @@ pub struct Measure {
 impl Measure {
     /// As the load says that is given, if any is.
     pub fn of(arguments: &LoadArguments, system: &System) -> Result<Self, Failure> {
-        let mut measure = Self {
-            scale: None,
-            load: None,
-            base_motion: system.scene().excitation == Excitation::Base,
-            reversed: system.contact_is_reversed(),
-        };
+        let mut measure = Self::none(system);
         if let Some(text) = &arguments.force {
             let load = Load::Force(number("--force", text)?);
             measure.load = Some(load);
@@ -35,6 +30,16 @@ impl Measure {
             measure.scale = Some(measure.checked(system, load, "--base", text)?);
         }
         Ok(measure)
+    }
+
+    /// Without a load.
+    pub fn none(system: &System) -> Self {
+        Self {
+            scale: None,
+            load: None,
+            base_motion: system.scene().excitation == Excitation::Base,
+            reversed: system.contact_is_reversed(),
+        }
     }
 
     fn checked(
@@ -91,6 +96,13 @@ impl Measure {
     /// A displacement.
     pub fn length(&self, ratio: f64) -> f64 {
         self.scale.map_or(ratio, |scale| scale.displacement(ratio))
+    }
+
+    /// A displacement that is in units already → the multiple that it is.
+    #[cfg(feature = "pictures")]
+    pub fn length_ratio(&self, length: f64) -> f64 {
+        self.scale
+            .map_or(length, |scale| scale.displacement_ratio(length))
     }
 
     /// A velocity, at an angular frequency.

@@ -11,6 +11,8 @@ pub enum Value<'a> {
     Count(usize),
     /// A word.
     Text(&'a str),
+    /// A word made for this row.
+    Owned(String),
     /// Nothing to say: an empty cell.
     Missing,
 }
@@ -50,6 +52,7 @@ impl Value<'_> {
             Self::Number(value) => Cow::Owned(format!("{value:?}")),
             Self::Count(value) => Cow::Owned(value.to_string()),
             Self::Text(text) => Cow::Borrowed(text),
+            Self::Owned(text) => Cow::Borrowed(text),
             Self::Missing => Cow::Borrowed(""),
         }
     }
@@ -63,6 +66,7 @@ impl Value<'_> {
             Self::Number(value) => (*value).into(),
             Self::Count(value) => (*value).into(),
             Self::Text(text) => (*text).into(),
+            Self::Owned(text) => text.as_str().into(),
             Self::Missing => serde_json::Value::Null,
         }
     }

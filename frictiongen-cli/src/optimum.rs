@@ -16,7 +16,7 @@ use std::io::Write;
 
 /// Runs the command.
 pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let band = Band::parse(&arguments.frequency, &system)?;
     if band.widest.is_some() {

@@ -19,7 +19,7 @@ use std::io::Write;
 pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.frequency, true)?;
     let frictions = Frictions::parse(&arguments.friction, Some(&frequencies))?;
-    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let part = asked::part(&system, &arguments.of)?;
     frequencies.check(&system)?;

@@ -67,6 +67,7 @@ impl Column {
             (Value::Number(value), _) => computed(*value),
             (Value::Count(value), _) => value.to_string(),
             (Value::Text(text), _) => (*text).to_owned(),
+            (Value::Owned(text), _) => text.clone(),
             (Value::Missing, _) => String::new(),
         }
     }

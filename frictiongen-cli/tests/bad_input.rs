@@ -187,3 +187,30 @@ fn a_full_disk_is_one() {
         assert_eq!(String::from_utf8(output.stderr).unwrap(), message);
     }
 }
+
+/// Every command of the exact response refuses a kinetic level that depends on the speed; `expand` takes it.
+#[test]
+fn a_friction_law_without_a_constant_level() {
+    let stribeck = BLOCK.replace(
+        "excitation: block,",
+        "excitation: block, friction: stribeck(0.1: 0.8), provide: [stepper],",
+    );
+    let told = "frictiongen: <stdin>: the exact response needs a constant kinetic level, and this scene has `friction: stribeck`: write `friction: coulomb`, or drive its stepper";
+    let commands: [&[&str]; 9] = [
+        &["limits", "--r", "1"],
+        &["response", "--r", "1", "--beta", "1"],
+        &["orbit", "--r", "1", "--beta", "1"],
+        &["curve", "--r", "1:1:2", "--beta", "1"],
+        &["map", "--r", "1:1:2", "--beta", "0:1:1", "--csv"],
+        &["time", "--r", "1", "--beta", "1"],
+        &["optimum", "--of", "block", "--r", "1:2"],
+        &["sensitivity", "--r", "1", "--beta", "1"],
+        &["compile", "--accuracy", "1e-2", "--r", "0.5:2"],
+    ];
+    for arguments in commands {
+        assert_eq!(failure(&stribeck, arguments), [told], "{arguments:?}");
+    }
+    let expanded = run_with(&stribeck, &["expand"]);
+    assert_eq!(expanded.status, Some(0), "{}", expanded.err);
+    assert!(expanded.out.contains("pub fn stepper("));
+}

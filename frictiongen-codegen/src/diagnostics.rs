@@ -67,6 +67,12 @@ pub struct Partial {
     pub mass_names: Vec<Ident>,
     /// The scalar.
     pub precision: Precision,
+    /// Whether the base is excited.
+    pub on_base: bool,
+    /// The masses that the stepper may load, by their places among `mass_names`.
+    pub forces: Vec<usize>,
+    /// Whether a step is declared.
+    pub has_step: bool,
 }
 
 impl fmt::Debug for Partial {

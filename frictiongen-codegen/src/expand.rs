@@ -99,6 +99,9 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
         facade,
         mut mass_names,
         precision,
+        on_base,
+        mut forces,
+        has_step,
     } = partial;
     let name = name?;
     mass_names.truncate(Limits::MACRO.masses);
@@ -112,6 +115,13 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
             value: 1.0,
         })
         .collect();
+    // The excited mass is the first that `force` does not name.
+    let excited = (0..masses.len()).find(|mass| !forces.contains(mass));
+    let excitation = match excited {
+        Some(mass) if !on_base => Excitation::Force(mass),
+        _ => Excitation::Base,
+    };
+    forces.retain(|mass| *mass < masses.len());
     let springs = (0..masses.len())
         .map(|mass| Spring {
             from: mass.checked_sub(1).map_or(Node::Base, Node::Mass),
@@ -127,7 +137,7 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
             from: Node::Mass(0),
             to: Node::Wall,
         },
-        excitation: Excitation::Force(0),
+        excitation,
         damping: Damping::None,
         stiction: 1.0,
         precision,
@@ -141,7 +151,11 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
         ],
         declared: Declared::default(),
         friction: FrictionLaw::default(),
-        stepping: Stepping::default(),
+        stepping: Stepping {
+            step: has_step.then_some(0.1),
+            forces,
+            ..Stepping::default()
+        },
     };
     Some(emit(&Description {
         attributes,

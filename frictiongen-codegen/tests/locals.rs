@@ -73,13 +73,14 @@ fn check(text: &str, emitted: &mut BTreeSet<String>) -> usize {
     seen.bound.len()
 }
 
-const PROVIDE: [&str; 6] = [
+const PROVIDE: [&str; 7] = [
     "[limits]",
     "[motion]",
     "[motion(a0), stuck]",
     "[orbit]",
     "[simulation]",
-    "[limits, motion, stuck, orbit, simulation]",
+    "[stepper], step: 1e-2",
+    "[limits, motion, stuck, orbit, simulation, stepper]",
 ];
 const DAMPING: [&str; 4] = ["none", "modal(0.02)", "rayleigh(0.01, 0.02)", "modal(1)"];
 
@@ -102,8 +103,8 @@ fn every_name_that_a_pattern_binds_is_hidden() {
             let all = masses <= 4;
             for (kind, damping) in DAMPING.iter().enumerate() {
                 for (item, provide) in PROVIDE.iter().enumerate() {
-                    let turn = (masses + picture) % 4 == kind && item == 5 && picture < 4;
-                    let everything = (masses <= 8 || (15..=17).contains(&masses)) && item == 5;
+                    let turn = (masses + picture) % 4 == kind && item == 6 && picture < 4;
+                    let everything = (masses <= 8 || (15..=17).contains(&masses)) && item == 6;
                     if !(all || everything || (turn && picture == masses % 4)) {
                         continue;
                     }

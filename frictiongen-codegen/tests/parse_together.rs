@@ -159,7 +159,15 @@ fn a_failure_keeps_what_a_macro_can_use() {
     );
     assert_eq!(partial.attributes.len(), 1);
 
+    // Whether the base moves, what may be loaded and whether there is a step: the input's fields, and `STEP`.
+    let stepped = "struct Frame { masses: { a: 1, b: 1, c: 1 }, springs: { base - a: 1 }, contact: c - wall, \
+        excitation: b, provide: [stepper], force: { c, b, a, x }, step: 1e }";
+    let partial = failure(stepped).partial;
+    assert_eq!((partial.on_base, partial.forces), (false, vec![0, 2]));
+    assert!(partial.has_step);
+
     let partial = failure("struct type").partial;
+    assert!(!partial.on_base && partial.forces.is_empty() && !partial.has_step);
     assert!(partial.name.is_none() && partial.mass_names.is_empty());
     assert_eq!(
         partial.facade.to_token_stream().to_string(),

@@ -175,9 +175,9 @@ fn iterate<S: Float>(
             let Some(&s) = own.get(index) else { continue };
             let mut newton = slope_over_value(&modes, direct, s);
             for (other, root) in own.iter().enumerate() {
-                let apart = complex::add(s, complex::scale(*root, S::constant(-1.0)));
-                if other != index && !(apart.re.is_zero() && apart.im.is_zero()) {
-                    let pull = complex::reciprocal(apart, true);
+                let difference = complex::add(s, complex::scale(*root, S::constant(-1.0)));
+                if other != index && !(difference.re.is_zero() && difference.im.is_zero()) {
+                    let pull = complex::reciprocal(difference, true);
                     newton = Complex::new(newton.re - pull.re, newton.im - pull.im);
                 }
             }
@@ -246,8 +246,8 @@ fn paired(started: Vec<Complex<Dd>>) -> Vec<Pair> {
             continue;
         }
         let distance = |other: &Complex<Dd>| {
-            let apart = Complex::new(other.re - root.re, other.im + root.im);
-            complex::modulus(apart, true).to_f64()
+            let difference = Complex::new(other.re - root.re, other.im + root.im);
+            complex::modulus(difference, true).to_f64()
         };
         let partner = (0..roots.len()).min_by(|a, b| {
             let of = |i: &usize| roots.get(*i).map_or(f64::INFINITY, distance);

@@ -223,11 +223,11 @@ impl Change {
                 .map(|(value, change)| -(half * *change * *value))
                 .collect();
             for (j, other) in shapes.iter().enumerate() {
-                let apart = root - at(&modal.resonances, j);
+                let gap = root - at(&modal.resonances, j);
                 if j == i || equal(root, at(&modal.resonances, j)) {
                     continue;
                 }
-                let share = at(row, j) / (apart * (root + at(&modal.resonances, j)));
+                let share = at(row, j) / (gap * (root + at(&modal.resonances, j)));
                 for (slope, value) in slopes.iter_mut().zip(other) {
                     *slope = *slope + share * *value;
                 }

@@ -7,7 +7,7 @@ use frictiongen_kernel::errors::OutOfDomain;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::simulation::Dynamics;
 use frictiongen_kernel::stepper::{
-    Channel, HeldLoad, HeldStep, Input, ModeStep, Pace, StepScene, Units, fill,
+    Channel, HeldLoad, HeldStep, Input, MAX_PARTS, ModeStep, Pace, StepScene, Units, fill,
 };
 use frictiongen_kernel::{Float, Scalar};
 
@@ -130,9 +130,10 @@ pub fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutO
     )
 }
 
-/// The angle by which the fastest oscillator turns in the scene's step, if that is one that a stepper cannot take.
+/// The angle in rad by which the fastest oscillator turns in the scene's step, if that is one that a stepper cannot take;
+/// and from where to where it can.
 #[must_use]
-pub fn refused_step(scene: &Scene, modal: &Modal) -> Option<f64> {
+pub fn refused_step(scene: &Scene, modal: &Modal) -> Option<(f64, [f64; 2])> {
     let step = scene.stepping.step?;
     let turned = match scene.precision {
         Precision::F64 => turned::<f64>(scene, modal, step),
@@ -141,7 +142,7 @@ pub fn refused_step(scene: &Scene, modal: &Modal) -> Option<f64> {
     turned.err()
 }
 
-fn turned<S: Float>(scene: &Scene, modal: &Modal, step: f64) -> Result<(), f64> {
+fn turned<S: Float>(scene: &Scene, modal: &Modal, step: f64) -> Result<(), (f64, [f64; 2])> {
     let to = |value: Dd| S::constant(value.to_f64());
     let transient = Transient::of(scene, modal, to);
     let steps = Steps::of(scene, modal, std::iter::empty(), to);
@@ -149,6 +150,10 @@ fn turned<S: Float>(scene: &Scene, modal: &Modal, step: f64) -> Result<(), f64> 
     let step = S::constant(step);
     match pace(&scene, step) {
         Ok(_) => Ok(()),
-        Err(_) => Err(scene.fastest().to_f64() * step.to_f64()),
+        Err(_) => {
+            let (_, most) = S::inverse_ratio_range();
+            let within = [1.0 / most.to_f64(), f64::from(MAX_PARTS)];
+            Err((scene.fastest().to_f64() * step.to_f64(), within))
+        }
     }
 }

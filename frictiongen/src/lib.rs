@@ -6,6 +6,7 @@
 //! * [`friction_system!`] does the modal analysis at compile time and emits specialised Rust:
 //!   `no_std`, without allocation, without `unsafe`, everything of fixed size.
 //! * `System` (feature `study`) reads the same text at run time.
+//! * `measure` (feature `measure`) reads the friction force from recordings, and [`watch`] from samples on a device.
 //! * The command `frictiongen` reads it from a file.
 //!
 //! ```
@@ -51,6 +52,9 @@
 //! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `period` (1, or up to 64 cycles if it is subharmonic), `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `intervals`, `friction`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
 //! | `at.orbit_or_last_cycles(beta)` | the same; where the motion does not settle, its last 64 cycles, with `is_settled()` false |
 //! | `Frame::simulation(r, beta)`, `simulation_from(r, beta, state)` | the exact motion in time, `FrameSimulation`: `next` and `advance` give its [`Segment`](kernel::simulation::Segment)s, `upper()` where a mass is |
+//! | `Frame::stepper(dt)`, `stepper_from(dt, state)` | the motion by steps of one length in s under any input, `FrameStepper`, in the scene's units: `advance(FrameInput)` gives what the contact does, its force and its events, a [`Stepped`](kernel::stepper::Stepped); `upper()`, `contact()`, `work()`, `steps()`, `exceeded()`, `begin`, `set_stiction`, `save`, `restore` |
+//! | `FrameInput { force, friction }`, `{ displacement, velocity, friction }` | what acts at the end of a step (`input: linear`) or over it (`hold`): a force on the excited mass, or the base's motion; a field more for each mass of `force`, by its name; and F |
+//! | `Frame::STEP` | the declared step, whose tables are constants |
 //! | `Frame::limits_without_search(r)` | β_lim with S at τ → 0, and β*_lim: the shortest way, where nothing else is asked of r |
 //! | `Frame::limits_into(&rs, &mut continuous, &mut sliding)` | both limits over a slice |
 //!
@@ -65,12 +69,16 @@
 //! | `damping` | `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)` | `none` |
 //! | `stiction` | μ = static over kinetic friction, at least 1 | 1 |
 //! | `scalar` | `f64`, `f32` | `f64` |
-//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation` | `[limits, motion]` |
+//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation`, `stepper`; with `stepper` alone nothing answers at a frequency | `[limits, motion]` |
 //! | `accuracy` | `exact`, or the largest relative error of an answer from tables: `1e-4` | `exact` |
 //! | `range` | where that holds: `{ r: 0.2..2.5 }`, also `beta: 0..1.5` | |
 //! | `side` | `near`, or `safe`: β_lim never above, β*_lim never below the exact one | `near` |
 //! | `budget` | in place of an accuracy, bytes: the best one that fits | |
 //! | `beyond` | outside the range: `error`, or `exact` for the formulas | `error` |
+//! | `friction` | `coulomb`, or `stribeck(v: f, …)`: the kinetic level over F at speeds, straight from 1 at rest and constant beyond the last; for the stepper alone | `coulomb` |
+//! | `step` | the stepper's step in s, if it is known: its tables are then constants | |
+//! | `input` | `linear`, or `hold`: the stepper's input between samples | `linear` |
+//! | `force` | `{ name, … }`: masses that the stepper may load besides `excitation` | |
 //! | `crate` | path of this crate, when it is renamed | `::frictiongen` |
 //!
 //! # What a call can cost
@@ -82,8 +90,9 @@
 //! | `at`, `continuous_limit_without_search`, `continuous_limit_per_mode` in passes, `sliding_limit`, `stuck` | operations, listed with each emitted function |
 //! | `continuous_limit`, `limits`, `regime`, `margin` | one search; `motion` one or two |
 //! | `amplitude`, `phase`, `largest` of a mass | one search |
-//! | a search | [`MAX_EVALUATIONS`](kernel::modal_sum::search::MAX_EVALUATIONS) evaluations of a sum over the modes; [`Effort`] tells if they did not do, and then the answer is the best seen: a limit on the unsafe side, an amplitude too small |
+//! | a search | [`at.most_evaluations()`](kernel::response::At::most_evaluations) evaluations of a sum over the modes, by the scene and the least r: 256 or 1024 and some, where half the searches take 2 or 8; [`Effort`] tells if they did not do, and then the answer is the best seen: a limit on the unsafe side, an amplitude too small |
 //! | `simulation`'s `advance` | two segments of [`MAX_STEPS`](kernel::simulation::MAX_STEPS) steps each |
+//! | `stepper`'s `advance` | for each part, of which a step has as many as stand with the emitted method: one product with the tables, or [`MAX_EVENTS`](kernel::stepper::MAX_EVENTS) events in [`MAX_STRETCHES`](kernel::stepper::MAX_STRETCHES) stretches; beyond, the contact is held for the rest of the part, and `exceeded` counts the step |
 //! | `orbit` | about [`MAX_CYCLES`](kernel::orbit::MAX_CYCLES) cycles, and [`orbit::MAX_STEPS`](kernel::orbit::MAX_STEPS) steps in all, else [`NoOrbit`] |
 //!
 //! # Conventions
@@ -93,11 +102,15 @@
 //! Coulomb friction*, DPhil thesis, Oxford, 2021.
 #![cfg_attr(not(feature = "std"), no_std)]
 
+pub mod features;
 mod in_time;
+#[cfg(feature = "measure")]
+pub mod measure;
 mod stepping;
 pub mod sweep;
 pub mod system;
 mod targets;
+pub mod watch;
 
 #[cfg(feature = "study")]
 pub mod study;

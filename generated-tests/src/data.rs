@@ -196,6 +196,6 @@ impl<'a, S: Float> DataAt<'a, S> {
 
     /// The complex amplitude of a mass while the contact is stuck.
     pub fn stuck_amplitude(&self, mass: usize) -> Complex<S> {
-        self.0.clone().held().mass(mass)
+        self.0.clone().stuck_unchecked().mass(mass)
     }
 }

@@ -16,3 +16,8 @@ pub fn larger(a: f64, b: f64) -> f64 {
 #[cfg(doctest)]
 #[doc = include_str!("../../docs/desk.md")]
 pub struct DeskPage;
+
+/// And that of `docs/measure.md`.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/measure.md")]
+pub struct MeasurePage;

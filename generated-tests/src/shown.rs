@@ -172,4 +172,41 @@ shown! {
         stiction: 1.2,
         provide: [orbit, simulation],
     }
+
+    /// Two masses on a moving base, by steps of a millisecond: constant tables, and nothing at a frequency.
+    struct Shaken {
+        masses: { lower: 3.27, upper: 3.25 },
+        springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+        contact: upper - wall,
+        excitation: base,
+        damping: modal[0.010, 0.012],
+        stiction: 1.2,
+        provide: [stepper],
+        step: 1e-3,
+    }
+
+    /// One mass under a force that is held over a step, in single precision.
+    struct Pushed {
+        masses: { block: 0.5 },
+        springs: { base - block: 200.0 },
+        contact: block - wall,
+        excitation: block,
+        scalar: f32,
+        provide: [stepper],
+        input: hold,
+    }
+
+    /// Two masses that rub on each other, both loaded, with friction that falls with the speed.
+    struct Bowed {
+        masses: { string: 0.1, bow: 0.4 },
+        springs: { base - string: 400.0, string - wall: 100.0, bow - wall: 30.0 },
+        contact: string - bow,
+        excitation: bow,
+        damping: modal(0.02),
+        stiction: 1.2,
+        friction: stribeck(0.05: 0.6, 0.5: 0.3),
+        provide: [stepper],
+        force: { string },
+        step: 5e-4,
+    }
 }

@@ -30,7 +30,7 @@ friction_system! {
         contact: upper - wall,
         excitation: base,
         damping: modal[0.010, 0.012],
-        provide: [limits, motion, stuck, orbit, simulation],
+        provide: [limits, motion, stuck, orbit, simulation, stepper],
     }
 }
 
@@ -60,6 +60,15 @@ macro_rules! same_as_frame {
         let mut found = <$scene>::simulation(0.3, 0.4).expect("in the domain");
         let ends = (expected.advance(9.0), found.advance(9.0));
         assert!(ends.0 == ends.1 && expected.upper() == found.$upper());
+        let mut expected = Frame::stepper(0.01).expect("a step");
+        let mut found = <$scene>::stepper(0.01).expect("a step");
+        let load = frictiongen::StepLoad {
+            base: [0.1, 0.3],
+            ..frictiongen::StepLoad::friction(2.0)
+        };
+        let one = frictiongen::Stepping::step(&mut expected, &load);
+        assert!(one.is_ok() && one == frictiongen::Stepping::step(&mut found, &load));
+        assert!(expected.upper() == found.$upper());
     }};
 }
 
@@ -77,7 +86,7 @@ mod with_a_renamed_facade {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck, orbit, simulation],
+            provide: [limits, motion, stuck, orbit, simulation, stepper],
         }
     }
 }
@@ -98,7 +107,7 @@ mod without_a_prelude {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck, orbit, simulation],
+            provide: [limits, motion, stuck, orbit, simulation, stepper],
         }
     }
 
@@ -111,7 +120,7 @@ mod without_a_prelude {
             excitation: base,
             damping: modal(0.01),
             scalar: f32,
-            provide: [limits, motion, stuck, orbit, simulation],
+            provide: [limits, motion, stuck, orbit, simulation, stepper],
         }
     }
 }
@@ -157,7 +166,7 @@ mod among_types_of_the_same_names {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck, orbit, simulation],
+            provide: [limits, motion, stuck, orbit, simulation, stepper],
         }
     }
 }
@@ -201,7 +210,7 @@ mod with_masses_called_like_variables {
             contact: r - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck, orbit, simulation],
+            provide: [limits, motion, stuck, orbit, simulation, stepper],
         }
     }
 
@@ -215,7 +224,7 @@ mod with_masses_called_like_variables {
             contact: mode_1 - limit,
             excitation: inverse_r,
             damping: modal(0.01),
-            provide: [limits, motion, stuck, orbit, simulation],
+            provide: [limits, motion, stuck, orbit, simulation, stepper],
         }
     }
 
@@ -241,7 +250,7 @@ mod with_masses_called_like_variables {
             contact: name - wall,
             excitation: u,
             damping: modal(0.01),
-            provide: [limits, motion, stuck, orbit, simulation],
+            provide: [limits, motion, stuck, orbit, simulation, stepper],
         }
     }
 }
@@ -268,7 +277,7 @@ mod hardly_used {
             springs: { base - lower: 1190.0, lower - upper: 1323.0 },
             contact: upper - wall,
             excitation: base,
-            provide: [limits, motion, stuck, orbit, simulation],
+            provide: [limits, motion, stuck, orbit, simulation, stepper],
         }
     }
 
@@ -304,7 +313,7 @@ fn scenes_side_by_side_and_inside_functions() {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck, orbit, simulation],
+            provide: [limits, motion, stuck, orbit, simulation, stepper],
         }
     }
     friction_system! {
@@ -341,7 +350,7 @@ mod seen_from {
                 contact: upper - wall,
                 excitation: base,
                 damping: modal[0.010, 0.012],
-                provide: [limits, motion, stuck, orbit, simulation],
+                provide: [limits, motion, stuck, orbit, simulation, stepper],
             }
         }
     }
@@ -376,7 +385,7 @@ macro_rules! scene {
                 contact: $upper - wall,
                 excitation: base,
                 damping: modal[0.010, 0.012],
-                provide: [limits, motion, stuck, orbit, simulation],
+                provide: [limits, motion, stuck, orbit, simulation, stepper],
             }
         }
     };
@@ -392,7 +401,7 @@ macro_rules! frame {
                 contact: upper - wall,
                 excitation: base,
                 damping: modal[0.010, 0.012],
-                provide: [limits, motion, stuck, orbit, simulation],
+                provide: [limits, motion, stuck, orbit, simulation, stepper],
             }
         }
     };
@@ -412,7 +421,7 @@ handed_on! {
         contact: upper - wall,
         excitation: base,
         damping: modal[0.010, 0.012],
-        provide: [limits, motion, stuck, orbit, simulation],
+        provide: [limits, motion, stuck, orbit, simulation, stepper],
     }
 }
 

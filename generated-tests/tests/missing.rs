@@ -5,7 +5,13 @@
 fn what_is_not_provided_says_where_to_add_it() {
     trybuild::TestCases::new().compile_fail("tests/missing/*.rs");
     let told = std::fs::read_to_string("tests/missing/methods.stderr").expect("the record");
-    for (item, count) in [("motion", 1), ("orbit", 2), ("simulation", 2)] {
+    for (item, count) in [
+        ("motion", 1),
+        ("orbit", 2),
+        ("simulation", 2),
+        ("stepper", 2),
+        ("limits", 1),
+    ] {
         let label = format!("add `{item}` to the scene's `provide: [...]`");
         assert_eq!(told.matches(&label).count(), count, "{item}");
     }
@@ -14,5 +20,5 @@ fn what_is_not_provided_says_where_to_add_it() {
     }
     // One error for each call, and none of its own after it.
     let errors = told.lines().filter(|line| line.starts_with("error"));
-    assert_eq!(errors.count(), 7, "{told}");
+    assert_eq!(errors.count(), 10, "{told}");
 }

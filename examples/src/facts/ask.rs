@@ -4,7 +4,8 @@
 //! has no verdict, and its test fails.
 
 pub use crate::draw::chain;
-use frictiongen::study::{System, SystemMotion, SystemOrbit};
+use frictiongen::study::{Features, Measured, RegimeRange, System, SystemMotion, SystemOrbit};
+use frictiongen::{Of, Regime};
 
 /// A chain of equal masses and springs.
 #[must_use]
@@ -90,6 +91,76 @@ pub fn orbit(system: &System, r: f64, beta: f64) -> Option<SystemOrbit<'_>> {
 pub fn orbit_amplitude(orbit: &SystemOrbit<'_>, mass: &str) -> f64 {
     let mass = orbit.mass(mass);
     mass.map_or(f64::NAN, |mass| mass.amplitude())
+}
+
+/// The features of a system, in groups: no load, so that none can be refused.
+fn features(system: &System) -> Option<Features<'_>> {
+    system.features(None).ok()
+}
+
+/// The invariant points of a motion between two r, by their conditions (6.9), (6.10) or of the fundamental component.
+#[must_use]
+pub fn invariant_points(system: &System, of: Of, measured: Measured, range: [f64; 2]) -> Vec<f64> {
+    let found = features(system).and_then(|all| all.invariant_points(of, measured, range).ok());
+    let found = found.unwrap_or_default();
+    found.into_iter().map(|point| point.r).collect()
+}
+
+/// The ends of the ranges between two r in which friction enlarges a motion.
+#[must_use]
+pub fn inversions(system: &System, of: Of, measured: Measured, range: [f64; 2]) -> Vec<f64> {
+    let found = features(system).and_then(|all| all.inversions(of, measured, range).ok());
+    let found = found.unwrap_or_default().into_iter();
+    found.flat_map(|found| [found.from, found.to]).collect()
+}
+
+/// Where the exact amplitudes of two frictions cross, and how large they are.
+#[must_use]
+pub fn crossings(system: &System, of: Of, frictions: [f64; 2], range: [f64; 2]) -> Vec<(f64, f64)> {
+    let found = features(system).and_then(|all| all.crossings(of, frictions, range).ok());
+    let found = found.unwrap_or_default().into_iter();
+    found.map(|found| (found.r, found.amplitude)).collect()
+}
+
+/// Where a motion vanishes without friction.
+#[must_use]
+pub fn antiresonances(system: &System, of: Of, range: [f64; 2]) -> Vec<f64> {
+    let found = features(system).and_then(|all| all.antiresonances(of, range).ok());
+    let found = found.unwrap_or_default();
+    found.into_iter().map(|zero| zero.r).collect()
+}
+
+/// The ends of the ranges in which the contact slides at β.
+#[must_use]
+pub fn sliding_ranges(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
+    let found = features(system).and_then(|all| all.sliding_ranges(beta, range).ok());
+    let found = found.unwrap_or_default().into_iter();
+    found.flat_map(|found| [found.from, found.to]).collect()
+}
+
+/// The regimes between two r at β.
+#[must_use]
+pub fn regimes(system: &System, beta: f64, range: [f64; 2]) -> Vec<RegimeRange> {
+    let found = features(system).and_then(|all| all.regimes(beta, range).ok());
+    found.map_or_else(Vec::new, |(found, _)| found)
+}
+
+/// The ends of the ranges of continuous motion between two r at β.
+#[must_use]
+pub fn continuous(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
+    let found = regimes(system, beta, range).into_iter();
+    let found = found.filter(|found| found.regime == Regime::Continuous);
+    found.flat_map(|found| [found.from, found.to]).collect()
+}
+
+/// One of so many places; NaN if there are more or fewer.
+#[must_use]
+pub fn one_of(places: &[f64], count: usize, index: usize) -> f64 {
+    if places.len() == count {
+        places.get(index).copied().unwrap_or(f64::NAN)
+    } else {
+        f64::NAN
+    }
 }
 
 /// The place where f changes sign, to the last bits; NaN where it does not.

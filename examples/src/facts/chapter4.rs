@@ -1,7 +1,11 @@
 //! First harmonics and the one-storey rig: F07, F13, F31.
 
-use super::ask::{ask, base, chain, fundamental, growth, root, wall};
+use super::ask::{
+    ask, base, chain, fundamental, growth, invariant_points, inversions, one_of, wall,
+};
 use super::row::{ROUNDING, Row, formula, number, words};
+use frictiongen::Of;
+use frictiongen::study::Measured;
 use std::f64::consts::TAU;
 
 pub(super) fn rows() -> Vec<Row> {
@@ -10,22 +14,12 @@ pub(super) fn rows() -> Vec<Row> {
 
 fn moving() -> Row {
     let system = base(1.0);
-    let invariant = |one, other| {
-        root(
-            |r| fundamental(&system, "m1", r, one) - fundamental(&system, "m1", r, other),
-            1.48,
-            1.55,
-        )
-    };
+    let points = invariant_points(&system, Of::Mass(0), Measured::Fundamental, [1.2, 2.0]);
     Row {
         id: "F07",
         claim: "one mass on its base: fundamental transmissibility independent of β at r",
         place: "4.4.2, figure 4.10",
-        entries: vec![
-            number("β = 0.1, 0.5", "1.504", invariant(0.1, 0.5), 6),
-            number("β = 0.1, 1.4", "1.504", invariant(0.1, 1.4), 6),
-            number("β = 0.7, 1.2", "1.504", invariant(0.7, 1.2), 6),
-        ],
+        entries: vec![number("for every β", "1.504", one_of(&points, 1, 0), 6)],
         reason: "one point for every β, where U = −(2/π)V",
     }
 }
@@ -33,7 +27,8 @@ fn moving() -> Row {
 fn fixed() -> Row {
     let system = wall("");
     let growth = |r: f64| growth(&system, |r, beta| fundamental(&system, "m1", r, beta), r);
-    let (begin, end) = (root(growth, 0.32, 0.345), root(growth, 0.55, 0.65));
+    let ends = inversions(&system, Of::Contact, Measured::Fundamental, [0.31, 3.0]);
+    let (begin, end) = (one_of(&ends, 2, 0), one_of(&ends, 2, 1));
     let grows = (1..100).all(|i| growth(begin + 0.01 * f64::from(i) * (end - begin)) > 0.0);
     let falls = growth(begin - 1e-3) < 0.0 && growth(end + 0.01) < 0.0 && growth(0.7) < 0.0;
     Row {

@@ -1,6 +1,6 @@
 //! Modal damping and friction together: F29, F34.
 
-use super::ask::{amplitude, chain, limit, peak, wall};
+use super::ask::{amplitude, chain, limit, wall};
 use super::row::{Entry, Row, added, claim, number, words};
 use crate::draw::from_rest;
 use frictiongen::study::units::polar;
@@ -17,10 +17,16 @@ fn resonance() -> Row {
     for zeta in [0.01, 0.1] {
         let system = wall(&format!("damping: modal({zeta:?})"));
         let (sinh, cosh) = ((zeta * PI).sinh(), (zeta * PI).cosh());
-        let printed = system.resonant_peak_estimate(0, 0, beta);
-        let printed = printed.unwrap_or(f64::NAN);
-        let place = peak(|r| amplitude(&system, "m1", r, beta), 0.9, 1.05);
-        let highest = amplitude(&system, "m1", place, beta);
+        let found = system.features(None).ok();
+        let found = found.and_then(|all| all.resonant_peaks(Of::Mass(0), beta).ok());
+        let found = found.and_then(|mut found| found.pop());
+        let (printed, highest) = found.map_or((f64::NAN, f64::NAN), |found| {
+            let (estimate, peak) = (found.estimate, found.peak);
+            (
+                estimate.map_or(f64::NAN, |estimate| estimate.value),
+                peak.map_or(f64::NAN, |peak| peak.amplitude.value),
+            )
+        });
         entries.push(by_formula(
             &format!("peak at ζ = {zeta}, β = 0.3"),
             ("7.61", printed),

@@ -1,10 +1,11 @@
 //! Contacts between parts that move, and the two-storey rig: F27, F28, F30, F32.
 
-use super::ask::{amplitude, ask, chain, estimate, invariant, root};
+use super::ask::{antiresonances, ask, chain, crossings, invariant_points, one_of};
 use super::chapter4::ONE_STOREY;
 use super::row::{Row, added, claim, formula, number, words};
 use super::walls::thresholds;
-use frictiongen::study::System;
+use frictiongen::Of;
+use frictiongen::study::{Measured, System};
 use std::f64::consts::TAU;
 
 /// γ = m₂/m₁ of the rig, as printed.
@@ -34,26 +35,10 @@ fn limits(system: &System) -> Row {
 }
 
 fn invariants(system: &System) -> Row {
-    let crossing = |of: fn(&System, &str, f64, f64) -> f64, (one, other), low, high| {
-        root(
-            |r| of(system, "m1", r, one) - of(system, "m1", r, other),
-            low,
-            high,
-        )
-    };
+    let points = invariant_points(system, Of::Mass(0), Measured::Amplitude, [0.71, 4.0]);
     let mut entries = vec![
-        number(
-            "estimate, first",
-            "0.778",
-            crossing(estimate, (0.05, 0.1), 0.75, 0.8),
-            6,
-        ),
-        number(
-            "second",
-            "1.213",
-            crossing(estimate, (0.05, 0.1), 1.19, 1.24),
-            6,
-        ),
+        number("estimate, first", "0.778", one_of(&points, 2, 0), 6),
+        number("second", "1.213", one_of(&points, 2, 1), 6),
     ];
     // Of the pairs of figure 6.23 that slide all the time.
     let betas = [0.0, 0.1, 0.2, 0.3, 0.4, 0.6];
@@ -61,9 +46,10 @@ fn invariants(system: &System) -> Row {
         let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
         for (i, one) in betas.iter().enumerate() {
             for other in &betas[..i] {
-                // NaN where the larger β does not slide all the time changes neither end.
-                let crossing = crossing(amplitude, (*one, *other), low, high);
-                (least, most) = (least.min(crossing), most.max(crossing));
+                // None where the larger β does not slide all the time.
+                for (crossing, _) in crossings(system, Of::Mass(0), [*one, *other], [low, high]) {
+                    (least, most) = (least.min(crossing), most.max(crossing));
+                }
             }
         }
         let inside = least <= printed && printed <= most;
@@ -100,11 +86,10 @@ fn rig() -> Row {
     let natural = system.natural_frequencies();
     let product = natural[0] * natural[1];
     // ω₀, where m₁ stands still without friction, and ω_z0, where it moves with the base.
-    let free = |r: f64| system_fundamental(&system, r);
-    let slip = |r: f64| ask(&system, r, 0.0, |motion| motion.contact().harmonic(1).re);
     let to_omega = TAU / RATIO;
-    let antiresonance = to_omega * root(free, 0.9, 1.2);
-    let relative = to_omega * root(slip, 1.3, 1.65);
+    let range = [0.1, 4.0];
+    let antiresonance = to_omega * one_of(&antiresonances(&system, Of::Mass(0), range), 1, 0);
+    let relative = to_omega * one_of(&antiresonances(&system, Of::Contact, range), 1, 0);
     let gamma = (relative / antiresonance).powi(2) - 1.0;
     let kappa = gamma * (antiresonance.powi(2) / product).powi(2);
     let ratio = antiresonance / product;
@@ -133,14 +118,6 @@ fn rig() -> Row {
     }
 }
 
-/// The fundamental of m₁ without friction, with its sign.
-fn system_fundamental(system: &System, r: f64) -> f64 {
-    ask(system, r, 0.0, |motion| {
-        let mass = motion.mass("m1");
-        mass.map_or(f64::NAN, |mass| mass.harmonic(1).re)
-    })
-}
-
 fn relative() -> Row {
     let system = chain(&[1.0, GAMMA], &[1.0, KAPPA], "m1 - base", "base", "");
     let fundamental = |r: f64, beta: f64| {
@@ -148,7 +125,8 @@ fn relative() -> Row {
             motion.contact().harmonic(1).norm()
         })
     };
-    let place = invariant(&system, fundamental, 1.04, 1.12);
+    let points = invariant_points(&system, Of::Contact, Measured::Fundamental, [1.04, 1.1]);
+    let place = one_of(&points, 1, 0);
     let free = (KAPPA / GAMMA).sqrt();
     Row {
         id: "F32",

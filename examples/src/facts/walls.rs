@@ -1,14 +1,16 @@
 //! Chains that rub on a fixed wall: F14 to F26.
 
 use super::ask::{
-    amplitude, chain, contact_invariant, estimate, fundamental, invariant, limit, peak, root,
-    sliding_limit, stuck, unit,
+    amplitude, chain, continuous, fundamental, invariant_points, inversions, limit, one_of, peak,
+    root, sliding_ranges, stuck, unit,
 };
 use super::moving::{GAMMA, KAPPA};
 use super::row::{Entry, ROUNDING, Row, added, formula, formula_at, number, words};
-use frictiongen::Regime;
-use frictiongen::study::System;
+use frictiongen::Of;
+use frictiongen::study::{Condition, Measured, System};
 use std::f64::consts::SQRT_2;
+
+const CONTACT: Of = Of::Contact;
 
 pub(super) fn rows() -> Vec<Row> {
     let mut rows = three();
@@ -41,20 +43,13 @@ fn three() -> Vec<Row> {
     };
     let resting = [0.9_f64, 0.3, 1.3, 1.5, 2.0, 3.0];
     let resting = resting.map(|r| (1.0 / (2.0 - r * r).abs(), stuck(&system, "m1", r)));
-    let edge = |low: f64, high: f64, sign: f64| -> Vec<(f64, f64)> {
-        [0.8, 0.6, 1.0, 2.0]
-            .into_iter()
-            .map(|beta| {
-                let want = ((2.0 * beta + sign) / beta).sqrt();
-                let got = root(|r| sliding_limit(&system, r) - beta, low, high);
-                let stuck = |r: f64| {
-                    let at = system.at(r).ok();
-                    at.and_then(|at| at.regime(beta).ok()) == Some(Regime::Stuck)
-                };
-                let sides = stuck(got + sign * 1e-9) && !stuck(got - sign * 1e-9);
-                (want, if sides { got } else { f64::NAN })
-            })
-            .collect()
+    // From just above r = 0.
+    let edge = |end: usize, sign: f64| -> Vec<(f64, f64)> {
+        let of = |beta: f64| {
+            let ends = sliding_ranges(&system, beta, [0.01, 4.0]);
+            (((2.0 * beta + sign) / beta).sqrt(), one_of(&ends, 2, end))
+        };
+        [0.8, 0.6, 1.0, 2.0].into_iter().map(of).collect()
     };
     vec![
         Row {
@@ -84,11 +79,11 @@ fn three() -> Vec<Row> {
                 formula_at(
                     "from, at β = 0.8",
                     "√((2β−1)/β)",
-                    &edge(0.0, 1.41, -1.0),
+                    &edge(0, -1.0),
                     ROUNDING,
                     6,
                 ),
-                formula_at("to", "√((2β+1)/β)", &edge(1.42, 3.0, 1.0), ROUNDING, 6),
+                formula_at("to", "√((2β+1)/β)", &edge(1, 1.0), ROUNDING, 6),
             ],
             reason: "",
         },
@@ -98,18 +93,15 @@ fn three() -> Vec<Row> {
 /// F17 to F20: two equal masses, contact and force on m₁.
 fn lower() -> Vec<Row> {
     let system = unit(2, "m1 - wall", "m1");
-    let of_m2 = |low, high| {
-        let estimate = |r, beta| estimate(&system, "m2", r, beta);
-        invariant(&system, estimate, low, high)
-    };
+    let points = invariant_points(&system, CONTACT, Measured::Amplitude, [0.5, 4.0]);
+    let grows = inversions(&system, Of::Mass(1), Measured::Amplitude, [0.5, 4.0]);
     let without = |r: f64| {
         let at = system.at(r);
         at.map_or(f64::NAN, |at| at.continuous_limit_without_search()) - 0.2
     };
-    let (begin, end) = (
-        root(|r| limit(&system, r) - 0.2, 0.35, 0.42),
-        root(|r| limit(&system, r) - 0.2, 0.48, 0.535),
-    );
+    let found = continuous(&system, 0.2, [0.34, 0.53]);
+    let (begin, end) = (one_of(&found, 2, 0), one_of(&found, 2, 1));
+    let higher = continuous(&system, 0.4, [0.53, 0.7]);
     let inside =
         (1..100).all(|i| limit(&system, begin + (end - begin) * 0.01 * f64::from(i)) > 0.2);
     vec![
@@ -118,18 +110,8 @@ fn lower() -> Vec<Row> {
             claim: "two unit masses, contact m₁-wall, force on m₁: invariant points of m₁, r > 0.5",
             place: "6.3.2, (6.9)",
             entries: vec![
-                number(
-                    "first",
-                    "0.559",
-                    contact_invariant(&system, 0.3, 0.555, 0.6),
-                    6,
-                ),
-                number(
-                    "second",
-                    "1.123",
-                    contact_invariant(&system, 0.9, 1.05, 1.3),
-                    6,
-                ),
+                number("first", "0.559", one_of(&points, 2, 0), 6),
+                number("second", "1.123", one_of(&points, 2, 1), 6),
             ],
             reason: "(6.9) gives √5/4 and √5/2",
         },
@@ -138,10 +120,10 @@ fn lower() -> Vec<Row> {
             claim: "the same: estimated amplitude of m₂ grows with β between",
             place: "6.3.2, (6.10)",
             entries: vec![
-                number("first from", "0.527", of_m2(0.51, 0.535), 6),
-                number("to", "0.576", of_m2(0.565, 0.59), 6),
-                number("second from", "1", of_m2(0.95, 1.05), 6),
-                number("to", "1.201", of_m2(1.15, 1.25), 6),
+                number("first from", "0.527", one_of(&grows, 4, 0), 6),
+                number("to", "0.576", one_of(&grows, 4, 1), 6),
+                number("second from", "1", one_of(&grows, 4, 2), 6),
+                number("to", "1.201", one_of(&grows, 4, 3), 6),
             ],
             reason: "0.5276 cut off instead of rounded",
         },
@@ -175,24 +157,31 @@ fn lower() -> Vec<Row> {
             id: "F20",
             claim: "the same, β = 0.4: continuous from r",
             place: "6.3.2, figure 6.6",
-            entries: vec![number(
-                "r",
-                "0.559",
-                root(|r| limit(&system, r) - 0.4, 0.545, 0.6),
-                5,
-            )],
+            entries: vec![number("r", "0.559", one_of(&higher, 2, 0), 5)],
             reason: "",
         },
     ]
 }
 
+/// Where H = 0: the contact does not answer to a harmonic force in it.
+fn receptance(system: &System) -> Vec<f64> {
+    let features = system.features(None).ok();
+    let points = features.and_then(|all| {
+        all.invariant_points(CONTACT, Measured::Fundamental, [1.0, 4.0])
+            .ok()
+    });
+    let points = points.unwrap_or_default().into_iter();
+    points
+        .filter(|point| point.condition == Condition::Receptance)
+        .map(|point| point.r)
+        .collect()
+}
+
 /// F21 to F25: two equal masses, contact on m₂, force on m₁.
 fn upper() -> Vec<Row> {
     let system = unit(2, "m2 - wall", "m1");
-    let of_m1 = |low, high| {
-        let estimate = |r, beta| estimate(&system, "m1", r, beta);
-        invariant(&system, estimate, low, high)
-    };
+    let points = invariant_points(&system, CONTACT, Measured::Amplitude, [0.65, 4.0]);
+    let of_m1 = invariant_points(&system, Of::Mass(0), Measured::Amplitude, [0.65, 4.0]);
     let meet = |beta: f64, low: f64, high: f64| {
         let difference = |r| amplitude(&system, "m2", r, beta) - amplitude(&system, "m2", r, 0.0);
         // They touch there rather than cross: friction lowers the contact's amplitude on both sides.
@@ -200,7 +189,6 @@ fn upper() -> Vec<Row> {
     };
     let of_m2 = |r, beta| fundamental(&system, "m2", r, beta);
     let rig = chain(&[1.0, GAMMA], &[1.0, KAPPA], "m2 - wall", "base", "");
-    let of_rig = |r, beta| fundamental(&rig, "m2", r, beta);
     let mut resting = Vec::new();
     for kappa in [1.0, 0.2, 3.5] {
         let system = chain(&[1.0, 1.0], &[1.0, kappa], "m2 - wall", "m1", "");
@@ -223,12 +211,7 @@ fn upper() -> Vec<Row> {
             claim: "the same: all curves of m₂ meet at r",
             place: "6.3.3, (6.9)",
             entries: vec![
-                number(
-                    "phase, β = 0.3",
-                    "1.450",
-                    contact_invariant(&system, 0.3, 1.43, 1.47),
-                    5,
-                ),
+                number("phase, β = 0.3", "1.450", one_of(&points, 1, 0), 5),
                 number("amplitude, β = 0.3", "1.450", meet(0.3, 1.43, 1.47), 5),
             ],
             reason: "",
@@ -238,8 +221,8 @@ fn upper() -> Vec<Row> {
             claim: "the same: invariant points of m₁, estimated, r > 0.6",
             place: "6.3.3, (6.10)",
             entries: vec![
-                number("first", "0.828", of_m1(0.75, 0.9), 6),
-                number("second", "1.549", of_m1(1.5, 1.6), 6),
+                number("first", "0.828", one_of(&of_m1, 2, 0), 6),
+                number("second", "1.549", one_of(&of_m1, 2, 1), 6),
             ],
             reason: "",
         },
@@ -248,18 +231,17 @@ fn upper() -> Vec<Row> {
             claim: "the same: fundamental of m₂ independent of β at r",
             place: "6.4.3, figure 6.21",
             entries: vec![
-                // Where the fundamental's growth vanishes, rounding leaves some 1e-12 of the place.
                 formula(
                     "r",
                     ("√2", SQRT_2),
-                    invariant(&system, of_m2, 1.40, 1.43),
-                    1e-9,
+                    one_of(&receptance(&system), 1, 0),
+                    ROUNDING,
                     6,
                 ),
                 added("its amplitude there, β = 0.4", of_m2(SQRT_2, 0.4), 6),
                 added(
                     "r with the rig's γ and κ, √(1 + κ)",
-                    invariant(&rig, of_rig, 1.42, 1.48),
+                    one_of(&receptance(&rig), 1, 0),
                     6,
                 ),
             ],

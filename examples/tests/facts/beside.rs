@@ -68,6 +68,16 @@ fn f06_by_the_printed_limits() {
     assert!(narrowest(1.2310) > 0.0 && narrowest(1.2314) < 0.0);
 }
 
+/// The fundamentals of every pair of frictions cross at the one point.
+#[test]
+fn f07_by_pairs() {
+    let system = base(1.0);
+    for (one, other) in [(0.1, 0.5), (0.1, 1.4), (0.7, 1.2)] {
+        let gain = |r| fundamental(&system, "m1", r, one) - fundamental(&system, "m1", r, other);
+        close(root(gain, 1.48, 1.55), 1.506310, 5e-7);
+    }
+}
+
 /// At the stated β the highest motion that slides all the time comes up to the base's own.
 #[test]
 fn f09_by_the_closed_form() {

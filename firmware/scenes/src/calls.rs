@@ -1,7 +1,9 @@
 //! What is called, measured and compared: one list for each scalar.
 
 use crate::{Five, Pair, PairDouble, Sdof, least, stopping, tabled};
-use frictiongen::Error;
+use frictiongen::kernel::Scalar;
+use frictiongen::watch::{Watch, friction_ratio, transmissibility};
+use frictiongen::{Complex, Error};
 
 /// Where a call is made: frequency ratio, friction ratio, τ.
 #[derive(Clone, Copy, Debug)]
@@ -96,10 +98,13 @@ macro_rules! calls {
     };
 }
 
+/// No motion.
+const NOTHING: Complex<f32> = Complex { re: 0.0, im: 0.0 };
+
 /// Ten times the friction of the continuous motions: the contact stops.
 const STOPPING: f32 = 10.0;
 
-calls! { f32 SINGLE 27:
+calls! { f32 SINGLE 29:
     sdof_without_search "SDOF f32" "limits without search" |at| {
         let limits = Sdof::limits_without_search(at.r)?;
         [limits.continuous, limits.sliding]
@@ -217,6 +222,34 @@ calls! { f32 SINGLE 27:
     };
     tabled_five_contact "5DOF damped f32 to 1e-4" "motion of the contact: amplitude" |at| {
         [tabled::motion::Five::at(at.r)?.motion(at.beta)?.contact().amplitude(), 0.0]
+    };
+    watched_samples "none" "128 samples through a watch of 64" |at| {
+        let Some(mut watch) = Watch::<f32, 64>::new(3) else {
+            return Ok([-1.0, -1.0]);
+        };
+        for index in 0..128_u8 {
+            watch.push(at.beta * f32::from(index % 7) - at.r);
+        }
+        let found = watch.fundamental().unwrap_or(NOTHING);
+        [found.re, found.im]
+    };
+    watched_friction "2DOF f32" "friction from 64 watched samples of base and mass" |at| {
+        let at_r = Pair::at(at.r)?;
+        let fundamental = |beta| Ok::<_, Error>(at_r.motion(beta)?.lower().harmonic(1));
+        let (Some(mut base), Some(mut mass)) = (Watch::<f32, 64>::new(3), Watch::<f32, 64>::new(3)) else {
+            return Ok([-1.0, -1.0]);
+        };
+        let moves = fundamental(at.beta)?;
+        for index in 0..64_u8 {
+            // Three cycles in 64 samples, as sensors have them.
+            let (sin, cos) = Scalar::sin_cos_pi(f32::from(index) * (6.0 / 64.0));
+            base.push(cos);
+            mass.push(moves.re * cos - moves.im * sin);
+        }
+        let sums = (mass.fundamental().unwrap_or(NOTHING), base.fundamental().unwrap_or(NOTHING));
+        let found = transmissibility(sums.0, sums.1).unwrap_or(NOTHING);
+        let beta = friction_ratio(found, fundamental(0.0)?, fundamental(0.01)?, 0.01);
+        [beta.unwrap_or(-1.0), at_r.continuous_limit_without_search()]
     };
 }
 

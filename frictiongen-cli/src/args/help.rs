@@ -186,6 +186,42 @@ Exit status:
 
 ";
 
+pub const FEATURES: &str = "\
+Features:
+  resonance                 of the chain; without damping the friction from which it is bounded (6.2), with damping
+                            the friction up to which the contact slides all the time there
+  resonance if stuck        of the chain with its contact held, and the friction up to which it slides there
+  limit for r -> 0, inf     the friction up to which the contact slides (all the time) at either end
+  antiresonance             without friction the motion vanishes
+  invariant point           every friction up to the one given has this amplitude, or fundamental component: exact for
+                            the contact and for fundamentals, else of the estimated amplitude (6.9, 6.10)
+  grows with friction       a range in which more friction enlarges the motion
+With --beta or --friction, for each:
+  quasi-static start        the amplitude for r -> 0
+  slides                    ranges in which the contact slides at this friction and at every smaller one
+  regime                    the regimes along frequency
+  peak by estimate; peak    at each resonance: by (7.60), and the largest amplitude itself, over all regimes
+With two frictions or more:
+  same amplitude            where neighbouring frictions have the same exact amplitude
+
+Found:
+  exact    a closed form
+  all      by intervals: none in the range is missed
+  sampled  by close samples, refined: a pair nearer than these may be missed
+
+Ranges:
+  A range is a:b, above 0; without one, from 0.55 times the lowest resonance to 1.5 times the highest. Towards r = 0
+  most features repeat without end.
+
+Sensitivities:
+  by how many per cent the first number of a line changes for one per cent of the parameter that moves it
+  most; JSON has the derivatives with respect to all. With a load at constant N and m, else at constant groups.
+
+Exit status:
+  0, or 2 with one line on standard error for each thing that is wrong.
+
+";
+
 pub const SENSITIVITIES: &str = "\
 Parameters:
   m, k      each mass and spring

@@ -1,12 +1,18 @@
 //! What can be typed.
 
 mod help;
+mod recorded;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use help::{
-    CURVES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA, ORBITS, RANGES, RESPONSES,
-    SENSITIVITIES, TABLES, TIMES, UNITS,
+    CURVES, FEATURES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA, ORBITS, RANGES,
+    RESPONSES, SENSITIVITIES, TABLES, TIMES, UNITS,
 };
+pub use recorded::{
+    Also, By, DriveArguments, FitArguments, IdentifyArguments, RecordingArguments,
+    TransmissibilityArguments,
+};
+use recorded::{DRIVES, FITS, IDENTIFICATIONS, RECORDINGS};
 use std::path::PathBuf;
 
 /// Exact solutions of mass-spring chains with one Coulomb friction contact.
@@ -42,9 +48,24 @@ pub enum Command {
     /// The friction that keeps the largest amplitude over a band of frequencies smallest
     #[command(after_help = format!("{OPTIMA}{UNITS}"))]
     Optimum(OptimumArguments),
+    /// Resonances, thresholds, invariant points, sliding ranges, regimes and peaks of a scene
+    #[command(after_help = format!("{FEATURES}{UNITS}"))]
+    Features(FeaturesArguments),
     /// The derivatives of amplitude, phase and limits with respect to every parameter, in any regime
     #[command(after_help = format!("{SENSITIVITIES}{UNITS}{GRIDS_IN_TIME}"))]
     Sensitivity(SensitivityArguments),
+    /// Driving frequency, transmissibility and phase of recordings
+    #[command(after_help = RECORDINGS)]
+    Transmissibility(TransmissibilityArguments),
+    /// The friction force from recordings, with its interval
+    #[command(after_help = format!("{IDENTIFICATIONS}{RECORDINGS}"))]
+    Identify(IdentifyArguments),
+    /// Frequencies, mass and stiffness ratios from a sweep without friction
+    #[command(after_help = FITS)]
+    Fit(FitArguments),
+    /// The motion under a recorded force or motion of the base, step by step
+    #[command(after_help = DRIVES)]
+    Drive(DriveArguments),
     /// Tables of the limits and of the contact's motion, to a declared accuracy
     #[command(after_help = TABLES)]
     Compile(CompileArguments),
@@ -355,6 +376,51 @@ pub struct OptimumArguments {
     /// The amplitude of this mass, or of `contact`
     #[arg(long, value_name = "NAME")]
     pub of: String,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
+}
+
+/// Of `frictiongen features`.
+#[derive(Debug, Args)]
+pub struct FeaturesArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// Frequency ratios r = omega sqrt(m1/k1) from a to b [default: about the resonances]
+    #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
+    pub r: Option<String>,
+    /// In place of --r, frequencies in Hz
+    #[arg(
+        long,
+        value_name = "a:b",
+        allow_hyphen_values = true,
+        conflicts_with = "r"
+    )]
+    pub hz: Option<String>,
+    /// In place of --r, angular frequencies in rad/s
+    #[arg(long, value_name = "a:b", allow_hyphen_values = true, conflicts_with_all = ["r", "hz"])]
+    pub omega: Option<String>,
+    /// Also the features at these friction ratios beta = F/P, for base motion F/(k1 Y)
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    pub beta: Option<String>,
+    /// In place of --beta, kinetic friction forces F in N; needs --force or --base
+    #[arg(
+        long,
+        value_name = "GRID",
+        allow_hyphen_values = true,
+        conflicts_with = "beta"
+    )]
+    pub friction: Option<String>,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
+    /// Only of this mass, or of `contact`; may be given more than once [default: all]
+    #[arg(long, value_name = "NAME")]
+    pub of: Vec<String>,
+    /// Write to this file; its ending decides: .csv, .json, .svg, .png
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,

@@ -34,7 +34,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         None => Vec::new(),
     };
     let frictions = Frictions::parse(&arguments.friction, None)?;
-    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let band = Band::parse(&arguments.frequency, &system)?;
     let parts = asked::parts(&system, &arguments.of)?;

@@ -41,7 +41,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     let digits = arguments.boundaries.as_deref().map(digits).transpose()?;
     let frequencies = Frequencies::parse(&arguments.frequency, false)?;
     let frictions = Frictions::parse(&arguments.friction, Some(&frequencies))?;
-    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;
     let parts = asked::parts(&system, &arguments.of)?;

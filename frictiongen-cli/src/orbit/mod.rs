@@ -24,7 +24,7 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
         Some(highest) => (0..=highest).collect(),
         None => Vec::new(),
     };
-    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let masses = asked::masses(&system, &arguments.mass)?;
     frequencies.check(&system)?;

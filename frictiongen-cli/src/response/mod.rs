@@ -24,7 +24,7 @@ pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Fai
         Some(highest) => (1..=highest).step_by(2).collect(),
         None => Vec::new(),
     };
-    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let masses = asked::masses(&system, &arguments.mass)?;
     frequencies.check(&system)?;

@@ -40,7 +40,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let asked = Asked::parse(arguments)?;
     let frequencies = Frequencies::parse(&arguments.frequency, true)?;
     let frictions = Frictions::parse(&arguments.friction, Some(&frequencies))?;
-    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let parts = parts(&system, &arguments.of)?;
     frequencies.check(&system)?;

@@ -38,9 +38,14 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             #visibility struct #at(#facade::kernel::#inner<#name>);
         }
     });
+    // A paragraph of its own, below what the scene says.
+    let documented = attributes
+        .iter()
+        .any(|attribute| attribute.path().is_ident("doc"));
+    let blank = documented.then(|| code!(#[doc = ""]));
     let types = code! {
         #(#attributes)*
-        #[doc = ""]
+        #blank
         #[doc = #header]
         #[::core::prelude::v1::derive(
             ::core::clone::Clone,
@@ -81,6 +86,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
             pub const MODE_SHAPES: [[#scalar; #masses]; #masses] = [#(#shapes),*];
 
+            /// What the limits need beyond the modes.
             const CHAIN: Chain<#scalar> = #chain;
 
             /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
@@ -134,6 +140,7 @@ fn at_frequency(emission: &Emission<'_>) -> TokenStream {
         impl #name {
             /// The modes that the load or the contact drives.
             const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
+            /// All that the steady response rests on.
             const NUMBERS: Numbers<'static, #scalar> = Numbers {
                 modes: &Self::MODES,
                 chain: Self::CHAIN,

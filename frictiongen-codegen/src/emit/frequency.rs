@@ -1,7 +1,7 @@
 //! The frequency stage: a scene at one r.
 
 use super::trace::{Tracer, contact_outputs, mode_outputs};
-use super::{Emission, field, local};
+use super::{Emission, field, legend, local};
 use crate::graph::count::Count;
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::Scalar;
@@ -21,9 +21,12 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
         _ => straight(emission),
     };
     let operations = format!(" Operations: {operations}.");
+    let legend = legend::lines(&emission.reduced.modes);
     code! {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        #(#[doc = #legend])*
         ///
         #[doc = #operations]
         #[inline]
@@ -66,11 +69,33 @@ fn single(emission: &Emission<'_>) -> (TokenStream, String) {
 
 /// A block for each mode, then the sums.
 fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
+    let graph = Graph::new(emission.modes());
+    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+    let (blocks, mut count) = blocks(emission, true);
+    let outputs = contact_outputs(&tracer.joined(true));
+    let (printed, operations) = tracer.print(
+        &outputs,
+        emission.precision,
+        &["scale", "inverse_r", "contact", "modes"],
+    );
+    count = count.and(&operations);
+    let statements = printed.statements;
+    let contact = contact_structure(&printed.outputs);
+    let body = code! {
+        #blocks
+        #statements
+        let contact = #contact;
+    };
+    (body, count.to_string())
+}
+
+/// A block for each mode, the scale, and the modes at it: what sums over modes start from.
+pub(super) fn blocks(emission: &Emission<'_>, with_g: bool) -> (TokenStream, Count) {
     let mut count = Count::default();
     let mut body = TokenStream::new();
     let names = super::motion::mode_names(emission);
     for (index, name) in names.iter().enumerate() {
-        let (block, operations) = mode_block(emission, index);
+        let (block, operations) = mode_block(emission, index, with_g);
         count = count.and(&operations);
         body.extend(code!(let #name = #block;));
     }
@@ -92,43 +117,28 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
         let modes = [#(Self::CHAIN.at_scale(&#names, scale)),*];
     });
     let scaled = chain.scaled(&tracer.response("mode"), graph.input("scale"), false, 0);
-    let outputs = mode_outputs(&scaled);
+    let mut outputs = mode_outputs(&scaled);
+    if !with_g {
+        outputs.pop();
+    }
     let operations = Count::of(&graph, &outputs).times(names.len());
     count = count.and(&operations);
-    let at_names: Vec<_> = (1..=names.len())
-        .map(|mode| local(&format!("at_{mode}")))
-        .collect();
-    let mut sum = ContactAt::zero(graph.input("scale"));
-    for (index, (mode, response)) in constants.iter().zip(&responses).enumerate() {
-        let at = tracer.mode_at(&format!("at_{}", index + 1));
-        sum = chain.joined_by(&sum, mode, response, &at, false, true);
-    }
-    let contact = chain.completed(&sum, graph.input("inverse_r"));
-    let outputs = contact_outputs(&contact);
-    let (printed, operations) = tracer.print(
-        &outputs,
-        emission.precision,
-        &["scale", "inverse_r", "contact", "modes"],
-    );
-    count = count.and(&operations);
-    let statements = printed.statements;
-    let contact = contact_structure(&printed.outputs);
-    body.extend(code! {
-        let [#(#at_names),*] = &modes;
-        #statements
-        let contact = #contact;
-    });
-    (body, count.to_string())
+    let at_names = (1..=names.len()).map(|mode| local(&format!("at_{mode}")));
+    body.extend(code!(let [#(#at_names),*] = &modes;));
+    (body, count)
 }
 
 /// The functions of one mode, free of their pole.
-fn mode_block(emission: &Emission<'_>, index: usize) -> (TokenStream, Count) {
+fn mode_block(emission: &Emission<'_>, index: usize, with_g: bool) -> (TokenStream, Count) {
     let graph = Graph::new(1);
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
     let Some(mode) = tracer.reduced.modes.get(index) else {
         return (TokenStream::new(), Count::default());
     };
-    let response = mode.response(graph.input("inverse_r"), 0);
+    let mut response = mode.response(graph.input("inverse_r"), 0);
+    if !with_g {
+        response.g = Expr::constant(0.0);
+    }
     let outputs = response_outputs(&response);
     let (printed, count) = tracer.print(&outputs, emission.precision, &["inverse_r"]);
     let statements = &printed.statements;

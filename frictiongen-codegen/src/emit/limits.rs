@@ -1,7 +1,8 @@
 //! The formulas of both limits, and a slice of them.
 
 use super::trace::Tracer;
-use super::{Emission, field};
+use super::{Emission, field, frequency};
+use crate::graph::count::Count;
 use crate::graph::print::Printed;
 use crate::graph::{Expr, Graph};
 use proc_macro2::TokenStream;
@@ -62,21 +63,30 @@ fn without_search(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
     let graph = Graph::new(emission.modes());
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
-    let outputs = tracer.limits_without_search(graph.input("inverse_r"));
-    let outputs = outputs.map(Expr::operand);
-    let (printed, count) = tracer.print(&outputs, emission.precision, &["inverse_r"]);
-    let statements = printed.statements;
+    let (blocks, contact, count) = if emission.modes() == 1 {
+        let contact = tracer.frequency(graph.input("inverse_r")).0;
+        (TokenStream::new(), contact, Count::default())
+    } else {
+        let (blocks, count) = frequency::blocks(emission, false);
+        (blocks, tracer.joined(false), count)
+    };
+    let outputs = tracer.limits_of(&contact).map(Expr::operand);
+    let taken = ["inverse_r", "scale", "modes"];
+    let (printed, operations) = tracer.print(&outputs, emission.precision, &taken);
+    let (statements, count) = (printed.statements, count.and(&operations));
     let [continuous, sliding, h] = printed.outputs.as_slice() else {
         return TokenStream::new();
     };
     let (continuous, sliding) = (field("continuous", continuous), field("sliding", sliding));
     let operations = format!(" Operations: {count}.");
     code! {
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
+        /// those of `frequency_stage`.
         ///
         #[doc = #operations]
         #[inline]
         fn limits_without_search(&self, inverse_r: #scalar) -> (Limits<#scalar>, #scalar) {
+            #blocks
             #statements
             (Limits { #continuous, #sliding }, #h)
         }

@@ -3,6 +3,7 @@
 mod constants;
 mod dynamics;
 mod frequency;
+mod legend;
 mod limits;
 mod missing;
 mod motion;

@@ -21,6 +21,15 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
     let frequency = frequency::emit(emission);
     let formulas = limits::formulas(emission);
     let shapes = shapes(emission, wanted);
+    let kept = (wanted.stuck || wanted.motion.is_some()).then(|| {
+        code! {
+            /// A copy of the modes for a motion to keep.
+            #[inline]
+            fn kept(modes: &Self::Modes) -> Self::Modes {
+                *modes
+            }
+        }
+    });
     let wraps = if emission.is_tabled() {
         code!(#facade::kernel::wraps!(#at, Compiled of tabled #name, Copy);)
     } else {
@@ -42,15 +51,19 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
 
             #shapes
 
+            /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
             #[inline]
             fn inverse_ratio_range(&self) -> (#scalar, #scalar) {
                 (#low, #high)
             }
 
+            /// Working space of the searches, and of the waves of a motion.
             #[inline]
             fn idle(&self) -> Self::Waves {
                 Self::MODES.map(|mode| Wave::idle(&mode))
             }
+
+            #kept
 
             #frequency
             #formulas

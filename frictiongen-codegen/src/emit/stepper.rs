@@ -5,10 +5,7 @@ use super::names::local;
 use super::step_table::{self, Sizes};
 use super::{Emission, Part, rounded};
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_kernel::stepper::{
-    Cost, Input, MAX_EVENTS, MAX_PARTS, StepScene, Units, series_terms,
-};
-use frictiongen_model::scene::Precision;
+use frictiongen_kernel::stepper::{Input, MAX_EVENTS, MAX_PARTS, MAX_STRETCHES, StepScene, Units};
 use frictiongen_model::stepping::Steps;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -42,7 +39,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         .stepping
         .step
         .and_then(|step| step_table::emit(emission, &exact, step, &sizes));
-    let cost = cost(&exact, scene.stepping.step, sizes.coefficients, *precision);
+    let cost = cost(&exact, scene.stepping.step);
     let from_tables = tables.is_some().then(|| {
         code! {
             if dt == Self::STEP {
@@ -142,57 +139,29 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
 }
 
 /// What a step costs.
-fn cost(
-    scene: &StepScene<'_, Dd>,
-    step: Option<f64>,
-    coefficients: usize,
-    precision: Precision,
-) -> Vec<String> {
+fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
     let fastest = scene.fastest().to_f64();
-    let angle = step.map_or(1.0, |step| fastest * step);
-    let count = angle.ceil().clamp(1.0, f64::from(MAX_PARTS));
-    let epsilon = match precision {
-        Precision::F32 => f64::from(f32::EPSILON),
-        Precision::F64 => f64::EPSILON,
+    let shown = if (0.1..1e7).contains(&fastest) {
+        format!("{fastest:.2}")
+    } else {
+        format!("{fastest:.3e}")
     };
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "from 1 to MAX_PARTS"
-    )]
-    let cost = scene.cost(
-        coefficients,
-        count as u32,
-        series_terms(angle / count, epsilon),
-    );
-    let (parts, of) = match step {
-        Some(_) => {
-            let plural = if count > 1.0 { "s" } else { "" };
-            let parts = format!(
-                " A step `STEP` is cut into {count} part{plural}, any other into {fastest:.4e}·dt, rounded up, and at most {MAX_PARTS}."
-            );
-            (parts, "step `STEP`")
+    let parts = match step {
+        Some(step) => {
+            let parts = (fastest * step).ceil().max(1.0);
+            let plural = if parts > 1.0 { "s" } else { "" };
+            format!(
+                " A step `STEP` is cut into {parts} part{plural}, any other into {shown}·dt, rounded up, and at most {MAX_PARTS}."
+            )
         }
         None => {
-            let parts = format!(
-                " A step is cut into {fastest:.4e}·dt parts, rounded up, and at most {MAX_PARTS}."
-            );
-            (parts, "part")
+            format!(" A step is cut into {shown}·dt parts, rounded up, and at most {MAX_PARTS}.")
         }
     };
-    let Cost {
-        tables,
-        one_event,
-        most,
-    } = cost;
-    let (each, beside) = (Cost::INSTRUCTIONS, Cost::FIXED);
     vec![
         parts,
-        " A part in which the contact certainly neither stops nor leaves is one product with the tables; in any other".to_owned(),
-        format!(" part at most {MAX_EVENTS} events are followed."),
-        String::new(),
-        format!(" A {of} has at most {tables} floating-point operations by the tables, about {one_event} with one event, never"),
-        format!(" more than {most}.  A Cortex-M4F takes up to {each} instructions for each in single precision, and {beside} a part."),
+        " A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is".to_owned(),
+        format!(" followed through at most {MAX_EVENTS} events, in at most {MAX_STRETCHES} stretches."),
     ]
 }
 

@@ -76,6 +76,7 @@ fn in_lines(emission: &Emission<'_>) -> TokenStream {
     }
     code! {
         #[allow(unused_variables)]
+        #[inline]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<#scalar>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [#(#modes),*] = at.modes();

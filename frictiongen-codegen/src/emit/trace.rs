@@ -123,13 +123,25 @@ impl<'g> Tracer<'g> {
         (contact, at)
     }
 
-    /// Both limits without search, unrolled, and the real part of H.
-    pub fn limits_without_search(&self, inverse_r: Expr<'g>) -> [Expr<'g>; 3] {
-        let (contact, _) = self.frequency(inverse_r);
+    /// The sums over the modes' functions `mode_1` … and `at_1` …, without G unless it is asked for.
+    pub fn joined(&self, with_g: bool) -> ContactAt<Expr<'g>> {
+        let Reduced { modes, chain, .. } = &self.reduced;
+        let mut sum = ContactAt::zero(self.graph.input("scale"));
+        for (number, mode) in (1..).zip(modes) {
+            let response = self.response(&format!("mode_{number}"));
+            let at = self.mode_at(&format!("at_{number}"));
+            sum = chain.joined_by(&sum, mode, &response, &at, false, with_g);
+        }
+        chain.completed(&sum, self.graph.input("inverse_r"))
+    }
+
+    /// Both limits without search, and the real part of H.
+    pub fn limits_of(&self, contact: &ContactAt<Expr<'g>>) -> [Expr<'g>; 3] {
         let chain = &self.reduced.chain;
+        let break_away = chain.break_away(contact).named("break_away", None);
         [
-            chain.continuous_limit(&contact, chain.break_away(&contact)),
-            chain.sliding_limit(&contact),
+            chain.continuous_limit(contact, break_away),
+            chain.sliding_limit(contact),
             contact.h.re,
         ]
     }

@@ -15,8 +15,6 @@ use frictiongen_model::table::{TableError, Tables};
 use frictiongen_model::validate::{MOST_MASSES, may_name};
 use proc_macro2::{Ident, Span, TokenStream};
 
-use frictiongen_kernel::stepper::MAX_PARTS;
-
 use crate::diagnostics::{Diagnostics, Failure, Partial, Problems};
 use crate::parse;
 use crate::parse::syntax::{AccuracyEntry, Syntax};
@@ -161,11 +159,11 @@ fn lower(
         .as_ref()
         .filter(|_| limits.tables && problems.is_empty())
         && scene.stepping.step.is_some()
-        && let Some(angle) = refused_step(scene, &Modal::of(scene))
+        && let Some((angle, [least, most])) = refused_step(scene, &Modal::of(scene))
     {
         let place = fields.step.given().map_or(syntax.place, |step| step.place);
         let message = format!(
-            "the fastest oscillator turns by {angle:.1e} rad in this step, and a stepper follows up to {MAX_PARTS}; write a shorter step"
+            "the fastest oscillator turns by {angle:.1e} rad in this step, and a stepper follows {least:.0e} to {most} rad; write a step within that"
         );
         problems.report(place, message);
     }
@@ -181,12 +179,25 @@ fn lower(
         }),
         (_, name) => {
             let mut seen = HashSet::new();
-            let mass_names = names
+            let mass_names: Vec<Ident> = names
                 .filter(|name| may_name(&name.text))
                 .filter(|name| seen.insert(name.text.as_str()))
                 .map(|name| name.ident.clone())
                 .collect();
+            let excitation = fields.excitation.given().map(|name| name.text.as_str());
+            let loaded = fields.force.given();
+            let loaded = loaded.map_or(&[][..], |force| &force.list.entries);
+            let mut forces: Vec<usize> = loaded
+                .iter()
+                .filter(|name| excitation != Some(name.text.as_str()))
+                .filter_map(|name| mass_names.iter().position(|mass| *mass == name.text))
+                .collect();
+            forces.sort_unstable();
+            forces.dedup();
             Err(Box::new(Partial {
+                on_base: excitation == Some("base"),
+                forces,
+                has_step: !fields.step.is_missing(),
                 attributes: syntax.attributes,
                 visibility: syntax.visibility,
                 name: name.map(|name| name.ident),

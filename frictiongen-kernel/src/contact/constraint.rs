@@ -53,6 +53,11 @@ impl<S: Float> Chain<S> {
         peak
     }
 
+    /// Whether the start of the half period decides and nothing is searched: undamped, with every R ≥ 1/2.
+    pub(crate) fn start_decides(&self, mut ratios: impl Iterator<Item = S>) -> bool {
+        !self.damped && ratios.all(|x| x <= S::constant(2.0))
+    }
+
     /// By how much the constraint exceeds `start`, what it is for τ → 0; at least by `above`.
     fn constraint_above<D: Decay<S>>(
         &self,
@@ -62,14 +67,14 @@ impl<S: Float> Chain<S> {
         start: S,
         above: S,
     ) -> Peak<S> {
-        // Undamped and with every R ≥ 1/2 the start of the half period decides; where no angle is known,
-        // nothing does.
-        let decided = !self.damped && at.iter().all(|at| at.x <= S::constant(2.0));
+        let decided = self.start_decides(at.iter().map(|at| at.x));
+        // Where no angle is known, nothing decides.
         if decided || waves.iter().all(Wave::turns_unknown) {
             return Peak {
                 value: above,
                 places: [None; 4],
                 evaluations: 0,
+                exceeded: false,
             };
         }
         let zero = S::constant(0.0);
@@ -157,7 +162,7 @@ impl<S: Float> Chain<S> {
             let above = allowed - start;
             let peak = self.constraint_above(contact, at, waves, start, above);
             // A search that gave up has found nothing, but knows nothing either.
-            if peak.value <= above && peak.evaluations < search::MAX_EVALUATIONS {
+            if peak.value <= above && !peak.exceeded {
                 return true;
             }
         }

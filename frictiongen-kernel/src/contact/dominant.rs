@@ -16,13 +16,13 @@ use crate::oscillator::mode::Mode;
 
 /// A mode's terms in V, U and H, or sums of them.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Sums<S> {
+pub(crate) struct Terms<S> {
     pub v: Complex<S>,
     pub u: S,
     pub h: Complex<S>,
 }
 
-impl<S: Scalar> Sums<S> {
+impl<S: Scalar> Terms<S> {
     fn zero() -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -77,7 +77,7 @@ struct Heaviest<S> {
     weight: S,
     /// Its number, as a scalar: emitted code finds it by comparing.
     index: S,
-    own: Sums<S>,
+    own: Terms<S>,
     static_residue: S,
 }
 
@@ -92,7 +92,7 @@ impl<S: Scalar> Heaviest<S> {
     }
 }
 
-/// Which mode is taken apart.
+/// Which mode dominates.
 #[derive(Clone, Copy)]
 enum Which<S> {
     /// The only one.
@@ -103,16 +103,16 @@ enum Which<S> {
     Numbered(S),
 }
 
-/// The mode taken apart, the sums for it, and those for the rest.
+/// The dominant mode, the sums for it, and those for the rest.
 #[derive(Clone, Copy)]
-pub(crate) struct Apart<S> {
+pub(crate) struct DominantSums<S> {
     which: Which<S>,
-    pub own: Sums<S>,
-    pub rest: Sums<S>,
+    pub own: Terms<S>,
+    pub rest: Terms<S>,
 }
 
-impl<S: Scalar> Apart<S> {
-    /// By what the mode taken apart, and the rest, are turned against V, where there is damping: a mode is in
+impl<S: Scalar> DominantSums<S> {
+    /// By what the dominant mode, and the rest, are turned against V, where there is damping: a mode is in
     /// phase with its own term of V, so that the others' terms do as well as all, and better where they are
     /// the smaller.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
@@ -133,14 +133,14 @@ impl<S: Scalar> Apart<S> {
     }
 }
 
-/// A sum over modes: the mode taken apart, and the rest.
+/// A sum over modes: the dominant mode, and the rest.
 #[derive(Clone, Copy)]
-pub(crate) struct Parted<S> {
+pub(crate) struct DominantParts<S> {
     pub own: Complex<S>,
     pub rest: Complex<S>,
 }
 
-impl<S: Scalar> Parted<S> {
+impl<S: Scalar> DominantParts<S> {
     pub fn zero() -> Self {
         let zero = complex::real(S::constant(0.0));
         Self {
@@ -150,8 +150,14 @@ impl<S: Scalar> Parted<S> {
     }
 
     /// With one more mode.
-    pub fn with(self, chain: &Chain<S>, apart: &Apart<S>, index: usize, value: Complex<S>) -> Self {
-        match apart.which {
+    pub fn with(
+        self,
+        chain: &Chain<S>,
+        sums: &DominantSums<S>,
+        index: usize,
+        value: Complex<S>,
+    ) -> Self {
+        match sums.which {
             Which::Numbered(number) => {
                 let it = (number - S::constant(index as f64)).is_zero();
                 let zero = complex::real(S::constant(0.0));
@@ -170,32 +176,32 @@ impl<S: Scalar> Parted<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Takes apart the mode whose own terms weigh most.
-    pub(crate) fn apart<'a>(
+    /// The sums for the mode whose own terms weigh most, and for the rest.
+    pub(crate) fn dominant_sums<'a>(
         &self,
         modes: impl Iterator<Item = (&'a Mode<S>, ModeAt<S>)> + Clone,
         partner: Partner,
         contact: &ContactAt<S>,
         inverse_r: S,
-    ) -> Apart<S>
+    ) -> DominantSums<S>
     where
         S: 'a,
     {
-        let without = |sums: Sums<S>, static_residue: S| {
+        let without = |sums: Terms<S>, static_residue: S| {
             let Some(at_rest) = self.on_moving_base else {
                 return sums;
             };
             let r2 = S::constant(1.0) / (inverse_r * inverse_r);
             let kept = complex::real((at_rest - static_residue) * contact.scale);
             let v = complex::scale(self.plus(sums.v, kept), r2);
-            Sums { v, ..sums }
+            Terms { v, ..sums }
         };
         let mut known = modes.clone();
         if let (Some((first, at)), second, None) = (known.next(), known.next(), known.next()) {
             let Some((second, at_second)) = second else {
-                let none = Sums::zero();
+                let none = Terms::zero();
                 let own = without(none, first.static_residue);
-                return Apart {
+                return DominantSums {
                     which: Which::Only,
                     own: self.in_full(first, &at, partner, contact, &own),
                     rest: none,
@@ -205,14 +211,14 @@ impl<S: Scalar> Chain<S> {
                 let others = without(self.own(other, at_other), mode.static_residue);
                 self.in_full(mode, at, partner, contact, &others)
             };
-            return Apart {
+            return DominantSums {
                 which: Which::First,
                 own: others(first, &at, second, &at_second),
                 rest: others(second, &at_second, first, &at),
             };
         }
         let zero = S::constant(0.0);
-        let (mut sum, mut sizes) = (Sums::zero(), (zero, zero));
+        let (mut sum, mut sizes) = (Terms::zero(), (zero, zero));
         let mut heaviest: Option<Heaviest<S>> = None;
         for (index, (mode, at)) in modes.enumerate() {
             let next = self.candidate(mode, &at, partner, contact.scale, index);
@@ -228,13 +234,13 @@ impl<S: Scalar> Chain<S> {
                 }
             });
         }
-        let all = Sums {
+        let all = Terms {
             v: contact.v,
             u: contact.u,
             h: contact.h,
         };
         let Some(heaviest) = heaviest else {
-            return Apart {
+            return DominantSums {
                 which: Which::Only,
                 own: all,
                 rest: all,
@@ -250,7 +256,7 @@ impl<S: Scalar> Chain<S> {
         let remains = v * sizes.1 + (sizes.0 + at_rest) * other;
         let outweighs = remains.lt(heaviest.weight);
         let index = S::select(outweighs, heaviest.index, S::constant(-1.0));
-        Apart {
+        DominantSums {
             which: Which::Numbered(index.named("heaviest", None)),
             own,
             rest: all,
@@ -272,7 +278,7 @@ impl<S: Scalar> Chain<S> {
         } else {
             own.v
         };
-        let (size, other) = self.sizes(&Sums { v, ..own }, partner);
+        let (size, other) = self.sizes(&Terms { v, ..own }, partner);
         let weight = size * other;
         let weight = match partner {
             Partner::U => S::select(
@@ -297,10 +303,10 @@ impl<S: Scalar> Chain<S> {
         at: &ModeAt<S>,
         partner: Partner,
         contact: &ContactAt<S>,
-        others: &Sums<S>,
-    ) -> Sums<S> {
+        others: &Terms<S>,
+    ) -> Terms<S> {
         match partner {
-            Partner::U => Sums {
+            Partner::U => Terms {
                 u: S::select(
                     is_mass_controlled(mode.kind, mode.zeta, at.x),
                     contact.u,
@@ -312,8 +318,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    fn own(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Sums<S> {
-        Sums {
+    fn own(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Terms<S> {
+        Terms {
             v: self.load_term(mode, at),
             u: (mode.inverse_mass * at.u).named("velocity_share", None),
             h: complex::scale(at.response, mode.inverse_mass),
@@ -321,7 +327,7 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// |V| and the size of its partner.
-    fn sizes(&self, sums: &Sums<S>, partner: Partner) -> (S, S) {
+    fn sizes(&self, sums: &Terms<S>, partner: Partner) -> (S, S) {
         let size = |value| complex::size(value, self.damped);
         let partner = match partner {
             Partner::U => sums.u.abs(),
@@ -330,8 +336,8 @@ impl<S: Scalar> Chain<S> {
         (size(sums.v), partner)
     }
 
-    fn joined(&self, a: Sums<S>, b: Sums<S>) -> Sums<S> {
-        Sums {
+    fn joined(&self, a: Terms<S>, b: Terms<S>) -> Terms<S> {
+        Terms {
             v: self.plus(a.v, b.v),
             u: a.u + b.u,
             h: self.plus(a.h, b.h),

@@ -142,40 +142,59 @@ macro_rules! not_provided {
     (@ $type:ident limits) => {
         impl $type {
             #[doc(hidden)]
-            pub fn at<T: $crate::emitted::missing::AddLimitsToProvide>(_: T) -> T::Answer {
-                T::answer()
-            }
-
-            #[doc(hidden)]
-            pub fn limits_without_search<T: $crate::emitted::missing::AddLimitsToProvide>(
+            pub fn at<'a, T>(
                 _: T,
-            ) -> T::Answer {
-                T::answer()
+            ) -> <&'a Self as $crate::emitted::missing::AddLimitsToProvide>::Answer
+            where
+                &'a Self: $crate::emitted::missing::AddLimitsToProvide,
+            {
+                <&'a Self as $crate::emitted::missing::AddLimitsToProvide>::answer()
             }
 
             #[doc(hidden)]
-            pub fn limits_into<T: $crate::emitted::missing::AddLimitsToProvide, U, V>(
+            pub fn limits_without_search<'a, T>(
+                _: T,
+            ) -> <&'a Self as $crate::emitted::missing::AddLimitsToProvide>::Answer
+            where
+                &'a Self: $crate::emitted::missing::AddLimitsToProvide,
+            {
+                <&'a Self as $crate::emitted::missing::AddLimitsToProvide>::answer()
+            }
+
+            #[doc(hidden)]
+            pub fn limits_into<'a, T, U, V>(
                 _: T,
                 _: U,
                 _: V,
-            ) -> T::Answer {
-                T::answer()
+            ) -> <&'a Self as $crate::emitted::missing::AddLimitsToProvide>::Answer
+            where
+                &'a Self: $crate::emitted::missing::AddLimitsToProvide,
+            {
+                <&'a Self as $crate::emitted::missing::AddLimitsToProvide>::answer()
             }
         }
     };
     (@ $type:ident stepper) => {
         impl $type {
             #[doc(hidden)]
-            pub fn stepper<T: $crate::emitted::missing::AddStepperToProvide>(_: T) -> T::Answer {
-                T::answer()
+            pub fn stepper<'a, T>(
+                _: T,
+            ) -> <&'a Self as $crate::emitted::missing::AddStepperToProvide>::Answer
+            where
+                &'a Self: $crate::emitted::missing::AddStepperToProvide,
+            {
+                <&'a Self as $crate::emitted::missing::AddStepperToProvide>::answer()
             }
 
             #[doc(hidden)]
-            pub fn stepper_from<T: $crate::emitted::missing::AddStepperToProvide, U>(
+            pub fn stepper_from<'a, T, U>(
                 _: T,
                 _: U,
-            ) -> T::Answer {
-                T::answer()
+            ) -> <&'a Self as $crate::emitted::missing::AddStepperToProvide>::Answer
+            where
+                &'a Self: $crate::emitted::missing::AddStepperToProvide,
+            {
+                <&'a Self as $crate::emitted::missing::AddStepperToProvide>::answer()
             }
         }
     };

@@ -58,8 +58,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     pub(crate) fn swing_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         let (one, x) = (S::constant(1.0), self.x);
         let loss = (self.decay.zeta() + self.decay.zeta()) * x;
-        let apart = (x - one) * (x + one);
-        apart * at.sine + loss * (at.cosine - basis.swing_slope) - x * x * basis.swing
+        let detuning = (x - one) * (x + one);
+        detuning * at.sine + loss * (at.cosine - basis.swing_slope) - x * x * basis.swing
     }
 
     /// No motion yet, in a mode's place.
@@ -101,9 +101,9 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     pub(crate) fn forcing(&self) -> (S, S) {
         let (one, x) = (S::constant(1.0), self.x);
         let loss = (self.decay.zeta() + self.decay.zeta()) * x;
-        let apart = (x - one) * (x + one);
+        let detuning = (x - one) * (x + one);
         let (b, c) = (self.swing_slope, self.swing);
-        (c * loss + b * apart, c * apart - b * loss)
+        (c * loss + b * detuning, c * detuning - b * loss)
     }
 
     /// The slope at an instant, from the mode's functions there.
@@ -216,6 +216,12 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         (value, slope)
     }
 
+    /// How fast the fastest of its modes moves.
+    pub(crate) fn fastest(&self) -> S {
+        let waves = self.waves.iter();
+        fastest(waves.map(|wave| (wave.x, wave.decay.zeta())))
+    }
+
     /// What rounding leaves of the sum at most: waves beside the excitation's frequency, whose
     /// differences from it are small, do not count.
     pub(crate) fn rounding(&self) -> S {
@@ -249,6 +255,13 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     }
 }
 
+/// The largest x(1 + 2ζ), which bounds how fast a mode of (x, ζ) turns and how fast it decays.
+pub(crate) fn fastest<S: Float>(modes: impl Iterator<Item = (S, S)>) -> S {
+    modes.fold(S::constant(0.0), |most, (x, zeta)| {
+        most.max(x * (S::constant(1.0) + (zeta + zeta)))
+    })
+}
+
 /// p″ and p‴, from the mode's equation p″ + 2ζx p′ + x²p = 0.
 #[inline]
 fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) {
@@ -272,9 +285,9 @@ fn differences<S: Float, D: Decay<S>>(
         return (-at.sine - p2, -at.cosine - p3);
     }
     let loss = (wave.decay.zeta() + wave.decay.zeta()) * x;
-    let apart = (x - one) * (x + one);
+    let detuning = (x - one) * (x + one);
     let second = wave.swing_curve(basis, at);
-    let third = apart * at.cosine - loss * (at.sine + second) - x * x * basis.swing_slope;
+    let third = detuning * at.cosine - loss * (at.sine + second) - x * x * basis.swing_slope;
     (second, third)
 }
 

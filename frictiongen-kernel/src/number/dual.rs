@@ -229,7 +229,7 @@ impl<S: Float> Float for Dual<S> {
     fn floor(self) -> Self {
         Self::fixed(self.value.floor())
     }
-    fn held(self) -> Self {
+    fn primal(self) -> Self {
         Self::fixed(self.value)
     }
     fn carried(self) -> Self {

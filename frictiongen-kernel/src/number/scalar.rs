@@ -154,9 +154,9 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
     fn vanishes(self) -> bool {
         self.is_zero()
     }
-    /// The value alone: where something is looked at does not move with what it depends on.
+    /// The value alone, without its derivative: where something is looked at does not move with what it depends on.
     #[must_use]
-    fn held(self) -> Self {
+    fn primal(self) -> Self {
         self
     }
     /// The derivative that it carries, as a number of its own; 0 where it carries none.

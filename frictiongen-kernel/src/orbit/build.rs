@@ -296,7 +296,7 @@ fn is_symmetric<S: Float>(
         cycle_map.half(None)?;
     }
     cycle_map.save(workspace.state);
-    let apart = workspace.state.iter().zip(workspace.other.iter());
-    let apart = apart.fold(S::constant(0.0), |most, (a, b)| most.max((*a + *b).abs()));
-    Ok(apart <= same(cycle_map.scale()))
+    let distance = workspace.state.iter().zip(workspace.other.iter());
+    let distance = distance.fold(S::constant(0.0), |most, (a, b)| most.max((*a + *b).abs()));
+    Ok(distance <= same(cycle_map.scale()))
 }

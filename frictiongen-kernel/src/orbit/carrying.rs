@@ -313,19 +313,19 @@ fn closed_in<S: Float>(
         if !last {
             continue;
         }
-        let (mut apart, mut size) = (S::constant(0.0), S::constant(0.0));
+        let (mut change, mut size) = (S::constant(0.0), S::constant(0.0));
         for (part, state) in cycle_map.modes.iter().zip(pairs(workspace.state)) {
             if let [y, u] = state {
                 for (now, then) in [(part.y, *y), (part.u, *u)] {
                     let (now, then) = (now.carried(), then.carried());
-                    apart = apart.max((now - then).abs());
+                    change = change.max((now - then).abs());
                     size = size.max(now.abs());
                 }
             }
         }
         // A derivative of 0 has no size of its own; the first step's is rounded as the state is.
         let rounding = cycle_map.scale() * S::constant(ROUNDING);
-        if !(apart <= alike * size + rounding) {
+        if !(change <= alike * size + rounding) {
             return Err(NoDerivative::Graze);
         }
     }

@@ -12,8 +12,8 @@ use crate::oscillator::decay::Damped;
 use crate::oscillator::mode::Mode;
 use crate::simulation::{Contact, ContactState, Dynamics};
 
-/// The sums over all modes that the contact drives.
-struct Sums<'a, S> {
+/// The modes that the contact drives, at one frequency.
+struct Driven<'a, S> {
     chain: Chain<S>,
     modes: &'a [Mode<S>],
     inverse_r: S,
@@ -21,7 +21,7 @@ struct Sums<'a, S> {
     single: bool,
 }
 
-impl<'a, S: Float> Sums<'a, S> {
+impl<'a, S: Float> Driven<'a, S> {
     fn new(dynamics: &Dynamics<'a, S>, inverse_r: S) -> Self {
         let modes = dynamics.driven();
         Self {
@@ -47,27 +47,28 @@ impl<'a, S: Float> Sums<'a, S> {
 pub(super) fn set<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>) {
     let one = S::constant(1.0);
     let dynamics = &cycle_map.setting.dynamics;
-    let sums = Sums::new(dynamics, one / cycle_map.setting.r);
-    let contact = sums.contact();
+    let driven = Driven::new(dynamics, one / cycle_map.setting.r);
+    let contact = driven.contact();
     let friction = dynamics
         .chain
-        .friction(&contact, sums.inverse_r, cycle_map.setting.beta);
-    let known = sums.modes.iter().map(|mode| (mode, sums.at(mode)));
-    let apart = dynamics
-        .chain
-        .apart(known.clone(), Partner::U, &contact, sums.inverse_r);
+        .friction(&contact, driven.inverse_r, cycle_map.setting.beta);
+    let known = driven.modes.iter().map(|mode| (mode, driven.at(mode)));
+    let dominant =
+        dynamics
+            .chain
+            .dominant_sums(known.clone(), Partner::U, &contact, driven.inverse_r);
     for (index, (part, (mode, at))) in cycle_map.modes.iter_mut().zip(known).enumerate() {
         let alone = core::iter::once((index, one, mode, at));
         let fundamental = dynamics
             .chain
-            .fundamental_of(alone, &apart, &contact, &friction);
+            .fundamental_of(alone, &dominant, &contact, &friction);
         let wave = dynamics.chain.mass_wave::<Damped<S>>(
             mode,
             one,
             &at,
             &contact,
             &friction,
-            sums.inverse_r,
+            driven.inverse_r,
         );
         let sum = Sum {
             waves: core::slice::from_ref(&wave),

@@ -67,21 +67,22 @@ pub(super) fn member<S: Float>(
         set(cycle_map);
         let pattern = cycle_map.half(None)?.and(cycle_map.half(None)?);
         let states = pairs(workspace.other).zip(pairs(workspace.state));
-        let apart = cycle_map
-            .modes
-            .iter()
-            .zip(states)
-            .fold(zero, |most, (part, (from, along))| {
-                if let ([y, u], [dy, du]) = (from, along) {
-                    most.max((part.y - *y - share * *dy).abs())
-                        .max((part.u - *u - share * *du).abs())
-                } else {
-                    most
-                }
-            });
+        let distance =
+            cycle_map
+                .modes
+                .iter()
+                .zip(states)
+                .fold(zero, |most, (part, (from, along))| {
+                    if let ([y, u], [dy, du]) = (from, along) {
+                        most.max((part.y - *y - share * *dy).abs())
+                            .max((part.u - *u - share * *du).abs())
+                    } else {
+                        most
+                    }
+                });
         set(cycle_map);
         let tolerance = S::constant(256.0 * S::EPSILON);
-        Ok(pattern.stops == 0 && apart <= scale * tolerance)
+        Ok(pattern.stops == 0 && distance <= scale * tolerance)
     };
     if shifted(cycle_map, one)? {
         return Ok(());

@@ -74,7 +74,7 @@ impl<S: Float> SegmentStart<S> {
     }
 
     /// z̄ at its end, if it sticks: what it was at the start, to the last digit.
-    fn held(&self) -> Option<S> {
+    fn stuck_at(&self) -> Option<S> {
         (self.contact_state.contact == Contact::Stuck).then_some(self.relative)
     }
 }

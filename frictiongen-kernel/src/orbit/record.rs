@@ -23,7 +23,7 @@ pub(super) struct Record<'s, S> {
     stops: usize,
     reversals: usize,
     /// z̄ at the end of the segment written down last, if that sticks.
-    held: Option<S>,
+    stuck_at: Option<S>,
     /// Where the relative motion leaves its maximum: the start of the segment with the largest z̄.
     top: Option<SegmentStart<S>>,
 }
@@ -53,7 +53,7 @@ impl<'s, S: Float> Record<'s, S> {
             segments: 0,
             stops: 0,
             reversals: 0,
-            held: None,
+            stuck_at: None,
             top: None,
         }
     }
@@ -120,7 +120,7 @@ impl<'s, S: Float> Record<'s, S> {
             contact_state,
             cycle,
             length: S::constant(0.0),
-            relative: self.held.unwrap_or_else(found),
+            relative: self.stuck_at.unwrap_or_else(found),
             more: 0,
         }
     }
@@ -142,7 +142,7 @@ impl<'s, S: Float> Record<'s, S> {
             last.more += 1;
         }
         self.segments += 1;
-        self.held = mark.held();
+        self.stuck_at = mark.stuck_at();
         self.stops += usize::from(event == Some(Event::Stop));
         self.reversals += usize::from(event == Some(Event::Reversal));
         let higher = |top: &SegmentStart<S>| top.relative < mark.relative;
@@ -187,8 +187,8 @@ impl<'s, S: Float> Record<'s, S> {
 
     pub(super) fn done(self) -> Recorded<S> {
         let zero = S::constant(0.0);
-        if let (Some(first), Some(held)) = (self.marks.first_mut(), self.held) {
-            first.relative = held;
+        if let (Some(first), Some(stuck_at)) = (self.marks.first_mut(), self.stuck_at) {
+            first.relative = stuck_at;
         }
         Recorded {
             count: self.count,
@@ -210,7 +210,7 @@ pub(super) fn within<S: Float>(length: S, left: S) -> S {
     }
 }
 
-/// How many cycles begin between two stances τ apart.
+/// How many cycles begin between two contact states at a distance of τ.
 pub(super) fn passed<S: Float>(from: &ContactState<S>, tau: S, to: &ContactState<S>) -> S {
     let half = S::constant(0.5);
     let turns = (from.t + tau * S::inverse_pi() - to.t) * half;

@@ -121,7 +121,7 @@ where
             if zero < length && !(zero < mark.length) {
                 mark.length = within(length, left);
                 let found = || setting.relative(modes, mark.contact_state.t.sin_cos_pi());
-                mark.relative = last.held().unwrap_or_else(found);
+                mark.relative = last.stuck_at().unwrap_or_else(found);
                 break;
             }
             if !(zero < left) {

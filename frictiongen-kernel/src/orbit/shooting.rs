@@ -357,8 +357,8 @@ impl<S: Float> Candidate<S> {
         let after = cycle_map.energy_between(workspace.other).sqrt();
         let enough = S::constant(0.1) + S::constant(0.9) * promised;
         // Across a graze the states may be close, but not the stops.
-        let apart = (cycle_map.stuck - stuck).abs();
-        let alike = apart <= S::constant(0.25) * cycle_map.stuck.max(stuck);
+        let change = (cycle_map.stuck - stuck).abs();
+        let alike = change <= S::constant(0.25) * cycle_map.stuck.max(stuck);
         if !keeps || !alike || !(after <= enough * before.sqrt()) {
             return Ok(false);
         }

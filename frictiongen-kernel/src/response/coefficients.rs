@@ -7,7 +7,7 @@
 //! uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).  Beside a damped resonance g d and Qρ are large
 //! and nearly in proportion to cos τ: −g cos τ joins the fundamental component, and g (cos τ − d) is small.
 
-use crate::contact::dominant::{Apart, Parted, Partner};
+use crate::contact::dominant::{DominantParts, DominantSums, Partner};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
 use crate::number::complex::{self, Complex};
@@ -210,35 +210,35 @@ impl<S: Scalar> Chain<S> {
         inverse_r: S,
     ) -> Fundamental<S> {
         let known = modes.iter().zip(at.iter().copied());
-        let apart = self.apart(known.clone(), Partner::U, contact, inverse_r);
+        let sums = self.dominant_sums(known.clone(), Partner::U, contact, inverse_r);
         let known = shape.iter().zip(known).enumerate();
         let parts = known.map(|(index, (component, (mode, at)))| (index, *component, mode, at));
-        self.fundamental_of(parts, &apart, contact, friction)
+        self.fundamental_of(parts, &sums, contact, friction)
     }
 
     /// The fundamental component that these modes make: number, component, constants and functions of each.
     pub(crate) fn fundamental_of<'a>(
         &self,
         parts: impl Iterator<Item = (usize, S, &'a Mode<S>, ModeAt<S>)>,
-        apart: &Apart<S>,
+        sums: &DominantSums<S>,
         contact: &ContactAt<S>,
         friction: &Friction<S>,
     ) -> Fundamental<S>
     where
         S: 'a,
     {
-        let (mut driven, mut rubbed) = (Parted::zero(), Parted::zero());
-        let mut held = S::constant(0.0);
+        let (mut driven, mut rubbed) = (DominantParts::zero(), DominantParts::zero());
+        let mut damped_back = S::constant(0.0);
         for (index, component, mode, at) in parts {
             let free = complex::scale(at.response, component * mode.load);
             let free = named(free, ["driven_re", "driven_im"], Some(index));
-            driven = driven.with(self, apart, index, free);
+            driven = driven.with(self, sums, index, free);
             let residue = component * mode.contact;
             let at = self.without_parts(mode, &at, index);
             let back = (-(residue * at.u)).named("rubbed_back", Some(index));
-            rubbed = rubbed.with(self, apart, index, complex::real(back));
+            rubbed = rubbed.with(self, sums, index, complex::real(back));
             if self.damped {
-                held = held - residue * (at.g / (at.x * at.x));
+                damped_back = damped_back - residue * (at.g / (at.x * at.x));
             }
         }
         let ratio = self.plus(driven.own, driven.rest);
@@ -256,8 +256,8 @@ impl<S: Scalar> Chain<S> {
             self.plus(complex::scale(driven, u), complex::scale(v, rubbed))
         };
         let mismatch = self.plus(
-            part(driven.own, apart.own.u, rubbed.own, apart.own.v),
-            part(driven.rest, apart.rest.u, rubbed.rest, apart.rest.v),
+            part(driven.own, sums.own.u, rubbed.own, sums.own.v),
+            part(driven.rest, sums.rest.u, rubbed.rest, sums.rest.v),
         );
         let ratio = named(ratio, ["response_re", "response_im"], None);
         let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
@@ -284,11 +284,11 @@ impl<S: Scalar> Chain<S> {
                 let v = complex::scale(complex::scale(v, lift), far);
                 driven.im * v.re - driven.re * v.im
             };
-            let (own, rest) = apart.turning(contact);
+            let (own, rest) = sums.turning(contact);
             let lag = turned(driven.own, own) + turned(driven.rest, rest);
             let in_phase = (root * near).named("in_phase_share", None);
             Fundamental {
-                cosine: (root * ratio.re + beta * mismatch.im) * raised + held * weight,
+                cosine: (root * ratio.re + beta * mismatch.im) * raised + damped_back * weight,
                 sine: (beta * mismatch.re - in_phase * lag) * raised,
                 response,
             }
@@ -311,21 +311,21 @@ impl<S: Scalar> Chain<S> {
         inverse_r: S,
     ) -> Complex<S> {
         let known = modes.iter().zip(at.iter().copied());
-        let apart = self.apart(known.clone(), Partner::H, contact, inverse_r);
-        let (mut driven, mut rubbed) = (Parted::zero(), Parted::zero());
+        let sums = self.dominant_sums(known.clone(), Partner::H, contact, inverse_r);
+        let (mut driven, mut rubbed) = (DominantParts::zero(), DominantParts::zero());
         for (index, (component, (mode, at))) in shape.iter().zip(known).enumerate() {
             let free = complex::scale(at.response, *component * mode.load);
-            driven = driven.with(self, &apart, index, free);
+            driven = driven.with(self, &sums, index, free);
             let back = complex::scale(at.response, -(*component * mode.contact));
-            rubbed = rubbed.with(self, &apart, index, back);
+            rubbed = rubbed.with(self, &sums, index, back);
         }
         let part = |driven, h, rubbed, v| {
             let mul = |a, b| complex::mul(a, b, self.damped);
             self.plus(mul(driven, h), mul(rubbed, v))
         };
         let sum = self.plus(
-            part(driven.own, apart.own.h, rubbed.own, apart.own.v),
-            part(driven.rest, apart.rest.h, rubbed.rest, apart.rest.v),
+            part(driven.own, sums.own.h, rubbed.own, sums.own.v),
+            part(driven.rest, sums.rest.h, rubbed.rest, sums.rest.v),
         );
         let sum = named(sum, ["held_re", "held_im"], None);
         let inverse_h = complex::reciprocal(contact.h, self.damped);

@@ -60,7 +60,7 @@ impl<T: ProvidesMotion> At<T> {
     /// that β is out of the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous> {
         let beta = self.admitted(beta)?;
-        Ok(self.clone().closed_form(beta).into())
+        Ok(self.kept().closed_form(beta).into())
     }
 
     /// β, if the motion at it is continuous and bounded.

@@ -13,7 +13,7 @@ mod numbers;
 mod scene;
 mod stuck;
 
-pub use at::At;
+pub use at::{At, MostEvaluations};
 pub use continuous::{Continuous, MotionOf, ProvidesMotion};
 pub use numbers::{Ends, Numbers};
 pub use scene::Scene;

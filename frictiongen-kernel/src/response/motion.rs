@@ -97,8 +97,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
 
     /// Amplitude and phase by one search, and what that took.
     ///
-    /// It evaluates the motion at most [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS) times, of the contact
-    /// never.
+    /// It evaluates the motion at most as often as
+    /// [`At::most_evaluations`](crate::response::At::most_evaluations) says, of the contact never.
     pub fn largest(&self) -> Largest<S> {
         if self.is_contact {
             return Largest {

@@ -55,6 +55,13 @@ pub trait Scene: Clone {
     /// A wave at rest for each mode: working space of the searches.
     fn idle(&self) -> Self::Waves;
 
+    /// The modes' functions once more, for a motion to keep.  A generator's is a plain copy: where size counts, the compiler
+    /// makes a loop over the modes of a clone, which took half as long as the rest of a stuck response.
+    #[inline]
+    fn kept(modes: &Self::Modes) -> Self::Modes {
+        modes.clone()
+    }
+
     /// Lets a search work on a wave for each mode, at rest; nothing is kept of them.
     #[inline]
     fn with_idle<R>(&self, search: impl FnOnce(&mut [Wave<Self::Scalar, Self::Decay>]) -> R) -> R {

@@ -26,18 +26,19 @@ impl<T: ProvidesStuck> At<T> {
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
+    #[inline]
     pub fn stuck(&self) -> Result<T::Stuck, StuckResonance> {
         let numbers = self.scene.numbers();
         numbers
             .chain
             .stuck_admitted(self.r, &self.contact, numbers.invisible)?;
-        Ok(self.clone().held().into())
+        Ok(self.kept().stuck_unchecked().into())
     }
 
     /// The response with the contact stuck, without a look at resonances: there it is infinite.
     #[inline]
     #[must_use]
-    pub fn held(self) -> Stuck<T> {
+    pub fn stuck_unchecked(self) -> Stuck<T> {
         Stuck { at: self }
     }
 

@@ -84,10 +84,10 @@ impl<S: Float> Sum<'_, S> {
         }
         if S::CARRIES {
             // The place moves as the slope there does; the value does not see it.
-            at = at.held();
+            at = at.primal();
             local = self.local(at);
             if zero < at && at < self.reach {
-                at = at - (local.slope - local.slope.held()) / local.curve.held();
+                at = at - (local.slope - local.slope.primal()) / local.curve.primal();
             }
         }
         (at, local.value, local.curve)

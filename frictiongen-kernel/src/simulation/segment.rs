@@ -196,7 +196,7 @@ pub(crate) fn seek<S: Float>(
     if contact_state.contact == Contact::Stuck {
         let (sum, offset) = setting.stick(modes, held, &contact_state, reach);
         let start = if contact_state.wedged {
-            Start::Held
+            Start::Wedged
         } else {
             Start::Anywhere
         };
@@ -234,18 +234,18 @@ pub(crate) fn seek<S: Float>(
 
 /// The instant at which a sum meets its level, as far as it moves with what the sum depends on: one step of Newton's
 /// method from the instant that the walk has found.  Without a level nothing is met there: the reach stays what it is, and
-/// an instant short of it is held.
+/// an instant short of it does not move.
 fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
     let Some(level) = level else {
         return if tau < sum.reach {
-            tau.held()
+            tau.primal()
         } else {
             sum.reach
         };
     };
-    let local = sum.local(tau.held());
+    let local = sum.local(tau.primal());
     let gap = local.value - level;
-    tau.held() - (gap - gap.held()) / local.slope.held()
+    tau.primal() - (gap - gap.primal()) / local.slope.primal()
 }
 
 /// Puts the parts where they are τ after the segment's start; `to` is the excitation's phase then.

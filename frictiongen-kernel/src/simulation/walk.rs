@@ -41,7 +41,7 @@ pub(crate) enum Start<S> {
     /// On zero, with this slope, exactly.
     Zero(S),
     /// Where it has just failed to leave: it must pass the level by more than rounding.
-    Held,
+    Wedged,
 }
 
 /// The first zero of a positive sum; `steps` counts on.
@@ -111,7 +111,7 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     let zero = S::constant(0.0);
     let noise = sum.noise() + level * S::constant(4.0 * S::EPSILON);
     let level = match start {
-        Start::Held => level + noise * S::constant(16.0),
+        Start::Wedged => level + noise * S::constant(16.0),
         _ => level,
     };
     let mut tau = from;

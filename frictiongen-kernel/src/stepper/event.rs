@@ -86,7 +86,11 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let (tau, breaks) = if !wedged && grip + noise < now.abs() {
             (zero, Some(Contact::along(now)))
         } else {
-            let start = if wedged { Start::Held } else { Start::Anywhere };
+            let start = if wedged {
+                Start::Wedged
+            } else {
+                Start::Anywhere
+            };
             let mut steps = 0;
             match first_reach(
                 &force.seen(S::constant(1.0), zero, left),
@@ -262,7 +266,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 
     fn terms(&self) -> usize {
-        self.scene.terms(self.table.pace.terms)
+        self.scene.terms(self.table.pace.terms, D)
     }
 
     /// The relative velocity as a power series about here, under the friction force level + slope·velocity.

@@ -45,23 +45,29 @@ impl<S: Float> StepScene<'_, S> {
     /// as many parts as this times dt.
     #[must_use]
     pub fn fastest(&self) -> S {
+        self.turning() * self.units.rate
+    }
+
+    /// The same in the time t√(k₁/m₁).
+    pub(super) fn turning(&self) -> S {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let turned = |frequency: S, zeta: S| frequency * (one + two * zeta);
         let modes = self.dynamics.modes.iter();
         let modes = modes.map(|mode| turned(mode.resonance, mode.zeta));
         let held = self.dynamics.held.iter();
         let held = held.map(|mode| turned(mode.frequency, mode.zeta));
-        modes.chain(held).fold(S::constant(0.0), S::max) * self.units.rate
+        modes.chain(held).fold(S::constant(0.0), S::max)
     }
 
     /// How many terms of a power series are formed, if so many reach the end of a part.
-    pub(super) fn terms(&self, enough: u32) -> usize {
+    pub(super) fn terms(&self, enough: u32, coefficients: usize) -> usize {
         let terms = if self.law.is_empty() {
             usize::try_from(enough).unwrap_or(TERMS)
         } else {
             TERMS
         };
-        terms.clamp(5, TERMS)
+        // The input's last coefficient starts a series of its own, so many terms later.
+        (terms + coefficients).clamp(5, TERMS)
     }
 
     /// What a step costs at most that is cut into so many parts, from how many coefficients an input has and how many
@@ -74,7 +80,7 @@ impl<S: Float> StepScene<'_, S> {
             driven: count(self.dynamics.in_contact()),
             inputs: count(self.channels()),
             coefficients: count(coefficients),
-            terms: count(self.terms(terms)),
+            terms: count(self.terms(terms, coefficients)),
             parts: u64::from(parts),
             on_moving_base: self.rubs_on_base(),
             lines: !self.law.is_empty(),

@@ -289,15 +289,7 @@ pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
 fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDomain> {
     let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
     let dynamics = &scene.dynamics;
-    let turned = |frequency: S, zeta: S| frequency * (one + two * zeta);
-    let modes = dynamics.modes.iter();
-    let rate = modes.fold(zero, |most, mode| {
-        most.max(turned(mode.resonance, mode.zeta))
-    });
-    let held = dynamics.held.iter();
-    let rate = held.fold(rate, |most, mode| {
-        most.max(turned(mode.frequency, mode.zeta))
-    });
+    let rate = scene.turning();
     let whole = step * scene.units.rate;
     let (_, most) = S::inverse_ratio_range();
     let angle = rate * whole;

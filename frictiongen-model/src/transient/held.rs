@@ -12,6 +12,10 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::simulation::HeldMode;
 use frictiongen_kernel::{Float, Scalar};
 
+/// Of two squares of frequencies that differ by less, relative to them, the difference is rounding: a thousand times
+/// that of double-double.
+const ROUNDING: f64 = 1e-29;
+
 /// The held modes, and the shares (g, h) of every mode in each.
 pub(super) fn held<T: Float, S: Scalar>(
     modes: &[&Plain<T>],
@@ -33,9 +37,13 @@ pub(super) fn held<T: Float, S: Scalar>(
             let b = (mode.resonance - omega) * (mode.resonance + omega);
             let resultant = b * b - two * zeta * omega * a * b + omega * omega * a * a;
             let weight = mode.contact / resultant;
-            // The square of w_i's part.
+            // The square of w_i's part.  A mode that the contact hardly touches is so near that its denominator is
+            // rounding alone, and its part then anything: it is nearest all the same.
             let own_part = (mode.contact * mode.contact * mode.contact * weight).abs();
-            if !(own_part <= part) {
+            let rounding = T::constant(ROUNDING) * omega * omega;
+            if resultant < rounding * rounding {
+                (nearest, part) = (index, T::constant(f64::INFINITY));
+            } else if !(own_part <= part) {
                 (nearest, part) = (index, own_part);
             }
             *share = [weight * (b - two * zeta * omega * a), -(weight * a * omega)];

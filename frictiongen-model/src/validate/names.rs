@@ -52,8 +52,6 @@ pub const RESERVED: &[&str] = &[
     "begin",
     "dt",
     "exceeded",
-    "force",
-    "friction",
     "restore",
     "save",
     "set_stiction",

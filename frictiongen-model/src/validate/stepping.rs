@@ -151,6 +151,13 @@ fn check_forces(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     for (index, mass) in scene.stepping.forces.iter().copied().enumerate() {
         let path = Path::Force(Some(index));
         check_node(scene, Node::Mass(mass), path, errors);
+        // The input has fields of these names.
+        if let Some(taken) = scene.masses.get(mass)
+            && ["force", "friction"].contains(&taken.name.as_str())
+        {
+            let name = taken.name.clone();
+            errors.push(SceneError::Reserved { path, name });
+        }
         let name = || scene.node_name(Node::Mass(mass)).to_owned();
         if !seen.insert(mass) {
             errors.push(SceneError::ForceTwice { path, name: name() });

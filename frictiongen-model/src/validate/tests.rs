@@ -206,3 +206,19 @@ fn words_of_the_language_and_of_the_results_are_no_names() {
         assert!(!is_name(word), "{word}");
     }
 }
+
+/// Loaded, a mass is a field of the stepper's input, beside `force` and `friction`.
+#[test]
+fn a_loaded_mass_has_no_name_of_the_input() {
+    let mut scene = chain(3);
+    scene.masses[1].name = "friction".to_owned();
+    scene.provide = vec![Provide::Stepper];
+    assert_eq!(validate(&scene), Ok(()));
+    scene.stepping.forces = vec![2, 1];
+    let path = Path::Force(Some(1));
+    let name = "friction".to_owned();
+    assert_eq!(
+        validate(&scene),
+        Err(vec![SceneError::Reserved { path, name }])
+    );
+}

@@ -6,6 +6,7 @@ mod compiled;
 #[cfg(feature = "desk")]
 mod curve;
 mod error;
+mod features;
 #[cfg(feature = "desk")]
 mod history;
 mod large;
@@ -28,6 +29,11 @@ pub use compiled::{CompiledAt, CompiledContact, CompiledMotion, CompiledSystem};
 #[cfg(feature = "desk")]
 pub use curve::{Curve, CurveError, CurvePoint, CurveRequest, End, Gap, Movement, Piece};
 pub use error::{InvalidScene, StudyError, UnknownMass};
+pub use features::{
+    Antiresonance, Certainty, Condition, Crossing, Edge, FeatureError, Features, HeldResonance,
+    InvariantPoint, Inversion, LimitsAtEnd, Measured, ParameterSlope, RegimeEnd, RegimeRange,
+    Resonance, ResonantPeak, Sensed, SlidingRange, TruePeak,
+};
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
 pub use frictiongen_kernel::orbit::NoDerivative;
 #[cfg(feature = "desk")]

@@ -361,7 +361,11 @@ pub(super) fn swing(
 }
 
 /// What the response depends on, with its values.
-fn parameters_of(scene: &Scene, point: OperatingPoint, system: &System) -> Vec<(Parameter, f64)> {
+pub(super) fn parameters_of(
+    scene: &Scene,
+    point: OperatingPoint,
+    system: &System,
+) -> Vec<(Parameter, f64)> {
     let value = |quantity: Quantity| match (quantity, &scene.damping) {
         (Quantity::Mass(place), _) => scene.masses.get(place).map(|mass| mass.value),
         (Quantity::Stiffness(place), _) => scene.springs.get(place).map(|spring| spring.stiffness),

@@ -134,13 +134,7 @@ impl Varied {
         r: Sensitive,
         beta: Sensitive,
     ) -> Result<SystemOrbit<'_, Sensitive>, NoDerivative> {
-        let transient = self
-            .transient
-            .get_or_init(|| Transient::along(self.system.scene(), &self.data));
-        let dynamics = transient
-            .as_ref()
-            .ok_or(NoDerivative::Degenerate)?
-            .dynamics();
+        let dynamics = self.transient().ok_or(NoDerivative::Degenerate)?.dynamics();
         let zero = Sensitive::constant(0.0);
         let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
         let orbit = Orbit::carrying(
@@ -157,6 +151,14 @@ impl Varied {
             system: &self.system,
             orbit,
         })
+    }
+
+    /// What its motion in time needs, with derivatives; none where modes coincide and move apart.
+    pub(super) fn transient(&self) -> Option<&Transient<Sensitive>> {
+        let transient = self
+            .transient
+            .get_or_init(|| Transient::along(self.system.scene(), &self.data));
+        transient.as_ref()
     }
 
     /// The modal data, from which special values follow: resonances, mode shapes, resonance

@@ -309,6 +309,12 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
         Ok(self.stepper.mass(self.system.mass_index(name)?))
     }
 
+    /// A mass now, by its place in the description; at rest if there is no such mass.
+    #[must_use]
+    pub fn mass_at(&self, index: usize) -> MassNow<S> {
+        self.stepper.mass(index)
+    }
+
     fn sample(&mut self, load: &StepLoad<'_, S>) -> Result<(), OutOfDomain> {
         let steps = self.system.steps();
         load.spread(&steps.forces, steps.on_base, &mut self.forces)

@@ -4,7 +4,7 @@ use crate::asked::{Asked, Of, Watched, motion};
 use crate::instant::{acceleration, constraining, largest};
 use crate::judge::{Answer, Judge, modulus};
 use frictiongen::study::{SystemAt, SystemMotion};
-use frictiongen_kernel::modal_sum::search::{MAX_EVALUATIONS, Peak};
+use frictiongen_kernel::modal_sum::search::Peak;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::data::DataMotion;
@@ -267,7 +267,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             first(&peak).map(self.exact)
         };
         let estimate = real(of_mass.amplitude_monoharmonic());
-        let given_up = MAX_EVALUATIONS <= peak.evaluations;
+        let given_up = peak.exceeded;
         let top = largest(exact, found, self.epsilon);
         let amplitude = exact.displacement(top).abs();
         if given_up {

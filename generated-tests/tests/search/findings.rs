@@ -216,7 +216,7 @@ pub fn report(findings: &mut Findings, listed: usize) {
             counts[begun / 2].0,
             counts
                 .iter()
-                .filter(|count| count.0 >= MAX_EVALUATIONS)
+                .filter(|count| count.0 >= MAX_EVALUATIONS - 32)
                 .count()
         );
         for (count, scene) in counts.iter().take(listed) {

@@ -5,6 +5,7 @@
 //! their largest values are found on a fine grid with a golden-section refinement: slow, and too
 //! plain to be wrong in the same way as a search that walks with bounds.
 
+mod bound;
 mod findings;
 mod plain;
 mod random;

@@ -89,6 +89,27 @@ const _: () = {
                 0.16989112404918136,
             ],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl Five {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 5] = [
             Mode {
@@ -157,12 +178,7 @@ const _: () = {
                 static_residue: 0.028862994030694332,
             },
         ];
-        const CHAIN: Chain<f64> = Chain {
-            damped: true,
-            on_moving_base: None,
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
+        /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -176,18 +192,6 @@ const _: () = {
             unbounded: &[],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -297,16 +301,31 @@ const _: () = {
                 _ => false,
             }
         }
+        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
+        /// Working space of the searches, and of the waves of a motion.
         #[inline]
         fn idle(&self) -> Self::Waves {
             Self::MODES.map(|mode| Wave::idle(&mode))
         }
+        /// A copy of the modes for a motion to keep.
+        #[inline]
+        fn kept(modes: &Self::Modes) -> Self::Modes {
+            *modes
+        }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
+        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
+        /// `loss` is 2ζx.
+        /// Below critical damping: `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
+        /// `cosine` are of πqx/2, `half_turns` is qx.  1 + 2e cos πqx + e², by which u and g are divided, is the squared modulus of
+        /// `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `unit_nearness` is that over |re| + |im|, and `pole_weight` `size`
+        /// over the same and the squared modulus of `unit_nearness`.  `swing` is uR times `size`.
         ///
         /// Operations: 404: 245 ×, 75 +, 35 ÷, 25 sign, 5 exp_m1, 5 one_minus_sinc_pi, 5 scaled_sinh_defect, 5 sin_cos_pi, 4 compare.
         #[inline]
@@ -599,264 +618,247 @@ const _: () = {
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / receptance
         }
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
+        /// those of `frequency_stage`.
         ///
         /// Operations: 343: 202 ×, 68 +, 32 ÷, 25 sign, 5 exp_m1, 5 sin_cos_pi, 4 compare, 1 hypot, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
-            let mode_1_frequency = 0.2846296765465703 * inverse_r;
-            let mode_1_detuning = (mode_1_frequency - 1.0) * (mode_1_frequency + 1.0);
-            let mode_1_loss = 0.02 * mode_1_frequency;
-            let mode_1_size = Scalar::abs(mode_1_detuning) + mode_1_loss;
-            let mode_1_decay_exponent = 0.031415926535897934 * mode_1_frequency;
-            let mode_1_half_decay_minus_one = Scalar::exp_m1(
-                mode_1_decay_exponent * -0.5,
-            );
-            let mode_1_half_decay_factor = 1.0 + mode_1_half_decay_minus_one;
-            let mode_1_decay_complement = -(mode_1_half_decay_minus_one
-                * (1.0 + mode_1_half_decay_factor));
-            let mode_1_decay_factor = mode_1_half_decay_factor
-                * mode_1_half_decay_factor;
-            let (mode_1_sine, mode_1_cosine) = Scalar::sin_cos_pi_minus(
-                mode_1_frequency * 0.5,
-                mode_1_frequency * 2.5000625031251956e-5,
-            );
-            let mode_1_one_plus_factor = 1.0 + mode_1_decay_factor;
-            let mode_1_nearness_re = mode_1_one_plus_factor * mode_1_cosine;
-            let mode_1_nearness_im = mode_1_decay_complement * mode_1_sine;
-            let mode_1_inverse_nearness = 1.0
-                / (Scalar::abs(mode_1_nearness_re) + Scalar::abs(mode_1_nearness_im));
-            let mode_1_unit_nearness_re = mode_1_nearness_re * mode_1_inverse_nearness;
-            let mode_1_unit_nearness_im = mode_1_nearness_im * mode_1_inverse_nearness;
-            let mode_1_pole_weight = mode_1_size * mode_1_inverse_nearness
-                / (mode_1_unit_nearness_re * mode_1_unit_nearness_re
-                    + mode_1_unit_nearness_im * mode_1_unit_nearness_im);
-            let mode_1_swing = 4.00020001500125 * mode_1_sine * mode_1_decay_factor
-                * (mode_1_cosine * mode_1_inverse_nearness) * mode_1_pole_weight;
-            let mode_1_u = mode_1_swing / mode_1_frequency;
-            let mode_1_reversal = mode_1_one_plus_factor
-                * (mode_1_decay_complement * mode_1_inverse_nearness)
-                * mode_1_pole_weight + 0.01 * mode_1_swing;
-            let mode_2_frequency = 0.8308300260037729 * inverse_r;
-            let mode_2_detuning = (mode_2_frequency - 1.0) * (mode_2_frequency + 1.0);
-            let mode_2_loss = 0.02 * mode_2_frequency;
-            let mode_2_size = Scalar::abs(mode_2_detuning) + mode_2_loss;
-            let mode_2_decay_exponent = 0.031415926535897934 * mode_2_frequency;
-            let mode_2_half_decay_minus_one = Scalar::exp_m1(
-                mode_2_decay_exponent * -0.5,
-            );
-            let mode_2_half_decay_factor = 1.0 + mode_2_half_decay_minus_one;
-            let mode_2_decay_complement = -(mode_2_half_decay_minus_one
-                * (1.0 + mode_2_half_decay_factor));
-            let mode_2_decay_factor = mode_2_half_decay_factor
-                * mode_2_half_decay_factor;
-            let (mode_2_sine, mode_2_cosine) = Scalar::sin_cos_pi_minus(
-                mode_2_frequency * 0.5,
-                mode_2_frequency * 2.5000625031251956e-5,
-            );
-            let mode_2_one_plus_factor = 1.0 + mode_2_decay_factor;
-            let mode_2_nearness_re = mode_2_one_plus_factor * mode_2_cosine;
-            let mode_2_nearness_im = mode_2_decay_complement * mode_2_sine;
-            let mode_2_inverse_nearness = 1.0
-                / (Scalar::abs(mode_2_nearness_re) + Scalar::abs(mode_2_nearness_im));
-            let mode_2_unit_nearness_re = mode_2_nearness_re * mode_2_inverse_nearness;
-            let mode_2_unit_nearness_im = mode_2_nearness_im * mode_2_inverse_nearness;
-            let mode_2_pole_weight = mode_2_size * mode_2_inverse_nearness
-                / (mode_2_unit_nearness_re * mode_2_unit_nearness_re
-                    + mode_2_unit_nearness_im * mode_2_unit_nearness_im);
-            let mode_2_swing = 4.00020001500125 * mode_2_sine * mode_2_decay_factor
-                * (mode_2_cosine * mode_2_inverse_nearness) * mode_2_pole_weight;
-            let mode_2_u = mode_2_swing / mode_2_frequency;
-            let mode_2_reversal = mode_2_one_plus_factor
-                * (mode_2_decay_complement * mode_2_inverse_nearness)
-                * mode_2_pole_weight + 0.01 * mode_2_swing;
-            let mode_3_frequency = 1.3097214678905702 * inverse_r;
-            let mode_3_detuning = (mode_3_frequency - 1.0) * (mode_3_frequency + 1.0);
-            let mode_3_loss = 0.02 * mode_3_frequency;
-            let mode_3_size = Scalar::abs(mode_3_detuning) + mode_3_loss;
-            let mode_3_decay_exponent = 0.031415926535897934 * mode_3_frequency;
-            let mode_3_half_decay_minus_one = Scalar::exp_m1(
-                mode_3_decay_exponent * -0.5,
-            );
-            let mode_3_half_decay_factor = 1.0 + mode_3_half_decay_minus_one;
-            let mode_3_decay_complement = -(mode_3_half_decay_minus_one
-                * (1.0 + mode_3_half_decay_factor));
-            let mode_3_decay_factor = mode_3_half_decay_factor
-                * mode_3_half_decay_factor;
-            let (mode_3_sine, mode_3_cosine) = Scalar::sin_cos_pi_minus(
-                mode_3_frequency * 0.5,
-                mode_3_frequency * 2.5000625031251956e-5,
-            );
-            let mode_3_one_plus_factor = 1.0 + mode_3_decay_factor;
-            let mode_3_nearness_re = mode_3_one_plus_factor * mode_3_cosine;
-            let mode_3_nearness_im = mode_3_decay_complement * mode_3_sine;
-            let mode_3_inverse_nearness = 1.0
-                / (Scalar::abs(mode_3_nearness_re) + Scalar::abs(mode_3_nearness_im));
-            let mode_3_unit_nearness_re = mode_3_nearness_re * mode_3_inverse_nearness;
-            let mode_3_unit_nearness_im = mode_3_nearness_im * mode_3_inverse_nearness;
-            let mode_3_pole_weight = mode_3_size * mode_3_inverse_nearness
-                / (mode_3_unit_nearness_re * mode_3_unit_nearness_re
-                    + mode_3_unit_nearness_im * mode_3_unit_nearness_im);
-            let mode_3_swing = 4.00020001500125 * mode_3_sine * mode_3_decay_factor
-                * (mode_3_cosine * mode_3_inverse_nearness) * mode_3_pole_weight;
-            let mode_3_u = mode_3_swing / mode_3_frequency;
-            let mode_3_reversal = mode_3_one_plus_factor
-                * (mode_3_decay_complement * mode_3_inverse_nearness)
-                * mode_3_pole_weight + 0.01 * mode_3_swing;
-            let mode_4_frequency = 1.6825070656623624 * inverse_r;
-            let mode_4_detuning = (mode_4_frequency - 1.0) * (mode_4_frequency + 1.0);
-            let mode_4_loss = 0.02 * mode_4_frequency;
-            let mode_4_size = Scalar::abs(mode_4_detuning) + mode_4_loss;
-            let mode_4_decay_exponent = 0.031415926535897934 * mode_4_frequency;
-            let mode_4_half_decay_minus_one = Scalar::exp_m1(
-                mode_4_decay_exponent * -0.5,
-            );
-            let mode_4_half_decay_factor = 1.0 + mode_4_half_decay_minus_one;
-            let mode_4_decay_complement = -(mode_4_half_decay_minus_one
-                * (1.0 + mode_4_half_decay_factor));
-            let mode_4_decay_factor = mode_4_half_decay_factor
-                * mode_4_half_decay_factor;
-            let (mode_4_sine, mode_4_cosine) = Scalar::sin_cos_pi_minus(
-                mode_4_frequency * 0.5,
-                mode_4_frequency * 2.5000625031251956e-5,
-            );
-            let mode_4_one_plus_factor = 1.0 + mode_4_decay_factor;
-            let mode_4_nearness_re = mode_4_one_plus_factor * mode_4_cosine;
-            let mode_4_nearness_im = mode_4_decay_complement * mode_4_sine;
-            let mode_4_inverse_nearness = 1.0
-                / (Scalar::abs(mode_4_nearness_re) + Scalar::abs(mode_4_nearness_im));
-            let mode_4_unit_nearness_re = mode_4_nearness_re * mode_4_inverse_nearness;
-            let mode_4_unit_nearness_im = mode_4_nearness_im * mode_4_inverse_nearness;
-            let mode_4_pole_weight = mode_4_size * mode_4_inverse_nearness
-                / (mode_4_unit_nearness_re * mode_4_unit_nearness_re
-                    + mode_4_unit_nearness_im * mode_4_unit_nearness_im);
-            let mode_4_swing = 4.00020001500125 * mode_4_sine * mode_4_decay_factor
-                * (mode_4_cosine * mode_4_inverse_nearness) * mode_4_pole_weight;
-            let mode_4_u = mode_4_swing / mode_4_frequency;
-            let mode_4_reversal = mode_4_one_plus_factor
-                * (mode_4_decay_complement * mode_4_inverse_nearness)
-                * mode_4_pole_weight + 0.01 * mode_4_swing;
-            let mode_5_frequency = 1.9189859472289947 * inverse_r;
-            let mode_5_detuning = (mode_5_frequency - 1.0) * (mode_5_frequency + 1.0);
-            let mode_5_loss = 0.02 * mode_5_frequency;
-            let mode_5_size = Scalar::abs(mode_5_detuning) + mode_5_loss;
-            let mode_5_decay_exponent = 0.031415926535897934 * mode_5_frequency;
-            let mode_5_half_decay_minus_one = Scalar::exp_m1(
-                mode_5_decay_exponent * -0.5,
-            );
-            let mode_5_half_decay_factor = 1.0 + mode_5_half_decay_minus_one;
-            let mode_5_decay_complement = -(mode_5_half_decay_minus_one
-                * (1.0 + mode_5_half_decay_factor));
-            let mode_5_decay_factor = mode_5_half_decay_factor
-                * mode_5_half_decay_factor;
-            let (mode_5_sine, mode_5_cosine) = Scalar::sin_cos_pi_minus(
-                mode_5_frequency * 0.5,
-                mode_5_frequency * 2.5000625031251956e-5,
-            );
-            let mode_5_one_plus_factor = 1.0 + mode_5_decay_factor;
-            let mode_5_nearness_re = mode_5_one_plus_factor * mode_5_cosine;
-            let mode_5_nearness_im = mode_5_decay_complement * mode_5_sine;
-            let mode_5_inverse_nearness = 1.0
-                / (Scalar::abs(mode_5_nearness_re) + Scalar::abs(mode_5_nearness_im));
-            let mode_5_unit_nearness_re = mode_5_nearness_re * mode_5_inverse_nearness;
-            let mode_5_unit_nearness_im = mode_5_nearness_im * mode_5_inverse_nearness;
-            let mode_5_pole_weight = mode_5_size * mode_5_inverse_nearness
-                / (mode_5_unit_nearness_re * mode_5_unit_nearness_re
-                    + mode_5_unit_nearness_im * mode_5_unit_nearness_im);
-            let mode_5_swing = 4.00020001500125 * mode_5_sine * mode_5_decay_factor
-                * (mode_5_cosine * mode_5_inverse_nearness) * mode_5_pole_weight;
-            let mode_5_u = mode_5_swing / mode_5_frequency;
-            let mode_5_reversal = mode_5_one_plus_factor
-                * (mode_5_decay_complement * mode_5_inverse_nearness)
-                * mode_5_pole_weight + 0.01 * mode_5_swing;
+            let mode_1 = {
+                let frequency = 0.2846296765465703 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.02 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 2.5000625031251956e-5,
+                );
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.00020001500125 * sine * decay_factor
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                    * pole_weight + 0.01 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal,
+                }
+            };
+            let mode_2 = {
+                let frequency = 0.8308300260037729 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.02 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 2.5000625031251956e-5,
+                );
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.00020001500125 * sine * decay_factor
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                    * pole_weight + 0.01 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal,
+                }
+            };
+            let mode_3 = {
+                let frequency = 1.3097214678905702 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.02 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 2.5000625031251956e-5,
+                );
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.00020001500125 * sine * decay_factor
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                    * pole_weight + 0.01 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal,
+                }
+            };
+            let mode_4 = {
+                let frequency = 1.6825070656623624 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.02 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 2.5000625031251956e-5,
+                );
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.00020001500125 * sine * decay_factor
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                    * pole_weight + 0.01 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal,
+                }
+            };
+            let mode_5 = {
+                let frequency = 1.9189859472289947 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.02 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 2.5000625031251956e-5,
+                );
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.00020001500125 * sine * decay_factor
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                    * pole_weight + 0.01 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal,
+                }
+            };
             let scale = Scalar::min(
                 Scalar::min(
-                    Scalar::min(Scalar::min(mode_1_size, mode_2_size), mode_3_size),
-                    mode_4_size,
+                    Scalar::min(Scalar::min(mode_1.size, mode_2.size), mode_3.size),
+                    mode_4.size,
                 ),
-                mode_5_size,
+                mode_5.size,
             );
-            let mode_1_inverse_size = 1.0 / mode_1_size;
-            let mode_1_unit_re = mode_1_detuning * mode_1_inverse_size;
-            let mode_1_unit_im = mode_1_loss * mode_1_inverse_size;
-            let mode_1_inverse_modulus = 1.0
-                / (mode_1_unit_re * mode_1_unit_re + mode_1_unit_im * mode_1_unit_im);
-            let mode_1_share = scale * mode_1_inverse_size;
-            let mode_1_response_re = mode_1_unit_re * mode_1_inverse_modulus
-                * mode_1_share;
-            let mode_1_response_im = -(mode_1_unit_im * mode_1_inverse_modulus)
-                * mode_1_share;
-            let mode_1_u_scaled = mode_1_u * mode_1_share;
-            let mode_2_inverse_size = 1.0 / mode_2_size;
-            let mode_2_unit_re = mode_2_detuning * mode_2_inverse_size;
-            let mode_2_unit_im = mode_2_loss * mode_2_inverse_size;
-            let mode_2_inverse_modulus = 1.0
-                / (mode_2_unit_re * mode_2_unit_re + mode_2_unit_im * mode_2_unit_im);
-            let mode_2_share = scale * mode_2_inverse_size;
-            let mode_2_response_re = mode_2_unit_re * mode_2_inverse_modulus
-                * mode_2_share;
-            let mode_2_response_im = -(mode_2_unit_im * mode_2_inverse_modulus)
-                * mode_2_share;
-            let mode_2_u_scaled = mode_2_u * mode_2_share;
-            let mode_3_inverse_size = 1.0 / mode_3_size;
-            let mode_3_unit_re = mode_3_detuning * mode_3_inverse_size;
-            let mode_3_unit_im = mode_3_loss * mode_3_inverse_size;
-            let mode_3_inverse_modulus = 1.0
-                / (mode_3_unit_re * mode_3_unit_re + mode_3_unit_im * mode_3_unit_im);
-            let mode_3_share = scale * mode_3_inverse_size;
-            let mode_3_response_re = mode_3_unit_re * mode_3_inverse_modulus
-                * mode_3_share;
-            let mode_3_response_im = -(mode_3_unit_im * mode_3_inverse_modulus)
-                * mode_3_share;
-            let mode_3_u_scaled = mode_3_u * mode_3_share;
-            let mode_4_inverse_size = 1.0 / mode_4_size;
-            let mode_4_unit_re = mode_4_detuning * mode_4_inverse_size;
-            let mode_4_unit_im = mode_4_loss * mode_4_inverse_size;
-            let mode_4_inverse_modulus = 1.0
-                / (mode_4_unit_re * mode_4_unit_re + mode_4_unit_im * mode_4_unit_im);
-            let mode_4_share = scale * mode_4_inverse_size;
-            let mode_4_response_re = mode_4_unit_re * mode_4_inverse_modulus
-                * mode_4_share;
-            let mode_4_response_im = -(mode_4_unit_im * mode_4_inverse_modulus)
-                * mode_4_share;
-            let mode_4_u_scaled = mode_4_u * mode_4_share;
-            let mode_5_inverse_size = 1.0 / mode_5_size;
-            let mode_5_unit_re = mode_5_detuning * mode_5_inverse_size;
-            let mode_5_unit_im = mode_5_loss * mode_5_inverse_size;
-            let mode_5_inverse_modulus = 1.0
-                / (mode_5_unit_re * mode_5_unit_re + mode_5_unit_im * mode_5_unit_im);
-            let mode_5_share = scale * mode_5_inverse_size;
-            let mode_5_response_re = mode_5_unit_re * mode_5_inverse_modulus
-                * mode_5_share;
-            let mode_5_response_im = -(mode_5_unit_im * mode_5_inverse_modulus)
-                * mode_5_share;
-            let mode_5_u_scaled = mode_5_u * mode_5_share;
-            let v_re = mode_1_response_re * 0.028862994030694332
-                + mode_2_response_re * 0.20769360695877911
-                + mode_3_response_re * 0.35627144974809044
-                + mode_4_response_re * 0.30088376980823367
-                + mode_5_response_re * 0.10628817945420246;
-            let v_im = mode_1_response_im * 0.028862994030694332
-                + mode_2_response_im * 0.20769360695877911
-                + mode_3_response_im * 0.35627144974809044
-                + mode_4_response_im * 0.30088376980823367
-                + mode_5_response_im * 0.10628817945420246;
-            let u = 0.028862994030694332 * mode_1_u_scaled
-                + 0.20769360695877911 * mode_2_u_scaled
-                + 0.35627144974809044 * mode_3_u_scaled
-                + 0.30088376980823367 * mode_4_u_scaled
-                + 0.10628817945420246 * mode_5_u_scaled;
+            let modes = [
+                Self::CHAIN.at_scale(&mode_1, scale),
+                Self::CHAIN.at_scale(&mode_2, scale),
+                Self::CHAIN.at_scale(&mode_3, scale),
+                Self::CHAIN.at_scale(&mode_4, scale),
+                Self::CHAIN.at_scale(&mode_5, scale),
+            ];
+            let [at_1, at_2, at_3, at_4, at_5] = &modes;
+            let v_re = at_1.response.re * 0.028862994030694332
+                + at_2.response.re * 0.20769360695877911
+                + at_3.response.re * 0.35627144974809044
+                + at_4.response.re * 0.30088376980823367
+                + at_5.response.re * 0.10628817945420246;
+            let v_im = at_1.response.im * 0.028862994030694332
+                + at_2.response.im * 0.20769360695877911
+                + at_3.response.im * 0.35627144974809044
+                + at_4.response.im * 0.30088376980823367
+                + at_5.response.im * 0.10628817945420246;
+            let u = 0.028862994030694332 * at_1.u + 0.20769360695877911 * at_2.u
+                + 0.35627144974809044 * at_3.u + 0.30088376980823367 * at_4.u
+                + 0.10628817945420246 * at_5.u;
             let reversal = 0.028862994030694332
-                * (mode_1_reversal * (scale / mode_1_size))
-                + 0.20769360695877911 * (mode_2_reversal * (scale / mode_2_size))
-                + 0.35627144974809044 * (mode_3_reversal * (scale / mode_3_size))
-                + 0.30088376980823367 * (mode_4_reversal * (scale / mode_4_size))
-                + 0.10628817945420246 * (mode_5_reversal * (scale / mode_5_size));
-            let sum = reversal + scale;
+                * (mode_1.reversal * (scale / mode_1.size))
+                + 0.20769360695877911 * (mode_2.reversal * (scale / mode_2.size))
+                + 0.35627144974809044 * (mode_3.reversal * (scale / mode_3.size))
+                + 0.30088376980823367 * (mode_4.reversal * (scale / mode_4.size))
+                + 0.10628817945420246 * (mode_5.reversal * (scale / mode_5.size));
+            let break_away = reversal + scale;
             let excitation = Scalar::hypot(v_re, v_im);
             (
                 Limits {
-                    continuous: excitation / Scalar::sqrt(u * u + sum * sum),
+                    continuous: excitation
+                        / Scalar::sqrt(u * u + break_away * break_away),
                     sliding: excitation / excitation,
                 },
                 v_re,
@@ -864,6 +866,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(FiveAt : orbit);
+    ::frictiongen::kernel::not_provided!(Five : stepper);
     ::frictiongen::kernel::not_provided!(Five : simulation);
     ::frictiongen::kernel::left_out!(FiveMotion : m1, m2, m3, m4);
     impl ProvidesMotion for Five {

@@ -47,6 +47,27 @@ const _: () = {
             [0.5773502691896257, 1.1547005383792515],
             [0.816496580927726, -0.816496580927726],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: false,
+            on_moving_base: None,
+            inverse_mass: 3.0,
+            stiction: 1.2,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl PairMasses {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
@@ -76,12 +97,7 @@ const _: () = {
                 static_residue: -0.6666666666666666,
             },
         ];
-        const CHAIN: Chain<f64> = Chain {
-            damped: false,
-            on_moving_base: None,
-            inverse_mass: 3.0,
-            stiction: 1.2,
-        };
+        /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -95,18 +111,6 @@ const _: () = {
             unbounded: &[0.7071067811865476, 1.4142135623730951],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -156,16 +160,27 @@ const _: () = {
                 _ => None,
             }
         }
+        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
+        /// Working space of the searches, and of the waves of a motion.
         #[inline]
         fn idle(&self) -> Self::Waves {
             Self::MODES.map(|mode| Wave::idle(&mode))
         }
+        /// A copy of the modes for a motion to keep.
+        #[inline]
+        fn kept(modes: &Self::Modes) -> Self::Modes {
+            *modes
+        }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
+        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
+        /// Undamped: `sine` and `cosine` are of πx/2, and where a divisor is exactly 0 `…_off_pole` has another next to it.
         ///
         /// Operations: 39: 17 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline]
@@ -245,49 +260,65 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / (1.2 * receptance)
         }
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
+        /// those of `frequency_stage`.
         ///
         /// Operations: 49: 21 ×, 8 +, 6 sign, 6 ÷, 5 compare, 2 sin_cos_pi, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
-            let mode_1_frequency = 0.7071067811865476 * inverse_r;
-            let (mode_1_sine, mode_1_plain_cosine) = Scalar::sin_cos_pi(
-                mode_1_frequency * 0.5,
-            );
-            let mode_1_detuning = Scalar::detuning_off_pole(
-                (mode_1_frequency - 1.0) * (mode_1_frequency + 1.0),
-            );
-            let mode_1_cosine = Scalar::cosine_off_pole(mode_1_plain_cosine);
-            let mode_1_size = Scalar::abs(mode_1_detuning);
-            let mode_1_u = mode_1_sine * mode_1_size
-                / (mode_1_frequency * mode_1_cosine);
-            let mode_2_frequency = 1.4142135623730951 * inverse_r;
-            let (mode_2_sine, mode_2_plain_cosine) = Scalar::sin_cos_pi(
-                mode_2_frequency * 0.5,
-            );
-            let mode_2_detuning = Scalar::detuning_off_pole(
-                (mode_2_frequency - 1.0) * (mode_2_frequency + 1.0),
-            );
-            let mode_2_cosine = Scalar::cosine_off_pole(mode_2_plain_cosine);
-            let mode_2_size = Scalar::abs(mode_2_detuning);
-            let mode_2_u = mode_2_sine * mode_2_size
-                / (mode_2_frequency * mode_2_cosine);
-            let scale = Scalar::min(mode_1_size, mode_2_size);
-            let mode_1_response = scale / mode_1_detuning;
-            let mode_1_u_scaled = mode_1_u * Scalar::abs(mode_1_response);
-            let product = mode_1_response * 0.3333333333333333;
-            let mode_2_response = scale / mode_2_detuning;
-            let mode_2_u_scaled = mode_2_u * Scalar::abs(mode_2_response);
-            let v_re = product + mode_2_response * -1.3333333333333333;
-            let h_re = product + mode_2_response * 2.6666666666666665;
-            let u = 0.3333333333333333 * mode_1_u_scaled
-                + 2.6666666666666665 * mode_2_u_scaled;
-            let product_2 = 3.5999999999999996 * scale;
+            let mode_1 = {
+                let frequency = 0.7071067811865476 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let mode_2 = {
+                let frequency = 1.4142135623730951 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let scale = Scalar::min(mode_1.size, mode_2.size);
+            let modes = [
+                Self::CHAIN.at_scale(&mode_1, scale),
+                Self::CHAIN.at_scale(&mode_2, scale),
+            ];
+            let [at_1, at_2] = &modes;
+            let product = at_1.response.re * 0.3333333333333333;
+            let v_re = product + at_2.response.re * -1.3333333333333333;
+            let h_re = product + at_2.response.re * 2.6666666666666665;
+            let u = 0.3333333333333333 * at_1.u + 2.6666666666666665 * at_2.u;
+            let break_away = 3.5999999999999996 * scale;
             let excitation = Scalar::abs(v_re);
             let receptance = Scalar::abs(h_re);
             (
                 Limits {
-                    continuous: excitation / Scalar::sqrt(u * u + product_2 * product_2),
+                    continuous: excitation
+                        / Scalar::sqrt(u * u + break_away * break_away),
                     sliding: excitation / (1.2 * receptance),
                 },
                 h_re,
@@ -295,6 +326,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(PairMassesAt : orbit);
+    ::frictiongen::kernel::not_provided!(PairMasses : stepper);
     ::frictiongen::kernel::not_provided!(PairMasses : simulation);
     impl ProvidesMotion for PairMasses {
         type Motion = PairMassesMotion;
@@ -490,6 +522,7 @@ const _: () = {
     impl ProvidesStuck for PairMasses {
         type Stuck = PairMassesStuck;
         #[allow(unused_variables)]
+        #[inline]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f64>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [mode_1, mode_2] = at.modes();

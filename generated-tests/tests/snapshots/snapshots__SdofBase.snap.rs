@@ -38,6 +38,27 @@ const _: () = {
         pub const RESONANCES: [f64; 1] = [1.0];
         /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: false,
+            on_moving_base: Some(0.0),
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega / 5.0
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl SdofBase {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 1] = [
             Mode {
@@ -54,12 +75,7 @@ const _: () = {
                 static_residue: 1.0,
             },
         ];
-        const CHAIN: Chain<f64> = Chain {
-            damped: false,
-            on_moving_base: Some(0.0),
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
+        /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -73,18 +89,6 @@ const _: () = {
             unbounded: &[1.0],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega / 5.0
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -133,16 +137,27 @@ const _: () = {
                 _ => None,
             }
         }
+        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
+        /// Working space of the searches, and of the waves of a motion.
         #[inline]
         fn idle(&self) -> Self::Waves {
             Self::MODES.map(|mode| Wave::idle(&mode))
         }
+        /// A copy of the modes for a motion to keep.
+        #[inline]
+        fn kept(modes: &Self::Modes) -> Self::Modes {
+            *modes
+        }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
+        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
+        /// Undamped: `sine` and `cosine` are of πx/2, and where a divisor is exactly 0 `…_off_pole` has another next to it.
         ///
         /// Operations: 15: 6 ×, 2 +, 2 compare, 2 sign, 2 ÷, 1 sin_cos_pi.
         #[inline]
@@ -193,7 +208,8 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / receptance
         }
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
+        /// those of `frequency_stage`.
         ///
         /// Operations: 23: 8 ×, 4 sign, 4 ÷, 3 +, 2 compare, 1 sin_cos_pi, 1 √.
         #[inline]
@@ -219,6 +235,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(SdofBaseAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(SdofBase : stepper);
     ::frictiongen::kernel::not_provided!(SdofBase : simulation);
     impl ProvidesMotion for SdofBase {
         type Motion = SdofBaseMotion;

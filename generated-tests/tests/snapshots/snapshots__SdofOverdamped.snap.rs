@@ -40,6 +40,27 @@ const _: () = {
         pub const RESONANCES: [f64; 1] = [1.0];
         /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl SdofOverdamped {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 1] = [
             Mode {
@@ -56,12 +77,7 @@ const _: () = {
                 static_residue: 1.0,
             },
         ];
-        const CHAIN: Chain<f64> = Chain {
-            damped: true,
-            on_moving_base: None,
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
+        /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -75,18 +91,6 @@ const _: () = {
             unbounded: &[],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -135,16 +139,29 @@ const _: () = {
                 _ => None,
             }
         }
+        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
+        /// Working space of the searches, and of the waves of a motion.
         #[inline]
         fn idle(&self) -> Self::Waves {
             Self::MODES.map(|mode| Wave::idle(&mode))
         }
+        /// A copy of the modes for a motion to keep.
+        #[inline]
+        fn kept(modes: &Self::Modes) -> Self::Modes {
+            *modes
+        }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
+        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
+        /// `loss` is 2ζx.
+        /// Overdamped: `fast_decay` and `slow_decay` are π(ζ ± q)x, `spread` their difference, `pole_weight` `size` over
+        /// (1 + exp(−fast))(1 + exp(−slow)), `swing` uR times `size`.
         ///
         /// Operations: 62: 27 ×, 10 +, 10 sign, 7 ÷, 4 exp_m1, 2 exp, 2 scaled_sinh_defect.
         #[inline]
@@ -224,7 +241,8 @@ const _: () = {
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / receptance
         }
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
+        /// those of `frequency_stage`.
         ///
         /// Operations: 49: 19 ×, 9 +, 8 sign, 7 ÷, 2 exp, 2 exp_m1, 1 hypot, 1 √.
         #[inline]
@@ -250,11 +268,12 @@ const _: () = {
             let inverse_modulus = 1.0 / (unit_re * unit_re + unit_im * unit_im);
             let response_re = unit_re * inverse_modulus;
             let response_im = -(unit_im * inverse_modulus);
-            let sum = reversal + size;
+            let break_away = reversal + size;
             let excitation = Scalar::hypot(response_re, response_im);
             (
                 Limits {
-                    continuous: excitation / Scalar::sqrt(u * u + sum * sum),
+                    continuous: excitation
+                        / Scalar::sqrt(u * u + break_away * break_away),
                     sliding: excitation / excitation,
                 },
                 response_re,
@@ -262,6 +281,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(SdofOverdampedAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(SdofOverdamped : stepper);
     ::frictiongen::kernel::not_provided!(SdofOverdamped : simulation);
     impl ProvidesMotion for SdofOverdamped {
         type Motion = SdofOverdampedMotion;

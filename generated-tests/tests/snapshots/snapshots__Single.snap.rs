@@ -41,6 +41,27 @@ const _: () = {
             [0.5257311, 0.8506508],
             [0.8506508, -0.5257311],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f32> = Chain {
+            damped: false,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f32) -> f32 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
+            friction / load
+        }
+    }
+    impl Single {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f32>; 2] = [
             Mode {
@@ -70,12 +91,7 @@ const _: () = {
                 static_residue: -0.1708204,
             },
         ];
-        const CHAIN: Chain<f32> = Chain {
-            damped: false,
-            on_moving_base: None,
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
+        /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f32> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -89,18 +105,6 @@ const _: () = {
             unbounded: &[0.618034, 1.618034],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f32) -> f32 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -150,16 +154,27 @@ const _: () = {
                 _ => None,
             }
         }
+        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
         fn inverse_ratio_range(&self) -> (f32, f32) {
             (8.881784e-16, 1125899900000000.0)
         }
+        /// Working space of the searches, and of the waves of a motion.
         #[inline]
         fn idle(&self) -> Self::Waves {
             Self::MODES.map(|mode| Wave::idle(&mode))
         }
+        /// A copy of the modes for a motion to keep.
+        #[inline]
+        fn kept(modes: &Self::Modes) -> Self::Modes {
+            *modes
+        }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
+        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
+        /// Undamped: `sine` and `cosine` are of πx/2, and where a divisor is exactly 0 `…_off_pole` has another next to it.
         ///
         /// Operations: 40: 18 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline]
@@ -238,41 +253,57 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / receptance
         }
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
+        /// those of `frequency_stage`.
         ///
         /// Operations: 48: 20 ×, 8 +, 6 sign, 6 ÷, 5 compare, 2 sin_cos_pi, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f32) -> (Limits<f32>, f32) {
-            let mode_1_frequency = 0.618034 * inverse_r;
-            let (mode_1_sine, mode_1_plain_cosine) = Scalar::sin_cos_pi(
-                mode_1_frequency * 0.5,
-            );
-            let mode_1_detuning = Scalar::detuning_off_pole(
-                (mode_1_frequency - 1.0) * (mode_1_frequency + 1.0),
-            );
-            let mode_1_cosine = Scalar::cosine_off_pole(mode_1_plain_cosine);
-            let mode_1_size = Scalar::abs(mode_1_detuning);
-            let mode_1_u = mode_1_sine * mode_1_size
-                / (mode_1_frequency * mode_1_cosine);
-            let mode_2_frequency = 1.618034 * inverse_r;
-            let (mode_2_sine, mode_2_plain_cosine) = Scalar::sin_cos_pi(
-                mode_2_frequency * 0.5,
-            );
-            let mode_2_detuning = Scalar::detuning_off_pole(
-                (mode_2_frequency - 1.0) * (mode_2_frequency + 1.0),
-            );
-            let mode_2_cosine = Scalar::cosine_off_pole(mode_2_plain_cosine);
-            let mode_2_size = Scalar::abs(mode_2_detuning);
-            let mode_2_u = mode_2_sine * mode_2_size
-                / (mode_2_frequency * mode_2_cosine);
-            let scale = Scalar::min(mode_1_size, mode_2_size);
-            let mode_1_response = scale / mode_1_detuning;
-            let mode_1_u_scaled = mode_1_u * Scalar::abs(mode_1_response);
-            let mode_2_response = scale / mode_2_detuning;
-            let mode_2_u_scaled = mode_2_u * Scalar::abs(mode_2_response);
-            let v_re = mode_1_response * 0.4472136 + mode_2_response * -0.4472136;
-            let h_re = mode_1_response * 0.7236068 + mode_2_response * 0.2763932;
-            let u = 0.7236068 * mode_1_u_scaled + 0.2763932 * mode_2_u_scaled;
+            let mode_1 = {
+                let frequency = 0.618034 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let mode_2 = {
+                let frequency = 1.618034 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let scale = Scalar::min(mode_1.size, mode_2.size);
+            let modes = [
+                Self::CHAIN.at_scale(&mode_1, scale),
+                Self::CHAIN.at_scale(&mode_2, scale),
+            ];
+            let [at_1, at_2] = &modes;
+            let v_re = at_1.response.re * 0.4472136 + at_2.response.re * -0.4472136;
+            let h_re = at_1.response.re * 0.7236068 + at_2.response.re * 0.2763932;
+            let u = 0.7236068 * at_1.u + 0.2763932 * at_2.u;
             let excitation = Scalar::abs(v_re);
             let receptance = Scalar::abs(h_re);
             (
@@ -285,6 +316,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(SingleAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(Single : stepper);
     ::frictiongen::kernel::not_provided!(Single : simulation);
     impl ProvidesMotion for Single {
         type Motion = SingleMotion;

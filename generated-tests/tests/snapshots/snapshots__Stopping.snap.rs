@@ -51,6 +51,27 @@ const _: () = {
             [0.5683291693328758, 0.8673087078783189],
             [0.8228012854179333, -0.5990715452678017],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 1.1111111111111112,
+            stiction: 1.2,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl Stopping {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
@@ -80,12 +101,7 @@ const _: () = {
                 static_residue: -0.16991879278905825,
             },
         ];
-        const CHAIN: Chain<f64> = Chain {
-            damped: true,
-            on_moving_base: None,
-            inverse_mass: 1.1111111111111112,
-            stiction: 1.2,
-        };
+        /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -99,18 +115,6 @@ const _: () = {
             unbounded: &[],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -156,16 +160,26 @@ const _: () = {
         fn shape(&self, _: usize) -> Option<&[f64]> {
             None
         }
+        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
+        /// Working space of the searches, and of the waves of a motion.
         #[inline]
         fn idle(&self) -> Self::Waves {
             Self::MODES.map(|mode| Wave::idle(&mode))
         }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
+        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
+        /// `loss` is 2ζx.
+        /// Below critical damping: `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
+        /// `cosine` are of πqx/2, `half_turns` is qx.  1 + 2e cos πqx + e², by which u and g are divided, is the squared modulus of
+        /// `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `unit_nearness` is that over |re| + |im|, and `pole_weight` `size`
+        /// over the same and the squared modulus of `unit_nearness`.  `swing` is uR times `size`.
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline]
@@ -306,118 +320,114 @@ const _: () = {
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / (1.2 * receptance)
         }
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
+        /// those of `frequency_stage`.
         ///
         /// Operations: 148: 88 ×, 28 +, 14 ÷, 10 sign, 2 exp_m1, 2 hypot, 2 sin_cos_pi, 1 compare, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
-            let mode_1_frequency = 0.6490960526996967 * inverse_r;
-            let mode_1_detuning = (mode_1_frequency - 1.0) * (mode_1_frequency + 1.0);
-            let mode_1_loss = 0.02 * mode_1_frequency;
-            let mode_1_size = Scalar::abs(mode_1_detuning) + mode_1_loss;
-            let mode_1_decay_exponent = 0.031415926535897934 * mode_1_frequency;
-            let mode_1_half_decay_minus_one = Scalar::exp_m1(
-                mode_1_decay_exponent * -0.5,
-            );
-            let mode_1_half_decay_factor = 1.0 + mode_1_half_decay_minus_one;
-            let mode_1_decay_complement = -(mode_1_half_decay_minus_one
-                * (1.0 + mode_1_half_decay_factor));
-            let mode_1_decay_factor = mode_1_half_decay_factor
-                * mode_1_half_decay_factor;
-            let (mode_1_sine, mode_1_cosine) = Scalar::sin_cos_pi_minus(
-                mode_1_frequency * 0.5,
-                mode_1_frequency * 2.5000625031251956e-5,
-            );
-            let mode_1_one_plus_factor = 1.0 + mode_1_decay_factor;
-            let mode_1_nearness_re = mode_1_one_plus_factor * mode_1_cosine;
-            let mode_1_nearness_im = mode_1_decay_complement * mode_1_sine;
-            let mode_1_inverse_nearness = 1.0
-                / (Scalar::abs(mode_1_nearness_re) + Scalar::abs(mode_1_nearness_im));
-            let mode_1_unit_nearness_re = mode_1_nearness_re * mode_1_inverse_nearness;
-            let mode_1_unit_nearness_im = mode_1_nearness_im * mode_1_inverse_nearness;
-            let mode_1_pole_weight = mode_1_size * mode_1_inverse_nearness
-                / (mode_1_unit_nearness_re * mode_1_unit_nearness_re
-                    + mode_1_unit_nearness_im * mode_1_unit_nearness_im);
-            let mode_1_swing = 4.00020001500125 * mode_1_sine * mode_1_decay_factor
-                * (mode_1_cosine * mode_1_inverse_nearness) * mode_1_pole_weight;
-            let mode_1_u = mode_1_swing / mode_1_frequency;
-            let mode_1_reversal = mode_1_one_plus_factor
-                * (mode_1_decay_complement * mode_1_inverse_nearness)
-                * mode_1_pole_weight + 0.01 * mode_1_swing;
-            let mode_2_frequency = 1.7032018484583367 * inverse_r;
-            let mode_2_detuning = (mode_2_frequency - 1.0) * (mode_2_frequency + 1.0);
-            let mode_2_loss = 0.024 * mode_2_frequency;
-            let mode_2_size = Scalar::abs(mode_2_detuning) + mode_2_loss;
-            let mode_2_decay_exponent = 0.03769911184307752 * mode_2_frequency;
-            let mode_2_half_decay_minus_one = Scalar::exp_m1(
-                mode_2_decay_exponent * -0.5,
-            );
-            let mode_2_half_decay_factor = 1.0 + mode_2_half_decay_minus_one;
-            let mode_2_decay_complement = -(mode_2_half_decay_minus_one
-                * (1.0 + mode_2_half_decay_factor));
-            let mode_2_decay_factor = mode_2_half_decay_factor
-                * mode_2_half_decay_factor;
-            let (mode_2_sine, mode_2_cosine) = Scalar::sin_cos_pi_minus(
-                mode_2_frequency * 0.5,
-                mode_2_frequency * 3.60012960933204e-5,
-            );
-            let mode_2_one_plus_factor = 1.0 + mode_2_decay_factor;
-            let mode_2_nearness_re = mode_2_one_plus_factor * mode_2_cosine;
-            let mode_2_nearness_im = mode_2_decay_complement * mode_2_sine;
-            let mode_2_inverse_nearness = 1.0
-                / (Scalar::abs(mode_2_nearness_re) + Scalar::abs(mode_2_nearness_im));
-            let mode_2_unit_nearness_re = mode_2_nearness_re * mode_2_inverse_nearness;
-            let mode_2_unit_nearness_im = mode_2_nearness_im * mode_2_inverse_nearness;
-            let mode_2_pole_weight = mode_2_size * mode_2_inverse_nearness
-                / (mode_2_unit_nearness_re * mode_2_unit_nearness_re
-                    + mode_2_unit_nearness_im * mode_2_unit_nearness_im);
-            let mode_2_swing = 4.000288031107733 * mode_2_sine * mode_2_decay_factor
-                * (mode_2_cosine * mode_2_inverse_nearness) * mode_2_pole_weight;
-            let mode_2_u = mode_2_swing / mode_2_frequency;
-            let mode_2_reversal = mode_2_one_plus_factor
-                * (mode_2_decay_complement * mode_2_inverse_nearness)
-                * mode_2_pole_weight + 0.012 * mode_2_swing;
-            let scale = Scalar::min(mode_1_size, mode_2_size);
-            let mode_1_inverse_size = 1.0 / mode_1_size;
-            let mode_1_unit_re = mode_1_detuning * mode_1_inverse_size;
-            let mode_1_unit_im = mode_1_loss * mode_1_inverse_size;
-            let mode_1_inverse_modulus = 1.0
-                / (mode_1_unit_re * mode_1_unit_re + mode_1_unit_im * mode_1_unit_im);
-            let mode_1_share = scale * mode_1_inverse_size;
-            let mode_1_response_re = mode_1_unit_re * mode_1_inverse_modulus
-                * mode_1_share;
-            let mode_1_response_im = -(mode_1_unit_im * mode_1_inverse_modulus)
-                * mode_1_share;
-            let mode_1_u_scaled = mode_1_u * mode_1_share;
-            let mode_2_inverse_size = 1.0 / mode_2_size;
-            let mode_2_unit_re = mode_2_detuning * mode_2_inverse_size;
-            let mode_2_unit_im = mode_2_loss * mode_2_inverse_size;
-            let mode_2_inverse_modulus = 1.0
-                / (mode_2_unit_re * mode_2_unit_re + mode_2_unit_im * mode_2_unit_im);
-            let mode_2_share = scale * mode_2_inverse_size;
-            let mode_2_response_re = mode_2_unit_re * mode_2_inverse_modulus
-                * mode_2_share;
-            let mode_2_response_im = -(mode_2_unit_im * mode_2_inverse_modulus)
-                * mode_2_share;
-            let mode_2_u_scaled = mode_2_u * mode_2_share;
-            let v_re = mode_1_response_re * 0.4929168375036549
-                + mode_2_response_re * -0.4929168375036549;
-            let v_im = mode_1_response_im * 0.4929168375036549
-                + mode_2_response_im * -0.4929168375036549;
-            let h_re = mode_1_response_re * 0.7522243947615592
-                + mode_2_response_re * 0.3588867163495518;
-            let h_im = mode_1_response_im * 0.7522243947615592
-                + mode_2_response_im * 0.3588867163495518;
-            let u = 0.7522243947615592 * mode_1_u_scaled
-                + 0.3588867163495518 * mode_2_u_scaled;
-            let reversal = 0.7522243947615592 * (mode_1_reversal * (scale / mode_1_size))
-                + 0.3588867163495518 * (mode_2_reversal * (scale / mode_2_size));
-            let sum = reversal + 1.3333333333333333 * scale;
+            let mode_1 = {
+                let frequency = 0.6490960526996967 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.02 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let decay_exponent = 0.031415926535897934 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 2.5000625031251956e-5,
+                );
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.00020001500125 * sine * decay_factor
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                    * pole_weight + 0.01 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal,
+                }
+            };
+            let mode_2 = {
+                let frequency = 1.7032018484583367 * inverse_r;
+                let detuning = (frequency - 1.0) * (frequency + 1.0);
+                let loss = 0.024 * frequency;
+                let size = Scalar::abs(detuning) + loss;
+                let decay_exponent = 0.03769911184307752 * frequency;
+                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+                let half_decay_factor = 1.0 + half_decay_minus_one;
+                let decay_complement = -(half_decay_minus_one
+                    * (1.0 + half_decay_factor));
+                let decay_factor = half_decay_factor * half_decay_factor;
+                let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                    frequency * 0.5,
+                    frequency * 3.60012960933204e-5,
+                );
+                let one_plus_factor = 1.0 + decay_factor;
+                let nearness_re = one_plus_factor * cosine;
+                let nearness_im = decay_complement * sine;
+                let inverse_nearness = 1.0
+                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+                let unit_nearness_re = nearness_re * inverse_nearness;
+                let unit_nearness_im = nearness_im * inverse_nearness;
+                let pole_weight = size * inverse_nearness
+                    / (unit_nearness_re * unit_nearness_re
+                        + unit_nearness_im * unit_nearness_im);
+                let swing = 4.000288031107733 * sine * decay_factor
+                    * (cosine * inverse_nearness) * pole_weight;
+                let u = swing / frequency;
+                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                    * pole_weight + 0.012 * swing;
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: loss },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal,
+                }
+            };
+            let scale = Scalar::min(mode_1.size, mode_2.size);
+            let modes = [
+                Self::CHAIN.at_scale(&mode_1, scale),
+                Self::CHAIN.at_scale(&mode_2, scale),
+            ];
+            let [at_1, at_2] = &modes;
+            let v_re = at_1.response.re * 0.4929168375036549
+                + at_2.response.re * -0.4929168375036549;
+            let v_im = at_1.response.im * 0.4929168375036549
+                + at_2.response.im * -0.4929168375036549;
+            let h_re = at_1.response.re * 0.7522243947615592
+                + at_2.response.re * 0.3588867163495518;
+            let h_im = at_1.response.im * 0.7522243947615592
+                + at_2.response.im * 0.3588867163495518;
+            let u = 0.7522243947615592 * at_1.u + 0.3588867163495518 * at_2.u;
+            let reversal = 0.7522243947615592 * (mode_1.reversal * (scale / mode_1.size))
+                + 0.3588867163495518 * (mode_2.reversal * (scale / mode_2.size));
+            let break_away = reversal + 1.3333333333333333 * scale;
             let excitation = Scalar::hypot(v_re, v_im);
             let receptance = Scalar::hypot(h_re, h_im);
             (
                 Limits {
-                    continuous: excitation / Scalar::sqrt(u * u + sum * sum),
+                    continuous: excitation
+                        / Scalar::sqrt(u * u + break_away * break_away),
                     sliding: excitation / (1.2 * receptance),
                 },
                 h_re,
@@ -425,6 +435,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(StoppingAt : motion, stuck);
+    ::frictiongen::kernel::not_provided!(Stopping : stepper);
     impl Stopping {
         /// The motion in time: all modes, those that the contact drives first, and the modes of
         /// the chain with its contact held.

@@ -398,6 +398,27 @@ const _: () = {
                 0.03030361732426425,
             ],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl Tall {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 17] = [
             Mode {
@@ -622,12 +643,7 @@ const _: () = {
                 static_residue: -0.0018071032318584057,
             },
         ];
-        const CHAIN: Chain<f64> = Chain {
-            damped: true,
-            on_moving_base: None,
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
+        /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -641,18 +657,6 @@ const _: () = {
             unbounded: &[],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -726,16 +730,31 @@ const _: () = {
                 _ => None,
             }
         }
+        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
+        /// Working space of the searches, and of the waves of a motion.
         #[inline]
         fn idle(&self) -> Self::Waves {
             Self::MODES.map(|mode| Wave::idle(&mode))
         }
+        /// A copy of the modes for a motion to keep.
+        #[inline]
+        fn kept(modes: &Self::Modes) -> Self::Modes {
+            *modes
+        }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
+        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
+        /// `loss` is 2ζx.
+        /// Below critical damping: `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
+        /// `cosine` are of πqx/2, `half_turns` is qx.  1 + 2e cos πqx + e², by which u and g are divided, is the squared modulus of
+        /// `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `unit_nearness` is that over |re| + |im|, and `pole_weight` `size`
+        /// over the same and the squared modulus of `unit_nearness`.  `swing` is uR times `size`.
         ///
         /// Operations: 1513: 918 ×, 306 +, 136 ÷, 85 sign, 17 exp_m1, 17 one_minus_sinc_pi, 17 scaled_sinh_defect, 17 sin_cos_pi.
         #[inline]
@@ -864,6 +883,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(TallAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(Tall : stepper);
     ::frictiongen::kernel::not_provided!(Tall : simulation);
     ::frictiongen::kernel::left_out!(
         TallMotion : m1, m2, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16,

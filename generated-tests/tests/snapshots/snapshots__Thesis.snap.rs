@@ -50,6 +50,27 @@ const _: () = {
             [0.7369762290995783, 0.32798527760568175, -0.5910090485061035],
             [0.5910090485061035, -0.7369762290995783, 0.32798527760568175],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: false,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl Thesis {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 3] = [
             Mode {
@@ -92,12 +113,7 @@ const _: () = {
                 static_residue: -0.13414301076393756,
             },
         ];
-        const CHAIN: Chain<f64> = Chain {
-            damped: false,
-            on_moving_base: None,
-            inverse_mass: 1.0,
-            stiction: 1.0,
-        };
+        /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -111,18 +127,6 @@ const _: () = {
             unbounded: &[0.4450418679126288, 1.246979603717467, 1.8019377358048383],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -177,16 +181,27 @@ const _: () = {
                 _ => None,
             }
         }
+        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
+        /// Working space of the searches, and of the waves of a motion.
         #[inline]
         fn idle(&self) -> Self::Waves {
             Self::MODES.map(|mode| Wave::idle(&mode))
         }
+        /// A copy of the modes for a motion to keep.
+        #[inline]
+        fn kept(modes: &Self::Modes) -> Self::Modes {
+            *modes
+        }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        ///
+        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
+        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
+        /// Undamped: `sine` and `cosine` are of πx/2, and where a divisor is exactly 0 `…_off_pole` has another next to it.
         ///
         /// Operations: 62: 27 ×, 12 +, 8 compare, 6 sign, 6 ÷, 3 sin_cos_pi.
         #[inline]
@@ -289,60 +304,81 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / receptance
         }
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.
+        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
+        /// those of `frequency_stage`.
         ///
         /// Operations: 70: 29 ×, 13 +, 8 compare, 8 sign, 8 ÷, 3 sin_cos_pi, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
-            let mode_1_frequency = 0.4450418679126288 * inverse_r;
-            let (mode_1_sine, mode_1_plain_cosine) = Scalar::sin_cos_pi(
-                mode_1_frequency * 0.5,
-            );
-            let mode_1_detuning = Scalar::detuning_off_pole(
-                (mode_1_frequency - 1.0) * (mode_1_frequency + 1.0),
-            );
-            let mode_1_cosine = Scalar::cosine_off_pole(mode_1_plain_cosine);
-            let mode_1_size = Scalar::abs(mode_1_detuning);
-            let mode_1_u = mode_1_sine * mode_1_size
-                / (mode_1_frequency * mode_1_cosine);
-            let mode_2_frequency = 1.246979603717467 * inverse_r;
-            let (mode_2_sine, mode_2_plain_cosine) = Scalar::sin_cos_pi(
-                mode_2_frequency * 0.5,
-            );
-            let mode_2_detuning = Scalar::detuning_off_pole(
-                (mode_2_frequency - 1.0) * (mode_2_frequency + 1.0),
-            );
-            let mode_2_cosine = Scalar::cosine_off_pole(mode_2_plain_cosine);
-            let mode_2_size = Scalar::abs(mode_2_detuning);
-            let mode_2_u = mode_2_sine * mode_2_size
-                / (mode_2_frequency * mode_2_cosine);
-            let mode_3_frequency = 1.8019377358048383 * inverse_r;
-            let (mode_3_sine, mode_3_plain_cosine) = Scalar::sin_cos_pi(
-                mode_3_frequency * 0.5,
-            );
-            let mode_3_detuning = Scalar::detuning_off_pole(
-                (mode_3_frequency - 1.0) * (mode_3_frequency + 1.0),
-            );
-            let mode_3_cosine = Scalar::cosine_off_pole(mode_3_plain_cosine);
-            let mode_3_size = Scalar::abs(mode_3_detuning);
-            let mode_3_u = mode_3_sine * mode_3_size
-                / (mode_3_frequency * mode_3_cosine);
-            let scale = Scalar::min(Scalar::min(mode_1_size, mode_2_size), mode_3_size);
-            let mode_1_response = scale / mode_1_detuning;
-            let mode_1_u_scaled = mode_1_u * Scalar::abs(mode_1_response);
-            let mode_2_response = scale / mode_2_detuning;
-            let mode_2_u_scaled = mode_2_u * Scalar::abs(mode_2_response);
-            let mode_3_response = scale / mode_3_detuning;
-            let mode_3_u_scaled = mode_3_u * Scalar::abs(mode_3_response);
-            let v_re = mode_1_response * 0.19384226684174422
-                + mode_2_response * 0.2417173530900137
-                + mode_3_response * -0.4355596199317579;
-            let h_re = mode_1_response * 0.34929169541608984
-                + mode_2_response * 0.10757434232607613
-                + mode_3_response * 0.5431339622578341;
-            let u = 0.34929169541608984 * mode_1_u_scaled
-                + 0.10757434232607613 * mode_2_u_scaled
-                + 0.5431339622578341 * mode_3_u_scaled;
+            let mode_1 = {
+                let frequency = 0.4450418679126288 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let mode_2 = {
+                let frequency = 1.246979603717467 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let mode_3 = {
+                let frequency = 1.8019377358048383 * inverse_r;
+                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+                let detuning = Scalar::detuning_off_pole(
+                    (frequency - 1.0) * (frequency + 1.0),
+                );
+                let cosine = Scalar::cosine_off_pole(plain_cosine);
+                let size = Scalar::abs(detuning);
+                let u = sine * size / (frequency * cosine);
+                ModeResponse {
+                    x: frequency,
+                    denominator: Complex { re: detuning, im: 0.0 },
+                    size,
+                    u,
+                    g: 0.0,
+                    reversal: 0.0,
+                }
+            };
+            let scale = Scalar::min(Scalar::min(mode_1.size, mode_2.size), mode_3.size);
+            let modes = [
+                Self::CHAIN.at_scale(&mode_1, scale),
+                Self::CHAIN.at_scale(&mode_2, scale),
+                Self::CHAIN.at_scale(&mode_3, scale),
+            ];
+            let [at_1, at_2, at_3] = &modes;
+            let v_re = at_1.response.re * 0.19384226684174422
+                + at_2.response.re * 0.2417173530900137
+                + at_3.response.re * -0.4355596199317579;
+            let h_re = at_1.response.re * 0.34929169541608984
+                + at_2.response.re * 0.10757434232607613
+                + at_3.response.re * 0.5431339622578341;
+            let u = 0.34929169541608984 * at_1.u + 0.10757434232607613 * at_2.u
+                + 0.5431339622578341 * at_3.u;
             let excitation = Scalar::abs(v_re);
             let receptance = Scalar::abs(h_re);
             (
@@ -355,6 +391,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(ThesisAt : stuck, orbit);
+    ::frictiongen::kernel::not_provided!(Thesis : stepper);
     ::frictiongen::kernel::not_provided!(Thesis : simulation);
     impl ProvidesMotion for Thesis {
         type Motion = ThesisMotion;

@@ -1,7 +1,7 @@
 //! Which mode is taken apart, and what it is turned against.  An error here is one of rounding, beside a pole, where a
 //! rounding of r moves every answer by more: no answer tells it from that.
 
-use super::{Apart, Partner, Sums, Which};
+use super::{DominantSums, Partner, Terms, Which};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::complex::Complex;
 use crate::oscillator::mode::{Kind, Mode};
@@ -57,8 +57,8 @@ fn taken(terms: [f64; 3], on_moving_base: Option<f64>) -> Option<usize> {
     }
     let modes = modes.iter().map(|(mode, at)| (mode, *at));
     let all = contact(Complex::new(terms.iter().sum(), 0.0));
-    let apart = chain(on_moving_base).apart(modes, Partner::U, &all, 1.0);
-    match apart.which {
+    let sums = chain(on_moving_base).dominant_sums(modes, Partner::U, &all, 1.0);
+    match sums.which {
         Which::Numbered(number) if number >= 0.0 => Some(number as usize),
         _ => None,
     }
@@ -82,16 +82,16 @@ fn beside_what_stands_at_rest() {
 /// A mode is in phase with its own term of V: where the others' terms are the smaller, it is turned against those.
 #[test]
 fn turned_against_what_the_others_leave() {
-    let sums = |v| Sums { v, ..Sums::zero() };
+    let terms = |v| Terms { v, ..Terms::zero() };
     let (large, small) = (Complex::new(3e8, -4e8), Complex::new(0.1, 0.2));
     for (others, all, least) in [(small, large, small), (large, small, small)] {
         for which in [Which::Only, Which::First, Which::Numbered(1.0)] {
-            let apart = Apart {
+            let sums = DominantSums {
                 which,
-                own: sums(others),
-                rest: sums(all),
+                own: terms(others),
+                rest: terms(all),
             };
-            let (own, rest) = apart.turning(&contact(all));
+            let (own, rest) = sums.turning(&contact(all));
             assert_eq!((own, rest), (least, all));
         }
     }

@@ -6,7 +6,8 @@
 
 use super::bounds::Bounds;
 use super::grid::{Grid, Node, Stretch};
-use super::{EQUAL, MAX_EVALUATIONS, Search, Weight};
+use super::summit::EVALUATIONS;
+use super::{EQUAL, Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
@@ -27,18 +28,24 @@ pub(super) type Open = [u32; 2];
 const NONE: Open = [0, 0];
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// The whole half period, as far as [`MAX_EVALUATIONS`] go.
+    /// Whether one more grid and its summits fit into what the search may take; if not, it has not come to its end.
+    fn has_room(&mut self) -> bool {
+        self.peak.exceeded |= self.most - self.peak.evaluations < COST + SUMMITS * EVALUATIONS;
+        !self.peak.exceeded
+    }
+
+    /// The whole half period, as far as the evaluations go that the search may take.
     pub(super) fn by_grids(&mut self) {
         let end = self.question.end;
         let mut from = S::constant(0.0);
-        while from < end && self.peak.evaluations < MAX_EVALUATIONS {
+        while from < end && self.has_room() {
             let bounds = Bounds::of(&self.sum, &Instant::new(from * S::inverse_pi()), end - from);
             // From h⁴/384 times the fourth derivative.
             let fourth = bounds.fourth + self.level();
             let width = (S::constant(384.0 * SLACK) * self.size(&bounds) / fourth)
                 .sqrt()
                 .sqrt();
-            let stretch = Stretch::new(from, end, width.held(), false);
+            let stretch = Stretch::new(from, end, width.primal(), false);
             self.settle(&stretch, &bounds);
             from = stretch.to;
         }
@@ -83,7 +90,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let share = S::constant(if few { 1.0 / FINER } else { 0.25 });
         let starts = self.question.weight == Weight::Sine && from.is_zero();
         let mut from = from;
-        while from < to && self.peak.evaluations < MAX_EVALUATIONS {
+        while from < to && self.has_room() {
             let stretch = Stretch::new(from, to, width * share, starts && from.is_zero());
             self.settle(&stretch, bounds);
             from = stretch.to;

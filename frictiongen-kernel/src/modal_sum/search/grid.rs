@@ -127,11 +127,11 @@ struct Gain<S> {
 impl<S: Float> Gain<S> {
     fn of<D: Decay<S>>(wave: &Wave<S, D>, loss: S, basis: &Basis<S>) -> Self {
         let x = wave.x;
-        let apart = (x - S::constant(1.0)) * (x + S::constant(1.0));
+        let detuning = (x - S::constant(1.0)) * (x + S::constant(1.0));
         // cos h − d and sin h − p, and their derivatives.
         let of_cosine = basis.swing_slope - loss * basis.free;
         let of_sine = basis.swing;
-        let of_cosine_slope = apart * basis.free - basis.swing;
+        let of_cosine_slope = detuning * basis.free - basis.swing;
         let of_sine_slope = basis.swing_slope;
         let (b, c) = (wave.swing_slope, wave.swing);
         Self {

@@ -15,9 +15,31 @@ use crate::modal_sum::wave::Sum;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// No search takes more than about this; a grid of up to 32 nodes counts as two evaluations.  The worst of 10⁴ random
-/// scenes at r from 0.01 to 100 takes 35, half of them 4, and 8 for an amplitude.  A search that would need more ends with the best value it has found.
+/// No search takes more than this, whatever the scene; a grid of up to 32 nodes counts as two evaluations.  The worst of
+/// 10⁴ random scenes at r from 0.01 to 100 takes 35, half of them 4, and 8 for an amplitude.  [`most_evaluations`] says
+/// what a scene's own searches may take; one that would need more ends with the best value it has found.
 pub const MAX_EVALUATIONS: u32 = 20_000;
+
+/// What a search over sin τ may take however slow the modes are: five times the most seen.
+const OVER_SINE: u32 = 256;
+/// The same of a motion, which may be what is left where modes cancel: three times the most seen.
+const OF_MOTION: u32 = 1024;
+/// One evaluation more for so many half turns of the fastest mode; the most seen is one for 120.
+const HALF_TURNS: usize = 16;
+
+/// How many evaluations a search may take at most, by the weight and by the fastest mode, max √λ(1 + 2ζ)/r.
+///
+/// A search counts, and stops before a grid and its summits that might lead beyond.
+#[must_use]
+pub fn most_evaluations<S: Float>(weight: Weight, fastest: S) -> u32 {
+    let few = match weight {
+        Weight::One => OF_MOTION,
+        Weight::Sine => OVER_SINE,
+    };
+    let turns = fastest.to_index() / HALF_TURNS;
+    let turns = u32::try_from(turns).unwrap_or(MAX_EVALUATIONS);
+    few.saturating_add(turns).min(MAX_EVALUATIONS)
+}
 
 /// Maxima closer than this many roundings count as equal.
 const EQUAL: f64 = 64.0;
@@ -25,7 +47,7 @@ const EQUAL: f64 = 64.0;
 const NOISE: f64 = 16.0;
 /// Places closer than this belong to the same maximum: about it the sum falls by the square of the
 /// distance, far more than maxima may differ that count as equal.
-const APART: f64 = 0.05;
+const SAME_MAXIMUM: f64 = 0.05;
 
 /// By what the sum is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,6 +93,8 @@ pub struct Peak<S> {
     pub places: [Option<Maximiser<S>>; 4],
     /// How often the sum was evaluated; a grid counts as two.
     pub evaluations: u32,
+    /// Whether the search stopped before its end, at what it [may take](most_evaluations).
+    pub exceeded: bool,
 }
 
 /// What a search took.
@@ -79,7 +103,7 @@ pub struct Peak<S> {
 pub enum Effort {
     /// It came to its end after so many evaluations, and nothing larger remains.
     Bounded(u32),
-    /// It stopped after [`MAX_EVALUATIONS`]: its answer is the best that it had seen.
+    /// It stopped at [what it may take](most_evaluations): its answer is the best that it had seen.
     Exceeded,
 }
 
@@ -87,10 +111,10 @@ impl<S> Peak<S> {
     /// Whether the search came to its end.
     #[must_use]
     pub fn effort(&self) -> Effort {
-        if self.evaluations < MAX_EVALUATIONS {
-            Effort::Bounded(self.evaluations)
-        } else {
+        if self.exceeded {
             Effort::Exceeded
+        } else {
+            Effort::Bounded(self.evaluations)
         }
     }
 }
@@ -101,6 +125,8 @@ struct Search<'a, S, D> {
     peak: Peak<S>,
     /// What rounding leaves of the sum, below which nothing can be told.
     rounding: S,
+    /// What it may take.
+    most: u32,
 }
 
 /// The largest value of `sum` over (0, end], divided by the weight.
@@ -123,8 +149,10 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
                 value: question.floor,
                 places: [None; 4],
                 evaluations: 0,
+                exceeded: false,
             },
             rounding,
+            most: most_evaluations(question.weight, sum.fastest()),
         }
     }
 

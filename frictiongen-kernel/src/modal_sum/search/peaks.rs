@@ -1,6 +1,6 @@
 //! The largest value so far, and the places where it is taken.
 
-use super::{APART, EQUAL, Maximiser, Search, Weight};
+use super::{EQUAL, Maximiser, SAME_MAXIMUM, Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
@@ -42,13 +42,13 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// Whether this maximum is known: the end of one half period is the beginning of the next, of the
     /// other sign.
     fn knows(&self, place: Maximiser<S>) -> bool {
-        let near = S::constant(APART);
+        let near = S::constant(SAME_MAXIMUM);
         self.peak.places.iter().flatten().any(|known| {
-            let apart = (known.tau - place.tau).abs();
+            let distance = (known.tau - place.tau).abs();
             if known.negative == place.negative {
-                apart < near
+                distance < near
             } else {
-                self.question.weight == Weight::One && self.question.end - apart < near
+                self.question.weight == Weight::One && self.question.end - distance < near
             }
         })
     }

@@ -8,7 +8,7 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
 /// So many evaluations a summit may take.
-const EVALUATIONS: u32 = 5;
+pub(super) const EVALUATIONS: u32 = 5;
 /// A step counts as the last if what it leaves out is small within so many times its length.
 const REACH: f64 = 7.0;
 

@@ -14,7 +14,7 @@ const UNSETTLED: usize = 100;
 
 /// How much friction there is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Friction {
+pub(in crate::study) enum Friction {
     /// β.
     Ratio(f64),
     /// So much that the contact never slides.
@@ -22,7 +22,7 @@ pub(super) enum Friction {
 }
 
 /// The amplitude of one motion of a system.
-pub(super) struct Amplitude<'s> {
+pub(in crate::study) struct Amplitude<'s> {
     pub system: &'s System,
     pub of: Of,
     unvaried: Varied,

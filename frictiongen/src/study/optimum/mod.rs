@@ -3,7 +3,7 @@
 mod amplitude;
 mod flat;
 mod line;
-mod peaks;
+pub(in crate::study) mod peaks;
 mod search;
 
 use super::error::UnknownMass;
@@ -11,8 +11,9 @@ use super::physical::{OperatingPoint, Parameter};
 use super::system::System;
 use super::units::{Load, angular_frequency};
 use crate::{Of, Regime};
-use amplitude::Friction;
+pub(in crate::study) use amplitude::Friction;
 use peaks::Band;
+pub(in crate::study) use peaks::PLACE as PEAK_PLACE;
 use search::Kind;
 
 /// A band of frequencies.

@@ -16,7 +16,7 @@ const MOST_SUBHARMONICS: u32 = 9;
 /// A local maximum of the places below this share of the largest is not refined.
 const WORTH: f64 = 0.7;
 /// How near to the place of a maximum a search goes: its value is then right to rounding.
-const PLACE: f64 = 2e-9;
+pub(in crate::study) const PLACE: f64 = 2e-9;
 /// Where a maximum moves along, its first bracket.
 const NEIGHBOUR: f64 = 2e-3;
 /// An amplitude from which on it is no finite one.
@@ -26,7 +26,7 @@ const HALVINGS: usize = 44;
 
 /// A local maximum over the band.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Peak {
+pub(in crate::study) struct Peak {
     pub r: f64,
     pub value: f64,
     /// Whether it is at an end of the band.
@@ -34,7 +34,7 @@ pub(super) struct Peak {
 }
 
 /// A band of frequencies.
-pub(super) struct Band<'s> {
+pub(in crate::study) struct Band<'s> {
     pub amplitude: Amplitude<'s>,
     from: f64,
     to: f64,
@@ -45,7 +45,7 @@ pub(super) struct Band<'s> {
 }
 
 impl<'s> Band<'s> {
-    pub(super) fn new(system: &'s System, of: Of, [from, to]: [f64; 2]) -> Self {
+    pub(in crate::study) fn new(system: &'s System, of: Of, [from, to]: [f64; 2]) -> Self {
         let places = places(system, from, to);
         let limits = places.iter().map(|r| limits(system, *r)).collect();
         Self {
@@ -62,7 +62,7 @@ impl<'s> Band<'s> {
     }
 
     /// The largest of the band: from the largest local maximum down.
-    pub(super) fn peaks(&self, friction: Friction) -> Vec<Peak> {
+    pub(in crate::study) fn peaks(&self, friction: Friction) -> Vec<Peak> {
         let mut places = self.places.clone();
         if let Friction::Ratio(beta) = friction {
             places.extend(self.bounds(beta));

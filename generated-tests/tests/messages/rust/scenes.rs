@@ -771,4 +771,18 @@ struct Frame {
 }
 }
 
+mod case_767_step_too_long {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    provide: [stepper],
+    step: 100,
+}
+}
+}
+
 fn main() {}

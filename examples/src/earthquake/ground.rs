@@ -1,0 +1,107 @@
+//! A synthetic ground motion after Kanai, Tajimi, Clough and Penzien: white noise through the ground's own resonance, less what is slower
+//! than an earthquake, under an envelope.
+
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
+
+/// Steps a second.
+pub const RATE: f64 = 200.0;
+/// How long it lasts, in seconds.
+pub const LENGTH: f64 = 30.0;
+/// The seed of the noise.
+const SEED: u64 = 1940;
+
+/// The ground at one instant.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Ground {
+    /// In s.
+    pub time: f64,
+    /// In m.
+    pub displacement: f64,
+    /// In m/s.
+    pub velocity: f64,
+    /// In m/s².
+    pub acceleration: f64,
+}
+
+/// An oscillator that the noise goes through: ω in rad/s, ζ, and its state.
+struct Filter {
+    omega: f64,
+    zeta: f64,
+    place: f64,
+    speed: f64,
+}
+
+impl Filter {
+    fn new(omega: f64, zeta: f64) -> Self {
+        Self {
+            omega,
+            zeta,
+            place: 0.0,
+            speed: 0.0,
+        }
+    }
+
+    /// Its acceleration under a load, after a step of the symplectic Euler method.
+    fn driven(&mut self, load: f64, step: f64) -> f64 {
+        let pull = 2.0 * self.zeta * self.omega * self.speed + self.omega * self.omega * self.place;
+        let acceleration = load - pull;
+        self.speed += acceleration * step;
+        self.place += self.speed * step;
+        acceleration
+    }
+}
+
+/// The whole motion, from rest, with this peak acceleration in m/s².
+pub fn ground(peak: f64) -> Vec<Ground> {
+    // The filters need steps shorter than those of the recording.
+    let fine = 20;
+    let step = 1.0 / (RATE * f64::from(fine));
+    let mut random = ChaCha8Rng::seed_from_u64(SEED);
+    let mut soil = Filter::new(15.0, 0.6);
+    let mut slow = Filter::new(1.5, 0.6);
+    let mut motion = vec![Ground::default()];
+    let mut time = 0.0;
+    while time < LENGTH {
+        let mut acceleration = 0.0;
+        for _ in 0..fine {
+            time += step;
+            let noise = uniform(&mut random) * envelope(time);
+            soil.driven(noise, step);
+            let shaken =
+                2.0 * soil.zeta * soil.omega * soil.speed + soil.omega * soil.omega * soil.place;
+            acceleration = slow.driven(shaken, step);
+        }
+        motion.push(Ground {
+            time,
+            displacement: slow.place,
+            velocity: slow.speed,
+            acceleration,
+        });
+    }
+    let largest = |most: f64, ground: &Ground| most.max(ground.acceleration.abs());
+    let scale = peak / motion.iter().fold(0.0, largest);
+    for ground in &mut motion {
+        ground.displacement *= scale;
+        ground.velocity *= scale;
+        ground.acceleration *= scale;
+    }
+    motion
+}
+
+/// Rises in two seconds, holds, and dies away from ten seconds on.
+fn envelope(time: f64) -> f64 {
+    if time < 2.0 {
+        (time / 2.0) * (time / 2.0)
+    } else if time < 10.0 {
+        1.0
+    } else {
+        (-0.35 * (time - 10.0)).exp()
+    }
+}
+
+/// Between −1 and 1.
+fn uniform(random: &mut ChaCha8Rng) -> f64 {
+    let bits = u32::try_from(random.next_u64() >> 32).unwrap_or(u32::MAX);
+    f64::from(bits) / f64::from(1_u32 << 31) - 1.0
+}

@@ -1,0 +1,80 @@
+//! Draws the amplitudes with the features marked.
+
+use super::report::FeaturesReport;
+use crate::asked::Part;
+use crate::destination::Form;
+use crate::failure::Failure;
+use crate::picture;
+use frictiongen::study::CurveRequest;
+use frictiongen_plot::desk::{Drawn, Reading, keys, panel};
+use frictiongen_plot::{Colour, Figure, Label, Marker, Markers};
+use std::io::Write;
+
+/// What is marked, how, and in which words.
+const MARKS: [(&str, Marker, &str); 3] = [
+    ("invariant point", Marker::Circle, "invariant point"),
+    ("same amplitude", Marker::Square, "same amplitude"),
+    ("peak", Marker::Triangle, "peak"),
+];
+
+/// Draws every motion in a panel of its own; without friction if none is asked for.
+pub fn draw(
+    report: &FeaturesReport<'_>,
+    parts: &[Part],
+    frictions: &[f64],
+    form: Form,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let scales = picture::scales(report.system, report.band.is_physical(), &report.measure);
+    let of: Vec<_> = parts.iter().map(|part| part.of).collect();
+    let request = CurveRequest::new(report.band.from, report.band.to, &of);
+    let frictions = if frictions.is_empty() {
+        &[0.0]
+    } else {
+        frictions
+    };
+    let curves = frictions
+        .iter()
+        .map(|beta| report.system.curve(&request, *beta).map_err(Failure::new))
+        .collect::<Result<Vec<_>, Failure>>()?;
+    let drawn: Vec<Drawn<'_>> = curves
+        .iter()
+        .zip(frictions)
+        .enumerate()
+        .map(|(index, (curve, beta))| Drawn {
+            curve,
+            name: scales.friction_name(*beta),
+            colour: Colour::Series(index),
+        })
+        .collect();
+    let mut panels = Vec::new();
+    for (index, part) in parts.iter().enumerate() {
+        let title = picture::part_name(part);
+        let mut own = panel(title, &drawn, index, Reading::Amplitude, &scales);
+        for (feature, marker, name) in MARKS {
+            let lines = report.lines.iter();
+            // Drawn are amplitudes: points of the fundamental component lie elsewhere.
+            let marked = lines.filter(|line| {
+                line.feature == feature
+                    && line.of == part.name
+                    && !line.detail.starts_with("fundamental")
+            });
+            // A line's amplitude is in m already; the scales count in mm.
+            let points: Vec<_> = marked
+                .filter_map(|line| {
+                    let height = report.measure.length_ratio(line.amplitude?);
+                    Some((scales.frequency(line.r?), scales.length(height)))
+                })
+                .filter(|(_, height)| height.is_finite())
+                .collect();
+            if !points.is_empty() {
+                own = own.with(Markers::new(name, Colour::Black, marker, points));
+            }
+        }
+        panels.push(own);
+    }
+    let title = Label::verbatim(&report.system.scene().name);
+    let columns = parts.len().min(2);
+    let figure = Figure::new("", title, columns, panels).with_keys(keys());
+    picture::write(figure, report.system, form, out)
+}

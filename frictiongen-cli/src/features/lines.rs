@@ -1,0 +1,331 @@
+//! The features, a line each.
+
+use crate::asked::{Part, regime_name};
+use crate::failure::Failure;
+use crate::frequency::Band;
+use crate::measure::Measure;
+use frictiongen::System;
+use frictiongen::study::{
+    Certainty, Condition, Edge, FeatureError, Features, Measured, RegimeEnd, Sensed,
+};
+
+/// What stands behind a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ground {
+    /// A closed form.
+    Exact,
+    /// All of its kind in the range, by intervals.
+    All,
+    /// Samples, refined.
+    Sampled,
+}
+
+impl Ground {
+    /// In a word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::All => "all",
+            Self::Sampled => "sampled",
+        }
+    }
+}
+
+/// A feature.
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// What it is.
+    pub feature: &'static str,
+    /// Of what.
+    pub of: String,
+    /// What more there is to say.
+    pub detail: String,
+    /// Where it is, or begins; none of what has no place.
+    pub r: Option<f64>,
+    /// Where it ends.
+    pub to: Option<f64>,
+    /// The friction that it is, or up to which it holds: N under a load.
+    pub friction: Option<f64>,
+    /// The amplitude there: m under a load.
+    pub amplitude: Option<f64>,
+    /// What stands behind it.
+    pub ground: Ground,
+    /// Its numbers with their derivatives, by their names; the first is shown.
+    pub sensed: Vec<(&'static str, Sensed)>,
+}
+
+impl Line {
+    fn new(feature: &'static str, of: impl Into<String>, ground: Ground) -> Self {
+        Self {
+            feature,
+            of: of.into(),
+            detail: String::new(),
+            r: None,
+            to: None,
+            friction: None,
+            amplitude: None,
+            ground,
+            sensed: Vec::new(),
+        }
+    }
+
+    fn at(mut self, r: f64, frequency: Sensed) -> Self {
+        self.r = Some(r);
+        self.sensed.push(("frequency", frequency));
+        self
+    }
+
+    fn with_friction(mut self, friction: Sensed) -> Self {
+        self.friction = Some(friction.value);
+        self.sensed.push(("friction", friction));
+        self
+    }
+
+    fn with_amplitude(mut self, amplitude: Sensed) -> Self {
+        self.amplitude = Some(amplitude.value);
+        self.sensed.push(("amplitude", amplitude));
+        self
+    }
+
+    fn saying(mut self, detail: impl Into<String>) -> Self {
+        self.detail = detail.into();
+        self
+    }
+}
+
+/// All features of a scene, those of each friction after those that depend on none.
+pub fn lines(
+    system: &System,
+    band: &Band,
+    measure: &Measure,
+    parts: &[Part],
+    frictions: &[f64],
+) -> Result<Vec<Line>, Failure> {
+    let features = system.features(measure.load()).map_err(Failure::new)?;
+    let range = [band.from, band.to];
+    let mut lines = Vec::new();
+    resonances(&features, &mut lines);
+    ends(&features, &mut lines);
+    if !system.modal().is_damped() {
+        for part in parts {
+            undamped(&features, part, range, &mut lines).map_err(Failure::new)?;
+        }
+    }
+    for beta in frictions {
+        let own = Own {
+            features: &features,
+            friction: measure.force(*beta),
+            beta: *beta,
+            range,
+        };
+        own.lines(parts, &mut lines).map_err(Failure::new)?;
+    }
+    for pair in frictions.windows(2) {
+        let &[one, other] = pair else { continue };
+        for part in parts {
+            let found = features
+                .crossings(part.of, [one, other], range)
+                .map_err(Failure::new)?;
+            for crossing in found {
+                let [one, other] = [one, other].map(|beta| measure.force(beta));
+                let mut line = Line::new("same amplitude", &part.name, Ground::Sampled)
+                    .at(crossing.r, crossing.frequency)
+                    .saying(format!("with friction {one:?} and {other:?}"));
+                line.amplitude = Some(crossing.amplitude);
+                lines.push(line);
+            }
+        }
+    }
+    Ok(lines)
+}
+
+fn resonances(features: &Features<'_>, lines: &mut Vec<Line>) {
+    for (mode, resonance) in (1..).zip(features.resonances()) {
+        let damped = 0.0 < resonance.damping_ratio;
+        let of = format!("mode {mode}");
+        let mut line =
+            Line::new("resonance", of.as_str(), Ground::Exact).at(resonance.r, resonance.frequency);
+        let bounded = if damped {
+            "slides all the time up to"
+        } else {
+            "bounded from"
+        };
+        match resonance.threshold {
+            Some(threshold) if !damped => line = line.with_friction(threshold).saying(bounded),
+            Some(threshold) => {
+                line = line.saying(bounded);
+                line.friction = Some(resonance.continuous_limit);
+                let mut without = Line::new("threshold without damping", of, Ground::Exact)
+                    .with_friction(threshold);
+                without.r = Some(resonance.r);
+                lines.push(without);
+            }
+            None => line = line.saying("the contact does not touch it"),
+        }
+        lines.push(line);
+    }
+    for held in features.held_resonances() {
+        let detail = match (held.new, held.sliding_limit.is_infinite()) {
+            (false, _) => "the contact does not touch it",
+            (true, true) => "slides whatever the friction",
+            (true, false) => "slides up to",
+        };
+        let mut line = Line::new("resonance if stuck", "", Ground::Exact)
+            .at(held.r, held.frequency)
+            .saying(detail);
+        if held.new {
+            line.friction = Some(held.sliding_limit);
+        }
+        lines.push(line);
+    }
+}
+
+fn ends(features: &Features<'_>, lines: &mut Vec<Line>) {
+    let rest = features.limits_at_rest();
+    lines.push(
+        Line::new("limit for r -> 0", "contact", Ground::Exact)
+            .with_friction(rest.sliding)
+            .saying("slides up to"),
+    );
+    let infinity = features.limits_at_infinity();
+    for (limit, detail) in [
+        (infinity.continuous, "slides all the time up to"),
+        (infinity.sliding, "slides up to"),
+    ] {
+        lines.push(
+            Line::new("limit for r -> inf", "contact", Ground::Exact)
+                .with_friction(limit)
+                .saying(detail),
+        );
+    }
+}
+
+fn edge(edge: Edge) -> &'static str {
+    match edge {
+        Edge::Range => "end of the range",
+        Edge::Invariant => "invariant point",
+        Edge::Pole => "pole",
+        Edge::Still => "contact still",
+    }
+}
+
+fn undamped(
+    features: &Features<'_>,
+    part: &Part,
+    range: [f64; 2],
+    lines: &mut Vec<Line>,
+) -> Result<(), FeatureError> {
+    for zero in features.antiresonances(part.of, range)? {
+        lines.push(Line::new("antiresonance", &part.name, Ground::All).at(zero.r, zero.frequency));
+    }
+    for (measured, name) in [
+        (Measured::Amplitude, "amplitude"),
+        (Measured::Fundamental, "fundamental"),
+    ] {
+        for point in features.invariant_points(part.of, measured, range)? {
+            let condition = match point.condition {
+                Condition::Quadrature if point.phase_too => "U = 0 and phase too",
+                Condition::Quadrature => "estimate: U_k = 0",
+                Condition::Estimate => "estimate",
+                Condition::Receptance => "H_k = 0",
+                Condition::Balance => "balance",
+            };
+            let mut line = Line::new("invariant point", &part.name, Ground::All)
+                .at(point.r, point.frequency)
+                .saying(format!("{name}: {condition}"));
+            line.amplitude = Some(point.amplitude);
+            line.friction = Some(point.continuous_limit);
+            lines.push(line);
+        }
+        for found in features.inversions(part.of, measured, range)? {
+            let (from, to) = (edge(found.from_edge), edge(found.to_edge));
+            let mut line = Line::new("grows with friction", &part.name, Ground::All)
+                .saying(format!("{name}: {from} to {to}"));
+            (line.r, line.to) = (Some(found.from), Some(found.to));
+            lines.push(line);
+        }
+    }
+    Ok(())
+}
+
+/// The features at one friction.
+struct Own<'f, 's> {
+    features: &'f Features<'s>,
+    beta: f64,
+    friction: f64,
+    range: [f64; 2],
+}
+
+impl Own<'_, '_> {
+    /// A line about this friction.
+    fn line(&self, feature: &'static str, of: &str, ground: Ground) -> Line {
+        let mut line = Line::new(feature, of, ground);
+        line.friction = Some(self.friction);
+        line
+    }
+
+    fn lines(&self, parts: &[Part], lines: &mut Vec<Line>) -> Result<(), FeatureError> {
+        let masses = &self.features.system().scene().masses;
+        match self.features.quasi_static_start(self.beta)? {
+            Some(start) => {
+                for (mass, start) in masses.iter().zip(start) {
+                    let line = self.line("quasi-static start", &mass.name, Ground::Exact);
+                    lines.push(line.with_amplitude(start));
+                }
+            }
+            None => lines.push(
+                self.line("quasi-static start", "contact", Ground::Exact)
+                    .saying("stuck"),
+            ),
+        }
+        for found in self.features.sliding_ranges(self.beta, self.range)? {
+            let mut line = self.line("slides", "contact", Ground::All);
+            line = line.saying("all the time or in turns");
+            (line.r, line.to) = (Some(found.from), Some(found.to));
+            let ends = [
+                ("frequency", found.from_frequency),
+                ("to_frequency", found.to_frequency),
+            ];
+            let known = ends.into_iter();
+            line.sensed
+                .extend(known.filter_map(|(name, sensed)| Some((name, sensed?))));
+            lines.push(line);
+        }
+        let (ranges, certainty) = self.features.regimes(self.beta, self.range)?;
+        let ground = match certainty {
+            Certainty::Proven => Ground::All,
+            Certainty::Sampled => Ground::Sampled,
+        };
+        for found in ranges {
+            let mut line = self.line("regime", "contact", ground);
+            line = line.saying(regime_name(found.regime));
+            (line.r, line.to) = (Some(found.from), Some(found.to));
+            if let RegimeEnd::Continuous(sensed) | RegimeEnd::Sliding(sensed) = found.end {
+                line.sensed.push(("to_frequency", sensed));
+            }
+            lines.push(line);
+        }
+        for part in parts {
+            for peak in self.features.resonant_peaks(part.of, self.beta)? {
+                if let Some(estimate) = peak.estimate {
+                    let mut line = self
+                        .line("peak by estimate", &part.name, Ground::Exact)
+                        .with_amplitude(estimate)
+                        .saying(format!("mode {}", peak.mode + 1));
+                    line.r = Some(peak.resonance);
+                    lines.push(line);
+                }
+                if let Some(found) = peak.peak {
+                    let regime = found.regime.map_or("unbounded", regime_name);
+                    let mut line = self
+                        .line("peak", &part.name, Ground::Sampled)
+                        .with_amplitude(found.amplitude)
+                        .saying(format!("mode {}: {regime}", peak.mode + 1));
+                    line.r = Some(found.r);
+                    lines.push(line);
+                }
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,94 @@
+//! `frictiongen features`: what the response of a scene is made of, without a sweep.
+
+#[cfg(feature = "pictures")]
+mod draw;
+mod lines;
+mod report;
+
+use crate::args::{FeaturesArguments, FrequencyArguments, FrictionArguments};
+use crate::asked;
+use crate::destination::Destination;
+#[cfg(feature = "pictures")]
+use crate::destination::Form;
+use crate::failure::Failure;
+use crate::frequency::Band;
+use crate::friction::Frictions;
+use crate::measure::Measure;
+use crate::output;
+use crate::summary::Summary;
+use frictiongen::{Of, System};
+use frictiongen_codegen::Limits;
+use report::FeaturesReport;
+use std::io::Write;
+
+/// No more frictions than this at once.
+const MOST_FRICTIONS: usize = 16;
+
+/// Runs the command.
+pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let destination = Destination::of(
+        arguments.output.as_deref(),
+        arguments.file.path(),
+        &arguments.format,
+        true,
+    )?;
+    let given = FrictionArguments {
+        beta: arguments.beta.clone(),
+        friction: arguments.friction.clone(),
+    };
+    let asked = given.beta.is_some() || given.friction.is_some();
+    let frictions = asked.then(|| Frictions::parse(&given, None)).transpose()?;
+    if frictions
+        .as_ref()
+        .is_some_and(|all| MOST_FRICTIONS < all.len())
+    {
+        return Err(Failure::new(format_args!(
+            "at most {MOST_FRICTIONS} frictions at once: each has a list of its own"
+        )));
+    }
+    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let system = System::try_from(description.scene).map_err(Failure::new)?;
+    let frequency = FrequencyArguments {
+        r: arguments.r.clone(),
+        hz: arguments.hz.clone(),
+        omega: arguments.omega.clone(),
+    };
+    let measure = Measure::of(&arguments.load, &system)?;
+    let band = if frequency.r.is_none() && frequency.hz.is_none() && frequency.omega.is_none() {
+        Band::about_resonances(&system, measure.load().is_some())
+    } else {
+        Band::parse(&frequency, &system)?
+    };
+    if band.widest.is_some() {
+        return Err(Failure::new(
+            "a band is a:b, without a step: all features of it are listed",
+        ));
+    }
+    let mut parts = asked::parts(&system, &arguments.of)?;
+    if arguments.of.is_empty() && !system.modal().on_moving_base {
+        // The mass that rubs on a support at rest moves as the contact does: said once.
+        let rubbing = system.modal().rubbing().map(Of::Mass);
+        parts.retain(|part| Some(part.of) != rubbing);
+    }
+    let frictions = frictions
+        .map(|frictions| frictions.under(&measure))
+        .transpose()?;
+    let frictions: Vec<f64> = frictions
+        .iter()
+        .flat_map(Frictions::iter)
+        .map(|friction| friction.beta)
+        .collect();
+    let summary = Summary::of(&system, band.is_physical(), measure);
+    let lines = lines::lines(&system, &band, &measure, &parts, &frictions)?;
+    let report = FeaturesReport {
+        system: &system,
+        band,
+        measure,
+        lines,
+    };
+    destination.write(out, |out| match destination.form {
+        #[cfg(feature = "pictures")]
+        Form::Svg | Form::Png => draw::draw(&report, &parts, &frictions, destination.form, out),
+        form => output::print(&report, &summary, form, out),
+    })
+}

@@ -1,0 +1,101 @@
+//! Draws the residuals of an identification, and the motion under a recorded input.
+
+use super::drive::Driven;
+use crate::destination::Form;
+use crate::failure::Failure;
+use crate::picture;
+use frictiongen::System;
+use frictiongen::measure::{Identified, Observation};
+use frictiongen_plot::{
+    Across, Axis, Colour, Figure, Guide, Label, Line, Marker, Markers, Panel, Stroke,
+};
+use std::io::Write;
+
+/// How much wider the frame is than the points.
+const ROOM: f64 = 1.15;
+
+/// Residuals over their deviations, over frequency: real parts and imaginary parts, and the lines at ±2.
+pub fn residuals(
+    system: &System,
+    observations: &[Observation],
+    found: &Identified,
+    form: Form,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let (mut real, mut imaginary) = (Vec::new(), Vec::new());
+    for (index, seen) in observations.iter().enumerate() {
+        let residuals = found.residuals(observations, index);
+        for (datum, residual) in seen.motions.iter().zip(residuals) {
+            real.push((seen.hertz, residual.re / datum.deviation));
+            imaginary.push((seen.hertz, residual.im / datum.deviation));
+        }
+    }
+    let all = || real.iter().chain(&imaginary);
+    let high = all().map(|(_, value)| value.abs()).fold(2.5, f64::max) * ROOM;
+    let right = all().map(|(hertz, _)| *hertz).fold(0.0, f64::max) * ROOM;
+    let mut panel = Panel::new(
+        "",
+        Axis::new("frequency (Hz)", 0.0, right),
+        Axis::new("residual over deviation", -high, high),
+    );
+    for level in [-2.0, 0.0, 2.0] {
+        panel = panel.with(Guide::new(Across::Y(level)));
+    }
+    let panel = panel
+        .with(Markers::new("real part", Colour::Black, Marker::Dot, real))
+        .with(Markers::new(
+            "imaginary part",
+            Colour::Black,
+            Marker::Circle,
+            imaginary,
+        ));
+    let caption = format!(
+        "F = {:.6} N, 95 %: {:.6} to {:.6} N; {}",
+        found.friction.value, found.friction.from, found.friction.to, found.verdict
+    );
+    let figure = Figure::new("", "Measured less computed", 1, vec![panel])
+        .with_caption(Label::verbatim(&caption));
+    picture::write(figure, system, form, out)
+}
+
+/// Displacements over time, and the friction force.
+pub fn driven(
+    system: &System,
+    driven: &Driven,
+    form: Form,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let last = driven.samples.last().map_or(1.0, |sample| sample.time);
+    let time = || Axis::new("time (s)", 0.0, last);
+    let track = |value: &dyn Fn(&super::drive::Sample) -> f64| -> Vec<(f64, f64)> {
+        let samples = driven.samples.iter();
+        samples.map(|sample| (sample.time, value(sample))).collect()
+    };
+    let edge = |tracks: &[Vec<(f64, f64)>]| {
+        let values = tracks.iter().flatten().map(|(_, value)| value.abs());
+        let most = values.fold(0.0, f64::max);
+        if 0.0 < most { most * ROOM } else { 1.0 }
+    };
+    let motions: Vec<Vec<(f64, f64)>> = (0..driven.parts.len())
+        .map(|part| track(&|sample| sample.motions.get(part).map_or(0.0, |motion| motion[0])))
+        .collect();
+    let high = edge(&motions);
+    let mut moved = Panel::new("", time(), Axis::new("displacement (m)", -high, high));
+    for (place, (part, motion)) in driven.parts.iter().zip(motions).enumerate() {
+        moved = moved.with(Line::new(
+            picture::part_name(part),
+            Colour::Series(place),
+            Stroke::Solid,
+            vec![motion],
+        ));
+    }
+    let force = track(&|sample| sample.force);
+    let high = edge(std::slice::from_ref(&force));
+    let gripped = Panel::new("", time(), Axis::new("friction force (N)", -high, high)).with(
+        Line::new("friction force", Colour::Black, Stroke::Solid, vec![force]),
+    );
+    let title = Label::verbatim(&system.scene().name);
+    let figure = Figure::new("", title, 1, vec![moved, gripped])
+        .with_caption(Label::verbatim(&driven.account()));
+    picture::write(figure, system, form, out)
+}

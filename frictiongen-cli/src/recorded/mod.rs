@@ -1,0 +1,16 @@
+//! Commands over recordings: `transmissibility`, `identify`, `fit`, `drive`.
+
+mod decay;
+#[cfg(feature = "pictures")]
+mod draw;
+mod drive;
+mod fit;
+mod identify;
+mod lines;
+mod read;
+mod transmissibility;
+
+pub use drive::run as drive;
+pub use fit::run as fit;
+pub use identify::run as identify;
+pub use transmissibility::run as transmissibility;

@@ -1,0 +1,130 @@
+//! Reads recordings.
+
+use crate::args::{FileArgument, RecordingArguments};
+use crate::failure::{Failure, reason};
+use frictiongen::System;
+use frictiongen::measure::{Column, CsvRequest, MeasureError, Measured, Recording, Unit};
+use frictiongen_codegen::Limits;
+use std::fs;
+use std::path::Path;
+
+/// The scene that recordings are of.
+pub fn scene(path: &Path) -> Result<System, Failure> {
+    let file = FileArgument {
+        file: Some(path.to_owned()),
+    };
+    let description = file.description(&Limits::RUN_TIME)?;
+    System::try_from(description.scene).map_err(Failure::new)
+}
+
+/// The text of a file.
+pub fn text(path: &Path) -> Result<String, Failure> {
+    let bytes = fs::read(path).map_err(|error| {
+        Failure::new(format_args!(
+            "cannot read {}: {}",
+            path.display(),
+            reason(&error)
+        ))
+    })?;
+    String::from_utf8(bytes).map_err(|_| {
+        Failure::new(format_args!(
+            "{} is no recording: it is not text",
+            path.display()
+        ))
+    })
+}
+
+/// What is wrong with a file.
+pub fn told(path: &Path, error: &MeasureError) -> Failure {
+    Failure::new(format_args!("{}: {error}", path.display()))
+}
+
+/// A positive number of an option.
+pub fn positive(option: &str, text: &str) -> Result<f64, Failure> {
+    let number: Option<f64> = text.trim().parse().ok();
+    number
+        .filter(|number| number.is_finite() && 0.0 < *number)
+        .ok_or_else(|| {
+            Failure::new(format_args!(
+                "{option} `{text}`: a number above 0 is needed"
+            ))
+        })
+}
+
+impl RecordingArguments {
+    fn request(&self) -> Result<CsvRequest, Failure> {
+        let rate = self
+            .rate
+            .as_deref()
+            .map(|text| positive("--rate", text))
+            .transpose()?;
+        let columns = self.channel.iter().map(|text| column(text));
+        Ok(CsvRequest {
+            rate,
+            columns: columns.collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// All recordings, in the order given.
+    pub fn recordings(&self) -> Result<Vec<Recording>, Failure> {
+        let request = self.request()?;
+        let read = |path: &std::path::PathBuf| {
+            let text = text(path)?;
+            // A universal file begins with the mark of a data set.
+            let universal = text
+                .lines()
+                .find(|line| !line.trim().is_empty())
+                .is_some_and(|line| line.trim() == "-1");
+            let recording = if universal {
+                Recording::from_uff58(&text, &request)
+            } else {
+                Recording::from_csv(&text, &request)
+            };
+            recording.map_err(|error| told(path, &error))
+        };
+        self.recordings.iter().map(read).collect()
+    }
+
+    /// The one recording, as what drives a scene.
+    pub fn inputs(&self) -> Result<Recording, Failure> {
+        let [path] = self.recordings.as_slice() else {
+            return Err(Failure::new("one recording at a time drives a scene"));
+        };
+        let text = text(path)?;
+        Recording::inputs_from_csv(&text, &self.request()?).map_err(|error| told(path, &error))
+    }
+
+    /// The steady motion in each of them.
+    pub fn measured(&self, system: &System) -> Result<Vec<Measured>, Failure> {
+        let recordings = self.recordings()?;
+        let pairs = self.recordings.iter().zip(&recordings);
+        pairs
+            .map(|(path, recording)| {
+                Measured::of(recording, system.scene()).map_err(|error| told(path, &error))
+            })
+            .collect()
+    }
+}
+
+/// `NAME=COLUMN:UNIT`.
+fn column(text: &str) -> Result<Column, Failure> {
+    let wrong = || {
+        Failure::new(format_args!(
+            "--channel `{text}`: NAME=COLUMN:UNIT is needed, as in lower=AI1:mm"
+        ))
+    };
+    let (name, rest) = text.split_once('=').ok_or_else(wrong)?;
+    let (column, unit) = match rest.rsplit_once(':') {
+        Some((column, unit)) => (column, Some(unit)),
+        None => (rest, None),
+    };
+    if name.is_empty() || column.is_empty() {
+        return Err(wrong());
+    }
+    let unit = unit.map(str::parse::<Unit>).transpose();
+    Ok(Column {
+        name: name.trim().to_owned(),
+        column: column.trim().to_owned(),
+        unit: unit.map_err(|error| Failure::new(format_args!("--channel `{text}`: {error}")))?,
+    })
+}

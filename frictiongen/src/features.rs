@@ -1,0 +1,190 @@
+//! Features of the response for emitted and run-time systems alike, without allocation.
+//!
+//! What needs the scene's shapes, and lists of which nothing is missing, are `System::features` (feature `study`).
+//!
+//! ```
+//! use frictiongen::features::{self, Change};
+//! use frictiongen::{Regime, friction_system};
+//!
+//! friction_system! {
+//!     struct Chain {
+//!         masses: { first: 1.0, second: 1.0 },
+//!         springs: { base - first: 1.0, first - second: 1.0 },
+//!         contact: first - wall,
+//!         excitation: first,
+//!     }
+//! }
+//!
+//! # fn main() -> Result<(), Box<dyn core::error::Error>> {
+//! // With less friction than π/4 of the load both resonances are unbounded.
+//! let mut thresholds = [0.0; 2];
+//! features::thresholds_into(&Chain, &mut thresholds)?;
+//! assert!(thresholds.iter().all(|beta| (beta - core::f64::consts::FRAC_PI_4).abs() < 1e-12));
+//!
+//! // β_∞ = 2/√(4 + π²).
+//! assert!((features::limits_at_infinity(&Chain)?.continuous - 0.537029).abs() < 1e-6);
+//!
+//! // From which frequency on does a contact slide all the time at β = 0.4?
+//! let mut changes = features::regime_changes(&Chain, 0.4, [0.53, 0.7], 100)?;
+//! let Change { r, before, after } = changes.next().ok_or("no change")?;
+//! assert!((r - 0.55875).abs() < 5e-6);
+//! assert_eq!((before, after), (Regime::StickSlip, Regime::Continuous));
+//! assert!(changes.next().is_none());
+//! # Ok(())
+//! # }
+//! ```
+
+use crate::sweep::SweepError;
+use crate::{FrictionSystem, Limits, LimitsAt, OutOfDomain, Regime};
+use frictiongen_kernel::{Float, Scalar};
+
+/// β_lim at every resonance into a slice of the caller's, one for each, ascending: without damping β_n,i (6.2, 6.26), below
+/// which the resonance is unbounded; with damping what (7.62) estimates.  On a mode that the contact does not touch it bounds
+/// nothing.
+///
+/// # Errors
+/// [`SweepError::Length`] for a slice of another length, which stays as it is.
+pub fn thresholds_into<F: FrictionSystem>(
+    system: &F,
+    thresholds: &mut [F::Scalar],
+) -> Result<(), SweepError> {
+    let resonances = system.resonances();
+    if resonances.len() != thresholds.len() {
+        return Err(SweepError::Length {
+            points: resonances.len(),
+            room: thresholds.len(),
+        });
+    }
+    for (r, threshold) in resonances.iter().zip(thresholds) {
+        let at = system.at(*r).map_err(SweepError::OutOfDomain)?;
+        *threshold = at.continuous_limit();
+    }
+    Ok(())
+}
+
+/// Both limits for r → 0: β_lim is 0 there (6.4), up to β*_lim there is a quasi-static start (6.5).
+///
+/// # Errors
+/// None: 0 is in the domain.
+pub fn limits_at_rest<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>, OutOfDomain> {
+    Ok(system.at(F::Scalar::constant(0.0))?.limits())
+}
+
+/// β_∞ and β*_∞ (6.28), both limits for r → ∞; infinite on a moving base.
+///
+/// # Errors
+/// None: ∞ is in the domain.
+pub fn limits_at_infinity<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>, OutOfDomain> {
+    Ok(system.at(F::Scalar::constant(f64::INFINITY))?.limits())
+}
+
+/// A change of the regime along frequency.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Change<S> {
+    /// The last r of the regime before.
+    pub r: S,
+    /// The regime below it.
+    pub before: Regime,
+    /// The regime above it.
+    pub after: Regime,
+}
+
+/// The changes of the regime along frequency: see [`regime_changes`].
+#[derive(Clone, Debug)]
+pub struct RegimeChanges<'s, F: FrictionSystem> {
+    system: &'s F,
+    beta: F::Scalar,
+    range: [F::Scalar; 2],
+    steps: u32,
+    step: u32,
+    last: (F::Scalar, Regime),
+}
+
+/// The changes of the regime from r to r at the friction ratio β, ascending, each halved to the last digits.
+///
+/// It looks at `steps` + 1 places: a regime that lies between two of them alone is not seen.  `System::features` misses fewer
+/// and says when it misses none.
+///
+/// # Errors
+/// [`OutOfDomain`] for a range that is not from above 0 to a larger, finite r, for NaN, negative and infinite β, and for no
+/// steps.
+pub fn regime_changes<F: FrictionSystem>(
+    system: &F,
+    beta: F::Scalar,
+    range: [F::Scalar; 2],
+    steps: u32,
+) -> Result<RegimeChanges<'_, F>, OutOfDomain> {
+    let [from, to] = range;
+    if !(F::Scalar::constant(0.0) < from && from < to && to.is_finite()) {
+        return Err(OutOfDomain { argument: "r" });
+    }
+    if steps == 0 {
+        return Err(OutOfDomain { argument: "steps" });
+    }
+    Ok(RegimeChanges {
+        system,
+        beta,
+        range,
+        steps,
+        step: 0,
+        last: (from, system.at(from)?.regime(beta)?),
+    })
+}
+
+impl<F: FrictionSystem> RegimeChanges<'_, F> {
+    fn regime(&self, r: F::Scalar) -> Option<Regime> {
+        self.system.at(r).ok()?.regime(self.beta).ok()
+    }
+
+    /// The next place that is looked at.
+    fn next_place(&mut self) -> Option<F::Scalar> {
+        if self.steps <= self.step {
+            return None;
+        }
+        self.step += 1;
+        let [from, to] = self.range;
+        let share = f64::from(self.step) / f64::from(self.steps);
+        Some(if self.step < self.steps {
+            from + (to - from) * F::Scalar::constant(share)
+        } else {
+            to
+        })
+    }
+}
+
+impl<F: FrictionSystem> Iterator for RegimeChanges<'_, F> {
+    type Item = Change<F::Scalar>;
+
+    fn next(&mut self) -> Option<Change<F::Scalar>> {
+        loop {
+            let place = self.next_place()?;
+            let regime = self.regime(place)?;
+            let (start, before) = self.last;
+            if regime == before {
+                self.last = (place, regime);
+                continue;
+            }
+            let (mut low, mut high, mut after) = (start, place, regime);
+            loop {
+                let middle = (low + high) * F::Scalar::constant(0.5);
+                if !(low < middle && middle < high) {
+                    break;
+                }
+                let regime = self.regime(middle)?;
+                if regime == before {
+                    low = middle;
+                } else {
+                    (high, after) = (middle, regime);
+                }
+            }
+            // Between both places may be a third regime: from here on once more.
+            self.last = (high, after);
+            self.step -= 1;
+            return Some(Change {
+                r: low,
+                before,
+                after,
+            });
+        }
+    }
+}

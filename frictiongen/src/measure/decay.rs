@@ -1,0 +1,321 @@
+//! Friction and damping from a free vibration of one mass (thesis 4.3.2).
+//!
+//! Pulled and released, a mass swings about one point going up and about another going down, 2F/k apart, and its extremes
+//! fall by 4F/k a cycle (4.2); with viscous damping each half cycle also multiplies by e^{−πζ/√(1−ζ²)} (Feeny and Liang,
+//! J. Sound Vib. 195 (1996) 149).  The extremes give a start; the samples between them are then fitted whole, because single
+//! peaks of a noisy signal are found too high.
+
+use super::identify::Estimate;
+use super::least_squares::{Linearised, minimise};
+use super::recording::Dimension;
+use super::statistics::student;
+use super::{MeasureError, Recording};
+use crate::study::System;
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
+
+/// Extremes that are needed: one more than the unknowns of their decrease.
+const FEWEST: usize = 4;
+/// A swing ends where it turns by so many deviations of the noise, …
+const TURN: f64 = 8.0;
+/// … and by this part of the whole range.
+const PART: f64 = 0.02;
+/// The step of a difference, of a parameter's scale.
+const DIFFERENCE: f64 = 1e-6;
+
+/// What a free vibration says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeDecay {
+    /// F, N.
+    pub friction: Estimate,
+    /// F/k, m: half the distance of the two points about which the mass swings.
+    pub length: Estimate,
+    /// ζ; its interval is a point where it was given.
+    pub damping: Estimate,
+    /// The undamped natural frequency, Hz.
+    pub hertz: Estimate,
+    /// F/k as the linear decrement has it: the mean of (x⁽¹⁾ − x⁽²⁾)/4 over the extremes (4.2), m.
+    pub linear_decrement: f64,
+    /// The extremes that were used: s from the first sample, and m.
+    pub extremes: Vec<(f64, f64)>,
+    /// The deviation of the residuals over that of the noise; well above 1 the mass does not move like this.
+    pub misfit: f64,
+}
+
+impl FreeDecay {
+    /// β for a base motion of amplitude Y: (4.3).
+    #[must_use]
+    pub fn friction_ratio(&self, amplitude: f64) -> f64 {
+        self.length.value / amplitude
+    }
+}
+
+impl System {
+    /// Friction, damping and natural frequency from a free vibration of the only mass.
+    ///
+    /// `damping` is ζ where it is known; otherwise it is found with the rest.
+    ///
+    /// ```
+    /// use frictiongen::measure::{Channel, Recording, Unit};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let plate: frictiongen::System = "struct Plate {
+    ///     masses: { plate: 2.0 }, springs: { base - plate: 752.0 }, contact: plate - wall, excitation: base,
+    /// }"
+    /// .parse()?;
+    /// // From 20 mm, about ±0.5 mm, at 3 Hz: 2 mm less each cycle.
+    /// let at = |t: f64| {
+    ///     let half = (6.0 * t).floor();
+    ///     let side = if half % 2.0 == 0.0 { 1.0 } else { -1.0 };
+    ///     side * (0.5 + (19.5 - half) * (std::f64::consts::PI * (6.0 * t - half)).cos())
+    /// };
+    /// let samples = (0..2500).map(|i| at(f64::from(i) / 1000.0)).collect();
+    /// let channel = Channel { name: "plate".into(), unit: Unit::MILLIMETRE, samples };
+    /// let found = plate.free_decay(&Recording::new(1000.0, vec![channel])?, None)?;
+    /// assert!((found.length.value - 0.5e-3).abs() < 1e-9 && (found.hertz.value - 3.0).abs() < 1e-6);
+    /// assert!((found.friction.value - 0.5e-3 * 752.0).abs() < 1e-6);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`MeasureError`]: more than one mass, a channel that is not the displacement of it, too few extremes above the noise,
+    /// and extremes that do not fall.
+    pub fn free_decay(
+        &self,
+        recording: &Recording,
+        damping: Option<f64>,
+    ) -> Result<FreeDecay, MeasureError> {
+        let scene = self.scene();
+        let [mass] = scene.masses.as_slice() else {
+            return Err(MeasureError::Asked(
+                "a free decay tells the friction of one mass alone: several masses beat (thesis 6.4.2)",
+            ));
+        };
+        let stiffness: f64 = scene.springs.iter().map(|spring| spring.stiffness).sum();
+        let channel = recording.channel(&mass.name).ok_or(MeasureError::NoMass)?;
+        if channel.unit.dimension() != Dimension::Displacement {
+            return Err(MeasureError::WrongDimension {
+                channel: channel.name.clone(),
+                unit: channel.unit.name(),
+            });
+        }
+        let scale = channel.unit.scale();
+        let samples: Vec<f64> = channel.samples.iter().map(|value| value * scale).collect();
+        of(&samples, recording.rate(), stiffness, damping)
+    }
+}
+
+/// The deviation of the noise, from third differences: a smooth motion leaves little in them.
+fn noise(samples: &[f64]) -> f64 {
+    let thirds = samples.windows(4).filter_map(|w| {
+        let &[a, b, c, d] = w else { return None };
+        Some((d - 3.0 * c + 3.0 * b - a).powi(2))
+    });
+    let count = samples.len().saturating_sub(3).max(1) as f64;
+    (thirds.sum::<f64>() / (20.0 * count)).sqrt()
+}
+
+/// Where the motion turns, by its place, and how far it is there; the start and what is within the noise left out.
+fn extremes(samples: &[f64], turn: f64) -> Vec<(usize, f64)> {
+    let mut found = Vec::new();
+    let Some(first) = samples.first() else {
+        return found;
+    };
+    let (mut high, mut low) = ((0, *first), (0, *first));
+    let mut rising = None;
+    for (place, value) in samples.iter().enumerate() {
+        if high.1 < *value {
+            high = (place, *value);
+        }
+        if *value < low.1 {
+            low = (place, *value);
+        }
+        if rising != Some(false) && *value < high.1 - turn {
+            found.push(high);
+            rising = Some(false);
+            low = (place, *value);
+        } else if rising != Some(true) && low.1 + turn < *value {
+            found.push(low);
+            rising = Some(true);
+            high = (place, *value);
+        }
+    }
+    // A mass that is held before it is let go has its first extreme anywhere.
+    if !found.is_empty() {
+        found.remove(0);
+    }
+    found
+}
+
+/// Place and value of the first extreme, the middle, half a cycle, its decrement, F/k; in samples and m.
+type Shape = [f64; 6];
+
+/// The displacement at each sample from the first extreme to the last.
+fn wave(shape: &[f64], from: usize, count: usize) -> Option<Vec<f64>> {
+    let &[start, first, middle, half, decrement, length] = shape else {
+        return None;
+    };
+    let decay = (-decrement).exp();
+    let (mut swing, mut extreme) = (0.0, first);
+    let centre = |extreme: f64| middle + length * (extreme - middle).signum();
+    let values = (0..count).map(|index| {
+        let since = ((from + index) as f64 - start) / half;
+        while swing + 1.0 <= since {
+            let about = centre(extreme);
+            extreme = about - (extreme - about) * decay;
+            swing += 1.0;
+        }
+        let about = centre(extreme);
+        let part = since - swing;
+        let (sin, cos) = (PI * part).sin_cos();
+        about + (extreme - about) * (-decrement * part).exp() * (cos + decrement / PI * sin)
+    });
+    Some(values.collect())
+}
+
+fn of(
+    samples: &[f64],
+    rate: f64,
+    stiffness: f64,
+    damping: Option<f64>,
+) -> Result<FreeDecay, MeasureError> {
+    let noise = noise(samples);
+    let range = samples
+        .iter()
+        .fold((f64::MAX, f64::MIN), |(low, high), value| {
+            (low.min(*value), high.max(*value))
+        });
+    let turns = extremes(samples, (TURN * noise).max(PART * (range.1 - range.0)));
+    if turns.len() < FEWEST {
+        return Err(MeasureError::FewPeaks(turns.len()));
+    }
+    let swings: Vec<f64> = turns
+        .windows(2)
+        .filter_map(|pair| Some((pair.last()?.1 - pair.first()?.1).abs()))
+        .collect();
+    let (Some(first), Some(last)) = (turns.first(), turns.last()) else {
+        return Err(MeasureError::FewPeaks(0));
+    };
+    let falls = swings
+        .windows(2)
+        .filter_map(|pair| Some(pair.first()? - pair.last()?));
+    let falls: Vec<f64> = falls.collect();
+    let linear_decrement = falls.iter().sum::<f64>() / (4.0 * falls.len().max(1) as f64);
+    if !(0.0 < linear_decrement) {
+        return Err(MeasureError::NoDecay);
+    }
+    let count = last.0 - first.0 + 1;
+    let half = (last.0 - first.0) as f64 / (turns.len() - 1) as f64;
+    let known = damping.map(|ratio| PI * ratio / (1.0 - ratio * ratio).sqrt());
+    let middle = first.1 + 0.5 * (turns.get(1).map_or(first.1, |second| second.1) - first.1);
+    let start: Shape = [
+        first.0 as f64,
+        first.1,
+        middle,
+        half,
+        known.unwrap_or(0.0),
+        linear_decrement,
+    ];
+    let parts = if known.is_some() {
+        vec![0, 1, 2, 3, 5]
+    } else {
+        vec![0, 1, 2, 3, 4, 5]
+    };
+    let window = samples.get(first.0..first.0 + count).unwrap_or(&[]);
+    let whole = |free: &[f64]| {
+        let mut shape = start;
+        for (part, value) in parts.iter().zip(free) {
+            *shape.get_mut(*part)? = *value;
+        }
+        Some(shape)
+    };
+    let residuals = |free: &[f64]| {
+        let values = wave(&whole(free)?, first.0, count)?;
+        Some(DVector::from_iterator(
+            count,
+            values.iter().zip(window).map(|(a, b)| a - b),
+        ))
+    };
+    // What each part is measured by.
+    let size = swings.first().copied().unwrap_or(1.0);
+    let scales = [half, size, size, half, 1.0, size];
+    let scale = |index: usize| {
+        parts
+            .get(index)
+            .and_then(|part| scales.get(*part))
+            .copied()
+            .unwrap_or(1.0)
+    };
+    let linearise = |free: &[f64]| {
+        let here = residuals(free)?;
+        let mut jacobian = DMatrix::zeros(count, free.len());
+        for index in 0..free.len() {
+            let step = DIFFERENCE * scale(index);
+            let moved = |by: f64| {
+                let mut moved = free.to_vec();
+                *moved.get_mut(index)? += by;
+                residuals(&moved)
+            };
+            jacobian.set_column(index, &((moved(step)? - moved(-step)?) / (2.0 * step)));
+        }
+        Some(Linearised {
+            residuals: here,
+            jacobian,
+        })
+    };
+    let free: Vec<f64> = parts
+        .iter()
+        .filter_map(|part| start.get(*part).copied())
+        .collect();
+    let bounds: Vec<(f64, f64)> = parts
+        .iter()
+        .map(|part| match part {
+            3 => (0.5 * half, 2.0 * half),
+            4 => (-1.0, 10.0),
+            5 => (-size, size),
+            _ => (f64::MIN, f64::MAX),
+        })
+        .collect();
+    let fit = minimise(&free, &bounds, residuals, linearise);
+    let fit = fit.filter(|fit| fit.settled).ok_or(MeasureError::NoFit)?;
+    let freedom = count.saturating_sub(free.len()).max(1);
+    let deviation = (fit.squares / freedom as f64).sqrt();
+    let quantile = student(freedom);
+    let shape = whole(&fit.parameters).ok_or(MeasureError::NoFit)?;
+    let estimate = |part: usize| {
+        let value = shape.get(part).copied().unwrap_or(f64::NAN);
+        let place = parts.iter().position(|free| *free == part);
+        let variance = place.map_or(Some(0.0), |at| {
+            Some(*fit.covariance.as_ref()?.get((at, at))?)
+        });
+        let reach = variance.map_or(f64::INFINITY, |variance| {
+            quantile * deviation * variance.sqrt()
+        });
+        (value, reach)
+    };
+    let ((length, reach), (decrement, wide), (half, slow)) =
+        (estimate(5), estimate(4), estimate(3));
+    let ratio = |decrement: f64| decrement / PI.hypot(decrement);
+    let undamped = |half: f64| rate / (2.0 * half) / (1.0 - ratio(decrement).powi(2)).sqrt();
+    let between = |value: f64, reach: f64, of: &dyn Fn(f64) -> f64| {
+        let (a, b) = (of(value - reach), of(value + reach));
+        Estimate {
+            value: of(value),
+            from: a.min(b),
+            to: a.max(b),
+        }
+    };
+    Ok(FreeDecay {
+        friction: between(length, reach, &|length| length * stiffness),
+        length: between(length, reach, &|length| length),
+        damping: between(decrement, wide, &ratio),
+        hertz: between(half, slow, &undamped),
+        linear_decrement,
+        extremes: turns
+            .iter()
+            .map(|(place, value)| (*place as f64 / rate, *value))
+            .collect(),
+        misfit: deviation / noise.max(f64::MIN_POSITIVE),
+    })
+}

@@ -1,0 +1,262 @@
+//! A scene driven by a recording: its inputs, step by step.
+
+use super::{Channel, Dimension, MeasureError, Recording};
+use crate::System;
+use crate::study::SystemInput;
+use crate::study::scene::Excitation;
+
+/// What drives a scene, at every sample of a recording.
+///
+/// The base comes as displacement, velocity or acceleration.  A displacement goes along the cubic spline through its samples,
+/// a velocity and an acceleration in straight lines between theirs; they begin at rest, and displacements are counted from
+/// the first sample.  Forces, and a friction force that is recorded, go in straight lines.
+///
+/// ```
+/// use frictiongen::System;
+/// use frictiongen::measure::{CsvRequest, Inputs, Recording};
+///
+/// let block: System = "struct Block {
+///     masses: { plate: 2.0 }, springs: { base - plate: 800.0 },
+///     contact: plate - wall, excitation: plate,
+/// }".parse()?;
+/// let text = "time_s,force_N\n0,0\n0.01,3\n0.02,5\n0.03,5\n";
+/// let recording = Recording::inputs_from_csv(text, &CsvRequest::default())?;
+/// let inputs = Inputs::of(&recording, &block, Some(1.5))?;
+/// let mut step = block.stepper(inputs.dt())?;
+/// step.begin(inputs.at(0))?;
+/// for sample in 1..inputs.len() {
+///     step.advance(inputs.at(sample))?;
+/// }
+/// assert!(step.mass("plate")?.displacement() > 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Inputs<'r> {
+    dt: f64,
+    len: usize,
+    base: Option<Vec<[f64; 2]>>,
+    /// The force on the excited mass.
+    force: Option<Track<'r>>,
+    /// Forces on other masses, by name.
+    others: Vec<(&'r str, Track<'r>)>,
+    friction: Friction<'r>,
+}
+
+/// A channel in SI.
+#[derive(Clone, Copy, Debug)]
+struct Track<'r> {
+    samples: &'r [f64],
+    scale: f64,
+}
+
+impl Track<'_> {
+    fn at(&self, sample: usize) -> f64 {
+        self.samples.get(sample).copied().unwrap_or(0.0) * self.scale
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Friction<'r> {
+    Constant(f64),
+    Recorded(Track<'r>),
+}
+
+impl<'r> Inputs<'r> {
+    /// The inputs of a scene: `base`, or `force` on the excited mass and the names of others, and `friction` unless it is given
+    /// here, in N.
+    ///
+    /// # Errors
+    /// [`MeasureError`] for channels that are neither, for units that do not fit, where the excitation is not recorded, and
+    /// without a friction force, or with two.
+    pub fn of(
+        recording: &'r Recording,
+        system: &System,
+        friction: Option<f64>,
+    ) -> Result<Self, MeasureError> {
+        let scene = system.scene();
+        let moving = scene.excitation == Excitation::Base;
+        let dt = 1.0 / recording.rate();
+        let mut inputs = Self {
+            dt,
+            len: recording.len(),
+            base: None,
+            force: None,
+            others: Vec::new(),
+            friction: Friction::Constant(friction.unwrap_or(0.0)),
+        };
+        let mut recorded = None;
+        for channel in recording.channels() {
+            let name = channel.name.as_str();
+            let is_mass = scene.masses.iter().any(|mass| mass.name == name);
+            match name {
+                "friction" if !is_mass => recorded = Some(force(channel)?),
+                "base" if moving => inputs.base = Some(base(channel, dt)?),
+                "force" if !moving && !is_mass => inputs.force = Some(force(channel)?),
+                _ if is_mass => inputs.others.push((name, force(channel)?)),
+                _ => {
+                    let drive = if moving { "base" } else { "force" };
+                    let masses = scene.masses.iter().map(|mass| mass.name.clone());
+                    let known = [drive.to_owned(), "friction".to_owned()];
+                    return Err(MeasureError::NoSuchPlace {
+                        channel: name.to_owned(),
+                        known: known.into_iter().chain(masses).collect(),
+                    });
+                }
+            }
+        }
+        match (recorded, friction) {
+            (Some(track), None) => inputs.friction = Friction::Recorded(track),
+            (None, Some(_)) => {}
+            (None, None) => return Err(MeasureError::NoFriction),
+            (Some(_), Some(_)) => return Err(MeasureError::Twice("friction".to_owned())),
+        }
+        let driven = inputs.base.is_some() || inputs.force.is_some() || !inputs.others.is_empty();
+        if !driven {
+            return Err(MeasureError::NoDrive(if moving { "base" } else { "force" }));
+        }
+        Ok(inputs)
+    }
+
+    /// The time between two samples, in s.
+    #[must_use]
+    pub fn dt(&self) -> f64 {
+        self.dt
+    }
+
+    /// How many samples there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there are none, which never is so.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// The input at a sample.
+    pub fn at(&self, sample: usize) -> SystemInput<'r> {
+        let mut input = match &self.base {
+            Some(base) => {
+                let [place, velocity] = base.get(sample).copied().unwrap_or_default();
+                SystemInput::base(place, velocity)
+            }
+            None => SystemInput::force(self.force.map_or(0.0, |track| track.at(sample))),
+        };
+        for (name, track) in &self.others {
+            input = input.on(name, track.at(sample));
+        }
+        input.friction(match self.friction {
+            Friction::Constant(force) => force,
+            Friction::Recorded(track) => track.at(sample),
+        })
+    }
+}
+
+fn force(channel: &Channel) -> Result<Track<'_>, MeasureError> {
+    if channel.unit.dimension() != Dimension::Force {
+        return Err(wrong(channel));
+    }
+    Ok(Track {
+        samples: &channel.samples,
+        scale: channel.unit.scale(),
+    })
+}
+
+fn wrong(channel: &Channel) -> MeasureError {
+    MeasureError::WrongDimension {
+        channel: channel.name.clone(),
+        unit: channel.unit.name(),
+    }
+}
+
+/// Displacement and velocity of the base at every sample.
+fn base(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
+    let scale = channel.unit.scale();
+    let values = channel.samples.iter().map(|value| value * scale);
+    Ok(match channel.unit.dimension() {
+        Dimension::Displacement => {
+            let first = channel.samples.first().map_or(0.0, |value| value * scale);
+            let places: Vec<f64> = values.map(|value| value - first).collect();
+            let slopes = spline_slopes(&places);
+            let both = places.iter().zip(slopes);
+            both.map(|(place, slope)| [*place, slope / dt]).collect()
+        }
+        Dimension::Velocity => {
+            let mut place = 0.0;
+            let mut last = None;
+            values
+                .map(|velocity| {
+                    place += 0.5 * dt * last.map_or(0.0, |last: f64| last + velocity);
+                    last = Some(velocity);
+                    [place, velocity]
+                })
+                .collect()
+        }
+        Dimension::Acceleration => {
+            let (mut place, mut velocity) = (0.0, 0.0);
+            let mut last: Option<f64> = None;
+            values
+                .map(|acceleration| {
+                    if let Some(last) = last {
+                        place += dt * velocity + dt * dt / 6.0 * (2.0 * last + acceleration);
+                        velocity += 0.5 * dt * (last + acceleration);
+                    }
+                    last = Some(acceleration);
+                    [place, velocity]
+                })
+                .collect()
+        }
+        _ => return Err(wrong(channel)),
+    })
+}
+
+/// The slopes at its points, a step apart, of the cubic spline that begins at rest and ends without curvature.
+fn spline_slopes(values: &[f64]) -> Vec<f64> {
+    // s₀ = 0; s_{i−1} + 4s_i + s_{i+1} = 3(y_{i+1} − y_{i−1}); s_{n−1} + 2s_n = 3(y_n − y_{n−1}).
+    let last = values.len().saturating_sub(1);
+    let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
+    let mut factors = vec![0.0];
+    let mut slopes = vec![0.0];
+    for index in 1..=last {
+        let (diagonal, right) = if index == last {
+            (2.0, 3.0 * (value(index) - value(index - 1)))
+        } else {
+            (4.0, 3.0 * (value(index + 1) - value(index - 1)))
+        };
+        let before = slopes.last().copied().unwrap_or(0.0);
+        let factor = factors.last().copied().unwrap_or(0.0);
+        let pivot = diagonal - factor;
+        slopes.push((right - before) / pivot);
+        factors.push(1.0 / pivot);
+    }
+    for index in (1..last).rev() {
+        let next = slopes.get(index + 1).copied().unwrap_or(0.0);
+        if let (Some(slope), Some(factor)) = (slopes.get_mut(index), factors.get(index)) {
+            *slope -= factor * next;
+        }
+    }
+    slopes.truncate(values.len());
+    slopes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spline_slopes;
+
+    #[test]
+    fn a_spline_keeps_what_it_can() {
+        // A cubic that begins at rest with its curvature vanishing at the end: y = s²(3n − s).
+        let n = 20_u32;
+        let value = |s: f64| s * s * (3.0 * f64::from(n) - s);
+        let slope = |s: f64| 6.0 * f64::from(n) * s - 3.0 * s * s;
+        let values: Vec<f64> = (0..=n).map(|s| value(f64::from(s))).collect();
+        for (s, found) in (0..=n).zip(spline_slopes(&values)) {
+            // Rounding of values up to 16,000.
+            assert!((found - slope(f64::from(s))).abs() < 1e-11, "{s}: {found}");
+        }
+        assert_eq!(spline_slopes(&[1.0]), [0.0]);
+        assert_eq!(spline_slopes(&[]), [0.0_f64; 0]);
+    }
+}

@@ -1,0 +1,129 @@
+//! Residuals over their deviations: what was measured less what a scene does, made independent and of deviation 1.
+
+use super::{Datum, Observation, Using};
+use crate::Complex;
+use crate::study::Load;
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
+
+/// A phase that is less certain than this, rad, is left out.
+const VAGUE: f64 = 0.3;
+
+/// What of an observation is compared, with the covariance of its errors.
+pub(super) struct Weighed<'o> {
+    seen: &'o Observation,
+    using: Using,
+    /// Which motions count, by their place.
+    kept: Vec<usize>,
+    /// The lower factor of the covariance.
+    factor: DMatrix<f64>,
+}
+
+fn inner(a: Complex<f64>, b: Complex<f64>) -> f64 {
+    a.re * b.re + a.im * b.im
+}
+
+/// i·x.
+fn turned(x: Complex<f64>) -> Complex<f64> {
+    Complex::new(-x.im, x.re)
+}
+
+/// How a small change of a value changes what is compared.
+fn seen_change(using: Using, value: Complex<f64>, change: Complex<f64>) -> Vec<f64> {
+    let size = value.norm().max(f64::MIN_POSITIVE);
+    match using {
+        Using::Complex => vec![change.re, change.im],
+        Using::Amplitude => vec![inner(value, change) / size],
+        Using::Phase => vec![inner(turned(value), change) / (size * size)],
+    }
+}
+
+impl<'o> Weighed<'o> {
+    /// With the errors of each channel and those of the load, which all motions share: an error ε of its amplitude moves
+    /// x/Y by −x/Y·ε and, through β = F/(k₁Y), what the scene does by −β·dx/dβ·ε.  `friction` is that last derivative,
+    /// dx/dF·F.
+    pub(super) fn new(
+        seen: &'o Observation,
+        using: Using,
+        friction: Option<&[Complex<f64>]>,
+    ) -> Option<Self> {
+        let (Load::Base(amplitude) | Load::Force(amplitude)) = seen.load;
+        let relative = seen.load_deviation / amplitude;
+        let certain =
+            |datum: &Datum| using != Using::Phase || datum.deviation < VAGUE * datum.value.norm();
+        let kept: Vec<usize> = (0..seen.motions.len())
+            .filter(|place| seen.motions.get(*place).is_some_and(certain))
+            .collect();
+        let (mut own, mut of_size, mut of_phase) = (Vec::new(), Vec::new(), Vec::new());
+        for place in &kept {
+            let datum = seen.motions.get(*place)?;
+            let value = datum.value;
+            let zero = Complex::new(0.0, 0.0);
+            let by_friction = friction
+                .and_then(|all| all.get(*place))
+                .copied()
+                .unwrap_or(zero);
+            let unit = match using {
+                Using::Phase => datum.deviation / value.norm(),
+                _ => datum.deviation,
+            };
+            let size = seen_change(using, value, (by_friction - value) * relative);
+            own.extend(std::iter::repeat_n(unit * unit, size.len()));
+            of_size.extend(size);
+            let order = f64::from(datum.harmonic);
+            of_phase.extend(seen_change(
+                using,
+                value,
+                turned(value) * (-order * relative),
+            ));
+        }
+        let (of_size, of_phase) = (DVector::from_vec(of_size), DVector::from_vec(of_phase));
+        let covariance = DMatrix::from_diagonal(&DVector::from_vec(own))
+            + &of_size * of_size.transpose()
+            + &of_phase * of_phase.transpose();
+        Some(Self {
+            seen,
+            using,
+            kept,
+            factor: covariance.cholesky()?.l(),
+        })
+    }
+
+    /// How many numbers are compared.
+    pub(super) fn len(&self) -> usize {
+        self.factor.nrows()
+    }
+
+    /// The residuals for what a scene does.
+    pub(super) fn residuals(&self, model: &[Complex<f64>]) -> Option<DVector<f64>> {
+        let mut all = Vec::with_capacity(self.len());
+        for place in &self.kept {
+            let (seen, model) = (self.seen.motions.get(*place)?.value, *model.get(*place)?);
+            match self.using {
+                Using::Complex => all.extend([seen.re - model.re, seen.im - model.im]),
+                Using::Amplitude => all.push(seen.norm() - model.norm()),
+                Using::Phase => {
+                    let turn = seen * model.conj();
+                    // What does not move has no phase: as far off as can be.
+                    let still = model.norm() < f64::MIN_POSITIVE.sqrt();
+                    all.push(if still { PI } else { turn.im.atan2(turn.re) });
+                }
+            }
+        }
+        self.factor.solve_lower_triangular(&DVector::from_vec(all))
+    }
+
+    /// How the residuals move with what the scene does.
+    pub(super) fn slopes(
+        &self,
+        model: &[Complex<f64>],
+        slopes: &[Complex<f64>],
+    ) -> Option<DVector<f64>> {
+        let mut all = Vec::with_capacity(self.len());
+        for place in &self.kept {
+            let change = seen_change(self.using, *model.get(*place)?, *slopes.get(*place)?);
+            all.extend(change.into_iter().map(|value| -value));
+        }
+        self.factor.solve_lower_triangular(&DVector::from_vec(all))
+    }
+}

@@ -1,0 +1,91 @@
+//! Whether a scene explains a measurement at all, and each observation beside it.
+
+use super::friction::{PLACES, Problem};
+use super::model;
+use super::{Explained, Using};
+use crate::measure::MeasureError;
+use crate::study::System;
+
+/// The root of the mean square of what is not explained, over that of the motion, from which on nothing is explained.
+const GROSS: f64 = 0.5;
+/// What is explained when a wrong unit is put right.
+const MENDED: f64 = 0.2;
+impl Problem<'_> {
+    /// The part of the motion that is not explained at this friction force, and the mass and motion of which most is not.
+    fn unexplained(&self, friction: f64, factor: f64) -> Option<(f64, usize, f64, f64)> {
+        let (mut left, mut all) = (0.0, 0.0);
+        let mut worst = (0.0, 0, 0.0, 0.0);
+        for seen in self.observations {
+            let answer = model::answer(self.system, seen, friction)?;
+            for (datum, value) in seen.motions.iter().zip(&answer.values) {
+                let measured = datum.value / factor;
+                let size = measured.norm().max(value.norm());
+                let apart = match self.using {
+                    Using::Complex => (measured - value).norm(),
+                    _ => (measured.norm() - value.norm()).abs(),
+                };
+                // What is no more than noise is explained.
+                let apart = (apart - 5.0 * datum.deviation / factor.abs()).max(0.0);
+                left += apart * apart;
+                all += size * size;
+                if worst.0 <= apart {
+                    worst = (apart, datum.mass, datum.value.norm(), value.norm());
+                }
+            }
+        }
+        Some((
+            (left / all.max(f64::MIN_POSITIVE)).sqrt(),
+            worst.1,
+            worst.2,
+            worst.3,
+        ))
+    }
+
+    /// Nothing, if the scene explains the measurement at this friction force somehow.
+    pub(super) fn explains(&self, friction: f64) -> Result<(), MeasureError> {
+        // A phase alone does not ask for the right amplitude, only for a likely one.
+        let gross = if self.using == Using::Phase {
+            0.9
+        } else {
+            GROSS
+        };
+        let Some((part, mass, measured, nearest)) = self.unexplained(friction, 1.0) else {
+            return Err(MeasureError::NoFit);
+        };
+        if part < gross {
+            return Ok(());
+        }
+        let name = self.system.scene().masses.get(mass);
+        let mass = name.map_or_else(String::new, |mass| mass.name.clone());
+        for factor in [1e3, 1e-3, 1e6, 1e-6] {
+            let forces = (0..=PLACES).map(|i| self.range.1 * f64::from(i) / f64::from(PLACES));
+            let parts = forces.filter_map(|force| Some(self.unexplained(force, factor)?.0));
+            if parts.fold(f64::INFINITY, f64::min) < MENDED {
+                return Err(MeasureError::WrongUnit { factor, mass });
+            }
+        }
+        Err(MeasureError::NotExplained {
+            mass,
+            measured,
+            nearest,
+        })
+    }
+
+    /// Each observation beside what a scene does.
+    pub(super) fn explained(
+        &self,
+        system: &System,
+        friction: f64,
+    ) -> Result<Vec<Explained>, MeasureError> {
+        let answers = self.observations.iter().map(|seen| {
+            let answer = model::answer(system, seen, friction).ok_or(MeasureError::NoFit)?;
+            Ok(Explained {
+                beta: answer.beta,
+                r: answer.r,
+                regime: answer.regime,
+                model: answer.values,
+            })
+        });
+        answers.collect()
+    }
+}

@@ -1,0 +1,328 @@
+//! The friction force alone: the sum of squares over its whole range.
+
+use super::data::Weighed;
+use super::model::{self, Along, Direction};
+use super::{Estimate, Explained, Identified, IdentifyRequest, Observation, Using, Verdict};
+use crate::measure::MeasureError;
+use crate::measure::statistics::{CHI, excess};
+use crate::study::System;
+use crate::{Complex, Regime};
+
+/// Places at which the range is looked through.  They lie closer at its start.
+pub(super) const PLACES: u32 = 96;
+/// Steps of a golden section: 1e-9 of its width.
+const SECTIONS: usize = 44;
+/// Steps of a bisection: 1e-12 of its width.
+const HALVINGS: usize = 40;
+/// An interval that is so many times as wide as its force is large tells nothing.
+const WIDE: f64 = 1.0;
+
+/// Measurements beside a scene.
+pub(super) struct Problem<'a> {
+    pub(super) system: &'a System,
+    pub(super) observations: &'a [Observation],
+    pub(super) using: Using,
+    /// The friction forces that are looked through, N.
+    pub(super) range: (f64, f64),
+    /// Whether every larger force than the range's gives the same response.
+    pub(super) stuck_beyond: bool,
+}
+
+impl<'a> Problem<'a> {
+    pub(super) fn new(
+        system: &'a System,
+        observations: &'a [Observation],
+        request: &IdentifyRequest,
+    ) -> Result<Self, MeasureError> {
+        if observations.iter().all(|seen| seen.motions.is_empty()) {
+            return Err(MeasureError::NoObservation);
+        }
+        for seen in observations {
+            system.load_scale(seen.load)?;
+            system.at(system.frequency_ratio_at_hertz(seen.hertz))?;
+            let known = system.scene().masses.len();
+            if seen.motions.iter().any(|datum| known <= datum.mass) {
+                return Err(MeasureError::Asked(
+                    "an observation is of a mass that the scene does not have",
+                ));
+            }
+            let usable = |datum: &super::Datum| {
+                0.0 < datum.deviation
+                    && datum.deviation.is_finite()
+                    && datum.value.norm().is_finite()
+            };
+            if !seen.motions.iter().all(usable) || !(0.0 <= seen.load_deviation) {
+                return Err(MeasureError::Asked(
+                    "a measured value is finite and its deviation above 0",
+                ));
+            }
+        }
+        let limits = observations
+            .iter()
+            .filter_map(|seen| model::sticks_from(system, seen));
+        let (stuck, sought) = limits.fold((0.0_f64, 0.0_f64), |(stuck, sought), limit| {
+            (stuck.max(limit.0), sought.max(limit.1))
+        });
+        let range = request.range.unwrap_or((0.0, 1.02 * sought));
+        if !(0.0 <= range.0 && range.0 < range.1 && range.1.is_finite()) {
+            return Err(MeasureError::Asked(
+                "friction forces are looked for from one that is not negative to a larger one",
+            ));
+        }
+        Ok(Self {
+            system,
+            observations,
+            using: request.using,
+            range,
+            stuck_beyond: stuck <= range.1,
+        })
+    }
+
+    /// What is compared, with weights for this friction force.
+    pub(super) fn weighed(
+        &self,
+        system: &System,
+        friction: Option<f64>,
+    ) -> Result<Vec<Weighed<'a>>, MeasureError> {
+        let along = friction.and_then(|_| Along::new(system, Direction::Friction));
+        let weighed = self.observations.iter().map(|seen| {
+            let slopes = friction.zip(along.as_ref()).and_then(|(friction, along)| {
+                let slopes = along.slopes(seen, friction)?;
+                Some(
+                    slopes
+                        .into_iter()
+                        .map(|slope| slope * friction)
+                        .collect::<Vec<_>>(),
+                )
+            });
+            Weighed::new(seen, self.using, slopes.as_deref())
+        });
+        weighed
+            .collect::<Option<Vec<_>>>()
+            .ok_or(MeasureError::NoFit)
+    }
+
+    /// The sum of squares; infinite where there is no response.
+    fn squares(&self, weighed: &[Weighed<'_>], friction: f64) -> f64 {
+        let sums = self
+            .observations
+            .iter()
+            .zip(weighed)
+            .map(|(seen, weights)| {
+                let answer = model::answer(self.system, seen, friction)?;
+                Some(weights.residuals(&answer.values)?.norm_squared())
+            });
+        sums.sum::<Option<f64>>().unwrap_or(f64::INFINITY)
+    }
+
+    /// The friction force alone.
+    pub(super) fn friction(&self) -> Result<Alone, MeasureError> {
+        let weighed = self.weighed(self.system, None)?;
+        let data: usize = weighed.iter().map(Weighed::len).sum();
+        if data == 0 {
+            return Err(MeasureError::TooFewData { data, unknowns: 1 });
+        }
+        let (low, high) = self.range;
+        let place = |i: u32| {
+            let share = f64::from(i) / f64::from(PLACES);
+            low + (high - low) * share * share
+        };
+        let scanned: Vec<(f64, f64)> = (0..=PLACES)
+            .map(|i| (place(i), self.squares(&weighed, place(i))))
+            .collect();
+        let best = self.lowest(&weighed, &scanned)?;
+        // Once more with the errors of the load as they are there.
+        let weighed = self.weighed(self.system, Some(best))?;
+        let scanned: Vec<(f64, f64)> = scanned
+            .iter()
+            .map(|(force, _)| (*force, self.squares(&weighed, *force)))
+            .collect();
+        let minima = self.minima(&weighed, &scanned);
+        let least = minima
+            .iter()
+            .map(|(_, squares)| *squares)
+            .fold(f64::INFINITY, f64::min);
+        if !least.is_finite() {
+            return Err(MeasureError::NoFit);
+        }
+        let freedom = data - 1;
+        let misfit = (freedom > 0).then(|| least / freedom as f64);
+        let most = least + CHI * excess(misfit, freedom);
+        let mut levels: Vec<(Estimate, f64)> = Vec::new();
+        for (force, squares) in minima.into_iter().filter(|(_, squares)| *squares <= most) {
+            if let Some((known, lowest)) = levels.iter_mut().find(|(known, _)| known.holds(force)) {
+                if squares < *lowest {
+                    (known.value, *lowest) = (force, squares);
+                }
+                continue;
+            }
+            let estimate = Estimate {
+                value: force,
+                from: self.edge(&weighed, force, most, -1.0),
+                to: self.edge(&weighed, force, most, 1.0),
+            };
+            levels.push((estimate, squares));
+        }
+        Ok(Alone {
+            levels,
+            misfit,
+            freedom,
+        })
+    }
+
+    fn lowest(&self, weighed: &[Weighed<'_>], scanned: &[(f64, f64)]) -> Result<f64, MeasureError> {
+        let minima = self.minima(weighed, scanned);
+        let best = minima.into_iter().min_by(|a, b| a.1.total_cmp(&b.1));
+        best.map(|(force, _)| force).ok_or(MeasureError::NoFit)
+    }
+
+    /// All minima of the places, made sharp.
+    fn minima(&self, weighed: &[Weighed<'_>], scanned: &[(f64, f64)]) -> Vec<(f64, f64)> {
+        let mut found = Vec::new();
+        for (index, (force, squares)) in scanned.iter().enumerate() {
+            let before = index.checked_sub(1).and_then(|place| scanned.get(place));
+            let after = scanned.get(index + 1);
+            let lower = |other: Option<&(f64, f64)>| other.is_none_or(|other| *squares <= other.1);
+            if squares.is_finite() && lower(before) && lower(after) {
+                let from = before.map_or(*force, |other| other.0);
+                let to = after.map_or(*force, |other| other.0);
+                let sharp = self.golden(weighed, from, to);
+                found.push(if sharp.1 < *squares {
+                    sharp
+                } else {
+                    (*force, *squares)
+                });
+            }
+        }
+        found
+    }
+
+    fn golden(&self, weighed: &[Weighed<'_>], mut low: f64, mut high: f64) -> (f64, f64) {
+        let share = 0.5 * (5.0_f64.sqrt() - 1.0);
+        let read = |force: f64| (force, self.squares(weighed, force));
+        let mut left = read(high - share * (high - low));
+        let mut right = read(low + share * (high - low));
+        for _ in 0..SECTIONS {
+            if left.1 <= right.1 {
+                high = right.0;
+                right = left;
+                left = read(high - share * (high - low));
+            } else {
+                low = left.0;
+                left = right;
+                right = read(low + share * (high - low));
+            }
+        }
+        if left.1 <= right.1 { left } else { right }
+    }
+
+    /// Where the sum of squares rises above `most`, on one side of a minimum.
+    fn edge(&self, weighed: &[Weighed<'_>], force: f64, most: f64, side: f64) -> f64 {
+        let end = if side < 0.0 {
+            self.range.0
+        } else {
+            self.range.1
+        };
+        let mut inside = force;
+        let mut step = 1e-6 * (self.range.1 - self.range.0);
+        let outside = loop {
+            let next = force + side * step;
+            let beyond = side * (next - end) >= 0.0;
+            let next = if beyond { end } else { next };
+            if most < self.squares(weighed, next) {
+                break next;
+            }
+            inside = next;
+            if beyond {
+                return if 0.0 < side && self.stuck_beyond {
+                    f64::INFINITY
+                } else {
+                    end
+                };
+            }
+            step *= 2.0;
+        };
+        let mut outside = outside;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (inside + outside);
+            if most < self.squares(weighed, middle) {
+                outside = middle;
+            } else {
+                inside = middle;
+            }
+        }
+        inside
+    }
+}
+
+/// The friction force alone.
+pub(super) struct Alone {
+    /// Each with its sum of squares; ascending forces.
+    pub(super) levels: Vec<(Estimate, f64)>,
+    misfit: Option<f64>,
+    freedom: usize,
+}
+
+impl Alone {
+    pub(super) fn best(&self) -> Result<Estimate, MeasureError> {
+        let best = self.levels.iter().min_by(|a, b| a.1.total_cmp(&b.1));
+        best.map(|(estimate, _)| *estimate)
+            .ok_or(MeasureError::NoFit)
+    }
+
+    /// Nothing, if the best force explains the measurement somehow.
+    pub(super) fn checked(&self, problem: &Problem<'_>) -> Result<(), MeasureError> {
+        problem.explains(self.best()?.value)
+    }
+
+    pub(super) fn answer(self, problem: &Problem<'_>) -> Result<Identified, MeasureError> {
+        let mut friction = self.best()?;
+        let explained = problem.explained(problem.system, friction.value)?;
+        let verdict = verdict(&friction, self.levels.len(), &explained);
+        if verdict == Verdict::Stuck {
+            // Every one from here on is as good.
+            friction.value = friction.from;
+        }
+        Ok(Identified {
+            condition: condition(problem, &friction, &explained),
+            friction,
+            levels: self.levels.into_iter().map(|(level, _)| level).collect(),
+            verdict,
+            unknowns: Vec::new(),
+            misfit: self.misfit,
+            freedom: self.freedom,
+            explained,
+            system: problem.system.clone(),
+        })
+    }
+}
+
+/// What an interval tells.
+pub(super) fn verdict(friction: &Estimate, levels: usize, explained: &[Explained]) -> Verdict {
+    let stuck = explained.iter().all(|point| point.regime == Regime::Stuck);
+    let width = friction.to - friction.from;
+    if 1 < levels {
+        Verdict::SeveralLevels
+    } else if stuck && friction.to.is_infinite() && 0.0 < friction.from {
+        Verdict::Stuck
+    } else if WIDE * friction.value < width {
+        Verdict::NotTold
+    } else {
+        Verdict::Told
+    }
+}
+
+/// The relative change of the motion over that of the friction force, upside down.
+fn condition(problem: &Problem<'_>, friction: &Estimate, explained: &[Explained]) -> f64 {
+    let Some(along) = Along::new(problem.system, Direction::Friction) else {
+        return f64::INFINITY;
+    };
+    let norm = |values: &[Complex<f64>]| values.iter().map(|value| value.norm_sqr()).sum::<f64>();
+    let (mut moved, mut all) = (0.0, 0.0);
+    for (seen, point) in problem.observations.iter().zip(explained) {
+        let slopes = along.slopes(seen, friction.value).unwrap_or_default();
+        moved += norm(&slopes) * friction.value * friction.value;
+        all += norm(&point.model);
+    }
+    (all / moved).sqrt()
+}

@@ -1,0 +1,256 @@
+//! What a scene does where something was measured, and how that moves with each unknown.
+
+use super::{Observation, Unknown};
+use crate::study::scene::{Damping, Scene};
+use crate::study::units::angular_frequency;
+use crate::study::{Load, Quantity, Sensitive, System, SystemResponse, Varied};
+use crate::{Complex, Of, Regime};
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
+
+/// The response of a scene where something was measured.
+pub(in crate::measure) struct Answer {
+    pub(super) r: f64,
+    pub(super) beta: f64,
+    pub(super) regime: Regime,
+    /// In the order of the observation's motions, over the load.
+    pub(in crate::measure) values: Vec<Complex<f64>>,
+}
+
+/// The first spring's stiffness.
+fn reference(system: &System) -> f64 {
+    system
+        .scene()
+        .springs
+        .first()
+        .map_or(1.0, |spring| spring.stiffness)
+}
+
+/// What x̄ is multiplied by to be over the load: x/Y, or x/P in m/N.
+fn over_load(system: &System, load: Load) -> f64 {
+    match load {
+        Load::Base(_) => 1.0,
+        Load::Force(_) => 1.0 / reference(system),
+    }
+}
+
+/// The unit of β in N.
+pub(super) fn force_scale(system: &System, load: Load) -> f64 {
+    match load {
+        Load::Base(length) => reference(system) * length,
+        Load::Force(force) => force,
+    }
+}
+
+/// The response at a friction force in N; none where there is no steady one.
+pub(in crate::measure) fn answer(
+    system: &System,
+    seen: &Observation,
+    friction: f64,
+) -> Option<Answer> {
+    let r = system.frequency_ratio_at_hertz(seen.hertz);
+    let beta = friction / force_scale(system, seen.load);
+    let at = system.at(r).ok()?;
+    let response = at.response(beta).ok()?;
+    let scale = over_load(system, seen.load);
+    let values = seen.motions.iter().map(|datum| {
+        let value = response.harmonic(Of::Mass(datum.mass), datum.harmonic)? * scale;
+        (value.re.is_finite() && value.im.is_finite()).then_some(value)
+    });
+    Some(Answer {
+        r,
+        beta,
+        regime: response.regime(),
+        values: values.collect::<Option<_>>()?,
+    })
+}
+
+/// At an antiresonance of the contact nothing holds it, and friction forces are looked for up to so many times the
+/// largest that matters at other frequencies.
+const FAR: f64 = 20.0;
+
+/// The friction force from which on the contact is stuck, N, and up to which one is looked for: the same, but where the
+/// first is far beyond all that matters elsewhere.
+pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f64)> {
+    let r = system.frequency_ratio_at_hertz(seen.hertz);
+    let limit = system.at(r).ok()?.sliding_limit();
+    let slow = system.at(0.0).ok()?.sliding_limit();
+    let others = system.resonance_thresholds().into_iter().flatten();
+    let others = others.chain([slow, system.high_frequency_limits().1]);
+    let usual = others.filter(|beta| beta.is_finite()).fold(0.0, f64::max);
+    let scale = force_scale(system, seen.load);
+    let sought = if 0.0 < usual {
+        limit.min(FAR * usual)
+    } else {
+        limit
+    };
+    let sought = sought * scale;
+    sought.is_finite().then_some((limit * scale, sought))
+}
+
+/// The value that a scene has of an unknown.
+pub(super) fn value(system: &System, unknown: Unknown) -> Option<f64> {
+    let scene = system.scene();
+    Some(match unknown {
+        Unknown::Stiction => scene.stiction,
+        Unknown::Frequencies => 1.0,
+        Unknown::Damping => match &scene.damping {
+            Damping::None => 0.0,
+            Damping::Uniform(ratio) => *ratio,
+            Damping::Modal(ratios) => ratios.iter().sum::<f64>() / ratios.len().max(1) as f64,
+            Damping::Rayleigh { .. } => return None,
+        },
+        Unknown::Quantity(quantity) => match (quantity, &scene.damping) {
+            (Quantity::Mass(place), _) => scene.masses.get(place)?.value,
+            (Quantity::Stiffness(place), _) => scene.springs.get(place)?.stiffness,
+            (Quantity::Stiction, _) => scene.stiction,
+            (Quantity::MassDamping, Damping::Rayleigh { mass, .. }) => *mass,
+            (Quantity::StiffnessDamping, Damping::Rayleigh { stiffness, .. }) => *stiffness,
+            (Quantity::DampingRatio(mode), Damping::Modal(ratios)) => *ratios.get(mode)?,
+            (Quantity::DampingRatio(mode), Damping::Uniform(ratio)) => {
+                (mode < scene.masses.len()).then_some(*ratio)?
+            }
+            _ => return None,
+        },
+    })
+}
+
+/// Gives a scene another value of an unknown.
+fn set(scene: &mut Scene, unknown: Unknown, value: f64) -> Option<()> {
+    let count = scene.masses.len();
+    match unknown {
+        Unknown::Stiction | Unknown::Quantity(Quantity::Stiction) => scene.stiction = value,
+        Unknown::Frequencies => {
+            for spring in &mut scene.springs {
+                spring.stiffness *= value * value;
+            }
+        }
+        Unknown::Damping => scene.damping = Damping::Uniform(value),
+        Unknown::Quantity(quantity) => match (quantity, &mut scene.damping) {
+            (Quantity::Mass(place), _) => scene.masses.get_mut(place)?.value = value,
+            (Quantity::Stiffness(place), _) => scene.springs.get_mut(place)?.stiffness = value,
+            (Quantity::MassDamping, Damping::Rayleigh { mass, .. }) => *mass = value,
+            (Quantity::StiffnessDamping, Damping::Rayleigh { stiffness, .. }) => *stiffness = value,
+            (Quantity::DampingRatio(mode), damping) => {
+                if let Damping::Uniform(ratio) = damping {
+                    *damping = Damping::Modal(vec![*ratio; count]);
+                }
+                let Damping::Modal(ratios) = damping else {
+                    return None;
+                };
+                *ratios.get_mut(mode)? = value;
+            }
+            _ => return None,
+        },
+    }
+    Some(())
+}
+
+/// The scene with other values of its unknowns.
+pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> Option<System> {
+    let mut scene = system.scene().clone();
+    for (unknown, value) in unknowns.iter().zip(values) {
+        set(&mut scene, *unknown, *value)?;
+    }
+    System::try_from(scene).ok()
+}
+
+/// What a derivative is taken with respect to.
+#[derive(Clone, Copy)]
+pub(in crate::measure) enum Direction {
+    /// The friction force, N.
+    Friction,
+    /// A factor on all frequencies, at 1.
+    Frequencies,
+    /// A number of the description.
+    Quantity(Quantity),
+}
+
+/// A scene that carries one derivative through every answer.
+pub(in crate::measure) struct Along<'s> {
+    system: &'s System,
+    direction: Direction,
+    varied: Varied,
+}
+
+impl<'s> Along<'s> {
+    pub(in crate::measure) fn new(system: &'s System, direction: Direction) -> Option<Self> {
+        let varied = match direction {
+            Direction::Quantity(quantity) => system.along(quantity)?,
+            _ => system.unvaried(),
+        };
+        Some(Self {
+            system,
+            direction,
+            varied,
+        })
+    }
+
+    /// The derivatives of the values of [`answer`]; none where there is no derivative.
+    pub(in crate::measure) fn slopes(
+        &self,
+        seen: &Observation,
+        friction: f64,
+    ) -> Option<Vec<Complex<f64>>> {
+        let number = |value: f64, own: bool| -> Sensitive {
+            let value = Dd::from(value);
+            if own {
+                Dual::variable(value)
+            } else {
+                Dual::fixed(value)
+            }
+        };
+        let factor = number(1.0, matches!(self.direction, Direction::Frequencies));
+        let own = matches!(self.direction, Direction::Quantity(Quantity::Stiffness(0)));
+        let stiffness = number(reference(self.system), own) * factor * factor;
+        let friction_dual = number(friction, matches!(self.direction, Direction::Friction));
+        let (force, scale) = match seen.load {
+            Load::Base(length) => (stiffness * number(length, false), number(1.0, false)),
+            Load::Force(force) => (number(force, false), number(1.0, false) / stiffness),
+        };
+        let omega = angular_frequency(number(seen.hertz, false));
+        let (r, beta) = (
+            self.varied.frequency_ratio(omega) / factor,
+            friction_dual / force,
+        );
+        let at = self.system.at(r.value.to_f64()).ok()?;
+        let response = at.response(beta.value.to_f64()).ok()?;
+        let values = self.harmonics(&response, r, beta, seen)?;
+        let slope = |value: Complex<Sensitive>| {
+            let [re, im] = [value.re * scale, value.im * scale].map(|part| part.slope.to_f64());
+            (re.is_finite() && im.is_finite()).then_some(Complex::new(re, im))
+        };
+        values.into_iter().map(slope).collect()
+    }
+
+    fn harmonics(
+        &self,
+        response: &SystemResponse<'_>,
+        r: Sensitive,
+        beta: Sensitive,
+        seen: &Observation,
+    ) -> Option<Vec<Complex<Sensitive>>> {
+        let data = seen.motions.iter();
+        match response {
+            SystemResponse::Continuous(_) => {
+                let motion = self.varied.at(r).ok()?.motion(beta).ok()?;
+                data.map(|datum| Some(motion.mass_at(datum.mass)?.harmonic(datum.harmonic)))
+                    .collect()
+            }
+            SystemResponse::StickSlip(orbit) => {
+                let orbit = self.varied.orbit_along(orbit, r, beta).ok()?;
+                data.map(|datum| Some(orbit.mass_at(datum.mass)?.harmonic(datum.harmonic)))
+                    .collect()
+            }
+            SystemResponse::Stuck(_) => {
+                let stuck = self.varied.at(r).ok()?.stuck().ok()?;
+                let zero = Dual::fixed(Dd::from(0.0));
+                data.map(|datum| match datum.harmonic {
+                    1 => stuck.mass_at(datum.mass),
+                    _ => Some(Complex::new(zero, zero)),
+                })
+                .collect()
+            }
+        }
+    }
+}

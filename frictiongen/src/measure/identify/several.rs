@@ -1,0 +1,256 @@
+//! The friction force together with other unknowns.
+
+use super::data::Weighed;
+use super::friction::{Alone, Problem, verdict};
+use super::model::{self, Along, Direction};
+use super::{Estimate, Identified, Unknown};
+use crate::Complex;
+use crate::measure::MeasureError;
+use crate::measure::least_squares::{Fit, Linearised, minimise};
+use crate::measure::statistics::{NORMAL, excess};
+use crate::study::{Quantity, System};
+use nalgebra::{DMatrix, DVector};
+
+/// The step of a difference where there is no derivative, of the value.
+const DIFFERENCE: f64 = 1e-6;
+/// A damping ratio to start from where the scene has none.
+const SOME_DAMPING: f64 = 0.01;
+/// Levels of the friction force alone that are tried as starts.
+const STARTS: usize = 3;
+
+/// The bounds of an unknown.
+fn bounds(unknown: Unknown, start: f64) -> (f64, f64) {
+    match unknown {
+        Unknown::Stiction | Unknown::Quantity(Quantity::Stiction) => (1.0, 10.0),
+        Unknown::Damping | Unknown::Quantity(Quantity::DampingRatio(_)) => (0.0, 1.0),
+        Unknown::Quantity(Quantity::MassDamping | Quantity::StiffnessDamping) => (0.0, f64::MAX),
+        _ => (0.2 * start, 5.0 * start),
+    }
+}
+
+/// The directions whose derivatives add up to that of an unknown.
+fn directions(unknown: Unknown, masses: usize) -> Vec<Direction> {
+    match unknown {
+        Unknown::Stiction => vec![Direction::Quantity(Quantity::Stiction)],
+        Unknown::Frequencies => vec![Direction::Frequencies],
+        Unknown::Damping => (0..masses)
+            .map(|mode| Direction::Quantity(Quantity::DampingRatio(mode)))
+            .collect(),
+        Unknown::Quantity(quantity) => vec![Direction::Quantity(quantity)],
+    }
+}
+
+struct Several<'p, 'a> {
+    problem: &'p Problem<'a>,
+    unknowns: &'p [Unknown],
+    weighed: Vec<Weighed<'a>>,
+}
+
+impl Several<'_, '_> {
+    fn system(&self, parameters: &[f64]) -> Option<System> {
+        model::changed(self.problem.system, self.unknowns, parameters.get(1..)?)
+    }
+
+    fn residuals(&self, parameters: &[f64]) -> Option<DVector<f64>> {
+        let system = self.system(parameters)?;
+        let friction = *parameters.first()?;
+        let mut all = Vec::new();
+        for (seen, weights) in self.problem.observations.iter().zip(&self.weighed) {
+            let answer = model::answer(&system, seen, friction)?;
+            all.extend(weights.residuals(&answer.values)?.iter());
+        }
+        Some(DVector::from_vec(all))
+    }
+
+    fn linearise(&self, parameters: &[f64]) -> Option<Linearised> {
+        let residuals = self.residuals(parameters)?;
+        let mut jacobian = DMatrix::zeros(residuals.len(), parameters.len());
+        for index in 0..parameters.len() {
+            let column = self
+                .exact(parameters, index)
+                .or_else(|| self.difference(parameters, index))?;
+            jacobian.set_column(index, &column);
+        }
+        Some(Linearised {
+            residuals,
+            jacobian,
+        })
+    }
+
+    /// The derivatives of the residuals by dual numbers.
+    fn exact(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
+        let system = self.system(parameters)?;
+        let friction = *parameters.first()?;
+        let masses = system.scene().masses.len();
+        let directions = match index.checked_sub(1) {
+            None => vec![Direction::Friction],
+            Some(place) => directions(*self.unknowns.get(place)?, masses),
+        };
+        // A factor on the frequencies is 1 in the changed scene, and not in the one that it is a factor of.
+        let factor = match index
+            .checked_sub(1)
+            .and_then(|place| self.unknowns.get(place))
+        {
+            Some(Unknown::Frequencies) => 1.0 / parameters.get(index)?,
+            _ => 1.0,
+        };
+        let along: Vec<Along<'_>> = directions
+            .into_iter()
+            .map(|direction| Along::new(&system, direction))
+            .collect::<Option<_>>()?;
+        let mut all = Vec::new();
+        for (seen, weights) in self.problem.observations.iter().zip(&self.weighed) {
+            let answer = model::answer(&system, seen, friction)?;
+            let mut sum = vec![Complex::new(0.0, 0.0); answer.values.len()];
+            for along in &along {
+                for (sum, slope) in sum.iter_mut().zip(along.slopes(seen, friction)?) {
+                    *sum += slope * factor;
+                }
+            }
+            all.extend(weights.slopes(&answer.values, &sum)?.iter());
+        }
+        Some(DVector::from_vec(all))
+    }
+
+    /// The same by differences, where an event is about to come or go.
+    fn difference(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
+        let value = *parameters.get(index)?;
+        let step = DIFFERENCE * value.abs().max(DIFFERENCE);
+        let moved = |by: f64| {
+            let mut moved = parameters.to_vec();
+            *moved.get_mut(index)? += by;
+            self.residuals(&moved)
+        };
+        // Towards larger values: a bound may lie below.
+        Some((moved(step)? - moved(0.0)?) / step)
+    }
+}
+
+/// Friction and unknowns together.
+pub(super) fn fit(
+    problem: &Problem<'_>,
+    alone: &Alone,
+    unknowns: &[Unknown],
+) -> Result<Identified, MeasureError> {
+    let start = |unknown: &Unknown| {
+        let value = model::value(problem.system, *unknown)?;
+        let damping = matches!(
+            unknown,
+            Unknown::Damping | Unknown::Quantity(Quantity::DampingRatio(_))
+        );
+        Some(if damping && value == 0.0 {
+            SOME_DAMPING
+        } else {
+            value
+        })
+    };
+    let start: Vec<f64> =
+        unknowns
+            .iter()
+            .map(start)
+            .collect::<Option<_>>()
+            .ok_or(MeasureError::Asked(
+                "the scene does not have one of the unknowns that are asked for",
+            ))?;
+    let mut levels = alone.levels.clone();
+    levels.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let (low, high) = problem.range;
+    // Also a third and two thirds of the range: other values of the unknowns may be far from the scene's.
+    let others = [1.0, 2.0].map(|part| low + (high - low) * part / 3.0);
+    let forces = levels
+        .iter()
+        .take(STARTS)
+        .map(|level| level.0.value)
+        .chain(others);
+    let limits: Vec<(f64, f64)> = std::iter::once((low, 5.0 * high))
+        .chain(
+            unknowns
+                .iter()
+                .zip(&start)
+                .map(|(unknown, start)| bounds(*unknown, *start)),
+        )
+        .collect();
+    let mut best: Option<Fit> = None;
+    let mut several = Several {
+        problem,
+        unknowns,
+        weighed: problem.weighed(problem.system, None)?,
+    };
+    let data: usize = several.weighed.iter().map(Weighed::len).sum();
+    if data < 1 + unknowns.len() {
+        return Err(MeasureError::TooFewData {
+            data,
+            unknowns: 1 + unknowns.len(),
+        });
+    }
+    let run = |several: &Several<'_, '_>, start: &[f64]| {
+        minimise(
+            start,
+            &limits,
+            |at| several.residuals(at),
+            |at| several.linearise(at),
+        )
+        .filter(|fit| fit.settled)
+    };
+    for force in forces {
+        let mut from = vec![force.max(1e-3 * high)];
+        from.extend(&start);
+        if let Some(found) = run(&several, &from)
+            && best
+                .as_ref()
+                .is_none_or(|best| found.squares < best.squares)
+        {
+            best = Some(found);
+        }
+    }
+    let first = best.ok_or(MeasureError::NoFit)?;
+    // Once more with the errors of the load as they are there.
+    let system = several
+        .system(&first.parameters)
+        .ok_or(MeasureError::NoFit)?;
+    let friction = first.parameters.first().copied();
+    several.weighed = problem.weighed(&system, friction)?;
+    let fit = run(&several, &first.parameters).ok_or(MeasureError::NoFit)?;
+    answer(&several, fit, data)
+}
+
+fn answer(several: &Several<'_, '_>, fit: Fit, data: usize) -> Result<Identified, MeasureError> {
+    let (problem, unknowns) = (several.problem, several.unknowns);
+    let freedom = data - fit.parameters.len();
+    let misfit = (freedom > 0).then(|| fit.squares / freedom as f64);
+    let scale = excess(misfit, freedom).sqrt();
+    let system = several.system(&fit.parameters).ok_or(MeasureError::NoFit)?;
+    let estimate = |index: usize| {
+        let value = fit.parameters.get(index).copied().unwrap_or(f64::NAN);
+        let variance = fit
+            .covariance
+            .as_ref()
+            .and_then(|all| all.get((index, index)));
+        let reach = variance.map_or(f64::INFINITY, |variance| NORMAL * scale * variance.sqrt());
+        Estimate {
+            value,
+            from: (value - reach).max(0.0),
+            to: value + reach,
+        }
+    };
+    let friction = estimate(0);
+    let explained = problem.explained(&system, friction.value)?;
+    let changed = Problem {
+        system: &system,
+        ..*problem
+    };
+    changed.explains(friction.value)?;
+    let unknowns = unknowns.iter().enumerate();
+    let unknowns = unknowns.map(|(index, unknown)| (*unknown, estimate(index + 1)));
+    Ok(Identified {
+        levels: vec![friction],
+        verdict: verdict(&friction, 1, &explained),
+        friction,
+        unknowns: unknowns.collect(),
+        misfit,
+        freedom,
+        condition: fit.condition,
+        explained,
+        system,
+    })
+}

@@ -1,0 +1,245 @@
+//! What a recording says of a scene's motion: driving frequency, transmissibilities, phases, harmonics.
+
+use super::recording::Dimension;
+use super::tone::{Basis, FEWEST_CYCLES, HARMONICS, Tone, frequency};
+use super::{Channel, MeasureError, Recording, steady};
+use crate::Complex;
+use crate::study::scene::{Excitation, Scene};
+use crate::study::units::polar;
+use std::f64::consts::TAU;
+
+/// Samples of a cycle, at least.
+const FEWEST_SAMPLES: f64 = 5.0;
+
+/// The steady motion in a recording.
+///
+/// ```
+/// use frictiongen::System;
+/// use frictiongen::measure::{Channel, Measured, Recording, Unit};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let plate: System = "struct Plate {
+///     masses: { plate: 1.0 }, springs: { base - plate: 376.0 }, contact: plate - wall, excitation: base,
+/// }"
+/// .parse()?;
+/// let turns = |hertz: f64| move |i: usize| std::f64::consts::TAU * hertz * i as f64 / 500.0;
+/// let channel = |name: &str, samples: Vec<f64>| Channel { name: name.into(), unit: Unit::MILLIMETRE, samples };
+/// let base = (0..5000).map(turns(4.01)).map(|turn| 1.75 * turn.cos()).collect();
+/// let mass = (0..5000).map(turns(4.01)).map(|turn| 3.5 * (turn - 0.3).cos()).collect();
+/// let recording = Recording::new(500.0, vec![channel("base", base), channel("plate", mass)])?;
+/// let measured = Measured::of(&recording, plate.scene())?;
+/// let plate = measured.transmissibility(0).ok_or("not recorded")?;
+/// assert!((measured.hertz - 4.01).abs() < 1e-6);
+/// assert!((plate.amplitude() - 2.0).abs() < 1e-6 && (plate.lag() - 0.3).abs() < 1e-6);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// The driving frequency, Hz.
+    pub hertz: f64,
+    /// Its standard deviation.
+    pub hertz_deviation: f64,
+    /// Samples a second.
+    pub rate: f64,
+    /// Where the steady part begins and ends, s from the first sample.
+    pub steady: (f64, f64),
+    /// Of the excitation: displacements of the base in m, or the force in N.
+    pub drive: Tone,
+    /// Of each mass that was recorded, by its place: displacements in m.
+    pub masses: Vec<(usize, Tone)>,
+}
+
+/// A complex amplitude over that of the excitation, with its uncertainty.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transmissibility {
+    /// X/Y, or X/P in m/N.
+    pub value: Complex<f64>,
+    /// The standard deviation of its real part, and of its imaginary one.
+    pub deviation: f64,
+}
+
+impl Transmissibility {
+    /// |X/Y| (4.4).
+    #[must_use]
+    pub fn amplitude(&self) -> f64 {
+        polar(self.value).0
+    }
+
+    /// The lag behind the excitation, rad, in (−π, π] (4.5, with the sign that makes a lag positive).
+    #[must_use]
+    pub fn lag(&self) -> f64 {
+        polar(self.value).1
+    }
+}
+
+impl Measured {
+    /// Of a recording: the channel of the excitation is called `base` or `force`, the others as the masses of the scene.
+    ///
+    /// Velocities and accelerations are made displacements at each harmonic.
+    ///
+    /// # Errors
+    /// [`MeasureError`]: a channel that is nothing of the scene or in a unit that it cannot have, no excitation or no mass,
+    /// an excitation that is silent or drifts, too few cycles, and a motion that is never steady.
+    pub fn of(recording: &Recording, scene: &Scene) -> Result<Self, MeasureError> {
+        let places = places(recording, scene)?;
+        let rate = recording.rate();
+        let (drive, _) = places.drive;
+        let per_sample = frequency(&drive.samples).ok_or_else(|| MeasureError::TooShort {
+            found: "no frequency with four cycles in it stands out".to_owned(),
+            needed: "8 cycles of the excitation",
+        })?;
+        if 1.0 / FEWEST_SAMPLES < per_sample {
+            return Err(MeasureError::TooSlow {
+                rate,
+                hertz: per_sample * rate,
+            });
+        }
+        let all = std::iter::once((drive.name.as_str(), drive.samples.as_slice()));
+        let masses = places.masses.iter();
+        let all = all
+            .chain(masses.map(|(_, channel)| (channel.name.as_str(), channel.samples.as_slice())));
+        let from = steady::start(&all.collect::<Vec<_>>(), per_sample, rate)?;
+        let kept = |channel: &'_ Channel| -> Vec<f64> {
+            channel.samples.iter().skip(from).copied().collect()
+        };
+        let driven = kept(drive);
+        let per_sample = frequency(&driven).unwrap_or(per_sample);
+        if per_sample * (driven.len() as f64) < FEWEST_CYCLES {
+            return Err(MeasureError::NotSteady(drive.name.clone()));
+        }
+        let basis = Basis::new(driven.len(), per_sample, HARMONICS);
+        let omega = TAU * per_sample * rate;
+        let tone = |channel: &Channel, samples: &[f64]| {
+            let tone = basis.tone(samples);
+            tone.map(|tone| in_metres(tone, channel, omega))
+                .ok_or_else(|| MeasureError::NotSteady(channel.name.clone()))
+        };
+        let drive_tone = tone(drive, &driven)?;
+        let masses = places.masses.iter();
+        let masses = masses.map(|(place, channel)| Ok((*place, tone(channel, &kept(channel))?)));
+        let masses = masses.collect::<Result<Vec<_>, MeasureError>>()?;
+        let seconds = driven.len() as f64 / rate;
+        // Two halves, each with √2 of the deviation of a phase, half the time apart.
+        let phase = drive_tone.deviation / drive_tone.fundamental().norm();
+        Ok(Self {
+            hertz: per_sample * rate,
+            hertz_deviation: 2.0 * phase / (std::f64::consts::PI * 0.5 * seconds),
+            rate,
+            steady: (from as f64 / rate, recording.len() as f64 / rate),
+            drive: drive_tone,
+            masses,
+        })
+    }
+
+    /// The amplitude of the excitation: Y in m, or P in N.
+    #[must_use]
+    pub fn drive_amplitude(&self) -> f64 {
+        self.drive.fundamental().norm()
+    }
+
+    /// X_1 of a mass over the excitation; none if it was not recorded.
+    #[must_use]
+    pub fn transmissibility(&self, mass: usize) -> Option<Transmissibility> {
+        let tone = self.tone(mass)?;
+        let drive = self.drive.fundamental();
+        let value = tone.fundamental() / drive;
+        let (own, of_drive) = (tone.deviation, value.norm() * self.drive.deviation);
+        Some(Transmissibility {
+            value,
+            deviation: own.hypot(of_drive) / drive.norm(),
+        })
+    }
+
+    /// X_n of a mass over the amplitude of the excitation, with τ = 0 at a maximum of the excitation.
+    #[must_use]
+    pub fn harmonic(&self, mass: usize, n: u32) -> Option<Complex<f64>> {
+        let tone = self.tone(mass)?;
+        let place = usize::try_from(n).ok()?.checked_sub(1)?;
+        let drive = self.drive.fundamental();
+        let turn = drive / drive.norm();
+        let value = tone.harmonics.get(place)?;
+        Some(value / (turn.powu(n) * drive.norm()))
+    }
+
+    /// Of a mass; none if it was not recorded.
+    #[must_use]
+    pub fn tone(&self, mass: usize) -> Option<&Tone> {
+        let found = self.masses.iter().find(|(place, _)| *place == mass);
+        found.map(|(_, tone)| tone)
+    }
+}
+
+/// Which channel is what.
+struct Places<'r> {
+    drive: (&'r Channel, Dimension),
+    masses: Vec<(usize, &'r Channel)>,
+}
+
+fn places<'r>(recording: &'r Recording, scene: &Scene) -> Result<Places<'r>, MeasureError> {
+    let drive_name = match scene.excitation {
+        Excitation::Base => "base",
+        Excitation::Force(_) => "force",
+    };
+    let mut drive = None;
+    let mut masses = Vec::new();
+    for channel in recording.channels() {
+        let dimension = channel.unit.dimension();
+        let is_force = dimension == Dimension::Force;
+        let place = scene
+            .masses
+            .iter()
+            .position(|mass| mass.name == channel.name);
+        let is_drive = channel.name == drive_name;
+        if place.is_none() && !is_drive {
+            let names = scene.masses.iter().map(|mass| mass.name.clone());
+            return Err(MeasureError::NoSuchPlace {
+                channel: channel.name.clone(),
+                known: std::iter::once(drive_name.to_owned())
+                    .chain(names)
+                    .collect(),
+            });
+        }
+        if is_force != (is_drive && drive_name == "force") {
+            return Err(MeasureError::WrongDimension {
+                channel: channel.name.clone(),
+                unit: channel.unit.name(),
+            });
+        }
+        match place {
+            Some(place) if !is_drive => masses.push((place, channel)),
+            _ => drive = Some((channel, dimension)),
+        }
+    }
+    if masses.is_empty() {
+        return Err(MeasureError::NoMass);
+    }
+    let drive = drive.ok_or(MeasureError::NoDrive(drive_name))?;
+    Ok(Places { drive, masses })
+}
+
+/// Displacements in m, of whatever was measured; a force in N.
+fn in_metres(tone: Tone, channel: &Channel, omega: f64) -> Tone {
+    let scale = channel.unit.scale();
+    let derivatives = match channel.unit.dimension() {
+        Dimension::Velocity => 1,
+        Dimension::Acceleration => 2,
+        _ => 0,
+    };
+    let harmonics = tone.harmonics.iter().enumerate().map(|(index, value)| {
+        let rate = Complex::new(0.0, omega * (index as f64 + 1.0));
+        value * scale / rate.powi(derivatives)
+    });
+    let at_omega = scale / omega.powi(derivatives);
+    Tone {
+        // The mean of a velocity says nothing of the place.
+        mean: if derivatives == 0 {
+            tone.mean * scale
+        } else {
+            0.0
+        },
+        harmonics: harmonics.collect(),
+        deviation: tone.deviation * at_omega,
+        residual: tone.residual * at_omega,
+    }
+}

@@ -1,0 +1,131 @@
+//! What a recording must not be.
+
+use super::{Channel, Dimension};
+use crate::measure::MeasureError;
+use std::f64::consts::PI;
+
+/// Fewer samples tell nothing.
+const FEWEST: usize = 16;
+/// Equal samples in a row that count as flat.
+const FLAT: usize = 4;
+/// Flat places that are seen as clipping, not as chance.
+const PLACES: i32 = 2;
+/// How far before a flat place its slope is taken, in cycles.
+const BEFORE: f64 = 0.02;
+/// That slope over the largest one, from which on a flat place may be a clip.
+const STEEP: f64 = 0.1;
+/// The same slope over that from twice as far: a half before a stop, to which a motion comes along a parabola, and nearly 1
+/// before a clip; of a sinusoid 0.75 if it is clipped at 0.99 of its amplitude.
+const STRAIGHT: f64 = 0.7;
+/// A parabola's slope beside a flat of rounded values is √(2ag/A), with g the distance to the next value and the
+/// acceleration a up to so many times ω²A.
+const HARD: f64 = 10.0;
+
+/// Nothing, if these channels can tell something.
+pub(super) fn channels(channels: &[Channel]) -> Result<(), MeasureError> {
+    form(channels, FEWEST)?;
+    channels.iter().try_for_each(samples)
+}
+
+/// Nothing, if there are channels, of at least so many finite samples, all alike.
+pub(super) fn form(channels: &[Channel], fewest: usize) -> Result<(), MeasureError> {
+    let Some(first) = channels.first() else {
+        return Err(MeasureError::TooShort {
+            found: "it has no channel".to_owned(),
+            needed: if fewest == FEWEST { "two" } else { "one" },
+        });
+    };
+    let count = first.samples.len();
+    if count < fewest {
+        return Err(MeasureError::TooShort {
+            found: format!("{count} samples"),
+            needed: if fewest == FEWEST { "16" } else { "2" },
+        });
+    }
+    for (index, channel) in channels.iter().enumerate() {
+        let before = channels.iter().take(index);
+        if before.into_iter().any(|other| other.name == channel.name) {
+            return Err(MeasureError::Twice(channel.name.clone()));
+        }
+        if channel.unit.dimension() == Dimension::Time {
+            return Err(MeasureError::WrongDimension {
+                channel: channel.name.clone(),
+                unit: channel.unit.name(),
+            });
+        }
+        if channel.samples.len() != count {
+            return Err(MeasureError::Lengths(channel.name.clone()));
+        }
+        let values = channel.samples.iter();
+        if let Some(sample) = values.into_iter().position(|value| !value.is_finite()) {
+            return Err(MeasureError::NotFinite {
+                channel: channel.name.clone(),
+                sample,
+            });
+        }
+    }
+    Ok(())
+}
+
+fn samples(channel: &Channel) -> Result<(), MeasureError> {
+    let values = &channel.samples;
+    let (low, high) = values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+            (low.min(*value), high.max(*value))
+        });
+    if low == high {
+        return Err(MeasureError::Constant(channel.name.clone()));
+    }
+    for value in [high, low] {
+        if let Some(share) = clipped(values, value, 0.5 * (low + high)) {
+            return Err(MeasureError::Clipped {
+                channel: channel.name.clone(),
+                value,
+                share,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// The part of the samples that are clipped at this value, if they are.
+///
+/// Rounded samples and a contact that stops are flat at an extreme too, but they come to it slowly.
+fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
+    let crossings = values
+        .windows(2)
+        .filter(|pair| matches!(pair, [a, b] if (*a < middle) != (*b < middle)))
+        .count();
+    // Two a cycle; noise adds some, which makes a cycle look shorter and the test milder.
+    let cycle = 2.0 * values.len() as f64 / crossings.max(1) as f64;
+    let reach = ((BEFORE * cycle).ceil() as usize).max(2);
+    let largest = (extreme - middle).abs() * 2.0 * PI / cycle;
+    let size = (extreme - middle).abs();
+    let gaps = values.iter().map(|value| (value - extreme).abs());
+    let gap = gaps.filter(|gap| 0.0 < *gap).fold(f64::INFINITY, f64::min);
+    let (mut near, mut far, mut places) = (0.0, 0.0, 0);
+    let (mut flat, mut start) = (0, 0);
+    for group in values.chunk_by(|a, b| a == b) {
+        let at = start;
+        start += group.len();
+        if group.first() != Some(&extreme) || group.len() < FLAT {
+            continue;
+        }
+        flat += group.len();
+        // From the last sample before, because the first flat one may lie anywhere beyond.
+        let slope = |reach: usize| {
+            let last = values.get(at.checked_sub(1)?)?;
+            let before = values.get(at.checked_sub(1 + reach)?)?;
+            Some((last - before).abs() / (reach as f64 * largest))
+        };
+        if let (Some(one), Some(two)) = (slope(reach), slope(2 * reach)) {
+            near += one;
+            far += two;
+            places += 1;
+        }
+    }
+    let least = STEEP.max((2.0 * HARD * gap / size).sqrt()) * f64::from(places);
+    let steep = least < near && STRAIGHT * far < near;
+    (PLACES <= places && steep).then(|| flat as f64 / values.len() as f64)
+}

@@ -1,0 +1,305 @@
+//! Recordings and sweeps as text: a line of names with units, then numbers.
+
+use super::{Channel, Dimension, Recording, Unit};
+use crate::measure::MeasureError;
+use std::fmt::Write as _;
+
+/// What a file does not say by itself.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CsvRequest {
+    /// Samples a second, where no column has the time.
+    pub rate: Option<f64>,
+    /// Which columns are read, and as what; every one by its own name if this is empty.
+    pub columns: Vec<Column>,
+}
+
+/// A column that is read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// What it is of: `base`, `force`, the name of a mass, or `time`.
+    pub name: String,
+    /// Its name in the file, or its number from 1.
+    pub column: String,
+    /// Its unit; as its name in the file says if this is none.
+    pub unit: Option<Unit>,
+}
+
+/// How far apart two steps of a time column may be, of the mean step: what a clock of six digits rounds.
+const EVEN: f64 = 1e-2;
+
+/// A table of numbers with names, as it stands in a file.
+#[derive(Debug)]
+pub(crate) struct Table {
+    pub(crate) names: Vec<String>,
+    /// The line of each row, from 1.
+    pub(crate) lines: Vec<usize>,
+    /// By row; an empty cell is none.
+    pub(crate) rows: Vec<Vec<Option<f64>>>,
+}
+
+impl Table {
+    /// Reads it: names, perhaps a line of units, then numbers; lines that begin with # are passed over.
+    pub(crate) fn read(text: &str) -> Result<Self, MeasureError> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let mut lines = text
+            .lines()
+            .enumerate()
+            .map(|(index, line)| (index + 1, line.trim()))
+            .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'))
+            .peekable();
+        let (number, head) = lines.next().ok_or(MeasureError::Format {
+            line: 1,
+            what: "the file is empty".to_owned(),
+        })?;
+        let separator = [';', '\t', ',']
+            .into_iter()
+            .find(|mark| head.contains(*mark));
+        let cells = |line: &str| -> Vec<String> {
+            let clean = |cell: &str| cell.trim().trim_matches('"').trim().to_owned();
+            match separator {
+                Some(mark) => line.split(mark).map(clean).collect(),
+                None => vec![clean(line)],
+            }
+        };
+        let mut names = cells(head);
+        if names.iter().any(|name| name.parse::<f64>().is_ok()) {
+            return Err(MeasureError::Format {
+                line: number,
+                what: "the first line names the columns with their units, and here it has numbers"
+                    .to_owned(),
+            });
+        }
+        if let Some((_, second)) = lines.peek() {
+            let units = cells(second);
+            let worded = units.iter().all(|unit| unit.parse::<f64>().is_err());
+            let known = units.iter().any(|unit| unit.parse::<Unit>().is_ok());
+            if units.len() == names.len() && worded && known {
+                for (name, unit) in names.iter_mut().zip(&units) {
+                    let has = Unit::split(name).1.is_some();
+                    if !unit.is_empty() && !has {
+                        let _ = write!(name, " ({unit})");
+                    }
+                }
+                lines.next();
+            }
+        }
+        let mut table = Self {
+            names,
+            lines: Vec::new(),
+            rows: Vec::new(),
+        };
+        for (line, text) in lines {
+            let found = cells(text);
+            if found.len() != table.names.len() {
+                return Err(MeasureError::Format {
+                    line,
+                    what: format!(
+                        "it has {} cells, and there are {} names",
+                        found.len(),
+                        table.names.len()
+                    ),
+                });
+            }
+            let row = found.iter().zip(&table.names).map(|(cell, name)| {
+                if cell.is_empty() {
+                    return Ok(None);
+                }
+                let value = cell.parse().ok().filter(|value: &f64| value.is_finite());
+                value.map(Some).ok_or_else(|| MeasureError::NotANumber {
+                    line,
+                    channel: name.clone(),
+                    text: cell.clone(),
+                })
+            });
+            let row = row.collect::<Result<_, _>>()?;
+            table.rows.push(row);
+            table.lines.push(line);
+        }
+        Ok(table)
+    }
+
+    /// A whole column without gaps.
+    fn column(&self, index: usize) -> Result<Vec<f64>, MeasureError> {
+        let name = self.names.get(index).cloned().unwrap_or_default();
+        let cells = self.rows.iter().zip(&self.lines);
+        cells
+            .map(|(row, line)| {
+                let cell = row.get(index).copied().flatten();
+                cell.ok_or_else(|| MeasureError::NotANumber {
+                    line: *line,
+                    channel: name.clone(),
+                    text: String::new(),
+                })
+            })
+            .collect()
+    }
+
+    /// The place of a column that is asked for by its name or its number.
+    fn place(&self, asked: &str) -> Option<usize> {
+        let named = |name: &String| name == asked || Unit::split(name).0 == asked;
+        let by_number = || asked.parse::<usize>().ok()?.checked_sub(1);
+        self.names
+            .iter()
+            .position(named)
+            .or_else(by_number)
+            .filter(|place| *place < self.names.len())
+    }
+}
+
+/// What a column is of: its name without unit and without the kind of motion.
+fn subject(name: &str) -> &str {
+    let kinds = [".displacement", ".velocity", ".acceleration", ".amplitude"];
+    let stripped = kinds.iter().find_map(|kind| name.strip_suffix(kind));
+    stripped.unwrap_or(name)
+}
+
+/// Whether a column is the time.
+fn is_time(name: &str, unit: Option<Unit>) -> bool {
+    ["time", "t", "Time"].contains(&name)
+        || unit.is_some_and(|unit| unit.dimension() == Dimension::Time)
+}
+
+impl Recording {
+    /// Reads a CSV: a line of names with their units (`time_s,base_mm,upper_m_s2`, or a second line of units), then numbers.
+    /// Cells are separated by commas, semicolons or tabs.
+    ///
+    /// # Errors
+    /// [`MeasureError`]: what [`new`](Self::new) refuses, a unit or a rate that is missing, a column that is not there, a
+    /// cell that is no number, and steps of time that differ.
+    pub fn from_csv(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
+        let (rate, channels) = read(text, request)?;
+        Self::new(rate, channels)
+    }
+
+    /// The same of what drives a scene.
+    ///
+    /// # Errors
+    /// As of [`from_csv`](Self::from_csv), with what [`inputs`](Self::inputs) refuses.
+    pub fn inputs_from_csv(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
+        let (rate, channels) = read(text, request)?;
+        Self::inputs(rate, channels)
+    }
+
+    /// The recording as a CSV that [`from_csv`](Self::from_csv) reads back; every number with all its digits.
+    #[must_use]
+    pub fn to_csv(&self) -> String {
+        let mut text = String::from("time_s");
+        for channel in &self.channels {
+            let _ = write!(text, ",{}_{}", channel.name, channel.unit.ending());
+        }
+        text.push('\n');
+        for index in 0..self.len() {
+            let _ = write!(text, "{:?}", index as f64 / self.rate);
+            for channel in &self.channels {
+                let value = channel.samples.get(index).copied().unwrap_or(f64::NAN);
+                let _ = write!(text, ",{value:?}");
+            }
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// Rate and channels of a CSV.
+fn read(text: &str, request: &CsvRequest) -> Result<(f64, Vec<Channel>), MeasureError> {
+    let table = Table::read(text)?;
+    let mut time = None;
+    let mut channels = Vec::new();
+    let mut add = |name: &str, place: usize, unit: Option<Unit>| -> Result<(), MeasureError> {
+        let samples = table.column(place)?;
+        if is_time(name, unit) {
+            let unit = unit.ok_or_else(|| MeasureError::NoUnit(name.to_owned()))?;
+            time = Some(
+                samples
+                    .into_iter()
+                    .map(|t| t * unit.scale())
+                    .collect::<Vec<f64>>(),
+            );
+            return Ok(());
+        }
+        channels.push(Channel {
+            name: name.to_owned(),
+            unit: unit.ok_or_else(|| MeasureError::NoUnit(name.to_owned()))?,
+            samples,
+        });
+        Ok(())
+    };
+    if request.columns.is_empty() {
+        for (place, header) in table.names.iter().enumerate() {
+            let (name, unit) = Unit::split(header);
+            add(subject(name), place, unit)?;
+        }
+    } else {
+        let asked = request.columns.iter();
+        let time_asked = asked.clone().any(|column| column.name == "time");
+        for column in asked {
+            let place = table
+                .place(&column.column)
+                .ok_or_else(|| MeasureError::Format {
+                    line: 1,
+                    what: format!(
+                        "there is no column `{}`; the columns are {}",
+                        column.column,
+                        table.names.join(", ")
+                    ),
+                })?;
+            let own = table.names.get(place).and_then(|name| Unit::split(name).1);
+            add(&column.name, place, column.unit.or(own))?;
+        }
+        if !time_asked && request.rate.is_none() {
+            let split = table.names.iter().map(|name| Unit::split(name));
+            let found = split
+                .enumerate()
+                .find(|(_, (name, unit))| is_time(name, *unit));
+            if let Some((place, (name, unit))) = found {
+                add(name, place, unit)?;
+            }
+        }
+    }
+    let rate = match (time, request.rate) {
+        (Some(time), None) => even_rate(&time, &table.lines)?,
+        (_, Some(rate)) => rate,
+        (None, None) => return Err(MeasureError::NoRate),
+    };
+    Ok((rate, channels))
+}
+
+/// The rate of a column of times, if they are evenly spaced.
+fn even_rate(time: &[f64], lines: &[usize]) -> Result<f64, MeasureError> {
+    let (Some(first), Some(last)) = (time.first(), time.last()) else {
+        return Err(MeasureError::TooShort {
+            found: "it has no samples".to_owned(),
+            needed: "16",
+        });
+    };
+    let steps = time.len().saturating_sub(1).max(1) as f64;
+    // Of the first two: what a mean over mixed steps hides.
+    let usual = time.get(1).map_or(0.0, |second| second - first);
+    let mean = (last - first) / steps;
+    let apart = |step: f64, other: f64| !((step - other).abs() <= EVEN * other.abs());
+    for (pair, line) in time.windows(2).zip(lines.iter().skip(1)) {
+        let &[a, b] = pair else { continue };
+        if !(a < b) || (apart(b - a, usual) && apart(b - a, mean)) {
+            return Err(MeasureError::MixedRates {
+                place: format!("line {line}"),
+                before: usual,
+                after: b - a,
+            });
+        }
+    }
+    if apart(mean, usual) {
+        // Rounded times may differ step by step, but not in the end.
+        let ten = time.len().min(11) - 1;
+        let early = time
+            .get(ten)
+            .map_or(usual, |t| (t - first) / ten.max(1) as f64);
+        if apart(mean, early) {
+            return Err(MeasureError::MixedRates {
+                place: "its end".to_owned(),
+                before: early,
+                after: mean,
+            });
+        }
+    }
+    Ok(1.0 / mean)
+}

@@ -1,0 +1,347 @@
+//! Universal File Format, data set 58 in its text form: functions of time at nodes, one data set for each channel.
+//!
+//! No crate reads it, so this is the least that does: real, evenly or unevenly spaced, single or double precision.  What it
+//! writes is evenly spaced and double; its format keeps 13 digits of a sample and 6 of the time step.
+
+use super::{Channel, Column, CsvRequest, Dimension, Recording, Unit};
+use crate::measure::MeasureError;
+use std::fmt::Write as _;
+
+/// Function type 1: a response over time.
+const TIME_RESPONSE: i64 = 1;
+/// The abscissa is time.
+const TIME: i64 = 17;
+/// How far two time steps of the file's six digits may be apart.
+const SAME: f64 = 2e-5;
+
+/// A data set as it stands.
+struct Set {
+    line: usize,
+    channel: Channel,
+    step: f64,
+}
+
+/// The lines of a file with their numbers.
+struct Lines<'t> {
+    lines: std::iter::Peekable<std::iter::Enumerate<std::str::Lines<'t>>>,
+    last: usize,
+}
+
+impl<'t> Lines<'t> {
+    fn next(&mut self) -> Result<&'t str, MeasureError> {
+        let (index, line) = self.lines.next().ok_or_else(|| MeasureError::Format {
+            line: self.last + 1,
+            what: "the file ends within a data set".to_owned(),
+        })?;
+        self.last = index + 1;
+        Ok(line)
+    }
+
+    fn wrong<T>(&self, what: impl Into<String>) -> Result<T, MeasureError> {
+        Err(MeasureError::Format {
+            line: self.last,
+            what: what.into(),
+        })
+    }
+}
+
+/// The columns from..to of a line, without blanks; lines may be short.
+fn field(line: &str, from: usize, to: usize) -> &str {
+    line.get(from..to.min(line.len())).unwrap_or("").trim()
+}
+
+fn number<T: std::str::FromStr>(
+    lines: &Lines<'_>,
+    text: &str,
+    what: &str,
+) -> Result<T, MeasureError> {
+    match text.replace(['D', 'd'], "E").parse() {
+        Ok(value) => Ok(value),
+        Err(_) => lines.wrong(format!("`{text}` is not {what}")),
+    }
+}
+
+impl Recording {
+    /// Reads the functions of time of a universal file, data sets 58 as text.
+    ///
+    /// A channel is called as its response entity, else as the first line of its data set.  Its unit is the label of its
+    /// ordinate, or what `request` says of the column of that name; type codes alone are not taken for a unit.
+    ///
+    /// # Errors
+    /// [`MeasureError`]: what [`new`](Self::new) refuses, a data set that is not in this form, a channel without a unit,
+    /// and time steps that differ.
+    pub fn from_uff58(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
+        let mut lines = Lines {
+            lines: text.lines().enumerate().peekable(),
+            last: 0,
+        };
+        let mut sets: Vec<Set> = Vec::new();
+        while lines.lines.peek().is_some() {
+            if lines.next()?.trim() != "-1" {
+                continue;
+            }
+            if lines.lines.peek().is_none() {
+                break;
+            }
+            let kind = lines.next()?.trim();
+            match kind {
+                "58" => sets.extend(set(&mut lines, request)?),
+                kind if kind.starts_with("58") => {
+                    return lines.wrong("a data set 58 in binary form; write it as text");
+                }
+                // Of other data sets nothing is needed.
+                _ => while lines.next()?.trim() != "-1" {},
+            }
+        }
+        let Some(first) = sets.first() else {
+            return lines.wrong("there is no function of time (data set 58) in it");
+        };
+        let step = first.step;
+        for set in &sets {
+            if SAME * step < (set.step - step).abs() {
+                return Err(MeasureError::MixedRates {
+                    place: format!("the channel `{}`, line {}", set.channel.name, set.line),
+                    before: step,
+                    after: set.step,
+                });
+            }
+        }
+        let rate = request.rate.unwrap_or(1.0 / step);
+        if SAME < (rate * step - 1.0).abs() {
+            return Err(MeasureError::MixedRates {
+                place: "the rate given".to_owned(),
+                before: step,
+                after: 1.0 / rate,
+            });
+        }
+        Self::new(rate, sets.into_iter().map(|set| set.channel).collect())
+    }
+
+    /// The recording as a universal file, one data set 58 for each channel.
+    #[must_use]
+    pub fn to_uff58(&self) -> String {
+        let mut text = String::new();
+        for channel in &self.channels {
+            let ordinate = match channel.unit.dimension() {
+                Dimension::Displacement => 8,
+                Dimension::Velocity => 11,
+                Dimension::Acceleration => 12,
+                _ => 13,
+            };
+            let name = &channel.name;
+            let axis = |kind: i64, label: &str, unit: &str| {
+                format!("{kind:>10}    0    0    0 {label:<20} {unit:<20}\n")
+            };
+            text.push_str("    -1\n    58\n");
+            let _ = write!(text, "{name}\nNONE\nNONE\nNONE\nNONE\n");
+            let _ = writeln!(
+                text,
+                "{TIME_RESPONSE:>5}{:>10}{:>5}{:>10} {:<10}{:>10}{:>4} {:<10}{:>10}{:>4}",
+                0,
+                0,
+                0,
+                short(name),
+                0,
+                0,
+                "NONE",
+                0,
+                0
+            );
+            let count = channel.samples.len();
+            let (start, step) = (exponential(0.0, 5), exponential(1.0 / self.rate, 5));
+            let _ = writeln!(
+                text,
+                "{:>10}{count:>10}{:>10}{start:>13}{step:>13}{start:>13}",
+                4, 1
+            );
+            text.push_str(&axis(TIME, "Time", "s"));
+            text.push_str(&axis(ordinate, "NONE", channel.unit.name()));
+            text.push_str(&axis(0, "NONE", "NONE"));
+            text.push_str(&axis(0, "NONE", "NONE"));
+            for group in channel.samples.chunks(4) {
+                for value in group {
+                    let _ = write!(text, "{:>20}", exponential(*value, 12));
+                }
+                text.push('\n');
+            }
+            text.push_str("    -1\n");
+        }
+        text
+    }
+}
+
+/// The first ten characters.
+fn short(name: &str) -> String {
+    name.chars().take(10).collect()
+}
+
+/// As Fortran writes it: 1.00000E-03.
+fn exponential(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$E}");
+    let Some((mantissa, exponent)) = text.split_once('E') else {
+        return text;
+    };
+    let (sign, size) = match exponent.strip_prefix('-') {
+        Some(size) => ('-', size),
+        None => ('+', exponent),
+    };
+    format!("{mantissa}E{sign}{size:0>2}")
+}
+
+/// A data set 58 after its number; none if its function is not one of time, or is not asked for.
+fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, MeasureError> {
+    let line = lines.last;
+    let title = lines.next()?.trim().to_owned();
+    for _ in 0..4 {
+        lines.next()?;
+    }
+    let record = lines.next()?;
+    let function: i64 = number(lines, field(record, 0, 5), "a function type")?;
+    let entity = field(record, 31, 41);
+    // Ten characters are all that the entity has room for.
+    let name = match entity {
+        "" | "NONE" => title.as_str(),
+        entity if title.starts_with(entity) => title.as_str(),
+        entity => entity,
+    }
+    .to_owned();
+    let record = lines.next()?;
+    let kind: i64 = number(lines, field(record, 0, 10), "a data type")?;
+    let count: usize = number(lines, field(record, 10, 20), "a number of samples")?;
+    let even: i64 = number(lines, field(record, 20, 30), "0 (uneven) or 1 (even)")?;
+    let step: f64 = number(lines, field(record, 43, 56), "a step")?;
+    let abscissa = lines.next()?;
+    let abscissa: i64 = number(lines, field(abscissa, 0, 10), "a kind of abscissa")?;
+    let ordinate = lines.next()?;
+    let code: i64 = number(lines, field(ordinate, 0, 10), "a kind of ordinate")?;
+    let label = field(ordinate, 47, 67).to_owned();
+    lines.next()?;
+    lines.next()?;
+    let values = values(lines)?;
+    let asked = request.columns.iter().find(|column| column.column == name);
+    let of_time = function == TIME_RESPONSE && (abscissa == TIME || abscissa == 0);
+    if !of_time || (asked.is_none() && !request.columns.is_empty()) {
+        return Ok(None);
+    }
+    if kind != 2 && kind != 4 {
+        return lines.wrong(format!(
+            "`{name}`: its samples are complex, and a function of time is real"
+        ));
+    }
+    let unit = unit(&name, &label, asked)?;
+    check_code(&name, code, unit)?;
+    let (step, samples) = if even == 1 {
+        (step, values)
+    } else {
+        unspaced(&name, line, &values)?
+    };
+    if samples.len() != count {
+        return lines.wrong(format!(
+            "`{name}` has {} samples, and says {count}",
+            samples.len()
+        ));
+    }
+    if !(0.0 < step && step.is_finite()) {
+        return lines.wrong(format!("`{name}`: the time step {step} is not above 0"));
+    }
+    let name = asked.map_or(name, |asked| asked.name.clone());
+    Ok(Some(Set {
+        line,
+        channel: Channel {
+            name,
+            unit,
+            samples,
+        },
+        step,
+    }))
+}
+
+/// The numbers up to the end of the data set: cells of 13 or 20 characters, mostly with blanks between them.
+fn values(lines: &mut Lines<'_>) -> Result<Vec<f64>, MeasureError> {
+    let mut values = Vec::new();
+    loop {
+        let line = lines.next()?;
+        if line.trim() == "-1" {
+            return Ok(values);
+        }
+        for cell in cells(line) {
+            let value: f64 = number(lines, cell, "a number")?;
+            values.push(value);
+        }
+    }
+}
+
+/// The numbers of a line: where negative ones touch, an E with its exponent ends the one before.
+fn cells(line: &str) -> impl Iterator<Item = &str> {
+    line.split_whitespace().flat_map(|word| {
+        let mut parts = Vec::new();
+        let mut rest = word;
+        while let Some(mark) = rest.find(['E', 'e', 'D', 'd']) {
+            // A sign and two or three digits follow.
+            let end = rest
+                .char_indices()
+                .skip_while(|(place, _)| *place < mark + 2)
+                .find(|(_, sign)| ['-', '+'].contains(sign))
+                .map_or(rest.len(), |(place, _)| place);
+            let (one, more) = rest.split_at(end);
+            parts.push(one);
+            rest = more;
+        }
+        if !rest.is_empty() {
+            parts.push(rest);
+        }
+        parts
+    })
+}
+
+fn unit(name: &str, label: &str, asked: Option<&Column>) -> Result<Unit, MeasureError> {
+    match asked.and_then(|asked| asked.unit) {
+        Some(unit) => Ok(unit),
+        None if label.is_empty() || label == "NONE" => Err(MeasureError::NoUnit(name.to_owned())),
+        None => label.parse(),
+    }
+}
+
+/// Nothing, if the kind of ordinate is unknown or that of the unit.
+fn check_code(name: &str, code: i64, unit: Unit) -> Result<(), MeasureError> {
+    let dimension = match code {
+        8 => Dimension::Displacement,
+        11 => Dimension::Velocity,
+        12 => Dimension::Acceleration,
+        9 | 13 => Dimension::Force,
+        _ => return Ok(()),
+    };
+    if dimension == unit.dimension() {
+        return Ok(());
+    }
+    Err(MeasureError::WrongDimension {
+        channel: name.to_owned(),
+        unit: unit.name(),
+    })
+}
+
+/// Pairs of time and value.
+fn unspaced(name: &str, line: usize, values: &[f64]) -> Result<(f64, Vec<f64>), MeasureError> {
+    let pairs: Vec<(f64, f64)> = values
+        .chunks_exact(2)
+        .filter_map(|pair| Some((*pair.first()?, *pair.last()?)))
+        .collect();
+    let steps = pairs.len().saturating_sub(1).max(1) as f64;
+    let (Some(first), Some(last)) = (pairs.first(), pairs.last()) else {
+        return Ok((0.0, Vec::new()));
+    };
+    let mean = (last.0 - first.0) / steps;
+    for pair in pairs.windows(2) {
+        let &[a, b] = pair else { continue };
+        // Six digits of the time are written.
+        let rounded = 1e-5 * a.0.abs().max(b.0.abs());
+        if 1e-2 * mean + rounded < (b.0 - a.0 - mean).abs() {
+            return Err(MeasureError::MixedRates {
+                place: format!("the channel `{name}`, line {line}"),
+                before: mean,
+                after: b.0 - a.0,
+            });
+        }
+    }
+    Ok((mean, pairs.into_iter().map(|pair| pair.1).collect()))
+}

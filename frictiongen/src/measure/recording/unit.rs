@@ -1,0 +1,150 @@
+//! The units of recordings.
+
+use crate::measure::MeasureError;
+
+/// What a channel measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Dimension {
+    /// A displacement; in SI m.
+    Displacement,
+    /// A velocity; in SI m/s.
+    Velocity,
+    /// An acceleration; in SI m/s².
+    Acceleration,
+    /// A force; in SI N.
+    Force,
+    /// Time; in SI s.
+    Time,
+}
+
+/// A unit, which says what is measured and in what size.
+///
+/// ```
+/// use frictiongen::measure::{Dimension, Unit};
+///
+/// let unit: Unit = "mm/s".parse()?;
+/// assert_eq!((unit.dimension(), unit.scale()), (Dimension::Velocity, 1e-3));
+/// # Ok::<(), frictiongen::measure::MeasureError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unit {
+    name: &'static str,
+    dimension: Dimension,
+    scale: f64,
+}
+
+/// Standard gravity, m/s² (exact by definition).
+const GRAVITY: f64 = 9.806_65;
+
+use Dimension::{Acceleration, Displacement, Force, Time, Velocity};
+
+/// Every unit, as it is written and as the end of a column's name.
+const UNITS: [(&str, &str, Dimension, f64); 15] = [
+    ("m", "m", Displacement, 1.0),
+    ("cm", "cm", Displacement, 1e-2),
+    ("mm", "mm", Displacement, 1e-3),
+    ("um", "um", Displacement, 1e-6),
+    ("m/s", "m_s", Velocity, 1.0),
+    ("mm/s", "mm_s", Velocity, 1e-3),
+    ("m/s2", "m_s2", Acceleration, 1.0),
+    ("mm/s2", "mm_s2", Acceleration, 1e-3),
+    ("g", "g", Acceleration, GRAVITY),
+    ("N", "N", Force, 1.0),
+    ("mN", "mN", Force, 1e-3),
+    ("kN", "kN", Force, 1e3),
+    ("s", "s", Time, 1.0),
+    ("ms", "ms", Time, 1e-3),
+    ("us", "us", Time, 1e-6),
+];
+
+impl Unit {
+    /// m.
+    pub const METRE: Self = Self::of(UNITS[0]);
+    /// mm.
+    pub const MILLIMETRE: Self = Self::of(UNITS[2]);
+    /// m/s.
+    pub const METRE_PER_SECOND: Self = Self::of(UNITS[4]);
+    /// m/s².
+    pub const METRE_PER_SECOND_SQUARED: Self = Self::of(UNITS[6]);
+    /// N.
+    pub const NEWTON: Self = Self::of(UNITS[9]);
+
+    const fn of((name, _, dimension, scale): (&'static str, &str, Dimension, f64)) -> Self {
+        Self {
+            name,
+            dimension,
+            scale,
+        }
+    }
+
+    /// As it is written: `mm/s2`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// What it measures.
+    #[must_use]
+    pub fn dimension(&self) -> Dimension {
+        self.dimension
+    }
+
+    /// Its size in SI.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// All that are known, in words.
+    #[must_use]
+    pub fn known() -> String {
+        UNITS.map(|unit| unit.0).join(", ")
+    }
+
+    /// How a column's name ends for it: `mm_s2`.
+    pub(super) fn ending(&self) -> &'static str {
+        let found = UNITS.iter().find(|unit| unit.0 == self.name);
+        found.map_or("", |unit| unit.1)
+    }
+
+    /// The name of a column and the unit in which it ends; the longest ending counts.
+    pub(super) fn split(header: &str) -> (&str, Option<Self>) {
+        if let Some((name, unit)) = bracketed(header) {
+            return (name, unit.parse().ok());
+        }
+        let ends = |ending: &str| {
+            let rest = header.strip_suffix(ending)?;
+            rest.strip_suffix('_').filter(|rest| !rest.is_empty())
+        };
+        let fitting = UNITS
+            .iter()
+            .filter_map(|unit| Some((ends(unit.1)?, Self::of(*unit))));
+        let longest = fitting.min_by_key(|(rest, _)| rest.len());
+        longest.map_or((header, None), |(rest, unit)| (rest, Some(unit)))
+    }
+}
+
+/// `name (unit)` and `name [unit]`.
+fn bracketed(header: &str) -> Option<(&str, &str)> {
+    [('(', ')'), ('[', ']')]
+        .into_iter()
+        .find_map(|(open, close)| {
+            let (name, unit) = header.strip_suffix(close)?.rsplit_once(open)?;
+            Some((name.trim(), unit.trim()))
+        })
+}
+
+impl std::str::FromStr for Unit {
+    type Err = MeasureError;
+
+    fn from_str(text: &str) -> Result<Self, MeasureError> {
+        let plain = text.trim().replace(['^', ' '], "").replace('²', "2");
+        let plain = plain.replace("s**2", "s2").replace(['µ', 'μ'], "u");
+        let found = UNITS.iter().find(|unit| {
+            unit.0 == plain || unit.1 == plain || unit.0.replace("s2", "s/s") == plain
+        });
+        found
+            .map(|unit| Self::of(*unit))
+            .ok_or_else(|| MeasureError::UnknownUnit(text.trim().to_owned()))
+    }
+}

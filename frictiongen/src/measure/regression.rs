@@ -1,0 +1,220 @@
+//! Mass, viscous and Coulomb friction of an axis without a spring, by linear regression.
+//!
+//! M q̈ + F_v q̇ + F_c sgn q̇ + offset = force is linear in all four: the identification of a drive, as in the EMPS benchmark
+//! (Janot, Gautier and Brunot, Data set and reference models of EMPS, 2019).
+//!
+//! No signal is differentiated: the equation is multiplied by a bump that vanishes with its slope at the ends of a window, and
+//! integrated by parts (modulating functions, Shinbrot 1957).  A derivative of a smoothed position comes out too small, by
+//! 0.3 % in a trial, and the mass as much too large.
+
+use super::identify::Estimate;
+use super::recording::Dimension;
+use super::statistics::student;
+use super::{MeasureError, Recording};
+use nalgebra::{DMatrix, DVector};
+
+/// The part of the largest speed below which the direction of sliding counts as unsure.
+const SLOW: f64 = 0.02;
+/// Fewer windows cannot tell four numbers and their scatter.
+const FEWEST: usize = 12;
+
+/// What a regression says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Regression {
+    /// M, kg.
+    pub mass: Estimate,
+    /// F_v, N·s/m.
+    pub viscous: Estimate,
+    /// F_c, N.
+    pub coulomb: Estimate,
+    /// A constant force, N.
+    pub offset: Estimate,
+    /// The root of the mean square of the residuals, N.
+    pub residual: f64,
+    /// The condition of the regression, with each column at its own size.
+    pub condition: f64,
+}
+
+impl Recording {
+    /// Mass, viscous friction, Coulomb friction and offset from the position of an axis (the channel `axis`) and the force on
+    /// it (the channel `force`).
+    ///
+    /// Both are taken in windows of `seconds`, short beside what the motion does.  Windows in which the direction changes are left out; those that count do not overlap, so that their errors are
+    /// independent.
+    ///
+    /// # Errors
+    /// [`MeasureError`]: a channel that is missing or not a displacement and a force, windows of fewer than 5 samples, fewer
+    /// than 12 windows, and a motion that does not tell the four apart.
+    pub fn regression(&self, axis: &str, seconds: f64) -> Result<Regression, MeasureError> {
+        let channel = |name: &str, dimension: Dimension| {
+            let found = self
+                .channel(name)
+                .ok_or_else(|| MeasureError::NoSuchPlace {
+                    channel: name.to_owned(),
+                    known: self
+                        .channels()
+                        .iter()
+                        .map(|channel| channel.name.clone())
+                        .collect(),
+                })?;
+            if found.unit.dimension() == dimension {
+                Ok(found)
+            } else {
+                Err(MeasureError::WrongDimension {
+                    channel: name.to_owned(),
+                    unit: found.unit.name(),
+                })
+            }
+        };
+        let (position, force) = (
+            channel(axis, Dimension::Displacement)?,
+            channel("force", Dimension::Force)?,
+        );
+        let length = (seconds * self.rate()).round();
+        if !(5.0..=1e6).contains(&length) {
+            return Err(MeasureError::Asked(
+                "a window has 5 samples at least, and fewer than the recording",
+            ));
+        }
+        let length = length as usize;
+        let step = 1.0 / self.rate();
+        // φ = (1 − s²)⁵ over s from −1 to 1, with its derivatives; so flat at its ends that sums are as good as integrals.
+        let half = 0.5 * length as f64 * step;
+        let places = (0..length).map(|i| (2.0 * i as f64 + 1.0) / length as f64 - 1.0);
+        let bump: Vec<[f64; 3]> = places
+            .map(|s| {
+                let rest = 1.0 - s * s;
+                let slope = -10.0 * s * rest.powi(4);
+                let bend = 10.0 * rest.powi(3) * (9.0 * s * s - 1.0);
+                [
+                    rest.powi(5) * step,
+                    slope * step / half,
+                    bend * step / (half * half),
+                ]
+            })
+            .collect();
+        let sum = |samples: &[f64], order: usize| -> f64 {
+            let weights = bump.iter().filter_map(|weights| weights.get(order));
+            samples
+                .iter()
+                .zip(weights)
+                .map(|(value, weight)| value * weight)
+                .sum()
+        };
+        let whole: f64 = bump.iter().map(|[weight, ..]| weight).sum();
+        let windows = position
+            .samples
+            .chunks_exact(length)
+            .zip(force.samples.chunks_exact(length));
+        let fitted: Vec<Window> = windows
+            .map(|(motion, push)| {
+                // About their mean: where the axis is says nothing, and would leave its rounding.
+                let mean = motion.iter().sum::<f64>() / length as f64;
+                let motion: Vec<f64> = motion
+                    .iter()
+                    .map(|q| (q - mean) * position.unit.scale())
+                    .collect();
+                let quarters = motion.chunks(length.div_ceil(4));
+                let means: Vec<f64> = quarters
+                    .map(|part| part.iter().sum::<f64>() / part.len() as f64)
+                    .collect();
+                let steps = means
+                    .windows(2)
+                    .filter_map(|pair| Some(pair.last()? - pair.first()?));
+                let steps: Vec<f64> = steps.collect();
+                let least = steps
+                    .iter()
+                    .map(|step| step.abs())
+                    .fold(f64::INFINITY, f64::min);
+                let side = steps.first().map_or(0.0, |step| step.signum());
+                let one_way = steps.iter().all(|step| step.signum() == side);
+                Window {
+                    columns: [sum(&motion, 2), -sum(&motion, 1), side * whole, whole],
+                    force: sum(&force_in_newtons(push, force.unit.scale()), 0),
+                    slowest: if one_way { least } else { 0.0 },
+                }
+            })
+            .collect();
+        let fastest = fitted
+            .iter()
+            .map(|window| window.slowest)
+            .fold(0.0, f64::max);
+        let kept: Vec<&Window> = fitted
+            .iter()
+            .filter(|window| SLOW * fastest < window.slowest)
+            .collect();
+        if kept.len() < FEWEST {
+            return Err(MeasureError::TooShort {
+                found: format!("{} windows in which the axis moves one way", kept.len()),
+                needed: "12",
+            });
+        }
+        solve(&kept)
+    }
+}
+
+/// The equation in one window.
+struct Window {
+    /// What M, F_v, F_c and the offset are multiplied by.
+    columns: [f64; 4],
+    force: f64,
+    /// The least way within a quarter of it; 0 if the axis turns.
+    slowest: f64,
+}
+
+fn force_in_newtons(samples: &[f64], scale: f64) -> Vec<f64> {
+    samples.iter().map(|value| value * scale).collect()
+}
+
+fn solve(kept: &[&Window]) -> Result<Regression, MeasureError> {
+    let rows = kept.len();
+    let matrix = DMatrix::from_fn(rows, 4, |row, place| {
+        kept.get(row)
+            .and_then(|window| window.columns.get(place))
+            .copied()
+            .unwrap_or(0.0)
+    });
+    let sizes: Vec<f64> = matrix.column_iter().map(|column| column.norm()).collect();
+    let scaled = DMatrix::from_fn(rows, 4, |row, place| {
+        let size = sizes.get(place).copied().unwrap_or(1.0);
+        matrix.get((row, place)).copied().unwrap_or(0.0) / size
+    });
+    let right = DVector::from_iterator(rows, kept.iter().map(|window| window.force));
+    let singular = scaled.clone().svd(true, true);
+    let condition = singular.singular_values.max() / singular.singular_values.min();
+    if !(condition < 1e8) {
+        return Err(MeasureError::Asked(
+            "this motion does not tell mass and friction apart: it needs both directions, several speeds and accelerations",
+        ));
+    }
+    let found = singular
+        .solve(&right, 0.0)
+        .map_err(|_| MeasureError::NoFit)?;
+    let left = &right - &scaled * &found;
+    let freedom = rows - 4;
+    let whole = kept.first().map_or(1.0, |window| window.columns[3]);
+    let variance = left.norm_squared() / freedom as f64;
+    let inverse = scaled
+        .tr_mul(&scaled)
+        .try_inverse()
+        .ok_or(MeasureError::NoFit)?;
+    let estimate = |place: usize| {
+        let size = sizes.get(place).copied().unwrap_or(1.0);
+        let value = found.get(place).copied().unwrap_or(f64::NAN) / size;
+        let spread = inverse.get((place, place)).copied().unwrap_or(f64::NAN);
+        let reach = student(freedom) * (variance * spread).sqrt() / size;
+        Estimate {
+            value,
+            from: value - reach,
+            to: value + reach,
+        }
+    };
+    Ok(Regression {
+        mass: estimate(0),
+        viscous: estimate(1),
+        coulomb: estimate(2),
+        offset: estimate(3),
+        residual: (left.norm_squared() / rows as f64).sqrt() / whole,
+        condition,
+    })
+}

@@ -1,0 +1,168 @@
+//! The part of a recording in which the motion is steady, and whether its excitation is.
+
+use super::MeasureError;
+use super::tone::Basis;
+use crate::Complex;
+use std::f64::consts::TAU;
+
+/// Cycles of a block, at least.
+const BLOCK: f64 = 2.0;
+/// Blocks of a recording, at most.
+const MOST_BLOCKS: usize = 40;
+/// Fewer blocks cannot be compared.
+const FEWEST_BLOCKS: usize = 4;
+/// How far the phase of the excitation may stray from a steady turn, rad: its frequency then strays by less than 1/30 of
+/// the width of a line.
+const STRAY: f64 = 0.05;
+/// How far its amplitude may change.
+const SWELL: f64 = 0.05;
+/// What is so many times its scatter is no chance.
+const SURE: f64 = 6.0;
+/// What the fundamental of a steady motion may change by in all, of its size: where nothing keeps to the first, friction may
+/// wander as far as the second.
+const STEADY: [f64; 2] = [2e-3, 2e-2];
+/// How far a fundamental may scatter about its mean and still count as steady, of its size.
+const SCATTER: f64 = 0.1;
+
+/// The fundamentals of a channel, block by block, turned to one origin of time.
+struct Blocks {
+    values: Vec<Complex<f64>>,
+    deviation: f64,
+}
+
+fn blocks(samples: &[f64], per_sample: f64, length: usize) -> Option<Blocks> {
+    let basis = Basis::new(length, per_sample, 3);
+    let mut values = Vec::new();
+    let mut deviations = Vec::new();
+    for (index, part) in samples.chunks_exact(length).enumerate() {
+        let tone = basis.tone(part)?;
+        let turns = per_sample * (index * length) as f64;
+        let (sin, cos) = (TAU * turns.fract()).sin_cos();
+        values.push(tone.fundamental() * Complex::new(cos, -sin));
+        deviations.push(tone.deviation);
+    }
+    // Of the last third: a transient at the start is no noise.
+    let last = deviations.len().div_ceil(3);
+    let deviation = deviations.iter().rev().take(last).sum::<f64>() / last as f64;
+    Some(Blocks { values, deviation })
+}
+
+fn mean(values: &[Complex<f64>]) -> Complex<f64> {
+    values.iter().sum::<Complex<f64>>() / values.len().max(1) as f64
+}
+
+/// The first sample from which on all channels are steady; the excitation comes first in `channels`.
+pub(super) fn start(
+    channels: &[(&str, &[f64])],
+    per_sample: f64,
+    rate: f64,
+) -> Result<usize, MeasureError> {
+    let Some((_, drive)) = channels.first() else {
+        return Ok(0);
+    };
+    let count = drive.len();
+    let cycles = per_sample * count as f64;
+    let parts = ((cycles / BLOCK).floor() as usize).min(MOST_BLOCKS);
+    if parts < FEWEST_BLOCKS {
+        return Err(MeasureError::TooShort {
+            found: format!("{cycles:.1} cycles of the excitation"),
+            needed: "8 cycles",
+        });
+    }
+    let length = count / parts;
+    let mut first = 0;
+    for (index, (name, samples)) in channels.iter().enumerate() {
+        let short = || MeasureError::NotSteady((*name).to_owned());
+        let found = blocks(samples, per_sample, length).ok_or_else(short)?;
+        if index == 0 {
+            steady_drive(name, &found, per_sample * rate, length as f64 / rate)?;
+        }
+        first = first.max(settled(name, &found)?);
+    }
+    Ok(first * length)
+}
+
+/// Nothing, if the excitation keeps its frequency and its amplitude; a start from rest counts as neither.
+fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result<(), MeasureError> {
+    let skip = blocks.values.len() / 4;
+    let kept = blocks.values.get(skip..).unwrap_or(&[]);
+    let size = kept.iter().map(|value| value.norm()).sum::<f64>() / kept.len().max(1) as f64;
+    if !(5.0 * blocks.deviation < size * (kept.len() as f64).sqrt()) {
+        return Err(MeasureError::Silent(name.to_owned()));
+    }
+    // Phases without jumps.
+    let mut phases: Vec<f64> = Vec::new();
+    for value in kept {
+        let angle = value.im.atan2(value.re);
+        let before = phases.last().copied().unwrap_or(angle);
+        phases.push(angle - TAU * ((angle - before) / TAU).round());
+    }
+    let (slope_early, slope_late, stray) = bend(&phases);
+    let noise = SURE * blocks.deviation / size;
+    if STRAY.max(noise) < stray {
+        let change = |slope: f64| hertz + slope / (TAU * seconds);
+        return Err(MeasureError::Drifts {
+            from: change(slope_early),
+            to: change(slope_late),
+        });
+    }
+    let swell = kept.iter().map(|value| (value.norm() / size - 1.0).abs());
+    let swell = swell.fold(0.0, f64::max);
+    if SWELL.max(noise) < swell {
+        return Err(MeasureError::Swells(swell));
+    }
+    Ok(())
+}
+
+/// The slope over the first half and over the second, and the largest distance from one straight line.
+fn bend(phases: &[f64]) -> (f64, f64, f64) {
+    let line = |part: &[f64]| {
+        let n = part.len().max(1) as f64;
+        let x_mean = 0.5 * (n - 1.0);
+        let y_mean = part.iter().sum::<f64>() / n;
+        let sums = part.iter().enumerate().fold((0.0, 0.0), |sum, (i, y)| {
+            let x = i as f64 - x_mean;
+            (sum.0 + x * (y - y_mean), sum.1 + x * x)
+        });
+        let slope = if sums.1 > 0.0 { sums.0 / sums.1 } else { 0.0 };
+        (slope, y_mean - slope * x_mean)
+    };
+    let (early, late) = phases.split_at(phases.len() / 2);
+    let (slope, start) = line(phases);
+    let away = phases
+        .iter()
+        .enumerate()
+        .map(|(i, y)| (y - start - slope * i as f64).abs());
+    (line(early).0, line(late).0, away.fold(0.0, f64::max))
+}
+
+/// The block from which on a channel keeps its fundamental.
+fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
+    let values = &blocks.values;
+    let last = values
+        .get(values.len() - values.len().div_ceil(3)..)
+        .unwrap_or(&[]);
+    let middle = mean(last);
+    // Of neighbours: a trend counts as none.
+    let pairs = last
+        .windows(2)
+        .filter_map(|pair| Some(pair.last()? - pair.first()?));
+    let squares: f64 = pairs.map(|step| step.norm_sqr()).sum();
+    let scatter = (0.5 * squares / (last.len() - 1).max(1) as f64).sqrt();
+    let noise = blocks.deviation * std::f64::consts::SQRT_2;
+    // What does not move more than its noise is steady.
+    if SCATTER * middle.norm() < scatter && SURE * noise < scatter {
+        return Err(MeasureError::NotSteady(name.to_owned()));
+    }
+    for share in STEADY {
+        let near = (SURE * scatter.max(noise)).max(share * middle.norm());
+        let off = values
+            .iter()
+            .rposition(|value| near < (value - middle).norm());
+        let first = off.map_or(0, |place| place + 1);
+        if 3 * first <= 2 * values.len() {
+            return Ok(first);
+        }
+    }
+    Err(MeasureError::NotSteady(name.to_owned()))
+}

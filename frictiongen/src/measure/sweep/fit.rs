@@ -1,0 +1,120 @@
+//! Where a fit starts, and how it goes on.
+
+use super::model::{Form, Sweep};
+use crate::measure::MeasureError;
+use crate::measure::least_squares::{Fit, minimise};
+
+/// Frequencies of the scene that are tried as starts, over its own.
+const FACTORS: [f64; 2] = [0.5, 2.0];
+/// How many of them.
+const TRIED: u32 = 40;
+/// Ratios of masses and springs that are tried with them, over the scene's own: of two storeys, of three.
+const TWO: [f64; 7] = [0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 3.3];
+const THREE: [f64; 3] = [0.7, 1.0, 1.4];
+/// The best of them, from which a fit starts.
+const STARTS: usize = 6;
+/// The sum of squares over the degrees of freedom with which a fit from the scene's own values is good enough.
+const GOOD: f64 = 2.0;
+/// Each parameter times this is tried once more from the best fit, as long as that betters it, so many times at most.
+const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
+const ROUNDS: usize = 4;
+const BETTER: f64 = 0.999;
+impl Sweep<'_> {
+    /// Places from which a fit may start, the best first.
+    fn starts(&self) -> Vec<Vec<f64>> {
+        let own = self.start();
+        let [low, high] = FACTORS;
+        let factors = (0..=TRIED).map(|i| low * (high / low).powf(f64::from(i) / f64::from(TRIED)));
+        let ratios = own.len() - 1 - usize::from(self.damping);
+        let each: &[f64] = match ratios {
+            0..=2 => &TWO,
+            3..=4 => &THREE,
+            _ => &[1.0],
+        };
+        let mut tried: Vec<Vec<f64>> = factors
+            .map(|factor| {
+                std::iter::once(factor)
+                    .chain(own.iter().skip(1).copied())
+                    .collect()
+            })
+            .collect();
+        for place in 1..=ratios {
+            let others = tried.iter().flat_map(|start| {
+                each.iter().map(move |ratio| {
+                    let mut start = start.clone();
+                    if let Some(value) = start.get_mut(place) {
+                        *value *= ratio;
+                    }
+                    start
+                })
+            });
+            tried = others.collect();
+        }
+        let mut judged: Vec<(f64, Vec<f64>)> = tried
+            .into_iter()
+            .filter_map(|start| Some((self.residuals(&start, Form::Log)?.norm_squared(), start)))
+            .collect();
+        judged.sort_by(|a, b| a.0.total_cmp(&b.0));
+        judged
+            .into_iter()
+            .take(STARTS)
+            .map(|(_, start)| start)
+            .collect()
+    }
+
+    pub(super) fn fit(&self) -> Result<Fit, MeasureError> {
+        let bounds = |start: &[f64]| -> Vec<(f64, f64)> {
+            let last = start.len() - 1;
+            let bound = |(index, value): (usize, &f64)| {
+                if self.damping && index == last {
+                    (0.0, 1.0)
+                } else {
+                    (0.1 * value, 10.0 * value)
+                }
+            };
+            start.iter().enumerate().map(bound).collect()
+        };
+        let run = |start: &[f64], form: Form| {
+            minimise(
+                start,
+                &bounds(start),
+                |at| self.residuals(at, form),
+                |at| self.linearise(at, form),
+            )
+        };
+        // Amplitudes have poles, along which a sum of squares has no slope that leads anywhere; their logarithms have.
+        let from = |start: &[f64]| {
+            let rough = run(start, Form::Log)?;
+            run(&rough.parameters, Form::Plain).filter(|fit| fit.settled)
+        };
+        let own = from(&self.start());
+        let freedom = self.points.len() - self.start().len();
+        let weighed = self.points.iter().all(|point| point.deviation.is_some());
+        let good = |fit: &Fit| weighed && 0 < freedom && fit.squares < GOOD * freedom as f64;
+        if own.as_ref().is_some_and(good) {
+            return own.ok_or(MeasureError::NoFit);
+        }
+        let starts = self.starts();
+        let fits = starts.iter().filter_map(|start| from(start)).chain(own);
+        let best = fits
+            .min_by(|a, b| a.squares.total_cmp(&b.squares))
+            .ok_or(MeasureError::NoFit)?;
+        // An amplitude has no sign: a resonance on the wrong side of a point is a minimum of its own, next to the right one.
+        let mut best = best;
+        for _ in 0..ROUNDS {
+            let places = 0..best.parameters.len();
+            let hops = places.flat_map(|place| HOPS.map(|hop| (place, hop)));
+            let found = hops.filter_map(|(place, hop)| {
+                let mut start = best.parameters.clone();
+                *start.get_mut(place)? *= hop;
+                run(&start, Form::Plain).filter(|fit| fit.settled)
+            });
+            let found = found.min_by(|a, b| a.squares.total_cmp(&b.squares));
+            match found.filter(|fit| fit.squares < BETTER * best.squares) {
+                Some(fit) => best = fit,
+                None => break,
+            }
+        }
+        Ok(best)
+    }
+}

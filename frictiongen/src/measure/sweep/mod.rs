@@ -1,0 +1,112 @@
+//! A scene's frequencies, masses and springs from sweeps without friction (thesis 4.3.1, 6.4.2, appendix A).
+
+mod fit;
+mod judged;
+mod model;
+mod points;
+
+pub use points::SweepPoint;
+
+use super::MeasureError;
+use super::identify::Estimate;
+use crate::study::System;
+use crate::study::scene::Excitation;
+use model::Sweep;
+
+/// What a sweep without friction says.
+#[derive(Clone, Debug)]
+pub struct SweepFit {
+    /// √(k₁/m₁)/2π, Hz: r = f over this; for one storey the natural frequency (4.1).
+    pub reference: Estimate,
+    /// γ_i = m_i/m₁ of the masses from the second on.
+    pub masses: Vec<Estimate>,
+    /// κ_e = k_e/k₁ of the springs from the second on.
+    pub springs: Vec<Estimate>,
+    /// ζ, one for all modes, if it was asked for.
+    pub damping: Option<Estimate>,
+    /// The natural frequencies, Hz.
+    pub natural: Vec<Estimate>,
+    /// The sum of squares over the degrees of freedom, where deviations were given.
+    pub misfit: Option<f64>,
+    /// The root of the mean square of the relative residuals.
+    pub scatter: f64,
+    /// The condition of the fit.
+    pub condition: f64,
+    /// Measured less computed amplitude, in the order of the points.
+    pub residuals: Vec<f64>,
+    /// The scene with what was found; its first mass as it was.
+    pub system: System,
+}
+
+/// √(k₁/m₁) in rad/s, γ and κ of two storeys from ω₀, ω₁ and ω₂ (6.17 to 6.20).
+///
+/// ω₀ is the antiresonance of the lower mass, ω₁ and ω₂ are the resonances.  The antiresonance of the motion relative to the
+/// base, ω_z0, follows: ω_z0² = ω₁² + ω₂² − (ω₁ω₂/ω₀)², which is where 1 equals (6.15).
+///
+/// ```
+/// let [reference, gamma, kappa] = frictiongen::measure::two_storeys(2.0_f64.sqrt(), 1.0, 2.0);
+/// // k₁/m₁ = 2, k₂/m₂ = 2, k₂/m₁ = 5 − 2 − 2.
+/// assert!((reference * reference - 2.0).abs() < 1e-15);
+/// assert!((gamma - 0.5).abs() < 1e-15 && (kappa - 0.5).abs() < 1e-15);
+/// ```
+#[must_use]
+pub fn two_storeys(antiresonance: f64, first: f64, second: f64) -> [f64; 3] {
+    let reference = first * second / antiresonance;
+    let relative = first * first + second * second - reference * reference;
+    let gamma = relative / (antiresonance * antiresonance) - 1.0;
+    let ratio = antiresonance / reference;
+    [reference, gamma, gamma * ratio * ratio]
+}
+
+impl System {
+    /// The scene's frequencies, mass and stiffness ratios from a sweep without friction, by least squares of the amplitudes.
+    ///
+    /// One storey: f_n (4.1).  Two: r₁/ω, γ and κ, as (6.15) to (6.20) have them.  More alike.  The description says what
+    /// is connected to what and where to start from; its first mass stays.  Without `damping` the scene keeps its own.
+    ///
+    /// ```
+    /// use frictiongen::measure::SweepPoint;
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let plate: frictiongen::System = "struct Plate {
+    ///     masses: { plate: 1.0 }, springs: { base - plate: 300.0 }, contact: plate - wall, excitation: base,
+    /// }"
+    /// .parse()?;
+    /// let point = |hertz: f64| SweepPoint {
+    ///     hertz,
+    ///     mass: 0,
+    ///     amplitude: 1.0 / (1.0 - (hertz / 3.086).powi(2)).abs(),
+    ///     deviation: Some(1e-3),
+    /// };
+    /// let found = plate.fit_sweep(&[1.0, 2.0, 2.8, 3.5, 5.0].map(point), false)?;
+    /// assert!((found.reference.value - 3.086).abs() < 1e-9 && found.reference.holds(3.086));
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`MeasureError`]: fewer points than unknowns, a scene driven by a force, and a fit that does not settle or leaves
+    /// half of the motion unexplained.
+    pub fn fit_sweep(
+        &self,
+        points: &[SweepPoint],
+        damping: bool,
+    ) -> Result<SweepFit, MeasureError> {
+        let scene = self.scene();
+        if scene.excitation != Excitation::Base {
+            return Err(MeasureError::Asked(
+                "a sweep tells parameters of a scene that is driven by its base: a force would ask for the masses themselves",
+            ));
+        }
+        let sweep = Sweep::new(self, points, damping);
+        let unknowns = sweep.start().len();
+        if points.len() < unknowns {
+            return Err(MeasureError::TooFewData {
+                data: points.len(),
+                unknowns,
+            });
+        }
+        let fit = sweep.fit()?;
+        judged::answer(&sweep, &fit)
+    }
+}

@@ -1,0 +1,78 @@
+//! Measured amplitudes, and the table that has them.
+
+use crate::measure::MeasureError;
+use crate::measure::recording::Table;
+use crate::study::System;
+
+/// A measured amplitude without friction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SweepPoint {
+    /// The driving frequency, Hz.
+    pub hertz: f64,
+    /// The mass, by its place.
+    pub mass: usize,
+    /// |X/Y|, or |X/P| in m/N.
+    pub amplitude: f64,
+    /// Its standard deviation; without it errors count as equal parts of the amplitudes, as in (6.16).
+    pub deviation: Option<f64>,
+}
+
+impl SweepPoint {
+    /// Those of a table: `frequency_Hz`, then for each mass `NAME.transmissibility` and, if it is there, `NAME.deviation`.
+    /// Other columns are passed over, and so are empty cells.
+    ///
+    /// # Errors
+    /// [`MeasureError`]: a cell that is no number, no frequencies, a mass that the scene does not have, or none.
+    pub fn read(text: &str, system: &System) -> Result<Vec<Self>, MeasureError> {
+        let table = Table::read(text)?;
+        let named = |name: &str| table.names.iter().position(|other| other == name);
+        let wrong = |what: String| MeasureError::Sweep { line: 1, what };
+        let frequency = named("frequency_Hz")
+            .ok_or_else(|| wrong("there is no column `frequency_Hz`".to_owned()))?;
+        let mut columns = Vec::new();
+        for (place, name) in table.names.iter().enumerate() {
+            let Some(mass) = name.strip_suffix(".transmissibility") else {
+                continue;
+            };
+            let known = &system.scene().masses;
+            let index = known.iter().position(|other| other.name == mass);
+            let index = index.ok_or_else(|| MeasureError::NoSuchPlace {
+                channel: mass.to_owned(),
+                known: known.iter().map(|mass| mass.name.clone()).collect(),
+            })?;
+            columns.push((index, place, named(&format!("{mass}.deviation"))));
+        }
+        if columns.is_empty() {
+            return Err(wrong(
+                "there is no column `NAME.transmissibility` of a mass".to_owned(),
+            ));
+        }
+        let mut points = Vec::new();
+        for (row, line) in table.rows.iter().zip(&table.lines) {
+            let cell = |place: usize| row.get(place).copied().flatten();
+            for (mass, place, deviation) in &columns {
+                let (Some(hertz), Some(amplitude)) = (cell(frequency), cell(*place)) else {
+                    continue;
+                };
+                let deviation = deviation.and_then(cell);
+                let fits = 0.0 < hertz
+                    && 0.0 < amplitude
+                    && deviation.is_none_or(|deviation| 0.0 < deviation);
+                if !fits {
+                    return Err(MeasureError::Sweep {
+                        line: *line,
+                        what: "frequencies, transmissibilities and deviations are above 0"
+                            .to_owned(),
+                    });
+                }
+                points.push(Self {
+                    hertz,
+                    mass: *mass,
+                    amplitude,
+                    deviation,
+                });
+            }
+        }
+        Ok(points)
+    }
+}

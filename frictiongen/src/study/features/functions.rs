@@ -1,0 +1,332 @@
+//! The functions of frequency whose zeros are features, over y = 1/r: V, H, U of the contact and of one motion.
+//!
+//! Every sum here is the thesis's over y² = 1/r², which takes away what all terms share: V = y² Σ wp/d with
+//! d = x² − 1 + 2iζx and x = √λ y, H likewise, U = y² Σ w² tan(πx/2)/x without damping.
+
+use super::interval::{Interval, Number};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_model::modal::Modal;
+
+/// What is asked of a mode.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mode<T> {
+    pub resonance: T,
+    pub zeta: T,
+    /// φᵀp.
+    pub load: T,
+    /// φᵀw.
+    pub contact: T,
+    /// φ of the mass in question; φᵀw if it is the contact.
+    pub shape: T,
+}
+
+/// A chain and one motion of it, in one kind of number.
+#[derive(Clone, Debug)]
+pub(super) struct Numbers<T> {
+    pub modes: Vec<Mode<T>>,
+    /// wᵀK̄⁻¹p − 1, where the contact rubs on the moving base.
+    pub on_base: Option<T>,
+    /// m*.
+    pub inverse_mass: T,
+    /// μ.
+    pub stiction: T,
+    /// Whether the motion is the contact's.
+    pub is_contact: bool,
+    pub damped: bool,
+}
+
+impl<T> Numbers<T> {
+    /// Of the contact, or of a mass.
+    pub fn of<F: Float>(modal: &Modal<F>, mass: Option<usize>, to: impl Fn(F) -> T) -> Self {
+        let none = F::constant(0.0);
+        let at = |list: &[F], place: usize| list.get(place).copied().unwrap_or(none);
+        let mode = |index: usize| {
+            let contact = at(&modal.contacts, index);
+            let shape = match mass {
+                None => contact,
+                Some(mass) => modal
+                    .shapes
+                    .get(index)
+                    .map_or(none, |shape| at(shape, mass)),
+            };
+            Mode {
+                resonance: to(at(&modal.resonances, index)),
+                zeta: to(at(&modal.damping_ratios, index)),
+                load: to(at(&modal.loads, index)),
+                contact: to(contact),
+                shape: to(shape),
+            }
+        };
+        Self {
+            modes: (0..modal.resonances.len()).map(mode).collect(),
+            on_base: modal.on_moving_base.then(|| to(modal.static_motion)),
+            inverse_mass: to(modal.inverse_mass),
+            stiction: to(modal.stiction),
+            is_contact: mass.is_none(),
+            damped: modal.is_damped(),
+        }
+    }
+}
+
+/// Which function.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Target<T> {
+    /// V_k, the motion without friction.
+    Free,
+    /// V of the contact.
+    FreeContact,
+    /// H_k, the response to a harmonic force in the contact.
+    Receptance,
+    /// U_k (6.9).
+    Quadrature,
+    /// V U_k − 2 V_k U (6.10).
+    Estimate,
+    /// V_k U + (2/π) H_k V; of the contact U + (2/π) H.
+    Fundamental,
+    /// V − βμH; with damping |V|² − (βμ)²|H|² (6.13).
+    Sliding(T),
+    /// V² − β²(U² + (μm*/r²)²), without damping: β_lim without search.
+    Continuous(T),
+}
+
+/// A place where modes have a pole in y, and which of the odd multiples each of them has there.
+#[derive(Clone, Debug)]
+pub(super) struct Pole {
+    pub y: f64,
+    pub members: Vec<(usize, f64)>,
+}
+
+/// A pole within an interval: y − p, and what a mode's functions times it are, for those that have it.
+pub(super) struct Near<T> {
+    gap: T,
+    /// By mode: 1/d and tan/x, times the gap.
+    own: Vec<Option<[T; 2]>>,
+}
+
+/// One sum over modes.
+#[derive(Clone, Copy)]
+enum Sum<T> {
+    V,
+    H,
+    FreeOf,
+    HOf,
+    U,
+    UOf,
+    /// V − level·H, mode by mode: where a mode drops out of it, its pole does too.
+    Against(T),
+}
+
+impl<T: Number> Numbers<T> {
+    fn sum(&self, which: Sum<T>, y: T, near: Option<&Near<T>>) -> [T; 2] {
+        let (one, two, zero) = (T::number(1.0), T::number(2.0), T::number(0.0));
+        let mut sum = [zero; 2];
+        for (index, mode) in self.modes.iter().enumerate() {
+            let share = match which {
+                Sum::V => mode.contact * mode.load,
+                Sum::H | Sum::U => mode.contact * mode.contact,
+                Sum::Against(level) => mode.contact * (mode.load - level * mode.contact),
+                Sum::FreeOf => mode.shape * mode.load,
+                Sum::HOf | Sum::UOf => mode.shape * mode.contact,
+            };
+            let x = mode.resonance * y;
+            let own = near.and_then(|near| near.own.get(index).copied().flatten());
+            let friction = matches!(which, Sum::U | Sum::UOf);
+            let [re, im] = match (own, friction) {
+                (Some([_, tangent]), true) => [tangent, zero],
+                (Some([rational, _]), false) => [rational, zero],
+                (None, true) => {
+                    let (sine, cosine) = (x * T::number(0.5)).sine_cosine();
+                    [sine / (cosine * x), zero]
+                }
+                (None, false) => {
+                    let re = (x - one) * (x + one);
+                    if self.damped {
+                        let im = two * mode.zeta * x;
+                        let size = re.squared() + im.squared();
+                        [re / size, -(im / size)]
+                    } else {
+                        [one / re, zero]
+                    }
+                }
+            };
+            // v − 1 = (1 − 2iζx)/d instead of v, beside the static motion, so that nothing cancels for large r.
+            let [re, im] = match (which, self.on_base.is_some()) {
+                (Sum::V, true) => {
+                    let turn = two * mode.zeta * x;
+                    let weight = one / (x * x);
+                    [(re + turn * im) * weight, (im - turn * re) * weight]
+                }
+                _ => [re, im],
+            };
+            let outside = match (own, near) {
+                (None, Some(near)) => near.gap,
+                _ => one,
+            };
+            sum = [sum[0] + share * re * outside, sum[1] + share * im * outside];
+        }
+        if let (Sum::V, Some(at_rest)) = (which, self.on_base) {
+            let gap = near.map_or(one, |near| near.gap);
+            sum[0] = sum[0] + at_rest / (y * y) * gap;
+        }
+        if let (Sum::Against(_), Some(_)) = (which, self.on_base) {
+            let gap = near.map_or(one, |near| near.gap);
+            sum[0] = sum[0] - one / (y * y) * gap;
+        }
+        sum
+    }
+
+    /// A function at y, beside a pole times y − p, to the function's order in what has poles.
+    pub fn value(&self, target: Target<T>, y: T, near: Option<&Near<T>>) -> T {
+        let sum = |which| self.sum(which, y, near);
+        let real = |which| sum(which)[0];
+        let two_over_pi = || T::number(2.0) / T::pi();
+        match target {
+            Target::Free if self.is_contact => real(Sum::V),
+            Target::Free => real(Sum::FreeOf),
+            Target::FreeContact => real(Sum::V),
+            Target::Receptance => real(Sum::HOf),
+            Target::Quadrature => real(Sum::UOf),
+            Target::Estimate => {
+                let crossed = real(Sum::FreeOf) * real(Sum::U);
+                real(Sum::V) * real(Sum::UOf) - (crossed + crossed)
+            }
+            Target::Fundamental if self.is_contact => real(Sum::U) + two_over_pi() * real(Sum::H),
+            Target::Fundamental => {
+                real(Sum::FreeOf) * real(Sum::U) + two_over_pi() * real(Sum::HOf) * real(Sum::V)
+            }
+            Target::Sliding(beta) => {
+                let level = beta * self.stiction;
+                if self.damped {
+                    let ([v, turned], [h, lost]) = (sum(Sum::V), sum(Sum::H));
+                    v.squared() + turned.squared()
+                        - level.squared() * (h.squared() + lost.squared())
+                } else {
+                    real(Sum::Against(level))
+                }
+            }
+            Target::Continuous(beta) => {
+                let gap = near.map_or(T::number(1.0), |near| near.gap);
+                let start = self.stiction * self.inverse_mass * gap;
+                let limit = real(Sum::U).squared() + start.squared();
+                real(Sum::V).squared() - beta.squared() * limit
+            }
+        }
+    }
+}
+
+impl Numbers<Interval> {
+    /// What stands for the poles of these modes within an interval of y; none where it is too wide for that.
+    pub fn near(&self, y: Interval, pole: &Pole) -> Option<Near<Interval>> {
+        let two_over_pi = Interval::rounded(std::f64::consts::FRAC_2_PI);
+        let half_pi = Interval::rounded(std::f64::consts::FRAC_PI_2);
+        let one = Interval::point(1.0);
+        let mut own = vec![None; self.modes.len()];
+        for (index, odd) in &pole.members {
+            let mode = self.modes.get(*index)?;
+            let x = mode.resonance * y;
+            let z = half_pi * (x - Interval::point(*odd));
+            if !(z.high < 1.0 && -1.0 < z.low) {
+                return None;
+            }
+            let tangent = -(two_over_pi * z.cotangent_times() / (mode.resonance * x));
+            let rational = if *odd == 1.0 {
+                one / (mode.resonance * (x + one))
+            } else {
+                (y - Interval::rounded(pole.y)) / ((x - one) * (x + one))
+            };
+            if let Some(place) = own.get_mut(*index) {
+                *place = Some([rational, tangent]);
+            }
+        }
+        Some(Near {
+            gap: y - Interval::rounded(pole.y),
+            own,
+        })
+    }
+}
+
+/// Poles of different modes nearer to each other than this are one.
+const SAME: f64 = 4e-15;
+
+impl Target<Dd> {
+    /// Whether a mode has a pole at x = 1, and at the other odd x.
+    fn poles_of(&self, numbers: &Numbers<Dd>, mode: &Mode<Dd>) -> [bool; 2] {
+        let drives = |a: Dd, b: Dd| !(a.is_zero() || b.is_zero());
+        let undamped = mode.zeta.is_zero();
+        let v = undamped && drives(mode.contact, mode.load);
+        let h = undamped && !mode.contact.is_zero();
+        let free = undamped && drives(mode.shape, mode.load);
+        let of = undamped && drives(mode.shape, mode.contact);
+        match self {
+            Self::Free if numbers.is_contact => [v, false],
+            Self::Free => [free, false],
+            Self::FreeContact => [v, false],
+            Self::Receptance => [of, false],
+            Self::Quadrature => [of, of],
+            Self::Fundamental if numbers.is_contact => [h, h],
+            Self::Estimate | Self::Fundamental => [free || h, h],
+            Self::Sliding(_) => [h, false],
+            Self::Continuous(_) => [h, h],
+        }
+    }
+
+    /// Whether the function is nothing at every frequency.
+    pub fn vanishes(&self, numbers: &Numbers<Dd>) -> bool {
+        let none = |share: fn(&Mode<Dd>) -> Dd| numbers.modes.iter().all(|m| share(m).is_zero());
+        match self {
+            Self::Free if !numbers.is_contact => none(|mode| mode.shape * mode.load),
+            Self::Free | Self::FreeContact => {
+                none(|mode| mode.contact * mode.load)
+                    && numbers.on_base.is_none_or(|rest| rest.is_zero())
+            }
+            Self::Receptance | Self::Quadrature | Self::Estimate => {
+                none(|mode| mode.shape * mode.contact)
+            }
+            _ => none(|mode| mode.contact),
+        }
+    }
+
+    /// The poles between two y, ascending; none if there are more than `most`.
+    pub fn poles(
+        &self,
+        numbers: &Numbers<Dd>,
+        [low, high]: [f64; 2],
+        most: usize,
+    ) -> Option<Vec<Pole>> {
+        let mut all: Vec<(f64, usize, f64)> = Vec::new();
+        for (index, mode) in numbers.modes.iter().enumerate() {
+            let [first, others] = self.poles_of(numbers, mode);
+            let at = |odd: f64| (Dd::from(odd) / mode.resonance).to_f64();
+            if first && low <= at(1.0) && at(1.0) <= high {
+                all.push((at(1.0), index, 1.0));
+            }
+            if !others {
+                continue;
+            }
+            let x = low * mode.resonance.to_f64();
+            let mut odd = (2.0 * (0.5 * (x - 1.0)).floor() - 1.0).max(3.0);
+            while at(odd) <= high {
+                if low <= at(odd) {
+                    all.push((at(odd), index, odd));
+                }
+                if most < all.len() {
+                    return None;
+                }
+                odd += 2.0;
+            }
+        }
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut poles: Vec<Pole> = Vec::new();
+        for (y, index, odd) in all {
+            match poles.last_mut() {
+                Some(last) if (y - last.y).abs() <= SAME * y => last.members.push((index, odd)),
+                _ => poles.push(Pole {
+                    y,
+                    members: vec![(index, odd)],
+                }),
+            }
+        }
+        Some(poles)
+    }
+}

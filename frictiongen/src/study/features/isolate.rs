@@ -1,0 +1,362 @@
+//! All zeros of a function between two frequencies, by intervals: none is missed, and no pole is taken for one.
+//!
+//! An interval of y = 1/r is given up where its enclosure leaves out 0.  Without a pole in it, it has at most one zero
+//! where the enclosure of the slope leaves out 0; the signs at its ends tell.  With one pole, the function times y − p is
+//! enclosed, which is finite.  What is undecided is cut.  So every zero lies in an interval that was kept.
+
+use super::functions::{Numbers, Pole, Target};
+use super::interval::{Interval, Jet};
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
+use frictiongen_model::modal::Modal;
+
+/// No more poles than this in a range, and no more intervals than twenty times as many.
+pub(super) const MOST_POLES: usize = 20_000;
+const MOST_INTERVALS: usize = 20 * MOST_POLES;
+/// A zero nearer to a pole than this share of its place is one with it: neither shows in the function.
+const CANCELLED: f64 = 1e-13;
+/// Two zeros nearer to each other than this share of their place, or of their distance from a pole, may be a touch.
+const TOUCH: f64 = 1e-9;
+/// Touches nearer to each other than this are one.
+const ONE_TOUCH: f64 = 1e-6;
+/// Where an interval is cut, off its middle, on which symmetric scenes like to have something.
+const CUT: f64 = 0.487_3;
+/// A bracket is halved to this width before Newton's method takes over.
+const NEAR: f64 = 1e-6;
+
+/// Too many poles or intervals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Crowded;
+
+/// A function of one motion of a chain, in the numbers that the search needs.
+pub(super) struct Function<'m> {
+    pub target: Target<Dd>,
+    modal: &'m Modal,
+    mass: Option<usize>,
+    exact: Numbers<Dd>,
+    plain: Numbers<f64>,
+    held: Numbers<Interval>,
+    sloped: Numbers<Jet>,
+}
+
+/// A zero.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Zero {
+    /// 1/r.
+    pub y: Dd,
+    /// df/dy there.
+    pub slope: Dd,
+    /// Whether the sign changes; otherwise the function touches 0 to rounding, or two zeros are that near.
+    pub crosses: bool,
+}
+
+impl Zero {
+    pub fn r(&self) -> f64 {
+        (Dd::ONE / self.y).to_f64()
+    }
+}
+
+/// The same target in another number.
+fn converted<T>(target: Target<Dd>, to: impl Fn(Dd) -> T) -> Target<T> {
+    match target {
+        Target::Free => Target::Free,
+        Target::FreeContact => Target::FreeContact,
+        Target::Receptance => Target::Receptance,
+        Target::Quadrature => Target::Quadrature,
+        Target::Estimate => Target::Estimate,
+        Target::Fundamental => Target::Fundamental,
+        Target::Sliding(beta) => Target::Sliding(to(beta)),
+        Target::Continuous(beta) => Target::Continuous(to(beta)),
+    }
+}
+
+fn enclosed(value: Dd) -> Interval {
+    // What is nothing is nothing: its slope is too.
+    if value.is_zero() {
+        Interval::point(0.0)
+    } else {
+        Interval::rounded(value.to_f64())
+    }
+}
+
+impl<'m> Function<'m> {
+    pub fn new(modal: &'m Modal, mass: Option<usize>, target: Target<Dd>) -> Self {
+        let to_jet = |value: Dd| Jet::fixed(enclosed(value));
+        Self {
+            target,
+            modal,
+            mass,
+            exact: Numbers::of(modal, mass, |value: Dd| value),
+            plain: Numbers::of(modal, mass, |value: Dd| value.to_f64()),
+            held: Numbers::of(modal, mass, enclosed),
+            sloped: Numbers::of(modal, mass, to_jet),
+        }
+    }
+
+    pub fn vanishes(&self) -> bool {
+        self.target.vanishes(&self.exact)
+    }
+
+    /// The value at a frequency, over some power of r.
+    pub fn at(&self, r: f64) -> f64 {
+        let target = converted(self.target, |beta| beta.to_f64());
+        self.plain.value(target, 1.0 / r, None)
+    }
+
+    fn over(&self, y: Interval) -> Interval {
+        self.held.value(converted(self.target, enclosed), y, None)
+    }
+
+    /// Enclosures of value and slope, the first drawn together by the value in the middle.
+    fn jet(&self, y: Interval) -> Jet {
+        let target = converted(self.target, |beta| Jet::fixed(enclosed(beta)));
+        let jet = self.sloped.value(target, Jet::variable(y), None);
+        let middle = Interval::point(0.5 * (y.low + y.high));
+        let mean = self.over(middle) + jet.slope * (y - middle);
+        Jet {
+            value: jet.value.both(mean),
+            slope: jet.slope,
+        }
+    }
+
+    /// The function times y − p over an interval that holds the pole.
+    fn without_pole(&self, y: Interval, pole: &Pole) -> Option<Interval> {
+        let near = self.held.near(y, pole)?;
+        let target = converted(self.target, enclosed);
+        Some(self.held.value(target, y, Some(&near)))
+    }
+
+    /// The poles between two frequencies, as y, ascending in y.
+    pub fn poles(&self, [from, to]: [f64; 2]) -> Result<Vec<Pole>, Crowded> {
+        let poles = self
+            .target
+            .poles(&self.exact, [1.0 / to, 1.0 / from], MOST_POLES);
+        poles.ok_or(Crowded)
+    }
+
+    /// All zeros between two frequencies, ascending in r.
+    pub fn zeros(&self, range: [f64; 2]) -> Result<Vec<Zero>, Crowded> {
+        if self.vanishes() {
+            return Ok(Vec::new());
+        }
+        let poles = self.poles(range)?;
+        let [from, to] = range;
+        let mut search = Search {
+            function: self,
+            poles: &poles,
+            zeros: Vec::new(),
+            touches: Vec::new(),
+        };
+        search.run([1.0 / to, 1.0 / from])?;
+        let Search {
+            mut zeros,
+            mut touches,
+            ..
+        } = search;
+        touches.sort_by(f64::total_cmp);
+        let mut last = 0.0_f64;
+        for y in touches {
+            if ONE_TOUCH * y < y - last {
+                zeros.push(self.zero(Dd::from(y), false));
+            }
+            last = y;
+        }
+        zeros.sort_by(|a, b| b.y.to_f64().total_cmp(&a.y.to_f64()));
+        // A zero on the border of two intervals is found from both.
+        zeros.dedup_by(|a, b| {
+            a.crosses && b.crosses && (a.y - b.y).abs() <= b.y * Dd::from(CANCELLED)
+        });
+        Ok(zeros)
+    }
+
+    /// Value and slope in double-double.
+    fn exactly(&self, y: Dd) -> Dual<Dd> {
+        let numbers = Numbers::of(self.modal, self.mass, Dual::fixed);
+        let target = converted(self.target, Dual::fixed);
+        numbers.value(target, Dual::variable(y), None)
+    }
+
+    fn zero(&self, y: Dd, crosses: bool) -> Zero {
+        let slope = self.exactly(y).slope;
+        Zero { y, slope, crosses }
+    }
+
+    /// The zero that is at y to rounding.
+    fn polished(&self, y: f64) -> Zero {
+        let mut place = Dd::from(y);
+        for _ in 0..3 {
+            let found = self.exactly(place);
+            let step = found.value / found.slope;
+            if step.abs() <= place * Dd::from(CANCELLED) {
+                place = place - step;
+            }
+        }
+        self.zero(place, true)
+    }
+
+    /// The zero between two y where the function rises or falls throughout.
+    fn refined(&self, [low, high]: [f64; 2], rising: bool) -> Zero {
+        let target = converted(self.target, |beta| beta.to_f64());
+        let above = |y: f64| (0.0 < self.plain.value(target, y, None)) == rising;
+        let (mut a, mut b) = (low, high);
+        while NEAR * b < b - a {
+            let middle = 0.5 * (a + b);
+            if above(middle) {
+                b = middle;
+            } else {
+                a = middle;
+            }
+        }
+        let (mut a, mut b) = (Dd::from(a), Dd::from(b));
+        let half = Dd::from(0.5);
+        let mut y = (a + b) * half;
+        let mut slope = Dd::ONE;
+        for _ in 0..120 {
+            let found = self.exactly(y);
+            slope = found.slope;
+            if found.value.is_zero() {
+                break;
+            }
+            if (Dd::ZERO < found.value) == rising {
+                b = y;
+            } else {
+                a = y;
+            }
+            let newton = y - found.value / slope;
+            let next = if a < newton && newton < b {
+                newton
+            } else {
+                (a + b) * half
+            };
+            let step = (next - y).abs();
+            y = next;
+            if step <= y * Dd::from(1e-24) {
+                break;
+            }
+        }
+        Zero {
+            y,
+            slope,
+            crosses: true,
+        }
+    }
+
+    /// ∂f/∂p at a zero, from a modal analysis that carries it and β with its own.
+    pub fn moved(&self, zero: &Zero, along: &Modal<Dual<Dd>>, beta: Dual<Dd>) -> Dd {
+        let numbers = Numbers::of(along, self.mass, |value| value);
+        let target = match self.target {
+            Target::Sliding(value) => {
+                // The sign of the level is the target's own.
+                let sign = if value < Dd::ZERO { -Dd::ONE } else { Dd::ONE };
+                Target::Sliding(beta * Dual::fixed(sign))
+            }
+            Target::Continuous(_) => Target::Continuous(beta),
+            other => converted(other, Dual::fixed),
+        };
+        numbers.value(target, Dual::fixed(zero.y), None).slope
+    }
+}
+
+struct Search<'f, 'm> {
+    function: &'f Function<'m>,
+    poles: &'f [Pole],
+    zeros: Vec<Zero>,
+    touches: Vec<f64>,
+}
+
+impl Search<'_, '_> {
+    fn run(&mut self, range: [f64; 2]) -> Result<(), Crowded> {
+        let mut open = vec![range];
+        let mut count = 0;
+        while let Some([low, high]) = open.pop() {
+            count += 1;
+            if MOST_INTERVALS < count {
+                return Err(Crowded);
+            }
+            let first = self.poles.partition_point(|pole| pole.y < low);
+            let inside = self.poles.get(first..).unwrap_or_default();
+            let inside = inside
+                .get(..inside.partition_point(|pole| pole.y <= high))
+                .unwrap_or_default();
+            match inside {
+                [] => self.between([low, high], &mut open),
+                [pole] => self.about(pole, [low, high], &mut open),
+                [..] => {
+                    let middle = inside.len() / 2;
+                    let of = |place: usize| inside.get(place).map_or(low, |pole| pole.y);
+                    let (a, b) = (of(middle - 1), of(middle));
+                    let cut = a + (b - a) * CUT;
+                    open.extend([[low, cut], [cut, high]]);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// An interval with one pole.
+    fn about(&self, pole: &Pole, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
+        let held = self.function.without_pole(Interval::new(low, high), pole);
+        let excluded = held.is_some_and(|held| !held.holds_zero());
+        if excluded || high - low <= CANCELLED * pole.y {
+            return;
+        }
+        let (a, b) = (
+            pole.y - 0.25 * (pole.y - low),
+            pole.y + 0.25 * (high - pole.y),
+        );
+        open.push([a, b]);
+        for side in [[low, a], [b, high]] {
+            if side[0] < side[1] {
+                open.push(side);
+            }
+        }
+    }
+
+    /// An interval without a pole.
+    fn between(&mut self, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
+        let jet = self.function.jet(Interval::new(low, high));
+        if !jet.value.holds_zero() {
+            return;
+        }
+        let rises = jet.slope.sign();
+        if rises != 0 {
+            let at = |y: f64| self.function.over(Interval::point(y)).sign();
+            match (at(low), at(high)) {
+                // To rounding the zero is the end.
+                (0, _) => self.zeros.push(self.function.polished(low)),
+                (_, 0) => self.zeros.push(self.function.polished(high)),
+                (first, last) if first != last => {
+                    let zero = self.function.refined([low, high], rises > 0);
+                    self.zeros.push(zero);
+                }
+                _ => {}
+            }
+            return;
+        }
+        if high - low <= TOUCH * self.room(low, high) {
+            let middle = 0.5 * (low + high);
+            if self.function.over(Interval::point(middle)).holds_zero() {
+                self.touches.push(middle);
+                return;
+            }
+            if high - low <= CANCELLED * high {
+                return;
+            }
+        }
+        let cut = low + (high - low) * CUT;
+        if low < cut && cut < high {
+            open.extend([[low, cut], [cut, high]]);
+        }
+    }
+
+    /// y, or the distance to the next pole where that is less.
+    fn room(&self, low: f64, high: f64) -> f64 {
+        let next = self.poles.partition_point(|pole| pole.y < low);
+        let above = self.poles.get(next).map_or(high, |pole| pole.y - high);
+        let below = next
+            .checked_sub(1)
+            .and_then(|place| self.poles.get(place))
+            .map_or(high, |pole| low - pole.y);
+        high.min(above).min(below)
+    }
+}

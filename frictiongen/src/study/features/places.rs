@@ -1,0 +1,108 @@
+//! Where the sign of something changes that can only be sampled: refined where it comes near to 0.
+
+/// Of neighbouring samples, three of one sign whose middle is nearest to 0 may hide two changes: steps of the search there,
+/// each keeps 0.62 of an interval.
+const STEPS: usize = 60;
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+
+/// Places between `from` and `to`: evenly over r and over 1/r, and about each of `marks`.
+pub(super) fn samples([from, to]: [f64; 2], count: usize, marks: &[f64]) -> Vec<f64> {
+    let share = |i: usize| i as f64 / count as f64;
+    let mut places = vec![from, to];
+    for i in 1..count {
+        places.push(from + (to - from) * share(i));
+        places.push(1.0 / (1.0 / from + (1.0 / to - 1.0 / from) * share(i)));
+    }
+    for mark in marks {
+        places.push(*mark);
+        let mut width = 1e-9;
+        while width < 0.02 {
+            places.extend([mark * (1.0 - width), mark * (1.0 + width)]);
+            width *= 4.0;
+        }
+    }
+    places.retain(|r| from <= *r && *r <= to);
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    places
+}
+
+/// Where a function changes its sign between samples, ascending; a place without a value belongs to neither sign.
+pub(super) fn changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
+    let values: Vec<f64> = places.iter().map(|r| f(*r)).collect();
+    let mut all: Vec<(f64, f64)> = places.iter().copied().zip(values).collect();
+    let mut hidden = Vec::new();
+    for three in all.windows(3) {
+        let &[(left, a), (_, b), (right, c)] = three else {
+            continue;
+        };
+        let sign = b.signum();
+        let nearest = |other: f64| 0.0 < sign * other && sign * b <= sign * other;
+        if nearest(a) && nearest(c) {
+            hidden.extend(beyond([left, right], |r| -sign * f(r)));
+        }
+    }
+    all.extend(hidden.into_iter().map(|r| (r, f(r))));
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let pairs = all.windows(2).filter_map(|pair| {
+        let &[(low, a), (high, b)] = pair else {
+            return None;
+        };
+        if a * b < 0.0 {
+            return Some(bisected([low, high], a, &f));
+        }
+        (b == 0.0).then_some(high)
+    });
+    pairs.collect()
+}
+
+/// A place where f is positive, where it is largest between two places; none if it is not.
+fn beyond([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> Option<f64> {
+    for _ in 0..STEPS {
+        let (a, b) = (high - (high - low) * GOLDEN, low + (high - low) * GOLDEN);
+        let (at_a, at_b) = (f(a), f(b));
+        match (0.0 < at_a, 0.0 < at_b) {
+            (true, _) => return Some(a),
+            (_, true) => return Some(b),
+            _ if at_a < at_b => low = a,
+            _ => high = b,
+        }
+    }
+    None
+}
+
+/// The place where a sign ends, between neighbouring numbers.
+fn bisected([mut low, mut high]: [f64; 2], at_low: f64, f: impl Fn(f64) -> f64) -> f64 {
+    loop {
+        let middle = 0.5 * (low + high);
+        if !(low < middle && middle < high) {
+            return low;
+        }
+        if 0.0 < f(middle) * at_low {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{changes, samples};
+
+    /// Two changes between two neighbouring samples are found from the nearest of them.
+    #[test]
+    fn a_narrow_pair() {
+        let places = samples([1.0, 2.0], 16, &[]);
+        let found = changes(&places, |r| (r - 1.501).powi(2) - 1e-8);
+        assert_eq!(found.len(), 2);
+        assert!((found[0] - 1.5009).abs() < 1e-12 && (found[1] - 1.5011).abs() < 1e-12);
+    }
+
+    #[test]
+    fn none_where_it_jumps_to_nothing() {
+        let places = samples([0.5, 4.0], 50, &[2.0]);
+        let found = changes(&places, |r| if r < 2.0 { 1.0 } else { f64::NAN });
+        assert!(found.is_empty());
+    }
+}

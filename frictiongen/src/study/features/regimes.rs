@@ -1,0 +1,184 @@
+//! The regimes along frequency at a given friction.
+
+use super::functions::Target;
+use super::isolate::Function;
+use super::places::{changes, samples};
+use super::sensed::Sensed;
+use super::sliding::Bound;
+use super::{Certainty, FeatureError, Features, check_friction, check_range, exact};
+use crate::Regime;
+
+/// What ends a range of one regime.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RegimeEnd {
+    /// The end of the range asked for.
+    Range,
+    /// β_lim = β: the frequency, in Hz under a load.
+    Continuous(Sensed),
+    /// β*_lim = β.
+    Sliding(Sensed),
+}
+
+/// A range of r in one regime.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RegimeRange {
+    /// Its lower end, r.
+    pub from: f64,
+    /// Its upper end, r.
+    pub to: f64,
+    /// The regime.
+    pub regime: Regime,
+    /// What is at its upper end.
+    pub end: RegimeEnd,
+}
+
+/// Samples over each stretch in which β_lim may exceed β.
+const SAMPLES: usize = 128;
+/// The odd sub-harmonics that are looked at closely, at most.
+const SUBHARMONICS: usize = 12;
+
+impl Features<'_> {
+    /// The regimes along r at β, ascending, and what stands behind the list.
+    ///
+    /// Where β*_lim = β is found by intervals.  β_lim rests on a search over the half period; without damping it is a closed
+    /// form for r ≥ √λ_N/2, and below it is at most one everywhere.  So without damping a range that lies above √λ_N/2 is
+    /// proven; otherwise stretches in which the closed form exceeds β are sampled.  There an island of the stick-slip
+    /// regime narrower than one of 128 samples, which is not about a pole of U or a zero of V, may be missed.
+    ///
+    /// # Errors
+    /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::Crowded`].
+    pub fn regimes(
+        &self,
+        beta: f64,
+        range: [f64; 2],
+    ) -> Result<(Vec<RegimeRange>, Certainty), FeatureError> {
+        check_friction(beta)?;
+        check_range(range)?;
+        let [from, to] = range;
+        let mut places: Vec<(f64, RegimeEnd)> = Vec::new();
+        for Bound { r, frequency } in self.sliding_bounds(beta, range)? {
+            places.push((r, RegimeEnd::Sliding(frequency)));
+        }
+        let (bounds, certainty) = self.continuous_bounds(beta, range)?;
+        for Bound { r, frequency } in bounds {
+            places.push((r, RegimeEnd::Continuous(frequency)));
+        }
+        places.retain(|(r, _)| from < *r && *r < to);
+        places.push((to, RegimeEnd::Range));
+        places.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut found: Vec<RegimeRange> = Vec::new();
+        let mut start = from;
+        for (end, why) in places {
+            if !(start < end) {
+                continue;
+            }
+            let middle = 0.5 * (start + end);
+            let at = self.system.at(middle);
+            let regime = at.ok().and_then(|at| at.regime(beta).ok());
+            let Some(regime) = regime else { continue };
+            match found.last_mut() {
+                Some(last) if last.regime == regime => {
+                    (last.to, last.end) = (end, why);
+                }
+                _ => found.push(RegimeRange {
+                    from: start,
+                    to: end,
+                    regime,
+                    end: why,
+                }),
+            }
+            start = end;
+        }
+        Ok((found, certainty))
+    }
+
+    /// The places where β_lim = β.
+    fn continuous_bounds(
+        &self,
+        beta: f64,
+        range: [f64; 2],
+    ) -> Result<(Vec<Bound>, Certainty), FeatureError> {
+        let [from, to] = range;
+        let modal = self.system.modal();
+        if beta == 0.0 {
+            return Ok((Vec::new(), Certainty::Proven));
+        }
+        let fastest = modal.resonances.last().map_or(0.0, |last| last.to_f64());
+        let closed = if modal.is_damped() { to } else { 0.5 * fastest };
+        let mut bounds = Vec::new();
+        // β_lim without search, which it is from there on.
+        let function = Function::new(modal, None, Target::Continuous(exact(beta)));
+        let mut edges = vec![from];
+        let mut marks = Vec::new();
+        if !modal.is_damped() {
+            for zero in function.zeros(range)? {
+                let r = zero.r();
+                if closed <= r {
+                    bounds.push(Bound {
+                        r,
+                        frequency: self.variations.of_zero(&function, &zero, Some(beta)),
+                    });
+                } else {
+                    edges.push(r);
+                }
+            }
+            let still = Function::new(modal, None, Target::FreeContact);
+            marks.extend(still.zeros(range)?.iter().map(|zero| zero.r()));
+            marks.extend(function.poles(range)?.iter().map(|pole| 1.0 / pole.y));
+        } else {
+            for resonance in &modal.resonances {
+                let orders = (0..=SUBHARMONICS).map(|i| (2 * i + 1) as f64);
+                marks.extend(orders.map(|order| resonance.to_f64() / order));
+            }
+            marks.extend(
+                self.system
+                    .dynamics()
+                    .held
+                    .iter()
+                    .map(|mode| mode.frequency),
+            );
+        }
+        let last = closed.min(to);
+        if !(from < last) {
+            return Ok((bounds, Certainty::Proven));
+        }
+        edges.push(last);
+        let limit = |r: f64| (self.continuous_limit(r) / beta).ln();
+        for stretch in edges.windows(2) {
+            let &[low, high] = stretch else { continue };
+            if !(low < high) {
+                continue;
+            }
+            let upper = |r: f64| {
+                let limits = self.system.limits_without_search(r);
+                limits.is_ok_and(|limits| beta < limits.continuous)
+            };
+            if !modal.is_damped() && !upper(0.5 * (low + high)) {
+                // Even the larger one is below β all along.
+                bounds.push(self.continuous_bound(low, beta));
+                continue;
+            }
+            let own: Vec<f64> = marks
+                .iter()
+                .copied()
+                .filter(|r| low <= *r && *r <= high)
+                .collect();
+            for r in changes(&samples([low, high], SAMPLES, &own), limit) {
+                bounds.push(self.continuous_bound(r, beta));
+            }
+            bounds.push(self.continuous_bound(low, beta));
+        }
+        bounds.sort_by(|a, b| a.r.total_cmp(&b.r));
+        bounds.dedup_by(|b, a| (b.r - a.r).abs() <= 1e-14 * a.r);
+        Ok((bounds, Certainty::Sampled))
+    }
+
+    /// A place where β_lim may be β, with its derivatives.
+    fn continuous_bound(&self, r: f64, beta: f64) -> Bound {
+        let frequency = self.variations.of_place(r, beta, |varied, r, beta| {
+            let limit = varied.at(r).ok()?.continuous_limit();
+            Some(limit - beta)
+        });
+        Bound { r, frequency }
+    }
+}

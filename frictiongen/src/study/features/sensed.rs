@@ -1,0 +1,273 @@
+//! How a feature moves with every parameter: implicit derivatives of zeros, and those of closed forms.
+
+use super::isolate::{Function, Zero};
+use crate::study::physical::{OperatingPoint, Parameter, parameters_of};
+use crate::study::sensitivity::{Sensitive, Varied};
+use crate::study::system::System;
+use crate::study::units::{Load, LoadError, LoadScale};
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::sensitivity::Quantity;
+
+/// How a number moves with one parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParameterSlope {
+    /// p.
+    pub parameter: Parameter,
+    /// Its value, in its own unit.
+    pub value: f64,
+    /// dX/dp.
+    pub derivative: f64,
+}
+
+/// A number with its derivatives with respect to every parameter that it has one for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensed {
+    /// X.
+    pub value: f64,
+    /// dX/dp.
+    pub slopes: Vec<ParameterSlope>,
+}
+
+impl Sensed {
+    /// (p/X)·dX/dp: by how many per cent X changes for one per cent of p; none where X is 0 or the parameter has no
+    /// derivative here.
+    #[must_use]
+    pub fn relative(&self, parameter: Parameter) -> Option<f64> {
+        let mut slopes = self.slopes.iter();
+        let slope = slopes.find(|slope| slope.parameter == parameter)?;
+        let relative = slope.value / self.value * slope.derivative;
+        relative.is_finite().then_some(relative)
+    }
+
+    /// The parameter that moves it most for its own size, and by how much.
+    #[must_use]
+    pub fn strongest(&self) -> Option<(Parameter, f64)> {
+        let relative = self
+            .slopes
+            .iter()
+            .filter_map(|slope| Some((slope.parameter, self.relative(slope.parameter)?)));
+        relative.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
+    }
+}
+
+/// A derivative below this share of X/p is what 30 digits leave of none.
+const NOTHING: f64 = 1e-18;
+
+/// One parameter varied: the scene, and the units.
+pub(super) struct Variation {
+    pub parameter: Parameter,
+    pub value: f64,
+    pub varied: Varied,
+    /// k₁Y or P; 1 in groups.
+    pub force: Sensitive,
+    /// Y or P/k₁; 1 in groups.
+    pub length: Sensitive,
+    /// rad/s or Hz over r; 1 in groups.
+    pub frequency: Sensitive,
+}
+
+/// The parameters of a system under a load, or in groups.
+pub(super) struct Variations {
+    pub scale: Option<LoadScale>,
+    pub all: Vec<Variation>,
+    /// Nothing varied, for derivatives with respect to r.
+    pub unvaried: Varied,
+}
+
+impl Variations {
+    pub fn new(system: &System, load: Option<Load>) -> Result<Self, LoadError> {
+        let scale = load.map(|load| system.load_scale(load)).transpose()?;
+        let point = match load {
+            Some(load) => OperatingPoint::Physical {
+                hertz: 1.0,
+                friction: 1.0,
+                load,
+            },
+            None => OperatingPoint::Groups { r: 1.0, beta: 1.0 },
+        };
+        let known = parameters_of(system.scene(), point, system);
+        let mut all = Vec::new();
+        for (parameter, value) in known {
+            let varied = match parameter {
+                Parameter::Quantity(quantity) => system.along(quantity),
+                Parameter::Frequency => None,
+                Parameter::Friction | Parameter::Load => Some(system.unvaried()),
+            };
+            let Some(varied) = varied else { continue };
+            let [force, length] = units(system, load, parameter);
+            let two_pi = Sensitive::constant(2.0) * Sensitive::pi();
+            let frequency = match load {
+                Some(_) => varied.modal().reference / two_pi,
+                None => Sensitive::constant(1.0),
+            };
+            all.push(Variation {
+                parameter,
+                value,
+                varied,
+                force,
+                length,
+                frequency,
+            });
+        }
+        Ok(Self {
+            scale,
+            all,
+            unvaried: system.unvaried(),
+        })
+    }
+
+    /// A number that follows from the varied scene; none of its slopes where it has no answer.
+    pub fn sensed(
+        &self,
+        value: f64,
+        beta: Option<f64>,
+        of: impl Fn(&Variation) -> Option<Sensitive>,
+    ) -> Sensed {
+        let mut slopes = Vec::new();
+        for variation in &self.all {
+            if beta.is_none() && variation.parameter == Parameter::Friction {
+                continue;
+            }
+            let answer = of(variation).map(|answer| answer.slope.to_f64());
+            let Some(derivative) = answer.filter(|slope| slope.is_finite()) else {
+                continue;
+            };
+            let parameter = match variation.parameter {
+                Parameter::Friction => self.friction(beta.unwrap_or(0.0)),
+                _ => variation.value,
+            };
+            let nothing = (derivative * parameter).abs() < NOTHING * value.abs();
+            slopes.push(ParameterSlope {
+                parameter: variation.parameter,
+                value: parameter,
+                derivative: if nothing { 0.0 } else { derivative },
+            });
+        }
+        Sensed { value, slopes }
+    }
+
+    /// β in N, or as it is.
+    pub fn friction(&self, beta: f64) -> f64 {
+        self.scale.map_or(beta, |scale| scale.friction(beta))
+    }
+
+    /// x̄ in m, or as it is.
+    pub fn length(&self, amplitude: f64) -> f64 {
+        self.scale
+            .map_or(amplitude, |scale| scale.displacement(amplitude))
+    }
+
+    /// A friction ratio, in N under a load.
+    pub fn of_friction(
+        &self,
+        value: f64,
+        of: impl Fn(&Modal<Sensitive>) -> Option<Sensitive>,
+    ) -> Sensed {
+        let of = |variation: &Variation| Some(of(variation.varied.modal())? * variation.force);
+        self.sensed(self.friction(value), None, of)
+    }
+
+    /// A frequency at r, in Hz under a load, from how r moves.
+    pub fn of_frequency(
+        &self,
+        r: f64,
+        beta: Option<f64>,
+        of: impl Fn(&Variation) -> Option<Dd>,
+    ) -> Sensed {
+        let value = match self.scale {
+            Some(_) => {
+                let reference = self.unvaried.modal().reference.value.to_f64();
+                r * reference / std::f64::consts::TAU
+            }
+            None => r,
+        };
+        self.sensed(value, beta, |variation| {
+            let moved = Dual {
+                value: Dd::from(r),
+                slope: of(variation)?,
+            };
+            Some(moved * variation.frequency)
+        })
+    }
+
+    /// The frequency of a zero: dr/dp = r² (∂f/∂p)/(∂f/∂y).
+    pub fn of_zero(&self, function: &Function<'_>, zero: &Zero, beta: Option<f64>) -> Sensed {
+        self.of_frequency(zero.r(), beta, |variation| {
+            if !zero.crosses {
+                return None;
+            }
+            let friction = variation.beta(beta.unwrap_or(0.0), self.scale);
+            let moved = function.moved(zero, variation.varied.modal(), friction);
+            Some(moved / zero.slope / (zero.y * zero.y))
+        })
+    }
+
+    /// The frequency at which some function of r and β is 0, from the function.
+    pub fn of_place(
+        &self,
+        r: f64,
+        beta: f64,
+        f: impl Fn(&Varied, Sensitive, Sensitive) -> Option<Sensitive>,
+    ) -> Sensed {
+        let place = Dd::from(r);
+        let along = f(
+            &self.unvaried,
+            Dual::variable(place),
+            Dual::fixed(Dd::from(beta)),
+        );
+        self.of_frequency(r, Some(beta), |variation| {
+            let friction = variation.beta(beta, self.scale);
+            let moved = f(&variation.varied, Dual::fixed(place), friction)?;
+            Some(-(moved.slope / along?.slope))
+        })
+    }
+}
+
+impl Variation {
+    /// β, at a constant friction force where the load is known.
+    pub fn beta(&self, beta: f64, scale: Option<LoadScale>) -> Sensitive {
+        let own = self.parameter == Parameter::Friction;
+        let number = |value: Dd| {
+            if own {
+                Dual::variable(value)
+            } else {
+                Dual::fixed(value)
+            }
+        };
+        match scale {
+            None => number(Dd::from(beta)),
+            Some(_) => number(Dd::from(beta) * self.force.value) / self.force,
+        }
+    }
+}
+
+/// k₁Y or P, and Y or P/k₁, with their derivatives; 1 in groups.
+fn units(system: &System, load: Option<Load>, parameter: Parameter) -> [Sensitive; 2] {
+    let number = |value: f64, own: bool| {
+        if own {
+            Dual::variable(Dd::from(value))
+        } else {
+            Dual::fixed(Dd::from(value))
+        }
+    };
+    let first = system.scene().springs.first();
+    let stiffness = number(
+        first.map_or(1.0, |spring| spring.stiffness),
+        parameter == Parameter::Quantity(Quantity::Stiffness(0)),
+    );
+    let own = parameter == Parameter::Load;
+    match load {
+        None => [Sensitive::constant(1.0); 2],
+        Some(Load::Force(force)) => {
+            let force = number(force, own);
+            [force, force / stiffness]
+        }
+        Some(Load::Base(length)) => {
+            let length = number(length, own);
+            [stiffness * length, length]
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! The resonances of the chain with its contact stuck, and the ranges in which the contact slides at a given friction.
+
+use super::functions::Target;
+use super::isolate::Function;
+use super::sensed::Sensed;
+use super::{FeatureError, Features, check_friction, check_range, exact};
+use frictiongen_kernel::number::dd::Dd;
+
+/// A resonance of the chain with its contact stuck.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeldResonance {
+    /// r, without its damping.
+    pub r: f64,
+    /// In Hz under a load.
+    pub frequency: Sensed,
+    /// Its damping ratio.
+    pub damping_ratio: f64,
+    /// Whether the stuck contact has a part in it; otherwise it is a mode of the chain that the contact does not touch.
+    pub new: bool,
+    /// β*_lim there, in N under a load: infinite where the contact slides whatever the friction.
+    pub sliding_limit: f64,
+}
+
+/// A range of r in which the contact slides at a friction, and at every smaller one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlidingRange {
+    /// Its lower end, r.
+    pub from: f64,
+    /// In Hz under a load; none at the end of the range asked for.
+    pub from_frequency: Option<Sensed>,
+    /// Its upper end, r.
+    pub to: f64,
+    /// In Hz under a load; none at the end of the range asked for.
+    pub to_frequency: Option<Sensed>,
+}
+
+/// On a resonance β*_lim is known to this share.
+const ON_POLE: f64 = 1e-13;
+
+/// A place where a limit equals β.
+#[derive(Clone, Debug)]
+pub(super) struct Bound {
+    pub r: f64,
+    pub frequency: Sensed,
+}
+
+impl Features<'_> {
+    /// The resonances of the chain with its contact stuck, ascending: one between every two neighbouring resonances that the
+    /// contact takes part in, and the modes that it does not touch.
+    #[must_use]
+    pub fn held_resonances(&self) -> Vec<HeldResonance> {
+        let dynamics = self.system.dynamics();
+        let mut all = Vec::new();
+        for (index, mode) in dynamics.held.iter().enumerate() {
+            let frequency = self
+                .variations
+                .of_frequency(mode.frequency, None, |variation| {
+                    let dynamics = variation.varied.transient()?.dynamics();
+                    Some(dynamics.held.get(index)?.frequency.slope)
+                });
+            all.push(HeldResonance {
+                r: mode.frequency,
+                frequency,
+                damping_ratio: mode.zeta,
+                new: true,
+                sliding_limit: 0.0,
+            });
+        }
+        let modes = dynamics.modes.iter().enumerate();
+        for (index, mode) in modes.filter(|(_, mode)| !mode.in_contact) {
+            let frequency = self
+                .variations
+                .of_frequency(mode.resonance, None, |variation| {
+                    let dynamics = variation.varied.transient()?.dynamics();
+                    Some(dynamics.modes.get(index)?.resonance.slope)
+                });
+            all.push(HeldResonance {
+                r: mode.resonance,
+                frequency,
+                damping_ratio: mode.zeta,
+                new: false,
+                sliding_limit: 0.0,
+            });
+        }
+        for held in &mut all {
+            held.sliding_limit = self.variations.friction(self.held_limit(held));
+        }
+        all.sort_by(|a, b| a.r.total_cmp(&b.r));
+        all
+    }
+
+    /// β*_lim on a resonance of the stuck chain.  Without damping H is what rounding leaves of 0 there: the limit is infinite
+    /// if it grows towards the resonance as 1 over the distance.
+    fn held_limit(&self, held: &HeldResonance) -> f64 {
+        let limit = self.sliding_limit(held.r);
+        if held.damping_ratio > 0.0 || !held.new {
+            return limit;
+        }
+        let beside = |distance: f64| self.sliding_limit(held.r * (1.0 + distance));
+        if 5.0 * beside(1e-6) < beside(1e-7) {
+            f64::INFINITY
+        } else {
+            limit
+        }
+    }
+
+    /// The places where β*_lim = β: ascending, all of them.
+    pub(super) fn sliding_bounds(
+        &self,
+        beta: f64,
+        range: [f64; 2],
+    ) -> Result<Vec<Bound>, FeatureError> {
+        let modal = self.system.modal();
+        let beta_exact = exact(beta);
+        let signs: &[Dd] = if modal.is_damped() {
+            &[Dd::ONE]
+        } else {
+            &[Dd::ONE, Dd { hi: -1.0, lo: 0.0 }]
+        };
+        let mut bounds = Vec::new();
+        for sign in signs {
+            let target = Target::Sliding(beta_exact * *sign);
+            let function = Function::new(modal, None, target);
+            for zero in function.zeros(range)? {
+                bounds.push(Bound {
+                    r: zero.r(),
+                    frequency: self.variations.of_zero(&function, &zero, Some(beta)),
+                });
+            }
+        }
+        // On an undamped resonance, where V and H have their poles, β*_lim may be β without a zero of V − βμH.
+        let resonances = modal.resonances.iter().zip(&modal.damping_ratios);
+        for (resonance, zeta) in resonances {
+            let r = resonance.to_f64();
+            let near = (self.sliding_limit(r) / beta - 1.0).abs() <= ON_POLE;
+            if zeta.is_zero() && near && range[0] < r && r < range[1] {
+                let frequency = self.variations.of_place(r, beta, |varied, r, beta| {
+                    Some(varied.at(r).ok()?.sliding_limit() - beta)
+                });
+                bounds.push(Bound { r, frequency });
+            }
+        }
+        bounds.sort_by(|a, b| a.r.total_cmp(&b.r));
+        Ok(bounds)
+    }
+
+    /// The ranges of r in which β < β*_lim (6.13 in general): there the contact slides, all the time or in turns, at this
+    /// friction and at every smaller one.  Ascending, all of them.
+    ///
+    /// # Errors
+    /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::Crowded`].
+    pub fn sliding_ranges(
+        &self,
+        beta: f64,
+        range: [f64; 2],
+    ) -> Result<Vec<SlidingRange>, FeatureError> {
+        check_friction(beta)?;
+        check_range(range)?;
+        let [from, to] = range;
+        let mut places: Vec<(f64, Option<Sensed>)> = vec![(from, None)];
+        for bound in self.sliding_bounds(beta, range)? {
+            if from < bound.r && bound.r < to {
+                places.push((bound.r, Some(bound.frequency)));
+            }
+        }
+        places.push((to, None));
+        let mut found: Vec<SlidingRange> = Vec::new();
+        for pair in places.windows(2) {
+            let [(from, before), (to, after)] = pair else {
+                continue;
+            };
+            if !(beta < self.sliding_limit(0.5 * (from + to))) {
+                continue;
+            }
+            match found.last_mut() {
+                // The limit only touches β there.
+                Some(last) if last.to == *from => {
+                    (last.to, last.to_frequency) = (*to, after.clone());
+                }
+                _ => found.push(SlidingRange {
+                    from: *from,
+                    from_frequency: before.clone(),
+                    to: *to,
+                    to_frequency: after.clone(),
+                }),
+            }
+        }
+        Ok(found)
+    }
+}

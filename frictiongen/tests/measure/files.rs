@@ -1,0 +1,137 @@
+//! CSV and UFF58, there and back.
+
+use crate::made::Noise;
+use frictiongen::measure::{Channel, Column, CsvRequest, Recording, Unit};
+
+fn some() -> Recording {
+    let mut noise = Noise::new(9);
+    let mut channel = |name: &str, unit: &str, size: f64| Channel {
+        name: name.into(),
+        unit: unit.parse().unwrap(),
+        samples: (0..1001).map(|_| size * noise.next()).collect(),
+    };
+    let channels = vec![
+        channel("base", "mm", 1.0),
+        channel("lower", "m/s", 1e-7),
+        channel("upper_storey", "m/s2", 1e12),
+        channel("force", "N", 3.0),
+    ];
+    Recording::new(2000.0, channels).unwrap()
+}
+
+#[test]
+fn a_csv_comes_back_bit_for_bit() {
+    let recording = some();
+    let read = Recording::from_csv(&recording.to_csv(), &CsvRequest::default()).unwrap();
+    assert_eq!(read.channels(), recording.channels());
+    assert!((read.rate() - 2000.0).abs() < 1e-9);
+}
+
+#[test]
+fn other_programs_write_it_otherwise() {
+    let data = "0,1,2\n0.5,3,4\n1,5,7\n";
+    let more: String = (3..40)
+        .map(|i| format!("{},{},{}\n", f64::from(i) / 2.0, i % 7, i % 5))
+        .collect();
+    let body = format!("{data}{more}");
+    let plain = Recording::from_csv(
+        &format!("time_s,base_mm,plate_mm\n{body}"),
+        &CsvRequest::default(),
+    )
+    .unwrap();
+    for text in [
+        format!(
+            "\u{feff}# a rig\ntime_s;base (mm);plate [mm]\n{}",
+            body.replace(',', ";")
+        ),
+        format!(
+            "time\tbase\tplate.displacement\ns\tmm\tmm\n{}",
+            body.replace(',', "\t")
+        ),
+        format!(
+            "\"time (s)\", \"base_mm\", \"plate_mm\"\r\n{}",
+            body.replace('\n', "\r\n")
+        ),
+    ] {
+        assert_eq!(
+            Recording::from_csv(&text, &CsvRequest::default()).unwrap(),
+            plain,
+            "{text}"
+        );
+    }
+    // Columns that say nothing by themselves.
+    let column = |name: &str, column: &str| Column {
+        name: name.into(),
+        column: column.into(),
+        unit: Some(Unit::MILLIMETRE),
+    };
+    let request = CsvRequest {
+        rate: Some(2.0),
+        columns: vec![column("base", "AI0"), column("plate", "3")],
+    };
+    let read = Recording::from_csv(&format!("clock,AI0,AI1\n{body}"), &request).unwrap();
+    assert_eq!(read, plain);
+}
+
+#[test]
+fn a_universal_file_comes_back_to_its_thirteen_digits() {
+    let recording = some();
+    let text = recording.to_uff58();
+    let read = Recording::from_uff58(&text, &CsvRequest::default()).unwrap();
+    assert_eq!(read.rate(), 2000.0);
+    assert_eq!(read.len(), recording.len());
+    for (read, written) in read.channels().iter().zip(recording.channels()) {
+        assert_eq!((&read.name, read.unit), (&written.name, written.unit));
+        for (a, b) in read.samples.iter().zip(&written.samples) {
+            // 13 digits: half a unit of the last.
+            assert!((a - b).abs() <= 5.1e-13 * b.abs(), "{a} for {b}");
+        }
+    }
+    // Written again it has the same bytes.
+    assert_eq!(read.to_uff58(), text);
+}
+
+/// As other programs write it: single precision, six a line, other data sets between, uneven spacing as pairs.
+#[test]
+fn a_universal_file_of_another_program() {
+    let head = |name: &str, unit: &str, kind: i32, count: usize, even: i32| {
+        format!(
+            "    -1\n    58\n{name}\nNONE\n22-Nov-26 12:00:00\nNONE\nNONE\n    1         0    0         0 {name:<10}         1   1 NONE               0   0\n{kind:>10}{count:>10}{even:>10}  0.00000E+00  5.00000E-04  0.00000E+00\n        17    0    0    0 NONE                 s                   \n         8    0    0    0 NONE                 {unit:<20}\n         0    0    0    0 NONE                 NONE                \n         0    0    0    0 NONE                 NONE                \n"
+        )
+    };
+    let values: Vec<f64> = (0..32).map(|i| f64::from(i * i % 17) - 8.25).collect();
+    let single: String = values
+        .chunks(6)
+        .map(|line| {
+            line.iter()
+                .map(|v| format!("{v:>13.5}"))
+                .collect::<String>()
+                + "\n"
+        })
+        .collect();
+    let pairs: String = values
+        .iter()
+        .enumerate()
+        .map(|(i, v)| format!("{:>13.7}{v:>20.11}\n", i as f64 * 5e-4))
+        .collect();
+    let other = "    -1\n   151\nmodel\nNONE\n    -1\n";
+    let text = format!(
+        "{other}{}{single}    -1\n{}{pairs}    -1\n",
+        head("base", "mm", 2, 32, 1),
+        head("plate", "mm", 4, 32, 0)
+    );
+    let read = Recording::from_uff58(&text, &CsvRequest::default()).unwrap();
+    assert_eq!(read.rate(), 2000.0);
+    assert_eq!(read.channel("base").unwrap().samples, values);
+    assert_eq!(read.channel("plate").unwrap().samples, values);
+    // No unit: it is asked for.
+    let error = Recording::from_uff58(&text.replace("mm  ", "NONE"), &CsvRequest::default());
+    assert!(error.unwrap_err().to_string().contains("has no unit"));
+    // The other channel ran at another rate.
+    let mixed = text.replacen("5.00000E-04", "1.00000E-03", 1);
+    let error = Recording::from_uff58(&mixed, &CsvRequest::default()).unwrap_err();
+    assert!(error.to_string().contains("not evenly spaced"), "{error}");
+    // Cut off.
+    let cut = &text[..text.len() / 2];
+    assert!(Recording::from_uff58(cut, &CsvRequest::default()).is_err());
+}

@@ -1,0 +1,19 @@
+//! Friction and parameters from recordings that are made here: the simulation, sampled, with noise.
+#![cfg(feature = "measure")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    reason = "a test may fail"
+)]
+
+mod axis;
+mod bad;
+mod decay;
+mod files;
+mod force;
+mod fuzz;
+mod intervals;
+mod made;
+mod recordings;
+mod sweeps;

@@ -1,0 +1,11 @@
+//! Features of scenes: the thesis's printed numbers, and random scenes against dense samples.
+#![allow(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    reason = "a test may fail"
+)]
+
+mod dense;
+mod facts;
+mod scenes;
+mod slopes;

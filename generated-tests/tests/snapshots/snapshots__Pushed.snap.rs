@@ -1,0 +1,201 @@
+/// One mass under a force that is held over a step, in single precision.
+///
+/// Emitted by frictiongen 0.1.0 from scene 23e5550161844410.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct Pushed;
+/// The motion of [`Pushed`] by steps of one length, under any input; `advance` takes a step.
+///
+/// A step is cut into 20.00·dt parts, rounded up, and at most 1024.
+/// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
+/// followed through at most 8 events, in at most 64 stretches.
+#[allow(deprecated, non_camel_case_types)]
+pub struct PushedStepper(
+    ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f32, 1, 1, 0, 1>,
+);
+/// What acts on [`Pushed`] at an instant, in the scene's units.
+#[allow(deprecated, non_camel_case_types, non_snake_case)]
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq,
+    ::core::default::Default
+)]
+pub struct PushedInput {
+    /// The force on mass `block`.
+    pub force: ::core::primitive::f32,
+    /// The kinetic friction force F at rest, not negative.
+    pub friction: ::core::primitive::f32,
+}
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    impl Pushed {
+        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        pub const NATURAL_FREQUENCIES: [f32; 1] = [20.0];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f32; 1] = [1.0];
+        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
+        pub const MODE_SHAPES: [[f32; 1]; 1] = [[1.0]];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f32> = Chain {
+            damped: false,
+            on_moving_base: None,
+            inverse_mass: 1.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f32) -> f32 {
+            omega / 20.0
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
+            friction / load
+        }
+    }
+    ::frictiongen::kernel::not_provided!(Pushed : limits);
+    ::frictiongen::kernel::not_provided!(Pushed : simulation);
+    impl Pushed {
+        /// The motion in time: all modes, those that the contact drives first, and the modes of
+        /// the chain with its contact held.
+        const DYNAMICS: Dynamics<'static, f32> = Dynamics {
+            chain: Pushed::CHAIN,
+            modes: &[
+                Mode {
+                    kind: Kind::Undamped,
+                    in_contact: true,
+                    resonance: 1.0,
+                    zeta: 0.0,
+                    q: 1.0,
+                    q_defect: 0.0,
+                    load: 1.0,
+                    contact: 1.0,
+                    residue: 1.0,
+                    inverse_mass: 1.0,
+                    static_residue: 1.0,
+                },
+            ],
+            held: &[],
+            shares: &[],
+            shapes: &[1.0],
+            weights: &[1.0],
+            rubbing: Some(0),
+        };
+    }
+    impl Pushed {
+        /// What a stepper is told of the scene.
+        const STEP_SCENE: StepScene<'static, f32> = StepScene {
+            dynamics: Self::DYNAMICS,
+            units: Units {
+                stiffness: 200.0,
+                rate: 20.0,
+                support: 1.0,
+            },
+            on_base: false,
+            forces: &[0],
+            input: Input::Hold,
+            law: &[],
+        };
+        #[inline]
+        fn step_tables(dt: f32) -> Result<FixedTables<f32, 1, 1, 0, 1>, OutOfDomain> {
+            FixedTables::new(&Self::STEP_SCENE, dt)
+        }
+        /// The motion by steps of dt, in s, from rest under no load.
+        ///
+        /// A step is cut into 20.00·dt parts, rounded up, and at most 1024.
+        /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
+        /// followed through at most 8 events, in at most 64 stretches.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a step that is not positive and finite, or too long.
+        #[inline]
+        pub fn stepper(dt: f32) -> Result<PushedStepper, OutOfDomain> {
+            let tables = Self::step_tables(dt)?;
+            Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), None)
+                .map(From::from)
+        }
+        /// The same from a state: displacement and velocity of every mass.
+        ///
+        /// # Errors
+        /// `OutOfDomain` also for a state that is not finite.
+        #[inline]
+        pub fn stepper_from(
+            dt: f32,
+            state: (&[f32; 1], &[f32; 1]),
+        ) -> Result<PushedStepper, OutOfDomain> {
+            let tables = Self::step_tables(dt)?;
+            let state = Some((&state.0[..], &state.1[..]));
+            Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), state)
+                .map(From::from)
+        }
+    }
+    ::frictiongen::kernel::wraps!(PushedStepper, FixedStepper of f32, 1, 1, 0, 1);
+    impl PushedStepper {
+        /// Says what the input is before the first step; none unless said so.
+        ///
+        /// # Errors
+        /// `OutOfDomain` as of `advance`, and after the first step.
+        pub fn begin(&mut self, input: PushedInput) -> Result<(), OutOfDomain> {
+            self.0
+                .begin(Sample {
+                    base: [0.0; 2],
+                    forces: &[input.force],
+                    friction: input.friction,
+                })
+        }
+        /// Takes a step under an input that is held over it.
+        ///
+        /// A step is cut into 20.00·dt parts, rounded up, and at most 1024.
+        /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
+        /// followed through at most 8 events, in at most 64 stretches.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares
+        /// overflow: the stepper is then what it was.
+        pub fn advance(
+            &mut self,
+            input: PushedInput,
+        ) -> Result<Stepped<f32>, OutOfDomain> {
+            self.0
+                .advance(Sample {
+                    base: [0.0; 2],
+                    forces: &[input.force],
+                    friction: input.friction,
+                })
+        }
+        /// Displacement and velocity of mass `block` now.
+        #[must_use]
+        pub fn block(&self) -> MassNow<f32> {
+            self.mass(0)
+        }
+    }
+    impl ::core::ops::DerefMut for PushedStepper {
+        fn deref_mut(&mut self) -> &mut Self::Target {
+            &mut self.0
+        }
+    }
+    ::frictiongen::emitted_stepper!(Pushed, PushedStepper, f32, false, [0]);
+};

@@ -1,0 +1,541 @@
+/// Two masses on a moving base, by steps of a millisecond: constant tables, and nothing at a frequency.
+///
+/// Emitted by frictiongen 0.1.0 from scene 8eb06ef0e7892d65.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct Shaken;
+/// The motion of [`Shaken`] by steps of one length, under any input; `advance` takes a step.
+///
+/// A step `STEP` is cut into 1 part, any other into 32.90·dt, rounded up, and at most 1024.
+/// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
+/// followed through at most 8 events, in at most 64 stretches.
+#[allow(deprecated, non_camel_case_types)]
+pub struct ShakenStepper(
+    ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f64, 4, 2, 1, 1>,
+);
+/// What acts on [`Shaken`] at an instant, in the scene's units.
+#[allow(deprecated, non_camel_case_types, non_snake_case)]
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq,
+    ::core::default::Default
+)]
+pub struct ShakenInput {
+    /// The base's displacement.
+    pub displacement: ::core::primitive::f64,
+    /// The base's velocity, in that unit a second.
+    pub velocity: ::core::primitive::f64,
+    /// The kinetic friction force F at rest, not negative.
+    pub friction: ::core::primitive::f64,
+}
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    impl Shaken {
+        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        pub const NATURAL_FREQUENCIES: [f64; 2] = [
+            11.980928093791238,
+            32.12531422632804,
+        ];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f64; 2] = [0.6280451371556012, 1.6840220742078127];
+        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
+        pub const MODE_SHAPES: [[f64; 2]; 2] = [
+            [0.5446174012864552, 0.8412612267718186],
+            [0.8386846166563378, -0.5462905769681745],
+        ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 1.0061538461538462,
+            stiction: 1.2,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega / 19.07653986153372
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    ::frictiongen::kernel::not_provided!(Shaken : limits);
+    ::frictiongen::kernel::not_provided!(Shaken : simulation);
+    impl Shaken {
+        /// The motion in time: all modes, those that the contact drives first, and the modes of
+        /// the chain with its contact held.
+        const DYNAMICS: Dynamics<'static, f64> = Dynamics {
+            chain: Shaken::CHAIN,
+            modes: &[
+                Mode {
+                    kind: Kind::Light,
+                    in_contact: true,
+                    resonance: 0.6280451371556012,
+                    zeta: 0.01,
+                    q: 0.9999499987499375,
+                    q_defect: 5.000125006250391e-5,
+                    load: 0.5446174012864552,
+                    contact: 0.8412612267718186,
+                    residue: 0.4581655031275231,
+                    inverse_mass: 0.7077204516696252,
+                    static_residue: 1.1615573893435114,
+                },
+                Mode {
+                    kind: Kind::Light,
+                    in_contact: true,
+                    resonance: 1.6840220742078127,
+                    zeta: 0.012,
+                    q: 0.9999279974078134,
+                    q_defect: 7.20025921866408e-5,
+                    load: 0.8386846166563378,
+                    contact: -0.5462905769681745,
+                    residue: -0.4581655031275231,
+                    inverse_mass: 0.298433394484221,
+                    static_residue: -0.16155738934351133,
+                },
+            ],
+            held: &[
+                HeldMode {
+                    kind: Kind::Light,
+                    frequency: 1.4531912144939334,
+                    zeta: 0.01106334956690814,
+                    q: 0.9999387992754158,
+                    force: 1.3259697517355205,
+                    inverse: [
+                        0.01603861671693582,
+                        0.4832786094746962,
+                        -0.026731977106591514,
+                    ],
+                },
+            ],
+            shares: &[
+                [-0.6493709202128115, 0.010770429057713646],
+                [-1.0, 0.01658594298337838],
+            ],
+            shapes: &[
+                0.5446174012864552,
+                0.8386846166563378,
+                0.8412612267718186,
+                -0.5462905769681745,
+            ],
+            weights: &[
+                0.5446174012864552,
+                0.8361158981677096,
+                0.8386846166563378,
+                -0.5429493501977269,
+            ],
+            rubbing: Some(1),
+        };
+    }
+    impl Shaken {
+        /// The step of which the tables are constants, in s.
+        pub const STEP: f64 = 0.001;
+        /// What a stepper is told of the scene.
+        const STEP_SCENE: StepScene<'static, f64> = StepScene {
+            dynamics: Self::DYNAMICS,
+            units: Units {
+                stiffness: 1190.0,
+                rate: 19.07653986153372,
+                support: 1.0,
+            },
+            on_base: true,
+            forces: &[],
+            input: Input::Linear,
+            law: &[],
+        };
+        /// What each oscillator does over a part of `STEP`.
+        const STEP_TABLES: FixedTables<f64, 4, 2, 1, 1> = FixedTables {
+            pace: Pace {
+                step: 0.001,
+                parts: 1,
+                span: 0.019076539861533723,
+                rate: 0.03289632176775991,
+                terms: 9,
+                receptance: 1.8994708994708995,
+                drag: 0.01410413805963866,
+            },
+            modes: [
+                ModeStep {
+                    angle: 0.011980928093791239,
+                    zeta: 0.01,
+                    gain: 0.030374472681901233,
+                    contact: 0.8412612267718186,
+                    turn: Row {
+                        state: [-0.011979206189447332, -0.00031134885211257367],
+                        drive: [
+                            0.9998562795527669,
+                            0.49995408562387184,
+                            0.3333109738987084,
+                            0.2499868234466716,
+                        ],
+                    },
+                    moments: [
+                        Row {
+                            state: [-7.176472832362705e-5, 0.011979206189447332],
+                            drive: [
+                                0.005989913950056757,
+                                0.001996687405575977,
+                                0.0009983580520366193,
+                                0.0005990204345121729,
+                            ],
+                        },
+                        Row {
+                            state: [-4.784256009164269e-5, 0.005989292239390575],
+                            drive: [
+                                0.00399322654448078,
+                                0.0014975083795576672,
+                                0.0007986845738658952,
+                                0.0004991830405481233,
+                            ],
+                        },
+                        Row {
+                            state: [-3.588164789296655e-5, 0.003992753100485772],
+                            drive: [
+                                0.0029948971909414222,
+                                0.0011980028317100818,
+                                0.0006655693583378706,
+                                0.0004278707545892542,
+                            ],
+                        },
+                        Row {
+                            state: [-2.8705170974996717e-5, 0.0029945146166230653],
+                            drive: [
+                                0.002395905454926511,
+                                0.0009983333680691712,
+                                0.0005704872974473652,
+                                0.00037438662126945183,
+                            ],
+                        },
+                    ],
+                },
+                ModeStep {
+                    angle: 0.03212531422632804,
+                    zeta: 0.012,
+                    gain: 0.011327963067531397,
+                    contact: -0.5462905769681745,
+                    turn: Row {
+                        state: [-0.03210740964769554, -0.0012864187824040668],
+                        drive: [
+                            0.9994426644823967,
+                            0.49982853675390027,
+                            0.3332518968566452,
+                            0.2499528563304253,
+                        ],
+                    },
+                    moments: [
+                        Row {
+                            state: [-0.0005158409508593736, 0.03210740964769554],
+                            drive: [
+                                0.0160571488025048,
+                                0.005352910951519794,
+                                0.00267660468379438,
+                                0.001606019865445476,
+                            ],
+                        },
+                        Row {
+                            state: [-0.00034387700451624765, 0.016050260845190744],
+                            drive: [
+                                0.010704237850985005,
+                                0.004014608609622604,
+                                0.0021412647286458883,
+                                0.0013383433302552167,
+                            ],
+                        },
+                        Row {
+                            state: [-0.0002578998246996775, 0.010698933945725533],
+                            drive: [
+                                0.00802793158325959,
+                                0.0032116462228739063,
+                                0.001784375796957569,
+                                0.0011471471712092493,
+                            ],
+                        },
+                        Row {
+                            state: [-0.0002063155185785022, 0.008023614897916772],
+                            drive: [
+                                0.00642221013388308,
+                                0.002676347256083441,
+                                0.001529457512585131,
+                                0.00100375085793752,
+                            ],
+                        },
+                    ],
+                },
+            ],
+            held: [
+                HeldStep {
+                    angle: 0.02772186012972412,
+                    zeta: 0.01106334956690814,
+                    force: 1.3259697517355205,
+                    lift: [[0.0, 0.0], [0.0, 0.0]],
+                    moments: [
+                        HeldRow {
+                            state: [-0.0003841476095216242, 0.027709810176664487],
+                            drive: [
+                                [
+                                    0.9998719409713431,
+                                    0.49996798385095037,
+                                    0.3333205265181524,
+                                    0.2499935964696045,
+                                ],
+                                [
+                                    0.013857208994057756,
+                                    0.004619424095553665,
+                                    0.002309812465672652,
+                                    0.0013859259574586604,
+                                ],
+                            ],
+                        },
+                        HeldRow {
+                            state: [-0.0002560885808648081, 0.013852601182606733],
+                            drive: [
+                                [
+                                    0.4999039571203928,
+                                    0.3333077205918742,
+                                    0.24998932769495089,
+                                    0.19999451127247025,
+                                ],
+                                [
+                                    0.00923778489850409,
+                                    0.0034645178627173393,
+                                    0.0018478371465197655,
+                                    0.0011549338679838113,
+                                ],
+                            ],
+                        },
+                        HeldRow {
+                            state: [-0.00019206185030726252, 0.009234240379656308],
+                            drive: [
+                                [
+                                    0.33325649978759486,
+                                    0.24997865615599948,
+                                    0.19999085233650557,
+                                    0.16666186403884972,
+                                ],
+                                [
+                                    0.006928173268623077,
+                                    0.0027715869490339,
+                                    0.0015398565536834446,
+                                    0.0009899404424845277,
+                                ],
+                            ],
+                        },
+                        HeldRow {
+                            state: [-0.00015364697230616441, 0.006925290370795257],
+                            drive: [
+                                [
+                                    0.24993597250334476,
+                                    0.19998170534619203,
+                                    0.16665866247930267,
+                                    0.14285287386090803,
+                                ],
+                                [
+                                    0.005542448146956056,
+                                    0.0023096392650284983,
+                                    0.0013198720231881243,
+                                    0.000866195918299186,
+                                ],
+                            ],
+                        },
+                    ],
+                    turns: [
+                        HeldRow {
+                            state: [-0.027709810176664487, -0.0009972742423558399],
+                            drive: [
+                                [
+                                    -0.013857208994057756,
+                                    -0.004619424095553665,
+                                    -0.002309812465672652,
+                                    -0.0013859259574586604,
+                                ],
+                                [
+                                    0.9995653266770973,
+                                    0.49986577124381654,
+                                    0.3332694179926689,
+                                    0.24996293050292206,
+                                ],
+                            ],
+                        },
+                        HeldRow {
+                            state: [-0.013852601182606733, -0.0005626009194530948],
+                            drive: [
+                                [
+                                    -0.00923778489850409,
+                                    -0.0034645178627173393,
+                                    -0.0018478371465197655,
+                                    -0.0011549338679838113,
+                                ],
+                                [
+                                    0.4996995554332807,
+                                    0.3332310622474821,
+                                    0.24994844115836157,
+                                    0.1999689563982539,
+                                ],
+                            ],
+                        },
+                        HeldRow {
+                            state: [-0.009234240379656308, -0.00039638510891725506],
+                            drive: [
+                                [
+                                    -0.006928173268623077,
+                                    -0.0027715869490339,
+                                    -0.0015398565536834446,
+                                    -0.0009899404424845277,
+                                ],
+                                [
+                                    0.3331032021821331,
+                                    0.249917330085455,
+                                    0.19995678039383297,
+                                    0.1666399599245185,
+                                ],
+                            ],
+                        },
+                        HeldRow {
+                            state: [-0.006925290370795257, -0.000306880788755066],
+                            drive: [
+                                [
+                                    -0.005542448146956056,
+                                    -0.0023096392650284983,
+                                    -0.0013198720231881243,
+                                    -0.000866195918299186,
+                                ],
+                                [
+                                    0.24981333642073228,
+                                    0.1999306006530671,
+                                    0.16662945806815044,
+                                    0.14283370780443289,
+                                ],
+                            ],
+                        },
+                    ],
+                },
+            ],
+            loads: [[0.016542466377463476], [0.009500588362789723]],
+            held_loads: [
+                [
+                    HeldLoad {
+                        drive: [-0.0001824890966018129, -0.011002636195282627],
+                        reach: [-1.1923433196936333, 0.019776138317050704],
+                    },
+                ],
+            ],
+            channels: [
+                Channel {
+                    residue: -1.232595164407831e-32,
+                    lift: 0.5264623955431755,
+                },
+            ],
+        };
+        #[inline]
+        fn step_tables(dt: f64) -> Result<FixedTables<f64, 4, 2, 1, 1>, OutOfDomain> {
+            if dt == Self::STEP {
+                return Ok(Self::STEP_TABLES);
+            }
+            FixedTables::new(&Self::STEP_SCENE, dt)
+        }
+        /// The motion by steps of dt, in s, from rest under no load.
+        ///
+        /// A step `STEP` is cut into 1 part, any other into 32.90·dt, rounded up, and at most 1024.
+        /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
+        /// followed through at most 8 events, in at most 64 stretches.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a step that is not positive and finite, or too long.
+        #[inline]
+        pub fn stepper(dt: f64) -> Result<ShakenStepper, OutOfDomain> {
+            let tables = Self::step_tables(dt)?;
+            Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), None)
+                .map(From::from)
+        }
+        /// The same from a state: displacement and velocity of every mass.
+        ///
+        /// # Errors
+        /// `OutOfDomain` also for a state that is not finite.
+        #[inline]
+        pub fn stepper_from(
+            dt: f64,
+            state: (&[f64; 2], &[f64; 2]),
+        ) -> Result<ShakenStepper, OutOfDomain> {
+            let tables = Self::step_tables(dt)?;
+            let state = Some((&state.0[..], &state.1[..]));
+            Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), state)
+                .map(From::from)
+        }
+    }
+    ::frictiongen::kernel::wraps!(ShakenStepper, FixedStepper of f64, 4, 2, 1, 1);
+    impl ShakenStepper {
+        /// Says what the input is before the first step; none unless said so.
+        ///
+        /// # Errors
+        /// `OutOfDomain` as of `advance`, and after the first step.
+        pub fn begin(&mut self, input: ShakenInput) -> Result<(), OutOfDomain> {
+            self.0
+                .begin(Sample {
+                    base: [input.displacement, input.velocity],
+                    forces: &[],
+                    friction: input.friction,
+                })
+        }
+        /// Takes a step, in a straight line from the last input to this one.
+        ///
+        /// A step `STEP` is cut into 1 part, any other into 32.90·dt, rounded up, and at most 1024.
+        /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
+        /// followed through at most 8 events, in at most 64 stretches.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares
+        /// overflow: the stepper is then what it was.
+        pub fn advance(
+            &mut self,
+            input: ShakenInput,
+        ) -> Result<Stepped<f64>, OutOfDomain> {
+            self.0
+                .advance(Sample {
+                    base: [input.displacement, input.velocity],
+                    forces: &[],
+                    friction: input.friction,
+                })
+        }
+        /// Displacement and velocity of mass `lower` now.
+        #[must_use]
+        pub fn lower(&self) -> MassNow<f64> {
+            self.mass(0)
+        }
+        /// Displacement and velocity of mass `upper` now.
+        #[must_use]
+        pub fn upper(&self) -> MassNow<f64> {
+            self.mass(1)
+        }
+    }
+    impl ::core::ops::DerefMut for ShakenStepper {
+        fn deref_mut(&mut self) -> &mut Self::Target {
+            &mut self.0
+        }
+    }
+    ::frictiongen::emitted_stepper!(Shaken, ShakenStepper, f64, true, []);
+};

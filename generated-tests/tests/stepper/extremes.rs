@@ -1,0 +1,232 @@
+//! Loads and steps that nobody would choose: the bound on events is kept and told, no energy is made, nothing is NaN.
+
+use crate::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, rig, scene};
+use crate::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE, sticky};
+use frictiongen_kernel::Plain;
+use frictiongen_kernel::stepper::{Input, MAX_EVENTS, MAX_PARTS, Sample};
+use frictiongen_model::scene::{Excitation, Scene};
+use fuzzing::Random;
+
+/// What a run came to.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    events: u64,
+    most: u32,
+    exceeded: u64,
+}
+
+/// Runs, and holds every step to what must be true of it.
+fn run<S: Plain>(
+    scene: &Scene,
+    (kind, radians): (Kind<'_>, f64),
+    steps: u32,
+    mut load: impl FnMut(u32) -> Load,
+    rounding: f64,
+) -> Seen {
+    let fastest = crate::plain::chain::Chain::of(scene, &[]).fastest;
+    let dt = radians / fastest;
+    let mut rig: Rig<S> = rig(scene, kind, dt);
+    let mut seen = Seen::default();
+    let mut before = [0.0; 3];
+    let mut through = 0.0_f64;
+    for step in 0..steps {
+        let load = load(step);
+        let stepped = advance(&mut rig, &load);
+        seen.events += u64::from(stepped.events);
+        seen.most = seen.most.max(stepped.events);
+        seen.exceeded += u64::from(stepped.exceeded);
+        let what = format!("{}, {radians} rad, step {step}: {stepped:?}", scene.name);
+        // The held chain's fastest mode is no faster than the free one's, but its damping may differ.
+        let parts = (2.0 * radians).ceil().max(1.0) as u32;
+        assert!(
+            stepped.events <= parts.min(MAX_PARTS) * MAX_EVENTS,
+            "{what}"
+        );
+        assert!(stepped.force.to_f64().is_finite(), "{what}");
+        for mass in 0..scene.masses.len() {
+            let now = rig.mass(mass);
+            let sound = now.displacement().is_finite() && now.velocity().is_finite();
+            assert!(sound, "{what}");
+        }
+        let work = rig.work();
+        let now = [work.load, work.friction, work.damping].map(S::to_f64);
+        through = through.max(work.stored.to_f64().abs());
+        through = through.max((now[0] - before[0]).abs());
+        let noise = rounding * (now[0].abs() + through);
+        for k in [1, 2] {
+            assert!(
+                now[k] - before[k] >= -100.0 * noise,
+                "{what}: {now:?}, {before:?}"
+            );
+        }
+        before = now;
+    }
+    assert_eq!(
+        rig.exceeded(),
+        seen.exceeded,
+        "what is told is what is counted"
+    );
+    seen
+}
+
+const ALL: [&str; 7] = [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE, TEN];
+
+/// Steps in radians of the fastest mode: far below it, and far beyond the step rate.
+const RADIANS: [f64; 5] = [1e-3, 0.3, 3.0, 40.0, 900.0];
+
+fn steps(radians: f64) -> u32 {
+    if radians > 10.0 { 20 } else { 150 }
+}
+
+/// A force on every mass that changes its sign in every step, 10⁴ times the break-away force and 10⁻⁴ of it; the base
+/// as wild.
+#[test]
+fn alternating_at_the_step_rate() {
+    let mut all = Seen::default();
+    for text in ALL {
+        let scene = scene(&sticky(text, 1.2));
+        let k1 = scene.springs[0].stiffness;
+        let on_base = scene.excitation == Excitation::Base;
+        for radians in RADIANS {
+            for times in [1e4, 30.0, 1.0, 1e-4] {
+                for kind in [LINEAR, HOLD] {
+                    let friction = 1e-3 * k1;
+                    let wild = || {
+                        let mut random = Random(1);
+                        let scene = &scene;
+                        move |step: u32| {
+                            let size = times * friction * (f64::from(step % 2) * 2.0 - 1.0);
+                            let y = if on_base { size / k1 } else { 0.0 };
+                            Load {
+                                base: [y, 10.0 * y * random.signed()],
+                                forces: scene.masses.iter().map(|_| size * random.unit()).collect(),
+                                friction,
+                            }
+                        }
+                    };
+                    let (count, kind) = (steps(radians), (kind, radians));
+                    let seen = run::<f64>(&scene, kind, count, wild(), f64::EPSILON);
+                    run::<f32>(&scene, kind, count, wild(), f64::from(f32::EPSILON));
+                    all.events += seen.events;
+                    all.most = all.most.max(seen.most);
+                    all.exceeded += seen.exceeded;
+                }
+            }
+        }
+    }
+    println!("{all:?}");
+    assert!(all.events > 10_000 && all.most > 50);
+}
+
+/// Forces that stay beside the break-away force, F that comes and goes, F = 0.
+#[test]
+fn grazing() {
+    let mut events = 0;
+    for text in ALL {
+        for mu in [1.0, 1.0 + 1e-15, 1.5] {
+            let scene = scene(&sticky(text, mu));
+            let friction = 1e-3 * scene.springs[0].stiffness;
+            let mut random = Random(9);
+            let load = |step: u32| {
+                let grip = mu * friction;
+                let beside = [1.0, 1.0 - 1e-15, 1.0 + 1e-15, 1.0 - 1e-9, -1.0];
+                let times = *random.pick(&beside).expect("one of them");
+                Load {
+                    base: [0.0; 2],
+                    forces: vec![times * grip; scene.masses.len()],
+                    friction: match step % 50 {
+                        48 => 0.0,
+                        49 => 1e-300,
+                        _ => friction,
+                    },
+                }
+            };
+            let seen = run::<f64>(&scene, (LINEAR, 0.4), 2000, load, f64::EPSILON);
+            events += seen.events;
+        }
+    }
+    println!("{events} events");
+    assert!(events > 1000);
+}
+
+/// Laws so steep that the contact chatters; one that is too steep for its step is refused.
+#[test]
+fn steep_laws() {
+    let mut all = Seen::default();
+    let steepest = scene(ONE);
+    let k1 = steepest.springs[0].stiffness;
+    let law = &[[1e-9, 0.2]][..];
+    let mut refused = rig::<f64>(
+        &steepest,
+        Kind {
+            input: Input::Linear,
+            law,
+        },
+        0.01,
+    );
+    let error = refused.advance(Sample {
+        base: [0.0; 2],
+        forces: &[0.0],
+        friction: 1e-3 * k1,
+    });
+    assert_eq!(error.expect_err("too steep").argument, "friction");
+    for text in ALL {
+        let scene = scene(&sticky(text, 1.2));
+        let friction = 1e-3 * scene.springs[0].stiffness;
+        for law in [
+            &[[2e-3, 0.2]][..],
+            &[[5e-3, 0.1], [1e-2, 1.0], [1.5e-2, 0.1], [2e-2, 1.0]],
+            &[[1e-2, 0.0], [2e-2, 0.9]],
+        ] {
+            for input in [Input::Linear, Input::Hold] {
+                let mut random = Random(4);
+                let load = |_| Load {
+                    base: [0.0; 2],
+                    forces: scene
+                        .masses
+                        .iter()
+                        .map(|_| 2.0 * friction * random.signed())
+                        .collect(),
+                    friction,
+                };
+                let kind = Kind { input, law };
+                let seen = run::<f64>(&scene, (kind, 0.3), 1000, load, f64::EPSILON);
+                all.events += seen.events;
+                all.exceeded += seen.exceeded;
+                all.most = all.most.max(seen.most);
+            }
+        }
+    }
+    println!("{all:?}");
+    assert!(all.events > 1000);
+}
+
+/// A law of so many lines that a part of a step cannot follow the speed through all of them: told, and no energy made.
+#[test]
+fn more_than_is_followed() {
+    let mut exceeded = 0;
+    for text in [ONE, PAIR, WALL, ONE_ON_BASE] {
+        let scene = scene(&sticky(text, 1.2));
+        let friction = 1e-3 * scene.springs[0].stiffness;
+        let point = |k: u32| [1e-3 * f64::from(k + 1), 0.6 - 0.05 * f64::from(k % 2)];
+        let law: Vec<[f64; 2]> = (0..300).map(point).collect();
+        let mut random = Random(12);
+        let load = |_| Load {
+            base: [0.0; 2],
+            forces: scene
+                .masses
+                .iter()
+                .map(|_| 50.0 * friction * random.signed())
+                .collect(),
+            friction,
+        };
+        let kind = Kind {
+            input: Input::Linear,
+            law: &law,
+        };
+        let seen = run::<f64>(&scene, (kind, 0.9), 500, load, f64::EPSILON);
+        println!("{}: {seen:?}", scene.name);
+        exceeded += seen.exceeded;
+    }
+    assert!(exceeded > 100);
+}

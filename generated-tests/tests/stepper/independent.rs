@@ -1,0 +1,101 @@
+//! Random loads: the stepper against the integrator that shares no code with it.
+
+use crate::both::Both;
+use crate::rig::{HOLD, Kind, LINEAR, Load, scene};
+use crate::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, WALL, WALL_BASE, sticky};
+use frictiongen_kernel::stepper::Input;
+use frictiongen_model::scene::{Excitation, Scene};
+use fuzzing::Random;
+
+/// A ground motion of a few incommensurable waves, or forces without rule.
+pub fn loads(scene: &Scene, seed: u64, dt: f64) -> impl FnMut() -> Load {
+    let mut random = Random(seed);
+    let n = scene.masses.len();
+    let base = scene.excitation == Excitation::Base;
+    let omega = (scene.springs[0].stiffness / scene.masses[0].value).sqrt();
+    let waves: Vec<[f64; 3]> = (0..7)
+        .map(|_| {
+            [
+                random.between(0.2, 2.5) * omega,
+                0.01 * random.signed(),
+                random.between(0.0, 6.3),
+            ]
+        })
+        .collect();
+    let mut step = 0;
+    move || {
+        let t = dt * f64::from(step);
+        step += 1;
+        let mut motion = [0.0; 2];
+        for [rate, size, phase] in &waves {
+            let (sine, cosine) = (rate * t + phase).sin_cos();
+            motion[0] += size * cosine;
+            motion[1] -= size * rate * sine;
+        }
+        Load {
+            base: if base { motion } else { [0.0; 2] },
+            forces: (0..n)
+                .map(|_| 0.02 * scene.springs[0].stiffness * random.signed())
+                .collect(),
+            friction: 0.004 * scene.springs[0].stiffness * random.between(0.5, 1.5),
+        }
+    }
+}
+
+/// Both sides round each step; friction forgets, so that roundings do not add up: 3e-15 was found.
+const BAR: f64 = 3e-14;
+
+fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
+    let scene = scene(text);
+    let omega = (scene.springs[0].stiffness / scene.masses[0].value).sqrt();
+    let dt = 0.3 / omega;
+    let mut next = loads(&scene, 11, dt);
+    let mut both = Both::new(&scene, kind, dt, &next());
+    for _ in 0..steps {
+        both.advance(&next());
+    }
+    let (found, want) = (both.rig.work(), both.plain.work);
+    let load = want.load - want.carried;
+    // What is stored of the base's pull is counted as stored and as load alike.
+    let damping = (found.damping - want.damping).abs() / load.abs();
+    let friction = (found.friction - want.friction).abs() / load.abs();
+    println!(
+        "{}, μ = {}, {:?}, {} points: {} events, {} steps otherwise, error {:.1e}, damping {damping:.1e}, friction {friction:.1e}",
+        scene.name,
+        scene.stiction,
+        kind.input,
+        kind.law.len(),
+        both.plain.events,
+        both.otherwise,
+        both.error(),
+    );
+    assert!(both.plain.events > steps as u64 / 20, "too quiet");
+    assert_eq!((both.rig.exceeded(), both.otherwise), (0, 0));
+    assert!(both.error() < bar, "{text}: {:e}", both.error());
+    assert!(damping < 10.0 * bar && friction < 10.0 * bar);
+}
+
+/// Coulomb's law, both kinds of input, all contacts.
+#[test]
+fn any_load() {
+    for text in [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE] {
+        for mu in [1.0, 1.3] {
+            for kind in [LINEAR, HOLD] {
+                compare(&sticky(text, mu), kind, 2000, BAR);
+            }
+        }
+    }
+}
+
+/// A kinetic level that depends on the speed.
+#[test]
+fn stribeck() {
+    let laws: [&[[f64; 2]]; 2] = [&[[0.02, 0.7], [0.08, 0.5]], &[[0.03, 0.6], [0.1, 0.9]]];
+    for text in [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE] {
+        for law in laws {
+            for input in [Input::Linear, Input::Hold] {
+                compare(&sticky(text, 1.2), Kind { input, law }, 1000, BAR);
+            }
+        }
+    }
+}

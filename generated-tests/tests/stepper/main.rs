@@ -1,0 +1,18 @@
+//! The real-time stepper: what shows that it is right.
+//!
+//! `plain` is an integrator that shares no code with it.  Long forms:
+//! `cargo test --release -p generated-tests --test stepper -- --ignored`.
+
+mod bad_input;
+mod both;
+mod creep;
+mod energy;
+mod exact;
+mod extremes;
+mod independent;
+mod kinds;
+mod plain;
+mod plain_itself;
+mod rig;
+mod scenes;
+mod steady;

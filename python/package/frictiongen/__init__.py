@@ -1,0 +1,55 @@
+"""Exact vibration of mass-spring chains with one Coulomb friction contact.
+
+A :class:`System` is made from a description; its methods answer on numpy arrays.
+
+>>> import frictiongen
+>>> frame = frictiongen.System(frictiongen.FRAME)
+>>> response = frame.response(hz=2.5, friction=[0.1, 0.6, 0.8], base=0.001)
+>>> response.regime.tolist()
+['continuous', 'stick-slip', 'stuck']
+>>> (1e3 * response["lower"].amplitude_m).round(3).tolist()  # mm
+[0.714, 0.539, 0.697]
+
+Frequencies are `r`, `hz` or `omega`; friction is `beta`, or `friction` in N; the load is `force` in N or `base` in m.  With
+a load, answers are in N, m and degrees, and the names of their attributes end in `_N`, `_m` and `_deg`.  Without one they are
+the groups: forces over P (over k1 Y for base motion), displacements over P/k1 (over Y), phases in rad.
+"""
+
+from ._native import DomainError, SceneError
+from ._results import (
+    Curve,
+    Events,
+    History,
+    Limits,
+    Map,
+    Motion,
+    Optimum,
+    Orbit,
+    Response,
+    Sensitivities,
+    Steps,
+    Table,
+    Work,
+)
+from ._system import FRAME, Mistake, System
+
+__all__ = [
+    "FRAME",
+    "Curve",
+    "DomainError",
+    "Events",
+    "History",
+    "Limits",
+    "Map",
+    "Mistake",
+    "Motion",
+    "Optimum",
+    "Orbit",
+    "Response",
+    "SceneError",
+    "Sensitivities",
+    "Steps",
+    "System",
+    "Table",
+    "Work",
+]

@@ -1,0 +1,222 @@
+//! The frequencies asked for: ratios r, Hz or rad/s.
+
+use super::numbers::{Given, numbers, one};
+use crate::columns::{Columns, cell};
+use crate::errors::domain;
+use frictiongen::System;
+use frictiongen::study::units;
+use pyo3::prelude::*;
+
+/// `r`, `hz` and `omega`.
+pub type FrequencyArguments<'py> = (
+    Option<Bound<'py, PyAny>>,
+    Option<Bound<'py, PyAny>>,
+    Option<Bound<'py, PyAny>>,
+);
+
+/// What frequencies are given in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Unit {
+    Ratio,
+    Hertz,
+    Omega,
+}
+
+impl Unit {
+    fn argument(self) -> &'static str {
+        match self {
+            Self::Ratio => "r",
+            Self::Hertz => "hz",
+            Self::Omega => "omega",
+        }
+    }
+
+    fn ratio(self, system: &System, given: f64) -> f64 {
+        match self {
+            Self::Ratio => given,
+            Self::Hertz => system.frequency_ratio_at_hertz(given),
+            Self::Omega => system.frequency_ratio(given),
+        }
+    }
+}
+
+fn chosen<'a, 'py>(
+    (r, hz, omega): &'a FrequencyArguments<'py>,
+) -> PyResult<(&'a Bound<'py, PyAny>, Unit)> {
+    match (r, hz, omega) {
+        (Some(r), None, None) => Ok((r, Unit::Ratio)),
+        (None, Some(hz), None) => Ok((hz, Unit::Hertz)),
+        (None, None, Some(omega)) => Ok((omega, Unit::Omega)),
+        _ => Err(domain("the frequency: give one of r, hz and omega")),
+    }
+}
+
+/// Whether a number is neither lost nor made infinite where another is computed from it.
+pub fn survives(given: f64, computed: f64) -> bool {
+    computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
+}
+
+/// Frequencies, in the order given.
+pub struct Frequencies {
+    given: Given,
+    unit: Unit,
+    /// The frequency ratios.
+    pub r: Vec<f64>,
+}
+
+impl Frequencies {
+    /// As given; of a motion in time, which needs a cycle, or not.
+    pub fn of(
+        system: &System,
+        arguments: &FrequencyArguments<'_>,
+        in_time: bool,
+    ) -> PyResult<Self> {
+        let (given, unit) = chosen(arguments)?;
+        let given = numbers(unit.argument(), given)?;
+        let mut r = Vec::with_capacity(given.values.len());
+        for (index, value) in given.values.iter().enumerate() {
+            let place = || given.place(unit.argument(), index);
+            let usable = if in_time {
+                0.0 < *value && value.is_finite()
+            } else {
+                0.0 <= *value
+            };
+            if !usable {
+                let needed = if in_time {
+                    "above 0 and finite"
+                } else {
+                    "a number, 0 or above"
+                };
+                return Err(domain(format_args!(
+                    "{} is {value:?}: a frequency is {needed}",
+                    place()
+                )));
+            }
+            let ratio = unit.ratio(system, *value);
+            if !survives(*value, ratio) {
+                return Err(domain(format_args!(
+                    "{} is {value:?}: its frequency ratio is too small or too large to compute with",
+                    place()
+                )));
+            }
+            r.push(ratio);
+        }
+        Ok(Self { given, unit, r })
+    }
+
+    /// The only one.
+    pub fn only(&self) -> PyResult<f64> {
+        match (self.given.is_one, self.r.as_slice()) {
+            (true, [r]) => Ok(*r),
+            _ => Err(domain(format_args!(
+                "{}: one number is needed here, not an array",
+                self.unit.argument()
+            ))),
+        }
+    }
+
+    /// The shape of what answers to them.
+    pub fn shape(&self) -> Vec<usize> {
+        self.given.shape()
+    }
+
+    /// The frequency in Hz, as given or from r.
+    pub fn hertz(&self, system: &System, index: usize) -> f64 {
+        let given = self.given.values.get(index).copied().unwrap_or(f64::NAN);
+        match self.unit {
+            Unit::Ratio => system.hertz(given),
+            Unit::Hertz => given,
+            Unit::Omega => units::hertz(given),
+        }
+    }
+
+    /// Their columns.
+    pub fn put(&self, columns: &mut Columns<'_>) -> PyResult<()> {
+        let all = |value: fn(f64) -> f64| {
+            self.given
+                .values
+                .iter()
+                .map(|given| cell(Some(value(*given))))
+                .collect()
+        };
+        match self.unit {
+            Unit::Ratio => {}
+            Unit::Hertz => columns.numbers("frequency_Hz", all(|hertz| hertz))?,
+            Unit::Omega => {
+                columns.numbers("frequency_Hz", all(units::hertz))?;
+                columns.numbers("omega_rad_s", all(|omega| omega))?;
+            }
+        }
+        columns.numbers("r", self.r.iter().map(|r| cell(Some(*r))).collect())
+    }
+}
+
+/// A range of frequencies.
+pub struct Band {
+    /// The lowest r.
+    pub from: f64,
+    /// The highest.
+    pub to: f64,
+    unit: Unit,
+}
+
+impl Band {
+    /// The two ends given.
+    pub fn of(system: &System, arguments: &FrequencyArguments<'_>) -> PyResult<Self> {
+        let (given, unit) = chosen(arguments)?;
+        let argument = unit.argument();
+        let given = numbers(argument, given)?;
+        let [from, to] = *given.values.as_slice() else {
+            return Err(domain(format_args!(
+                "{argument}: a band is two numbers, (from, to)"
+            )));
+        };
+        if !(0.0 < from && from < to && to.is_finite()) {
+            return Err(domain(format_args!(
+                "{argument} is ({from:?}, {to:?}): a band begins above 0 and ends above its start"
+            )));
+        }
+        let [first, last] = [from, to].map(|value| unit.ratio(system, value));
+        if !(0.0 < first && first < last && last.is_finite()) {
+            return Err(domain(format_args!(
+                "{argument} is ({from:?}, {to:?}): its frequency ratios are too small or too large to compute with"
+            )));
+        }
+        Ok(Self {
+            from: first,
+            to: last,
+            unit,
+        })
+    }
+
+    /// A distance between frequencies, in r.
+    pub fn step(&self, system: &System, given: &Bound<'_, PyAny>) -> PyResult<f64> {
+        let given = one("step", given)?;
+        let step = self.unit.ratio(system, given);
+        if !(0.0 < step && step.is_finite()) {
+            return Err(domain(format_args!(
+                "step is {given:?}: it is above 0 and finite"
+            )));
+        }
+        // As the command, which refuses more points than it would write.
+        if super::MOST_POINTS as f64 <= (self.to - self.from) / step {
+            return Err(domain(format_args!(
+                "step is {given:?}: more than {} points",
+                super::MOST_POINTS
+            )));
+        }
+        Ok(step)
+    }
+
+    /// The columns of frequencies of it.
+    pub fn put(&self, system: &System, columns: &mut Columns<'_>, r: Vec<f64>) -> PyResult<()> {
+        let omega = || r.iter().map(|r| system.angular_frequency(*r));
+        if self.unit != Unit::Ratio {
+            columns.numbers("frequency_Hz", omega().map(units::hertz).collect())?;
+        }
+        if self.unit == Unit::Omega {
+            columns.numbers("omega_rad_s", omega().collect())?;
+        }
+        columns.numbers("r", r)
+    }
+}

@@ -1,0 +1,109 @@
+//! What is asked, read from Python's objects: numbers, names, and what they mean in groups.
+
+mod frequency;
+mod friction;
+mod measure;
+mod numbers;
+
+pub use frequency::{Band, Frequencies, FrequencyArguments};
+pub use friction::{FrictionArguments, Frictions};
+pub use measure::{LoadArguments, Measure};
+pub use numbers::{numbers, one, whole};
+
+use crate::errors::{domain, wrong_type};
+use frictiongen::{Of, System};
+use pyo3::prelude::*;
+use pyo3::types::PyString;
+
+/// The most points of an answer, as of the command.
+pub const MOST_POINTS: usize = 10_000_000;
+
+/// The most numbers of an answer: 800 MB.
+const MOST_NUMBERS: usize = 100_000_000;
+
+/// The highest harmonic there may be.
+pub const MOST_HARMONICS: u32 = 9999;
+
+/// What the contact is called; no mass can be.
+pub const CONTACT: &str = "contact";
+
+/// An argument that may be left out.
+pub type Optional<'py> = Option<Bound<'py, PyAny>>;
+
+/// What moves: the contact or a mass.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Which.
+    pub of: Of,
+    /// Its name.
+    pub name: String,
+}
+
+/// Names: one, or several.
+pub fn names(argument: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {
+    let Some(given) = given else {
+        return Ok(Vec::new());
+    };
+    if let Ok(name) = given.cast::<PyString>() {
+        return Ok(vec![name.to_str()?.to_owned()]);
+    }
+    given.extract().map_err(|_| {
+        wrong_type(format_args!(
+            "{argument}: a name or a list of names is needed"
+        ))
+    })
+}
+
+/// The motions of these names, nothing twice; the contact and all masses if there are none.
+pub fn parts(
+    system: &System,
+    argument: &str,
+    given: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Vec<Part>> {
+    let mut asked = names(argument, given)?;
+    if asked.is_empty() {
+        let masses = system.scene().masses.iter();
+        asked = std::iter::once(CONTACT.to_owned())
+            .chain(masses.map(|mass| mass.name.clone()))
+            .collect();
+    }
+    let mut parts: Vec<Part> = Vec::new();
+    for name in asked {
+        if parts.iter().any(|part| part.name == name) {
+            return Err(domain(format_args!("{argument}: `{name}` is given twice")));
+        }
+        let of = system
+            .motion_named(&name)
+            .map_err(|error| domain(format_args!("{argument}: {error}, contact")))?;
+        parts.push(Part { of, name });
+    }
+    Ok(parts)
+}
+
+/// The one motion of this name.
+pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Part> {
+    let Ok(name) = given.cast::<PyString>() else {
+        return Err(wrong_type(format_args!(
+            "{argument}: the name of a mass is needed, or `contact`"
+        )));
+    };
+    let mut parts = parts(system, argument, Some(name.as_any()))?;
+    parts
+        .pop()
+        .ok_or_else(|| domain(format_args!("{argument}: give the motion")))
+}
+
+/// The highest harmonic asked for, or 0.
+pub fn harmonics(given: Option<&Bound<'_, PyAny>>) -> PyResult<u32> {
+    given.map_or(Ok(0), |given| whole("harmonics", given, 1..=MOST_HARMONICS))
+}
+
+/// Nothing, if an answer of so many points with so many numbers each fits.
+pub fn check_size(points: usize, numbers: usize) -> PyResult<()> {
+    if points <= MOST_POINTS && points.saturating_mul(numbers) <= MOST_NUMBERS {
+        return Ok(());
+    }
+    Err(domain(format_args!(
+        "{points} points of {numbers} numbers each: at most {MOST_POINTS} points and {MOST_NUMBERS} numbers fit in one answer"
+    )))
+}

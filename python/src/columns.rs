@@ -1,0 +1,126 @@
+//! What is handed to Python: arrays by name, in the order of the command's columns.
+
+use numpy::{Complex64, PyArray1};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+use std::borrow::Cow;
+
+/// Words of a column, each kept once.
+#[derive(Default)]
+pub struct Words {
+    known: Vec<Cow<'static, str>>,
+    places: Vec<i64>,
+}
+
+impl Words {
+    /// Adds one.
+    pub fn push(&mut self, word: impl Into<Cow<'static, str>>) {
+        let word = word.into();
+        let place = self.known.iter().position(|known| *known == word);
+        let place = place.unwrap_or_else(|| {
+            self.known.push(word);
+            self.known.len() - 1
+        });
+        self.places.push(place as i64);
+    }
+}
+
+impl<W: Into<Cow<'static, str>>> FromIterator<W> for Words {
+    fn from_iter<I: IntoIterator<Item = W>>(words: I) -> Self {
+        let mut all = Self::default();
+        words.into_iter().for_each(|word| all.push(word));
+        all
+    }
+}
+
+/// A number of a column: without −0, which the command does not print either; NaN where there is none.
+pub fn cell(value: Option<f64>) -> f64 {
+    value.map_or(f64::NAN, |value| value + 0.0)
+}
+
+/// A count of a column, −1 where there is none.
+pub fn count(value: Option<usize>) -> i64 {
+    value
+        .and_then(|value| i64::try_from(value).ok())
+        .unwrap_or(-1)
+}
+
+/// Arrays by name.
+pub struct Columns<'py> {
+    dict: Bound<'py, PyDict>,
+    shape: Vec<usize>,
+}
+
+impl<'py> Columns<'py> {
+    /// None yet; those to come have this shape.
+    pub fn new(py: Python<'py>, shape: &[usize]) -> Self {
+        Self {
+            dict: PyDict::new(py),
+            shape: shape.to_vec(),
+        }
+    }
+
+    /// From now on in this shape.
+    pub fn reshape(&mut self, shape: &[usize]) {
+        self.shape = shape.to_vec();
+    }
+
+    /// Numbers.
+    pub fn numbers(&mut self, name: impl AsRef<str>, values: Vec<f64>) -> PyResult<()> {
+        let array = PyArray1::from_vec(self.dict.py(), values).into_any();
+        self.put(name.as_ref(), array)
+    }
+
+    /// Whole numbers.
+    pub fn counts(&mut self, name: impl AsRef<str>, values: Vec<i64>) -> PyResult<()> {
+        let array = PyArray1::from_vec(self.dict.py(), values).into_any();
+        self.put(name.as_ref(), array)
+    }
+
+    /// Whether or not.
+    pub fn flags(&mut self, name: impl AsRef<str>, values: Vec<bool>) -> PyResult<()> {
+        let array = PyArray1::from_vec(self.dict.py(), values).into_any();
+        self.put(name.as_ref(), array)
+    }
+
+    /// Complex numbers.
+    pub fn complex(&mut self, name: impl AsRef<str>, values: Vec<Complex64>) -> PyResult<()> {
+        let array = PyArray1::from_vec(self.dict.py(), values).into_any();
+        self.put(name.as_ref(), array)
+    }
+
+    /// Words.
+    pub fn words(&mut self, name: impl AsRef<str>, words: Words) -> PyResult<()> {
+        let py = self.dict.py();
+        let numpy = py.import("numpy")?;
+        let options = PyDict::new(py);
+        options.set_item("dtype", "U")?;
+        let known: Vec<&str> = words.known.iter().map(AsRef::as_ref).collect();
+        let known = numpy.call_method("array", (known,), Some(&options))?;
+        let places = PyArray1::from_vec(py, words.places);
+        self.put(name.as_ref(), known.get_item(places)?)
+    }
+
+    /// Anything else, as it is.
+    pub fn other(&mut self, name: &str, value: impl IntoPyObject<'py>) -> PyResult<()> {
+        self.dict.set_item(name, value)
+    }
+
+    fn put(&mut self, name: &str, array: Bound<'py, PyAny>) -> PyResult<()> {
+        let py = self.dict.py();
+        let array = match self.shape.as_slice() {
+            // A number rather than an array of one.
+            [] => array
+                .call_method1("reshape", (PyTuple::empty(py),))?
+                .get_item(PyTuple::empty(py))?,
+            [_] => array,
+            shape => array.call_method1("reshape", (PyTuple::new(py, shape)?,))?,
+        };
+        self.dict.set_item(name, array)
+    }
+
+    /// All of them.
+    pub fn done(self) -> Bound<'py, PyDict> {
+        self.dict
+    }
+}

@@ -1,0 +1,183 @@
+//! Responses along frequency, refined where they bend.
+
+use crate::asked::{
+    Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, MOST_POINTS, Measure,
+    Optional, Part, check_size, harmonics, one, parts,
+};
+use crate::columns::{Columns, Words, cell, count};
+use crate::errors::domain;
+use crate::motion::{self, Extent, Movement};
+use crate::system::NativeSystem;
+use crate::words;
+use crate::work::without_lock;
+use frictiongen::study::{Curve, CurveError, CurvePoint, CurveRequest};
+use frictiongen::{Error, Of, Regime};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// A line: a point of a piece, or the end of a gap.
+struct Line {
+    /// The place of its friction.
+    friction: usize,
+    r: f64,
+    piece: Option<usize>,
+    found: Result<CurvePoint, Error>,
+}
+
+/// The lines of one curve, with ascending frequency.
+fn lines(friction: usize, curve: Curve) -> Vec<Line> {
+    let mut lines = Vec::new();
+    for (piece, found) in (1..).zip(curve.pieces) {
+        lines.extend(found.points.into_iter().map(|point| Line {
+            friction,
+            r: point.r,
+            piece: Some(piece),
+            found: Ok(point),
+        }));
+    }
+    for gap in curve.gaps {
+        let ends = [gap.from, gap.to].into_iter();
+        lines.extend(
+            ends.take(if gap.from < gap.to { 2 } else { 1 })
+                .map(|r| Line {
+                    friction,
+                    r,
+                    piece: None,
+                    found: Err(gap.reason),
+                }),
+        );
+    }
+    lines.sort_by(|a, b| a.r.total_cmp(&b.r));
+    lines
+}
+
+fn answer(found: &Result<CurvePoint, Error>) -> &'static str {
+    match found {
+        Err(error) => words::no_answer(*error),
+        Ok(point) if !point.settled => "last 64 cycles",
+        Ok(point) if point.regime == Regime::StickSlip => "orbit",
+        Ok(_) => "closed form",
+    }
+}
+
+/// Accuracy, the largest step, the highest harmonic, and whether velocities are asked for.
+type Fineness<'py> = (Optional<'py>, Optional<'py>, Optional<'py>, bool);
+
+/// The responses along frequency, one curve for each friction.
+#[pyfunction]
+pub fn curve<'py>(
+    py: Python<'py>,
+    system: &NativeSystem,
+    frequency: FrequencyArguments<'py>,
+    friction: FrictionArguments<'py>,
+    load: LoadArguments<'py>,
+    of: Optional<'py>,
+    fineness: Fineness<'py>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (accuracy, step, highest, rates) = fineness;
+    let system = &system.system;
+    let band = Band::of(system, &frequency)?;
+    let measure = Measure::of(system, &load)?;
+    let frictions = Frictions::of(&friction, &measure)?;
+    let parts: Vec<Part> = parts(system, "of", of.as_ref())?;
+    let of: Vec<Of> = parts.iter().map(|part| part.of).collect();
+    let mut request = CurveRequest::new(band.from, band.to, &of);
+    if let Some(accuracy) = &accuracy {
+        request.accuracy = one("accuracy", accuracy)?;
+    }
+    request.widest = step.map(|step| band.step(system, &step)).transpose()?;
+    request.harmonics = (1..=harmonics(highest.as_ref())?).collect();
+    request.rates = rates;
+    request.turned = measure.turns(Of::Contact);
+    let extent = Extent {
+        monoharmonic: false,
+        rates,
+        orders: &request.harmonics,
+    };
+    // Before refinement it is not known how many points there will be.
+    check_size(
+        frictions.beta.len().saturating_mul(1000),
+        8 + parts.len() * extent.numbers(),
+    )?;
+    let found = without_lock(py, |stop| {
+        let mut found = Vec::new();
+        for (place, beta) in frictions.beta.iter().enumerate() {
+            if !stop.goes_on() || MOST_POINTS < found.len() {
+                break;
+            }
+            found.extend(lines(place, system.curve(&request, *beta)?));
+        }
+        Ok::<_, CurveError>(found)
+    })?
+    .map_err(domain)?;
+    check_size(found.len(), 8 + parts.len() * extent.numbers())?;
+
+    let points = || found.iter().map(|line| line.found.as_ref().ok());
+    let mut columns = Columns::new(py, &[found.len()]);
+    let places: Vec<usize> = found.iter().map(|line| line.friction).collect();
+    frictions.put_places(&mut columns, &places)?;
+    band.put(
+        system,
+        &mut columns,
+        found.iter().map(|line| line.r).collect(),
+    )?;
+    columns.counts(
+        "piece",
+        found.iter().map(|line| count(line.piece)).collect(),
+    )?;
+    let regimes = points().map(|point| point.map_or("", |point| words::regime(point.regime)));
+    columns.words("regime", regimes.collect::<Words>())?;
+    columns.words(
+        "answer",
+        found
+            .iter()
+            .map(|line| answer(&line.found))
+            .collect::<Words>(),
+    )?;
+    columns.counts(
+        "stops",
+        points()
+            .map(|point| count(point.map(|point| point.stops)))
+            .collect(),
+    )?;
+    columns.counts(
+        "period",
+        points()
+            .map(|point| count(point.map(|point| point.period as usize)))
+            .collect(),
+    )?;
+    let omegas: Vec<f64> = found
+        .iter()
+        .map(|line| system.angular_frequency(line.r))
+        .collect();
+    let force =
+        |point: Option<&CurvePoint>| cell(point.map(|point| measure.force(point.contact_force)));
+    columns.numbers(
+        measure.name("contact_force", "_N"),
+        points().map(force).collect(),
+    )?;
+    let work = points().zip(&omegas);
+    let work = work
+        .map(|(point, omega)| cell(point.map(|point| measure.power(point.friction_work, *omega))));
+    let name = if measure.scale().is_some() {
+        "friction_power_W"
+    } else {
+        "friction_work"
+    };
+    columns.numbers(name, work.collect())?;
+    for (place, part) in parts.iter().enumerate() {
+        let movements = points().zip(&omegas).map(|(point, omega)| {
+            let movement = point.and_then(|point| point.movements.get(place));
+            let movement = movement.map(|movement| Movement {
+                swing: Some(movement.swing),
+                monoharmonic: None,
+                rates: movement.rates,
+                harmonics: movement.harmonics.clone(),
+            });
+            (movement.unwrap_or_default(), *omega)
+        });
+        let movements: Vec<_> = movements.collect();
+        motion::put(&mut columns, (&part.name, &measure), extent, &movements)?;
+    }
+    Ok(columns.done())
+}

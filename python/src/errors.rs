@@ -1,0 +1,51 @@
+//! The exceptions.
+
+use frictiongen::study::Diagnostics;
+use pyo3::exceptions::{PyException, PyRuntimeError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use std::fmt::Display;
+
+pyo3::create_exception!(
+    frictiongen,
+    SceneError,
+    PyException,
+    "A description that makes no scene.  `errors` lists every mistake, each with its line, its column (both counted \
+     from 1) and a message."
+);
+
+pyo3::create_exception!(
+    frictiongen,
+    DomainError,
+    PyValueError,
+    "A question that cannot be asked, or that has no answer: a number outside its domain, a name that is not there, a \
+     load that does not fit the scene."
+);
+
+/// What is outside the domain.
+pub fn domain(message: impl Display) -> PyErr {
+    DomainError::new_err(message.to_string())
+}
+
+/// What is of the wrong type.
+pub fn wrong_type(message: impl Display) -> PyErr {
+    PyTypeError::new_err(message.to_string())
+}
+
+/// What a computation should never do.
+pub fn defect(message: impl Display) -> PyErr {
+    PyRuntimeError::new_err(message.to_string())
+}
+
+/// A description with mistakes: `(line, column, message)` of each in `errors`.
+pub fn scene(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
+    let error = SceneError::new_err(diagnostics.to_string());
+    let list: Vec<(usize, usize, &str)> = diagnostics
+        .list
+        .iter()
+        .map(|found| (found.line, found.column, found.message.as_str()))
+        .collect();
+    match error.value(py).setattr("errors", list) {
+        Ok(()) => error,
+        Err(failure) => failure,
+    }
+}

@@ -1,0 +1,50 @@
+//! `frictiongen._native`: what Python calls, one file for each group of answers.
+//!
+//! Nothing is computed here.  Arguments become numbers and groups (`asked`), `frictiongen::System` answers without
+//! Python's lock (`work`), and the answers become arrays by name (`columns`, `motion`), with the words of the command
+//! (`words`).  The classes around them are Python's own, in `frictiongen/`.
+#![forbid(unsafe_code)]
+
+mod asked;
+mod columns;
+mod curve;
+mod errors;
+mod limits;
+mod map;
+mod motion;
+mod optimum;
+mod orbit;
+mod response;
+mod sensitivities;
+mod simulate;
+mod step;
+mod system;
+mod words;
+mod work;
+
+/// The compiled part of the package.
+#[pyo3::pymodule]
+mod _native {
+    #[pymodule_export]
+    use crate::curve::curve;
+    #[pymodule_export]
+    use crate::errors::{DomainError, SceneError};
+    #[pymodule_export]
+    use crate::limits::limits;
+    #[pymodule_export]
+    use crate::map::map;
+    #[pymodule_export]
+    use crate::optimum::optimum;
+    #[pymodule_export]
+    use crate::orbit::orbit;
+    #[pymodule_export]
+    use crate::response::response;
+    #[pymodule_export]
+    use crate::sensitivities::sensitivities;
+    #[pymodule_export]
+    use crate::simulate::simulate;
+    #[pymodule_export]
+    use crate::step::step;
+    #[pymodule_export]
+    use crate::system::NativeSystem;
+}

@@ -1,0 +1,113 @@
+//! Maps over frequency and friction.
+
+use crate::asked::{
+    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
+    Optional, check_size, parts,
+};
+use crate::columns::{Columns, Words, cell, count};
+use crate::errors::domain;
+use crate::system::NativeSystem;
+use crate::words;
+use crate::work::without_lock;
+use frictiongen::Error;
+use frictiongen::Limits;
+use frictiongen::study::{MapPoint, MapRequest};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// What the contact does over frequency and friction.
+#[pyfunction]
+pub fn map<'py>(
+    py: Python<'py>,
+    system: &NativeSystem,
+    frequency: FrequencyArguments<'py>,
+    friction: FrictionArguments<'py>,
+    load: LoadArguments<'py>,
+    of: Optional<'py>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let system = &system.system;
+    let frequencies = Frequencies::of(system, &frequency, false)?;
+    if let Some(index) = frequencies.r.iter().position(|r| r.is_infinite()) {
+        return Err(domain(format_args!(
+            "the frequency at place {index} is infinite: a map's are finite"
+        )));
+    }
+    let measure = Measure::of(system, &load)?;
+    let frictions = Frictions::of(&friction, &measure)?;
+    let parts = parts(system, "of", of.as_ref())?;
+    check_size(
+        frequencies.r.len().saturating_mul(frictions.beta.len()),
+        8 + parts.len(),
+    )?;
+    let request = MapRequest {
+        r: frequencies.r.clone(),
+        beta: frictions.beta.clone(),
+        of: parts.iter().map(|part| part.of).collect(),
+    };
+    let map = without_lock(py, |stop| system.map(&request, |_| stop.goes_on()))?.map_err(domain)?;
+
+    let mut columns = Columns::new(py, &frequencies.shape());
+    frequencies.put(&mut columns)?;
+    let limit = |name: &str, read: fn(&Limits<f64>) -> f64, columns: &mut Columns<'_>| {
+        let limits = map.columns.iter().map(|column| read(&column.limits));
+        let limits = limits.map(|limit| cell(Some(measure.force(limit))));
+        columns.numbers(measure.name(name, "_N"), limits.collect())
+    };
+    limit("continuous_limit", |limits| limits.continuous, &mut columns)?;
+    limit("sliding_limit", |limits| limits.sliding, &mut columns)?;
+    columns.reshape(&frictions.shape());
+    frictions.put(&mut columns)?;
+    columns.reshape(&[frequencies.shape(), frictions.shape()].concat());
+
+    let found = || map.points().map(|(_, _, found)| found);
+    let pattern = |found: &Result<MapPoint, Error>| {
+        found
+            .as_ref()
+            .map(|point| point.pattern)
+            .map_err(|error| *error)
+    };
+    let regimes =
+        found().map(|point| pattern(point).map_or("", |pattern| words::regime(pattern.regime)));
+    columns.words("regime", regimes.collect::<Words>())?;
+    columns.words(
+        "region",
+        found()
+            .map(|point| words::region(pattern(point)))
+            .collect::<Words>(),
+    )?;
+    // Of a motion that does not repeat nothing is counted.
+    let counted = || found().map(|point| pattern(point).ok().filter(|pattern| 0 < pattern.period));
+    columns.counts(
+        "period",
+        counted()
+            .map(|of| count(of.map(|of| of.period as usize)))
+            .collect(),
+    )?;
+    columns.counts(
+        "stops",
+        counted().map(|of| count(of.map(|of| of.stops))).collect(),
+    )?;
+    columns.counts(
+        "reversals",
+        counted()
+            .map(|of| count(of.map(|of| of.reversals)))
+            .collect(),
+    )?;
+    let fractions =
+        found().map(|point| cell(point.as_ref().ok().map(|point| point.stuck_fraction)));
+    columns.numbers("stuck_fraction", fractions.collect())?;
+    for (place, part) in parts.iter().enumerate() {
+        let amplitudes = found().map(|point| {
+            let amplitude = point
+                .as_ref()
+                .ok()
+                .and_then(|point| point.amplitudes.get(place).copied());
+            cell(amplitude.map(|size| measure.length(size)))
+        });
+        columns.numbers(
+            measure.name(&format!("{}.amplitude", part.name), "_m"),
+            amplitudes.collect(),
+        )?;
+    }
+    Ok(columns.done())
+}

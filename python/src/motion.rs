@@ -1,0 +1,160 @@
+//! The columns of motions: amplitude, phase and what else was asked, of the contact and of masses.
+
+use crate::asked::{Measure, Part};
+use crate::columns::{Columns, cell};
+use frictiongen::Complex;
+use frictiongen::study::units::{polar, reversed_phase};
+use frictiongen::study::{Swing, SystemOrbitMotion, SystemResponse};
+use pyo3::prelude::*;
+
+/// One motion at one point, in groups; nothing where there is none.
+#[derive(Clone, Debug, Default)]
+pub struct Movement {
+    /// Amplitude and phase.
+    pub swing: Option<Swing>,
+    /// The amplitude of the fundamental component alone, where it is estimated.
+    pub monoharmonic: Option<f64>,
+    /// The largest velocity and acceleration.
+    pub rates: Option<(f64, f64)>,
+    /// The harmonics asked for.
+    pub harmonics: Vec<Complex<f64>>,
+}
+
+impl Movement {
+    /// Of a response in any regime; with the opposite sign where the measure asks for it.
+    pub fn of(
+        response: &SystemResponse<'_>,
+        part: &Part,
+        orders: &[u32],
+        measure: &Measure,
+    ) -> Self {
+        let harmonics = orders
+            .iter()
+            .map(|order| response.harmonic(part.of, *order));
+        let mut movement = Self {
+            swing: response.swing(part.of),
+            monoharmonic: match response {
+                SystemResponse::Continuous(motion) => match part.of {
+                    frictiongen::Of::Contact => Some(motion.contact().amplitude_monoharmonic()),
+                    frictiongen::Of::Mass(index) => motion
+                        .mass_at(index)
+                        .map(|motion| motion.amplitude_monoharmonic()),
+                },
+                _ => None,
+            },
+            rates: None,
+            harmonics: harmonics.collect::<Option<_>>().unwrap_or_default(),
+        };
+        if measure.turns(part.of) {
+            movement.turn(|phase| match response {
+                SystemResponse::StickSlip(orbit) => orbit.reversed_contact_phase(),
+                _ => reversed_phase(phase),
+            });
+        }
+        movement
+    }
+
+    /// Of a steady state.
+    pub fn of_orbit(motion: &SystemOrbitMotion<'_, '_>, orders: &[u32]) -> Self {
+        let (amplitude, phase) = motion.largest();
+        Self {
+            swing: Some(Swing {
+                amplitude,
+                phase: Some(phase),
+            }),
+            harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
+            ..Self::default()
+        }
+    }
+
+    /// The same with the opposite sign, where its phase is this of the phase before.
+    pub fn turn(&mut self, phase: impl Fn(f64) -> f64) {
+        if let Some(swing) = &mut self.swing {
+            swing.phase = swing.phase.map(phase);
+        }
+        for harmonic in &mut self.harmonics {
+            *harmonic = Complex::new(0.0 - harmonic.re, 0.0 - harmonic.im);
+        }
+    }
+
+    /// What is left where nothing has time to move: the formulas are evaluated at a finite r.
+    pub fn settle(&mut self) {
+        let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
+        if let Some(swing) = &mut self.swing {
+            swing.amplitude = settled(swing.amplitude);
+        }
+        self.monoharmonic = self.monoharmonic.map(settled);
+        for harmonic in &mut self.harmonics {
+            *harmonic = Complex::new(settled(harmonic.re), settled(harmonic.im));
+        }
+    }
+}
+
+/// Which columns a motion has beside amplitude and phase.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent<'a> {
+    /// The monoharmonic amplitude.
+    pub monoharmonic: bool,
+    /// Velocity and acceleration.
+    pub rates: bool,
+    /// These harmonics.
+    pub orders: &'a [u32],
+}
+
+impl Extent<'_> {
+    /// How many numbers that is.
+    pub fn numbers(&self) -> usize {
+        2 + usize::from(self.monoharmonic) + 2 * usize::from(self.rates) + 2 * self.orders.len()
+    }
+}
+
+/// Puts the columns of one motion over all points; ω of each point scales velocities.
+pub fn put(
+    columns: &mut Columns<'_>,
+    (name, measure): (&str, &Measure),
+    extent: Extent<'_>,
+    movements: &[(Movement, f64)],
+) -> PyResult<()> {
+    let full = |what: &str, unit: &str| measure.name(&format!("{name}.{what}"), unit);
+    let all = |read: &dyn Fn(&Movement, f64) -> Option<f64>| -> Vec<f64> {
+        let cells = movements
+            .iter()
+            .map(|(movement, omega)| cell(read(movement, *omega)));
+        cells.collect()
+    };
+    columns.numbers(
+        full("amplitude", "_m"),
+        all(&|movement, _| Some(measure.length(movement.swing?.amplitude))),
+    )?;
+    columns.numbers(
+        full("phase", "_deg"),
+        all(&|movement, _| Some(measure.angle(movement.swing?.phase?))),
+    )?;
+    if extent.monoharmonic {
+        columns.numbers(
+            full("amplitude_monoharmonic", "_m"),
+            all(&|movement, _| Some(measure.length(movement.monoharmonic?))),
+        )?;
+    }
+    if extent.rates {
+        columns.numbers(
+            full("velocity", "_m_s"),
+            all(&|movement, omega| Some(measure.velocity(movement.rates?.0, omega))),
+        )?;
+        columns.numbers(
+            full("acceleration", "_m_s2"),
+            all(&|movement, omega| Some(measure.acceleration(movement.rates?.1, omega))),
+        )?;
+    }
+    for (place, order) in extent.orders.iter().enumerate() {
+        columns.numbers(
+            full(&format!("X{order}.amplitude"), "_m"),
+            all(&|movement, _| Some(measure.length(polar(*movement.harmonics.get(place)?).0))),
+        )?;
+        columns.numbers(
+            full(&format!("X{order}.phase"), "_deg"),
+            all(&|movement, _| Some(measure.angle(polar(*movement.harmonics.get(place)?).1))),
+        )?;
+    }
+    Ok(())
+}

@@ -1,0 +1,186 @@
+//! The motion over time: samples and events.
+
+use crate::asked::{
+    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
+    Optional, numbers, parts, whole,
+};
+use crate::columns::{Columns, Words, cell};
+use crate::errors::domain;
+use crate::system::NativeSystem;
+use crate::words;
+use crate::work::without_lock;
+use frictiongen::kernel::simulation::Contact;
+use frictiongen::study::{HistoryError, HistoryRequest, MOST_SAMPLES, units};
+use frictiongen::{Of, System};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// The most cycles, cycles skipped and samples of a cycle.
+const MOST: u32 = MOST_SAMPLES as u32;
+
+/// How many cycles, how many before them, and how many samples each has; the state to start from; whether one period of
+/// the steady state is asked for instead.
+type Extent<'py> = (
+    Optional<'py>,
+    Optional<'py>,
+    Optional<'py>,
+    Option<(Bound<'py, PyAny>, Bound<'py, PyAny>)>,
+    bool,
+);
+
+/// Displacements and velocities of all masses, as groups.
+fn start(
+    (displacements, velocities): &(Bound<'_, PyAny>, Bound<'_, PyAny>),
+    system: &System,
+    (measure, omega): (&Measure, f64),
+) -> PyResult<(Vec<f64>, Vec<f64>)> {
+    let scale = measure.scale();
+    let half = |what: &str, given: &Bound<'_, PyAny>, ratio: &dyn Fn(f64) -> f64| {
+        let given = numbers(what, given)?.values;
+        let masses = system.scene().masses.len();
+        if given.len() != masses {
+            return Err(domain(format_args!(
+                "{what}: {masses} numbers are needed, one for each mass, and these are {}",
+                given.len()
+            )));
+        }
+        let all: Vec<f64> = given.into_iter().map(ratio).collect();
+        if let Some(value) = all.iter().find(|value| !value.is_finite()) {
+            return Err(domain(format_args!(
+                "{what}: every number is finite, and one is {value:?}"
+            )));
+        }
+        Ok(all)
+    };
+    Ok((
+        half("start[0], the displacements", displacements, &|x| {
+            scale.map_or(x, |scale| scale.displacement_ratio(x))
+        })?,
+        half("start[1], the velocities", velocities, &|v| {
+            scale.map_or(v, |scale| scale.velocity_ratio(v, omega))
+        })?,
+    ))
+}
+
+/// Samples and events of a run, or of one period of the steady state.
+#[pyfunction]
+pub fn simulate<'py>(
+    py: Python<'py>,
+    system: &NativeSystem,
+    frequency: FrequencyArguments<'py>,
+    friction: FrictionArguments<'py>,
+    load: LoadArguments<'py>,
+    of: Optional<'py>,
+    extent: Extent<'py>,
+) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+    let (cycles, skip, samples, from, steady) = extent;
+    let system = &system.system;
+    let frequencies = Frequencies::of(system, &frequency, true)?;
+    let measure = Measure::of(system, &load)?;
+    let frictions = Frictions::of(&friction, &measure)?;
+    let (r, (beta, _)) = (frequencies.only()?, frictions.only()?);
+    let omega = units::angular_frequency(frequencies.hertz(system, 0));
+    let parts = parts(system, "of", of.as_ref())?;
+    let number = |argument, given: &Option<Bound<'py, PyAny>>, least, default| {
+        given
+            .as_ref()
+            .map_or(Ok(default), |given| whole(argument, given, least..=MOST))
+    };
+    if steady && (cycles.is_some() || skip.is_some() || from.is_some()) {
+        return Err(domain(
+            "steady=True is one period of the steady state: cycles, skip and start are of a run",
+        ));
+    }
+    let request = HistoryRequest {
+        of: parts.iter().map(|part| part.of).collect(),
+        from: from
+            .map(|from| start(&from, system, (&measure, omega)))
+            .transpose()?,
+        skip: number("skip", &skip, 0, 0)?.into(),
+        cycles: number("cycles", &cycles, 1, 10)?,
+        samples: number("samples", &samples, 2, 200)?,
+    };
+    let history = without_lock(py, |_| match steady {
+        false => system.history(r, beta, &request),
+        true => {
+            let response = system.at(r)?.response(beta)?;
+            response.history(&request.of, request.samples)
+        }
+    })?
+    .map_err(|error: HistoryError| domain(error))?;
+
+    let signed = |of: Of, value: f64| {
+        if measure.turns(of) {
+            0.0 - value
+        } else {
+            value
+        }
+    };
+    let state = |contact: Contact| match measure.turns(Of::Contact) {
+        true => words::contact(contact.reversed()),
+        false => words::contact(contact),
+    };
+    let times = |taus: Vec<f64>, columns: &mut Columns<'_>| {
+        columns.numbers(
+            "time_s",
+            taus.iter().map(|tau| units::seconds(*tau, omega)).collect(),
+        )?;
+        columns.numbers("tau", taus)
+    };
+
+    let mut columns = Columns::new(py, &[history.len()]);
+    times(
+        (0..history.len()).map(|index| history.tau(index)).collect(),
+        &mut columns,
+    )?;
+    for (part, track) in parts.iter().zip(&history.tracks) {
+        let name = measure.name(&format!("{}.displacement", part.name), "_m");
+        let values = track
+            .displacement
+            .iter()
+            .map(|value| cell(Some(measure.length(signed(part.of, *value)))));
+        columns.numbers(name, values.collect())?;
+        let name = measure.name(&format!("{}.velocity", part.name), "_m_s");
+        let values = track.velocity.iter();
+        let values =
+            values.map(|value| cell(Some(measure.velocity(signed(part.of, *value), omega))));
+        columns.numbers(name, values.collect())?;
+    }
+    let forces = history.friction.iter();
+    let forces = forces.map(|force| cell(Some(measure.force(signed(Of::Contact, *force)))));
+    columns.numbers(measure.name("contact.friction", "_N"), forces.collect())?;
+    columns.words(
+        "contact.state",
+        history
+            .contact
+            .iter()
+            .map(|contact| state(*contact))
+            .collect::<Words>(),
+    )?;
+
+    let mut events = Columns::new(py, &[history.events.len()]);
+    times(
+        history.events.iter().map(|event| event.tau).collect(),
+        &mut events,
+    )?;
+    let found = || history.events.iter();
+    events.words(
+        "event",
+        found()
+            .map(|event| words::event(event.event))
+            .collect::<Words>(),
+    )?;
+    events.words(
+        "contact.state",
+        found().map(|event| state(event.contact)).collect::<Words>(),
+    )?;
+    for (place, part) in parts.iter().enumerate() {
+        let name = measure.name(&format!("{}.displacement", part.name), "_m");
+        let values = found().map(|event| {
+            let value = event.displacements.get(place);
+            cell(value.map(|value| measure.length(signed(part.of, *value))))
+        });
+        events.numbers(name, values.collect())?;
+    }
+    Ok((columns.done(), events.done()))
+}

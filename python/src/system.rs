@@ -1,0 +1,115 @@
+//! The system itself: made from a text, and what it is made of.
+
+use crate::errors::scene;
+use frictiongen::System;
+use frictiongen::kernel::number::dd::Dd;
+use numpy::{PyArray1, PyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyList;
+
+/// A scene with its modal analysis.
+#[pyclass(frozen, module = "frictiongen._native", name = "System")]
+pub struct NativeSystem {
+    /// The same in Rust.
+    pub system: System,
+}
+
+#[pymethods]
+impl NativeSystem {
+    /// Reads a description.
+    #[new]
+    fn new(py: Python<'_>, text: &str) -> PyResult<Self> {
+        match py.detach(|| text.parse::<System>()) {
+            Ok(system) => Ok(Self { system }),
+            Err(diagnostics) => Err(scene(py, &diagnostics)),
+        }
+    }
+
+    /// The names of the masses, in the order of the description.
+    #[getter]
+    fn masses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let masses = self.system.scene().masses.iter();
+        PyList::new(
+            py,
+            masses.map(|mass| mass.name.as_str()).collect::<Vec<_>>(),
+        )
+    }
+
+    /// Masses, kg.
+    #[getter]
+    fn mass_values<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let masses = self.system.scene().masses.iter();
+        PyArray1::from_vec(py, masses.map(|mass| mass.value).collect())
+    }
+
+    /// Springs: the names of both ends, and the stiffness in N/m.
+    #[getter]
+    fn springs(&self) -> Vec<(String, String, f64)> {
+        let scene = self.system.scene();
+        let name = |node| scene.node_name(node).to_owned();
+        let springs = scene.springs.iter();
+        springs
+            .map(|spring| (name(spring.from), name(spring.to), spring.stiffness))
+            .collect()
+    }
+
+    /// The two nodes that rub on each other.
+    #[getter]
+    fn contact(&self) -> (String, String) {
+        let scene = self.system.scene();
+        let contact = scene.contact;
+        (
+            scene.node_name(contact.from).to_owned(),
+            scene.node_name(contact.to).to_owned(),
+        )
+    }
+
+    /// The mass that a force drives; none if the base moves.
+    #[getter]
+    fn driven_mass(&self) -> Option<String> {
+        match self.system.scene().excitation {
+            frictiongen::study::scene::Excitation::Force(index) => self
+                .system
+                .scene()
+                .masses
+                .get(index)
+                .map(|mass| mass.name.clone()),
+            _ => None,
+        }
+    }
+
+    /// Natural frequencies, rad/s.
+    #[getter]
+    fn natural_frequencies<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_vec(py, self.system.natural_frequencies())
+    }
+
+    /// The frequency ratios of the undamped resonances.
+    #[getter]
+    fn resonances<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.system.resonances())
+    }
+
+    /// ζ of each mode.
+    #[getter]
+    fn damping_ratios<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let ratios = self.system.modal().damping_ratios.iter();
+        PyArray1::from_vec(py, ratios.map(|ratio: &Dd| ratio.hi).collect())
+    }
+
+    /// Shapes by mode and mass.
+    #[getter]
+    fn mode_shapes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        Ok(PyArray2::from_vec2(py, &self.system.mode_shapes())?)
+    }
+
+    /// Hz → r.
+    fn frequency_ratio_at_hertz(&self, hertz: f64) -> f64 {
+        self.system.frequency_ratio_at_hertz(hertz)
+    }
+
+    /// r → Hz.
+    fn hertz(&self, r: f64) -> f64 {
+        self.system.hertz(r)
+    }
+}

@@ -1,0 +1,131 @@
+//! What the command calls regimes, answers and events: the same words here.
+
+use frictiongen::kernel::simulation::{Contact, Event};
+use frictiongen::study::{
+    NoDerivative, OptimumKind, Pattern, StudyError, SystemOrbit, SystemResponse,
+};
+use frictiongen::{Error, NoOrbit, Regime};
+use std::borrow::Cow;
+
+/// A regime.
+pub fn regime(regime: Regime) -> &'static str {
+    match regime {
+        Regime::Continuous => "continuous",
+        Regime::StickSlip => "stick-slip",
+        Regime::Stuck => "stuck",
+        _ => "",
+    }
+}
+
+/// The regime where there is no response.
+pub fn regime_without(error: Error) -> &'static str {
+    match error {
+        Error::NoOrbit(_) => regime(Regime::StickSlip),
+        _ => "unbounded",
+    }
+}
+
+/// Why there is no response.
+pub fn no_answer(error: Error) -> &'static str {
+    match error {
+        Error::NoOrbit(error) => reason(error),
+        Error::NotContinuous(_) | Error::StuckResonance(_) => "unbounded",
+        _ => "no cycle",
+    }
+}
+
+/// Why there is no steady state.
+pub fn reason(error: NoOrbit) -> &'static str {
+    match error {
+        NoOrbit::OutOfDomain(_) => "no cycle",
+        NoOrbit::TooManyEvents => "crowded",
+        NoOrbit::Unbounded => "unbounded",
+        NoOrbit::Undamped(_) => "undamped",
+        NoOrbit::Unstable => "unstable",
+        NoOrbit::Unsettled => "unsettled",
+        _ => "none",
+    }
+}
+
+/// How a response was found.
+pub fn answer(response: &SystemResponse<'_>) -> &'static str {
+    match response {
+        SystemResponse::StickSlip(orbit) => match (orbit.is_marginal(), orbit.is_stable()) {
+            _ if !orbit.is_settled() => "last 64 cycles",
+            (true, _) => "orbit: marginal",
+            (false, true) if orbit.period() > 1 => "subharmonic",
+            (false, true) => "orbit: stable",
+            (false, false) => "orbit: unstable",
+        },
+        _ => "closed form",
+    }
+}
+
+/// What a steady state is.
+pub fn state(orbit: &SystemOrbit<'_>) -> &'static str {
+    match (orbit.is_marginal(), orbit.is_stable()) {
+        _ if !orbit.is_settled() => reason(NoOrbit::Unsettled),
+        (true, _) => "marginal",
+        (false, true) => "stable",
+        (false, false) => "unstable",
+    }
+}
+
+/// A region of a map.
+pub fn region(found: Result<Pattern, Error>) -> Cow<'static, str> {
+    let pattern = match found {
+        Ok(pattern) => pattern,
+        Err(error) => return no_answer(error).into(),
+    };
+    match (pattern.regime, pattern.period, pattern.stops) {
+        (Regime::Continuous, ..) => "continuous".into(),
+        (Regime::Stuck, ..) => "stuck".into(),
+        (_, 0, _) => "unsettled".into(),
+        (_, 1, 0) => "sliding reversals".into(),
+        (_, 1, 1) => "1 stop".into(),
+        (_, 1, stops) => format!("{stops} stops").into(),
+        _ => "subharmonic".into(),
+    }
+}
+
+/// What the contact does.
+pub fn contact(contact: Contact) -> &'static str {
+    match contact {
+        Contact::Stuck => "stuck",
+        Contact::Forward => "forward",
+        Contact::Backward => "backward",
+    }
+}
+
+/// An event.
+pub fn event(event: Event) -> &'static str {
+    match event {
+        Event::Stop => "stop",
+        Event::Slip => "break-away",
+        Event::Reversal => "reversal",
+    }
+}
+
+/// What limits the amplitude at an optimum.
+pub fn kind(kind: OptimumKind) -> &'static str {
+    match kind {
+        OptimumKind::EqualPeaks => "equal peaks",
+        OptimumKind::SinglePeak => "one peak at its least",
+        OptimumKind::NoFriction => "friction only does harm",
+        OptimumKind::Stuck => "stuck: more friction changes nothing",
+    }
+}
+
+/// Why there is no derivative; none for what is wrong with the question.
+pub fn no_derivative(error: &StudyError) -> Option<&'static str> {
+    Some(match error {
+        StudyError::NoDerivative(error) => match error {
+            NoDerivative::Marginal => "marginal",
+            NoDerivative::Unsettled => "unsettled",
+            NoDerivative::Degenerate => "degenerate",
+            _ => "bend",
+        },
+        StudyError::Solver(error) => no_answer(*error),
+        _ => return None,
+    })
+}

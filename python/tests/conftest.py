@@ -1,0 +1,59 @@
+"""What the tests share: scenes, and the command to compare with."""
+
+import io
+import os
+import subprocess
+from pathlib import Path
+
+import matplotlib
+import pytest
+
+import frictiongen
+
+matplotlib.use("Agg")
+
+SCENES = Path(__file__).resolve().parents[2] / "frictiongen-cli" / "scenes"
+
+
+@pytest.fixture
+def frame():
+    return frictiongen.System(frictiongen.FRAME)
+
+
+@pytest.fixture
+def block():
+    """One mass of 2 kg on a spring of 50 N/m, under a force, rubbing on the wall."""
+    return frictiongen.System(
+        """struct Block {
+            masses: { block: 2.0 },
+            springs: { base - block: 50.0 },
+            contact: block - wall,
+            excitation: block,
+        }"""
+    )
+
+
+def numbers(texts):
+    """A column of texts as numbers, read by Python itself, which rounds to the nearest; or as it is."""
+    try:
+        return texts.map(float, na_action="ignore").astype(float)
+    except ValueError:
+        return texts
+
+
+@pytest.fixture(scope="session")
+def command():
+    """Runs the command `frictiongen` and reads its CSV without losing a bit."""
+    import pandas
+
+    program = os.environ.get("FRICTIONGEN")
+    if program is None:
+        pytest.skip("FRICTIONGEN does not say where the command is; scripts/python sets it")
+
+    def run(what, scene, *options):
+        arguments = [program, what, str(SCENES / scene), "--csv", *map(str, options)]
+        done = subprocess.run(arguments, capture_output=True, text=True, check=True)
+        texts = pandas.read_csv(io.StringIO(done.stdout), dtype=str)
+        return texts.apply(numbers)
+
+    return run

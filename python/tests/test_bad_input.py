@@ -1,0 +1,172 @@
+"""Bad input: a clear error of the right kind, at the argument that is wrong, and nothing crashes."""
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+import frictiongen
+from frictiongen import DomainError, SceneError, System
+
+
+def test_a_description_with_mistakes_says_where():
+    text = frictiongen.FRAME.replace("lower: 3.27", "lower: -3.27").replace("upper - wall", "roof - wall")
+    with pytest.raises(SceneError) as raised:
+        System(text)
+    first, second = raised.value.errors
+    assert (first.line, second.line, second.column) == (3, 5, 14)
+    assert isinstance(first, frictiongen.Mistake) and "roof" in second.message
+    for line, column, message in raised.value.errors:
+        assert f"{line}:{column}: {message}" in str(raised.value)
+
+
+@pytest.mark.parametrize("text", ["", "struct", "}{", "\0", "struct A {" * 1000, "é" * 50, "struct Frame { masses: {} }"])
+def test_what_is_no_description(text):
+    with pytest.raises(SceneError) as raised:
+        System(text)
+    assert raised.value.errors and all(mistake.line >= 1 for mistake in raised.value.errors)
+
+
+@pytest.mark.parametrize("text", [None, 3, b"struct", ["struct"]])
+def test_what_is_no_text(text):
+    with pytest.raises(TypeError, match="a description is a text, not"):
+        System(text)
+
+
+def test_half_a_surrogate_is_refused():
+    with pytest.raises((UnicodeEncodeError, SceneError)):
+        System("struct \ud800")
+
+
+def test_files(tmp_path):
+    path = tmp_path / "frame.friction"
+    path.write_text(frictiongen.FRAME, encoding="utf-8")
+    assert System.from_file(str(path)).masses == System.from_file(path).masses == ["lower", "upper"]
+    with path.open(encoding="utf-8") as file:
+        assert System.from_file(file).masses == ["lower", "upper"]
+    with pytest.raises(ValueError, match="closed file"):
+        System.from_file(file)
+    with path.open("rb") as file, pytest.raises(TypeError, match="open it as text"):
+        System.from_file(file)
+    with pytest.raises(FileNotFoundError):
+        System.from_file(tmp_path / "none")
+    with pytest.raises(IsADirectoryError):
+        System.from_file(tmp_path)
+    path.write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(UnicodeDecodeError):
+        System.from_file(path)
+    for nothing in [None, 3, object()]:
+        with pytest.raises(TypeError, match="a path or an open file is needed"):
+            System.from_file(nothing)
+
+
+# What is asked, and what is said of it.
+OUTSIDE = [
+    ({"hz": -1.0}, "hz is -1.0: a frequency is a number, 0 or above"),
+    ({"hz": [1.0, math.nan]}, "hz[1] is NaN: a frequency is a number, 0 or above"),
+    ({"r": [[0.9, 1.0], [1.1, 1.2]]}, "r: one number or a row of numbers is needed, and this has the shape (2, 2)"),
+    ({"r": 0.9, "hz": 1.0}, "give one of r, hz and omega"),
+    ({}, "give one of r, hz and omega"),
+    ({"hz": 5e-324}, "hz is 5e-324: its frequency ratio is too small"),
+    ({"r": 0.9, "beta": None}, "give one of beta and friction"),
+    ({"r": 0.9, "friction": 0.1}, "give one of beta and friction"),
+    ({"r": 0.9, "beta": -0.1}, "beta is -0.1: friction is a finite number, 0 or above"),
+    ({"r": 0.9, "beta": [0.1, math.inf]}, "beta[1] is inf"),
+    ({"r": 0.9, "beta": [0.1, math.nan]}, "beta[1] is NaN"),
+    ({"r": 0.9, "beta": None, "friction": 0.3}, "needs the amplitude of the load: give base"),
+    ({"r": 0.9, "beta": None, "friction": -0.3, "base": 0.001}, "friction is -0.3"),
+    ({"r": 0.9, "force": 1.0}, "force: the scene is driven by its base; its load is given by base"),
+    ({"r": 0.9, "base": 0.0}, "base: the amplitude of a load is above 0 and finite"),
+    ({"r": 0.9, "base": math.nan}, "base: the amplitude of a load is above 0 and finite"),
+    ({"r": 0.9, "base": [0.1, 0.2]}, "base: one number is needed, and these are 2"),
+    ({"r": 0.9, "base": 1.0, "force": 1.0}, "a scene has one load"),
+    ({"r": 0.9, "base": 1e308}, "too small or too large to compute with"),
+    ({"r": 0.9, "of": "roof"}, "of: there is no mass `roof`; the masses are lower, upper, contact"),
+    ({"r": 0.9, "of": ["lower", "lower"]}, "of: `lower` is given twice"),
+]
+
+
+@pytest.mark.parametrize(("asked", "said"), OUTSIDE)
+@pytest.mark.parametrize("question", ["response", "map"])
+def test_outside_the_domain(frame, question, asked, said):
+    with pytest.raises(DomainError, match=re.escape(said)) as raised:
+        getattr(frame, question)(**({"beta": 0.3} | asked))
+    assert isinstance(raised.value, ValueError)
+
+
+# What is no number.
+OF_WRONG_TYPE = [
+    ({"hz": "fast"}, "hz: a number or an array of numbers is needed, not str"),
+    ({"hz": "1.0"}, "hz: a number or an array of numbers is needed, not str"),
+    ({"hz": ["1", "2"]}, "hz: a number or an array of numbers is needed, not list"),
+    ({"hz": True}, "hz: a number or an array of numbers is needed, not bool"),
+    ({"hz": 1j}, "hz: a number or an array of numbers is needed, not complex"),
+    ({"hz": [[1.0], [2.0, 3.0]]}, "hz: a number or an array of numbers is needed, not list"),
+    ({"hz": object()}, "hz: a number or an array of numbers is needed, not object"),
+    ({"hz": [1.0, None]}, "hz: a number or an array of numbers is needed, not list"),
+    ({"hz": np.array(["2026-01-01"], "datetime64[D]")}, "hz: a number or an array of numbers is needed"),
+    ({"hz": np.ma.array([1.0, 2.0], mask=[0, 1])}, "hz: an array with a mask"),
+    ({"hz": 1.0, "base": "1 mm"}, "base: a number or an array of numbers is needed, not str"),
+    ({"hz": 1.0, "of": 3}, "of: a name or a list of names is needed"),
+    ({"hz": 1.0, "of": [3]}, "of: a name or a list of names is needed"),
+]
+
+
+@pytest.mark.parametrize(("asked", "said"), OF_WRONG_TYPE)
+def test_of_the_wrong_type(frame, asked, said):
+    with pytest.raises(TypeError, match=re.escape(said)):
+        frame.response(**({"beta": 0.3} | asked))
+
+
+def test_a_fault_in_an_argument_of_one_question(frame):
+    point = {"hz": 1.2, "friction": 0.4, "base": 0.001}
+    band = {"hz": (1.0, 5.0), "base": 0.001}
+    for kind, said, ask in [
+        (DomainError, "harmonics is 0: a whole number from 1 to 9999", lambda: frame.response(**point, harmonics=0)),
+        (TypeError, "harmonics: a whole number is needed, not float", lambda: frame.response(**point, harmonics=3.0)),
+        (TypeError, "harmonics: a whole number is needed, not bool", lambda: frame.response(**point, harmonics=True)),
+        (DomainError, "harmonics is 1000000000000", lambda: frame.response(**point, harmonics=10**12)),
+        (DomainError, "points of", lambda: frame.response(r=np.ones(10**5), beta=np.ones(10**4))),
+        (DomainError, "points of", lambda: frame.map(r=np.ones(10**5), beta=np.ones(10**4))),
+        (DomainError, "infinite: a map's are finite", lambda: frame.map(r=math.inf, beta=0.1)),
+        (DomainError, "hz is 0.0: a frequency is above 0 and finite", lambda: frame.orbit(hz=0, beta=0.1)),
+        (DomainError, "hz: one number is needed here", lambda: frame.orbit(hz=[1.0], beta=0.1)),
+        (DomainError, "beta: one number is needed here", lambda: frame.orbit(hz=1.0, beta=[0.1])),
+        (DomainError, "hz: a band is two numbers", lambda: frame.curve(hz=1.0, beta=0.1)),
+        (DomainError, "hz is (2.0, 1.0): a band begins above 0", lambda: frame.curve(hz=(2, 1), beta=0.1)),
+        (DomainError, "hz is (NaN, 1.0): a band begins above 0", lambda: frame.curve(hz=(math.nan, 1), beta=0.1)),
+        (DomainError, "accuracy", lambda: frame.curve(hz=(1, 2), beta=0.1, accuracy=0)),
+        (DomainError, "step is 0.0", lambda: frame.curve(hz=(1, 2), beta=0.1, step=0)),
+        (DomainError, "step is 1e-30", lambda: frame.curve(hz=(1, 2), beta=0.1, step=1e-30)),
+        (DomainError, "no mass `roof`", lambda: frame.optimum("roof", **band)),
+        (TypeError, "of: the name of a mass", lambda: frame.optimum(None, **band)),
+        (DomainError, "no mass `roof`", lambda: frame.sensitivities("roof", **point)),
+        (DomainError, "samples is 3|an even number", lambda: frame.simulate(**point, samples=3)),
+        (DomainError, "cycles is 0", lambda: frame.simulate(**point, cycles=0)),
+        (DomainError, "skip is -1", lambda: frame.simulate(**point, skip=-1)),
+        (DomainError, "the most there may be", lambda: frame.simulate(**point, cycles=10**6, samples=10**4)),
+        (DomainError, "2 numbers are needed, one for each mass", lambda: frame.simulate(**point, start=([1], [1, 2]))),
+        (DomainError, "every number is finite", lambda: frame.simulate(**point, start=([1, math.nan], [1, 2]))),
+        (DomainError, "start: two rows are needed", lambda: frame.simulate(**point, start=[1, 2, 3])),
+        (DomainError, "start: two rows are needed", lambda: frame.simulate(**point, start=3)),
+        (DomainError, "cycles, skip and start are of a run", lambda: frame.simulate(**point, steady=True, cycles=3)),
+    ]:
+        with pytest.raises(kind, match=said if "|" in said else re.escape(said)):
+            ask()
+
+
+def test_positional_arguments_are_refused(frame):
+    """Nobody should have to know whether the first number is r or Hz."""
+    with pytest.raises(TypeError, match="positional"):
+        frame.limits(2.5)
+
+
+def test_the_compiled_part_refuses_what_the_classes_would_not_pass(frame):
+    from frictiongen import _native
+
+    for wrong in [None, 3, (1,), "text"]:
+        with pytest.raises((TypeError, ValueError)):
+            _native.limits(frame._native, wrong, (None, None), False, True)
+        with pytest.raises(TypeError):
+            _native.limits(wrong, (0.9, None, None), (None, None), False, True)

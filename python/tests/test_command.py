@@ -1,0 +1,207 @@
+"""The same as the command prints, to the last bit: every column of every line."""
+
+import math
+
+import numpy as np
+import pytest
+from conftest import SCENES
+
+import frictiongen
+
+FRAME = ("frame.friction", {"base": 0.001}, ("--base", 0.001))
+FIVE = ("thesis/five_m3_damped.friction", {"force": 2.0}, ("--force", 2.0))
+BETWEEN = ("thesis/two_between.friction", {"force": 0.3}, ("--force", 0.3))
+BASE = ("base.friction", {"base": 0.02}, ("--base", 0.02))
+SCENES_AND_LOADS = [FRAME, FIVE, BETWEEN, BASE]
+
+
+def system(scene):
+    return frictiongen.System.from_file(SCENES / scene)
+
+
+def listed(values):
+    return ",".join(repr(float(value)) for value in values)
+
+
+def hold(ours, theirs, but=()):
+    """Every column of theirs is in ours, in the same order, with the same bits."""
+    names = [name for name in theirs.columns if name not in but]
+    assert [name for name in ours.columns if name not in but] == names
+    assert len(ours) == len(theirs)
+    compared = 0
+    for name in names:
+        left, right = ours[name], theirs[name]
+        if left.dtype.kind in "fi":
+            # What is missing is NaN on both sides; 0 == -0, and neither side has the latter.
+            np.testing.assert_array_equal(left.to_numpy(float), right.to_numpy(float), err_msg=name)
+        else:
+            assert left.fillna("").tolist() == right.fillna("").tolist(), name
+        compared += len(left)
+    return compared
+
+
+@pytest.mark.parametrize(("scene", "load", "option"), SCENES_AND_LOADS)
+def test_limits(command, scene, load, option):
+    hz = system(scene).hertz(1.0) * np.linspace(0.1, 3, 30)
+    ours = system(scene).limits(hz=hz, estimates=True, **load).to_frame()
+    hold(ours, command("limits", scene, "--hz", listed(hz), *option))
+
+
+def test_limits_at_both_ends(command):
+    r = [0.0, 1e-9, 0.7, 1e9, math.inf]
+    ours = system("wall.friction").limits(r=r, estimates=True).to_frame()
+    hold(ours, command("limits", "wall.friction", "--r", "0,1e-9,0.7,1e9,inf"))
+    ours = system("frame.friction").limits(omega=[3.0, 20.0], estimates=True).to_frame()
+    hold(ours, command("limits", "frame.friction", "--omega", "3,20"))
+
+
+def hold_response(ours, theirs):
+    """The same where something moves.  Of what is stuck the command leaves out the contact and all harmonics; here the
+    contact's amplitude is 0."""
+    stuck = ours.regime == "stuck"
+    left_out = [name for name in theirs.columns if name.startswith("contact.") or ".X" in name]
+    assert theirs.loc[stuck, left_out].isna().all().all()
+    amplitude = next(name for name in left_out if name.startswith("contact.amplitude"))
+    assert (ours.loc[stuck, amplitude] == 0).all()
+    ours.loc[stuck, left_out] = np.nan
+    # What does not move has no phase; the command prints one.
+    for name in [name for name in ours.columns if ".phase" in name and ".X" not in name]:
+        theirs.loc[ours[name.replace("phase", "amplitude").replace("_deg", "_m")] == 0, name] = np.nan
+    assert hold(ours, theirs) > 10
+
+
+@pytest.mark.parametrize(("scene", "load", "option"), SCENES_AND_LOADS)
+def test_response(command, scene, load, option):
+    one = system(scene)
+    hz = one.hertz(1.0) * np.array([0.15, 0.4, 0.97, 1.3, 2.2])
+    beta = np.array([0.05, 0.3, 0.8, 1.1, 3.0])
+    ours = one.response(hz=hz, beta=beta, harmonics=5, **load)
+    theirs = command("response", scene, "--hz", listed(hz), "--beta", listed(beta), "--harmonics", 5, *option)
+    hold_response(ours.to_frame(), theirs)
+    assert {"stick-slip", "stuck"} <= set(ours.regime.ravel())
+
+
+def test_response_in_groups_and_at_infinity(command):
+    scene = "thesis/two_between.friction"
+    ours = system(scene).response(r=[0.4, 0.9], beta=[0.1, 0.6]).to_frame()
+    hold_response(ours, command("response", scene, "--r", "0.4,0.9", "--beta", "0.1,0.6"))
+    ours = system(scene).response(r=[0.0, math.inf], beta=[0.1, 0.6]).to_frame()
+    hold_response(ours, command("response", scene, "--r", "0,inf", "--beta", "0.1,0.6"))
+
+
+def test_the_contact_between_masses_in_another_order(command, tmp_path):
+    """With a load the contact's motion is that of the second mass relative to the first, whatever their order."""
+    text = """struct Pair {
+        masses: { b: 2.0, a: 1.0 },
+        springs: { base - a: 30.0, a - b: 20.0 },
+        contact: a - b,
+        excitation: a,
+        damping: modal(0.02),
+    }"""
+    path = tmp_path / "pair.friction"
+    path.write_text(text, encoding="utf-8")
+    one = frictiongen.System(text)
+    point = {"hz": one.hertz(0.35), "friction": 0.1, "force": 2.0}
+    options = ("--hz", repr(point["hz"]), "--friction", 0.1, "--force", 2)
+    assert one.response(**point).regime == "stick-slip"
+    hold_response(one.response(**point).to_frame(), command("response", path, *options))
+    hold(one.orbit(**point).to_frame(), command("orbit", path, *options))
+    hold(one.simulate(**point, cycles=2).to_frame(), command("time", path, *options, "--cycles", 2))
+    hold(one.simulate(**point, steady=True).events.to_frame(), command("time", path, *options, "--steady", "--events"))
+
+
+@pytest.mark.parametrize(("scene", "load", "option"), SCENES_AND_LOADS)
+@pytest.mark.parametrize("at", [(0.4, 0.5), (0.3, 0.1), (0.9, 1.3)])
+def test_orbit(command, scene, load, option, at):
+    ratio, beta = at
+    hz = system(scene).hertz(ratio)
+    ours = system(scene).orbit(hz=hz, beta=beta, harmonics=3, **load).to_frame()
+    theirs = command("orbit", scene, "--hz", repr(hz), "--beta", beta, "--harmonics", 3, *option)
+    hold(ours, theirs)
+
+
+@pytest.mark.parametrize(("scene", "load", "option"), [FRAME, BETWEEN])
+def test_curve(command, scene, load, option):
+    one = system(scene)
+    band = one.hertz(0.2), one.hertz(2.0)
+    ours = one.curve(hz=band, beta=[0.2, 0.7], harmonics=2, rates=True, accuracy=5e-3, **load).to_frame()
+    theirs = command(
+        "curve", scene, "--hz", f"{band[0]!r}:{band[1]!r}", "--beta", "0.2,0.7", "--harmonics", 2, "--rates",
+        "--accuracy", "5e-3", *option,
+    )  # fmt: skip
+    assert hold(ours, theirs) > 1000
+
+
+@pytest.mark.parametrize(("scene", "load", "option"), SCENES_AND_LOADS)
+def test_map(command, scene, load, option):
+    hz = system(scene).hertz(1.0) * np.linspace(0.1, 2.5, 12)
+    beta = np.linspace(0, 1.5, 11)
+    ours = system(scene).map(hz=hz, beta=beta, **load)
+    hold(ours.to_frame(), command("map", scene, "--hz", listed(hz), "--beta", listed(beta), *option))
+    limits = system(scene).limits(hz=hz, **load)
+    assert (ours.continuous_limit_N == limits.continuous_limit_N).all()
+    assert (ours.sliding_limit_N == limits.sliding_limit_N).all()
+
+
+@pytest.mark.parametrize(("scene", "load", "option"), SCENES_AND_LOADS)
+def test_simulate(command, scene, load, option):
+    one = system(scene)
+    hz = one.hertz(0.45)
+    point = ("--hz", repr(hz), "--beta", 0.4, *option)
+    extent = {"cycles": 3, "skip": 5, "samples": 40}
+    ours = one.simulate(hz=hz, beta=0.4, **extent, **load)
+    options = [text for name, value in extent.items() for text in (f"--{name}", value)]
+    hold(ours.to_frame(), command("time", scene, *point, *options))
+    hold(ours.events.to_frame(), command("time", scene, *point, *options, "--events"))
+    ours = one.simulate(hz=hz, beta=0.4, samples=40, steady=True, **load)
+    hold(ours.to_frame(), command("time", scene, *point, "--steady", "--samples", 40))
+    hold(ours.events.to_frame(), command("time", scene, *point, "--steady", "--samples", 40, "--events"))
+
+
+def test_simulate_from_a_state(command):
+    one = system("frame.friction")
+    ours = one.simulate(hz=1.2, friction=0.4, base=0.001, start=([0.002, -0.001], [0.01, 0.02]), cycles=2)
+    theirs = command(
+        "time", "frame.friction", "--hz", 1.2, "--friction", 0.4, "--base", 0.001, "--from", "0.002,-0.001;0.01,0.02",
+        "--cycles", 2,
+    )  # fmt: skip
+    hold(ours.to_frame(), theirs)
+    # In groups times are in seconds here too.
+    ours = one.simulate(r=0.4, beta=0.3, cycles=1).to_frame().drop(columns="time_s")
+    hold(ours, command("time", "frame.friction", "--r", 0.4, "--beta", 0.3, "--cycles", 1), but=("time_s",))
+
+
+def test_optimum(command):
+    best = system("frame.friction").optimum("lower", hz=(4, 6), base=0.001)
+    theirs = command("optimum", "frame.friction", "--of", "lower", "--hz", "4:6", "--base", 0.001)
+    known = dict(zip(theirs.quantity, theirs.value, strict=True))
+    for name, value in {
+        "friction": best.friction_N,
+        "beta": best.beta,
+        "largest amplitude of lower": best.amplitude_m,
+        "what limits it": best.kind,
+        "nothing sticks up to": best.free_of_sticking_N,
+        "stuck over the whole band from": best.locked_N,
+        "largest amplitude without friction": best.without_friction_m,
+        "largest amplitude with the contact stuck": best.with_contact_locked_m,
+        "peak at": best.peaks.frequency_Hz[0],
+        "peak at r": best.peaks.r[0],
+        "5 % above the best: friction from": best.tolerances.friction_from_N[1],
+        "5 % above the best: friction to": best.tolerances.friction_to_N[1],
+        "amplitudes computed": best.evaluations,
+    }.items():
+        assert str(value) == known[name] or float(value) == float(known[name]), name
+    per_cent = [value for name, value in known.items() if name.startswith("per cent of it")]
+    assert best.sensitivities.relative.tolist() == [float(value) for value in per_cent] and len(per_cent) > 5
+
+
+@pytest.mark.parametrize(("scene", "load", "option"), [FRAME, FIVE])
+@pytest.mark.parametrize("beta", [0.05, 0.3])
+def test_sensitivities(command, scene, load, option, beta):
+    one = system(scene)
+    hz, mass = one.hertz(0.6), one.masses[0]
+    ours = one.sensitivities(mass, hz=hz, beta=beta, **load)
+    theirs = command("sensitivity", scene, "--of", mass, "--hz", repr(hz), "--beta", beta, *option)
+    assert (theirs.regime == ours.regime).all()
+    once = ("frequency_Hz", "r", "friction_N", "beta", "regime", "answer")
+    assert hold(ours.to_frame(), theirs, but=once) > 100

@@ -1,0 +1,57 @@
+"""While an answer is computed, other threads run; Ctrl-C is heard."""
+
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+
+def test_another_thread_runs_while_a_map_is_computed(frame):
+    """With the lock held, the counter would stand still from the first instant of the map to its last."""
+    counted = []
+    done = threading.Event()
+
+    def count():
+        while not done.is_set():
+            counted.append(time.perf_counter())
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    start = time.perf_counter()
+    frame.map(r=np.linspace(0.1, 2.5, 200), beta=np.linspace(0.01, 1.5, 200))
+    end = time.perf_counter()
+    done.set()
+    thread.join()
+    meanwhile = [instant for instant in counted if start + 0.1 * (end - start) < instant < end - 0.1 * (end - start)]
+    assert end - start > 0.02
+    # At least one in twenty of the instants that it would have had with nothing else to do.
+    assert len(meanwhile) > 0.8 * (end - start) / 0.001 / 20
+
+
+def test_many_threads_ask_one_system(frame):
+    expected = frame.response(r=[0.4, 0.9], beta=[0.2, 0.8])["lower"].amplitude
+    found = []
+
+    def ask():
+        found.append(frame.response(r=[0.4, 0.9], beta=[0.2, 0.8])["lower"].amplitude)
+
+    threads = [threading.Thread(target=ask) for _ in range(16)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(found) == 16 and all((amplitude == expected).all() for amplitude in found)
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="there are no signals to threads here")
+def test_an_interrupt_ends_a_long_map(frame):
+    """A map of a million points would take many seconds."""
+    threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    start = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        frame.map(r=np.linspace(0.1, 2.5, 2000), beta=np.linspace(0.01, 1.5, 2000))
+    assert time.perf_counter() - start < 5.0
