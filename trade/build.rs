@@ -7,7 +7,11 @@ const MASSES: [&str; 4] = ["1", "2", "5", "10"];
 
 fn main() {
     println!("cargo::rustc-check-cfg=cfg(with_c)");
-    for path in ["c/thesis.c", "../peers/stepper.c"] {
+    for path in [
+        "c/thesis.c",
+        "../peers/stepper.c",
+        "../peers/time_stepping.c",
+    ] {
         println!("cargo::rerun-if-changed={path}");
     }
     let out = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets it"));
@@ -15,15 +19,19 @@ fn main() {
     let Ok(tool) = tool.map(|tool| tool.path().to_owned()) else {
         return;
     };
-    let stepper = out.join("stepper");
-    let built = Command::new(&tool)
-        .args(["-O3", "../peers/stepper.c", "-lm", "-o"])
-        .arg(&stepper)
-        .status();
-    if !built.is_ok_and(|status| status.success()) {
+    let program = |name: &str| {
+        let to = out.join(name);
+        let from = format!("../peers/{name}.c");
+        let built = Command::new(&tool)
+            .args(["-O3", &from, "-lm", "-o"])
+            .arg(&to)
+            .status();
+        built.is_ok_and(|status| status.success()).then_some(to)
+    };
+    let (Some(stepper), Some(stepping)) = (program("stepper"), program("time_stepping")) else {
         println!("cargo::warning=no C compiler that works: the peers in C are left out");
         return;
-    }
+    };
     for masses in MASSES {
         cc::Build::new()
             .file("c/thesis.c")
@@ -34,5 +42,6 @@ fn main() {
     }
     println!("cargo::rustc-link-lib=m");
     println!("cargo::rustc-env=STEPPER={}", stepper.display());
+    println!("cargo::rustc-env=TIME_STEPPING={}", stepping.display());
     println!("cargo::rustc-cfg=with_c");
 }

@@ -84,16 +84,16 @@ fn all(steps: u32) {
     for share in [0.2, 0.5, 0.95] {
         holds::<f64>(ONE, LINEAR, share, steps);
         holds::<f32>(ONE, HOLD, share, steps);
-        holds::<f64>(PAIR, LINEAR, share, steps);
+        holds::<f64>(PAIR, LINEAR, share, steps / 4);
     }
-    holds::<f64>(BASE, LINEAR, 0.95, steps / 4);
-    holds::<f64>(ONE_ON_BASE, LINEAR, 0.5, steps / 4);
-    holds::<f32>(WALL, LINEAR, 0.95, steps / 4);
+    holds::<f64>(BASE, LINEAR, 0.95, steps / 10);
+    holds::<f64>(ONE_ON_BASE, LINEAR, 0.5, steps / 10);
+    holds::<f32>(WALL, LINEAR, 0.95, steps / 10);
 }
 
 #[test]
 fn none() {
-    all(200_000);
+    all(400_000);
 }
 
 #[test]

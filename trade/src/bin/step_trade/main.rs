@@ -1,0 +1,224 @@
+//! The stepper beside fixed-step integrators of the usual kinds: error against the exact steady state, nanoseconds a
+//! step, stops.  `step_trade [--untimed] PAGE` rewrites the table between the marks of the page.
+
+mod run;
+mod scenes;
+
+use run::{Point, Run, in_c, ours};
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+/// Steps a cycle.
+const STEPS: [usize; 3] = [50, 200, 1000];
+const BEGIN: &str = "<!-- scripts/step-trade: begin -->\n";
+const END: &str = "<!-- scripts/step-trade: end -->";
+/// The programs of `peers/time_stepping.c`, and what they are called.
+const IN_C: [(&str, &str); 4] = [
+    ("moreau-half", "Moreau–Jean, θ = ½"),
+    ("moreau-one", "Moreau–Jean, θ = 1"),
+    ("rk4", "Runge–Kutta 4, switched"),
+    ("rk4-located", "Runge–Kutta 4, located"),
+];
+
+/// The exact steady state.
+struct Exact {
+    amplitude: f64,
+    stops: usize,
+    /// At the end of each step of a cycle, for each number of steps.
+    displacements: [Vec<f64>; 3],
+}
+
+impl Exact {
+    /// The largest difference at the ends of the steps, over the amplitude.
+    fn error(&self, which: usize, run: &Run) -> f64 {
+        let pairs = self.displacements[which].iter().zip(&run.displacements);
+        pairs.fold(0.0, |worst: f64, (want, found)| {
+            let error = (found - want).abs() / self.amplitude;
+            if error.is_finite() {
+                worst.max(error)
+            } else {
+                f64::INFINITY
+            }
+        })
+    }
+}
+
+/// A stepper by name, its input and what it is at a point.
+macro_rules! stepper {
+    ($frame:ident, $input:ident, $point:expr, $steps:expr, $runs:expr, $hold:literal) => {{
+        let beta = $point.beta;
+        ours(
+            $point,
+            ($steps, $runs, $hold),
+            |dt| {
+                let mut stepper = scenes::$frame::stepper(dt).expect("a step");
+                let start = scenes::$input {
+                    force: 1.0,
+                    friction: beta,
+                };
+                stepper.begin(start).expect("a sound input");
+                stepper
+            },
+            |stepper, force| {
+                let input = scenes::$input {
+                    force,
+                    friction: beta,
+                };
+                stepper.advance(input).expect("a sound input").events
+            },
+            |stepper| stepper.contact().displacement(),
+        )
+    }};
+}
+
+/// The exact state and both of our ways, for a number of masses.
+macro_rules! of {
+    ($point:expr, $runs:expr, $line:ident, $line_input:ident, $hold:ident, $hold_input:ident) => {{
+        let at = scenes::$line::at($point.r).expect("in the domain");
+        let orbit = at.orbit($point.beta).expect("a steady state");
+        let exact = Exact {
+            amplitude: orbit.contact().amplitude(),
+            stops: orbit.stops(),
+            displacements: STEPS.map(|steps| {
+                let tau = |step: usize| TAU * step as f64 / steps as f64 - orbit.origin();
+                (1..=steps)
+                    .map(|step| orbit.contact().displacement(tau(step)))
+                    .collect()
+            }),
+        };
+        let line =
+            STEPS.map(|steps| Some(stepper!($line, $line_input, $point, steps, $runs, false)));
+        let hold =
+            STEPS.map(|steps| Some(stepper!($hold, $hold_input, $point, steps, $runs, true)));
+        (exact, line, hold)
+    }};
+}
+
+const POINTS: [Point; 8] = [
+    Point {
+        masses: 1,
+        r: 0.4,
+        beta: 0.4,
+    },
+    Point {
+        masses: 1,
+        r: 0.05,
+        beta: 0.4,
+    },
+    Point {
+        masses: 2,
+        r: 0.4,
+        beta: 0.4,
+    },
+    Point {
+        masses: 2,
+        r: 0.05,
+        beta: 0.2,
+    },
+    Point {
+        masses: 5,
+        r: 0.6,
+        beta: 0.4,
+    },
+    Point {
+        masses: 5,
+        r: 0.05,
+        beta: 0.1,
+    },
+    Point {
+        masses: 10,
+        r: 0.6,
+        beta: 0.4,
+    },
+    Point {
+        masses: 10,
+        r: 0.05,
+        beta: 0.05,
+    },
+];
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut arguments: Vec<String> = std::env::args().skip(1).collect();
+    let timed = arguments.first().is_none_or(|word| word != "--untimed");
+    if !timed {
+        arguments.remove(0);
+    }
+    let [page] = arguments.as_slice() else {
+        return Err("step_trade [--untimed] PAGE".into());
+    };
+    if cfg!(not(with_c)) {
+        eprintln!("SKIPPED: no C compiler; the peers in C are left out");
+    }
+    let text = std::fs::read_to_string(page)?;
+    let (before, rest) = text.split_once(BEGIN).ok_or("the page has no mark")?;
+    let (_, after) = rest.split_once(END).ok_or("the page has no second mark")?;
+    let table = table(timed)?;
+    std::fs::write(page, format!("{before}{BEGIN}{table}{END}{after}"))?;
+    Ok(())
+}
+
+fn table(timed: bool) -> Result<String, std::fmt::Error> {
+    let runs = if timed { 7 } else { 1 };
+    let mut table = String::from(
+        "| masses | r | β | by | error at 50 steps a cycle | at 200 | at 1000 | order | ns a step at 50, 200, 1000 | stops a cycle |\n\
+         |---|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for point in &POINTS {
+        let (exact, line, hold) = match point.masses {
+            1 => of!(point, runs, Line1, Line1Input, Hold1, Hold1Input),
+            2 => of!(point, runs, Line2, Line2Input, Hold2, Hold2Input),
+            5 => of!(point, runs, Line5, Line5Input, Hold5, Hold5Input),
+            _ => of!(point, runs, Line10, Line10Input, Hold10, Hold10Input),
+        };
+        let mut row = |name: &str, found: &[Option<Run>; 3]| -> std::fmt::Result {
+            let Point { masses, r, beta } = point;
+            let all: Option<Vec<&Run>> = found.iter().map(Option::as_ref).collect();
+            let Some(all) = all else { return Ok(()) };
+            let errors: Vec<f64> = all
+                .iter()
+                .enumerate()
+                .map(|(which, run)| exact.error(which, run))
+                .collect();
+            let shown = errors.iter().map(|error| {
+                if *error > 10.0 {
+                    "unstable".to_owned()
+                } else {
+                    format!("{error:.1e}")
+                }
+            });
+            let order = (errors[1] / errors[2]).ln() / 5_f64.ln();
+            let times = if timed {
+                all.iter()
+                    .map(|run| format!("{:.0}", run.time))
+                    .collect::<Vec<_>>()
+                    .join(", ")
+            } else {
+                "–".to_owned()
+            };
+            let stops: Vec<String> = all
+                .iter()
+                .zip(&errors)
+                .map(|(run, error)| {
+                    if *error > 10.0 {
+                        "–".to_owned()
+                    } else {
+                        run.stops.to_string()
+                    }
+                })
+                .collect();
+            writeln!(
+                table,
+                "| {masses} | {r} | {beta} | {name} | {} | {order:.1} | {times} | {} of {} |",
+                shown.collect::<Vec<_>>().join(" | "),
+                stops.join(", "),
+                exact.stops,
+            )
+        };
+        row("stepper, linear", &line)?;
+        row("stepper, hold", &hold)?;
+        for (method, name) in IN_C {
+            row(name, &STEPS.map(|steps| in_c(method, point, steps, runs)))?;
+        }
+    }
+    Ok(table)
+}

@@ -1,0 +1,115 @@
+//! One method at one point with so many steps a cycle.
+
+use crate::scenes::RAYLEIGH;
+use std::f64::consts::TAU;
+use std::process::Command;
+use std::time::Instant;
+
+/// What is asked.
+#[derive(Clone, Copy, Debug)]
+pub struct Point {
+    /// How many masses.
+    pub masses: usize,
+    /// Frequency ratio.
+    pub r: f64,
+    /// Friction ratio.
+    pub beta: f64,
+}
+
+impl Point {
+    /// So many that what a start from rest brings along has gone to the last digit: nothing decays more slowly than by
+    /// e^(−0.01 t).
+    pub fn cycles(&self) -> usize {
+        let slowest = 0.5 * RAYLEIGH[0];
+        (30.0 / (slowest * TAU / self.r)).ceil() as usize
+    }
+}
+
+/// What a method answers: the last cycle.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Nanoseconds a step, the median of the runs.
+    pub time: f64,
+    /// How often the contact stopped.
+    pub stops: usize,
+    /// Its displacement at the end of each step.
+    pub displacements: Vec<f64>,
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// A stepper: `make` starts one, `advance` takes a step under a force and tells its events, `place` is where the contact
+/// is.  Every stop is followed by a break-away, and none of the points has reversals: half of the events are stops.
+pub fn ours<T>(
+    point: &Point,
+    (steps, runs, hold): (usize, usize, bool),
+    make: impl Fn(f64) -> T,
+    advance: impl Fn(&mut T, f64) -> u32,
+    place: impl Fn(&T) -> f64,
+) -> Run {
+    // At the start of each step if it is held, else at the end.
+    let first = usize::from(!hold);
+    let forces: Vec<f64> = (first..first + steps)
+        .map(|step| (TAU * step as f64 / steps as f64).cos())
+        .collect();
+    let (mut times, mut stops) = (Vec::new(), 0);
+    let mut displacements = vec![0.0; steps];
+    for _ in 0..runs {
+        let mut stepper = make(TAU / point.r / steps as f64);
+        let start = Instant::now();
+        for cycle in 0..point.cycles() {
+            let last = cycle + 1 == point.cycles();
+            let mut events = 0;
+            for (force, displacement) in forces.iter().zip(&mut displacements) {
+                events += advance(&mut stepper, *force) as usize;
+                if last {
+                    *displacement = place(&stepper);
+                }
+            }
+            stops = events / 2;
+        }
+        let seconds = start.elapsed().as_secs_f64();
+        times.push(1e9 * seconds / (point.cycles() * steps) as f64);
+    }
+    Run {
+        time: median(times),
+        stops,
+        displacements,
+    }
+}
+
+/// A method in C, which has its own clock.
+#[cfg(with_c)]
+pub fn in_c(method: &str, point: &Point, steps: usize, runs: usize) -> Option<Run> {
+    let contact = point.masses;
+    let [a, b] = RAYLEIGH;
+    let output = Command::new(env!("TIME_STEPPING"))
+        .arg(method)
+        .args([point.masses, contact, 1].map(|number| number.to_string()))
+        .args([a, b, point.r, point.beta].map(|number| format!("{number:?}")))
+        .args([steps, point.cycles(), runs].map(|number| number.to_string()))
+        .output()
+        .ok()?;
+    let text = String::from_utf8(output.stdout).ok()?;
+    let mut lines = text.lines();
+    let mut head = lines.next()?.split_whitespace();
+    let time = head.next()?.parse().ok()?;
+    let stops = head.next()?.parse().ok()?;
+    let number = |line: &str| line.split_whitespace().next()?.parse().ok();
+    let displacements: Option<Vec<f64>> = lines.map(number).collect();
+    Some(Run {
+        time,
+        stops,
+        displacements: displacements?,
+    })
+}
+
+/// Without a compiler there is none.
+#[cfg(not(with_c))]
+pub fn in_c(_: &str, _: &Point, _: usize, _: usize) -> Option<Run> {
+    let _ = Command::new;
+    None
+}
