@@ -5,7 +5,10 @@ use super::names::local;
 use super::step_table::{self, Sizes};
 use super::{Emission, Part, rounded};
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_kernel::stepper::{Input, MAX_EVENTS, MAX_PARTS, MAX_STRETCHES, StepScene, Units};
+use frictiongen_kernel::stepper::{
+    Cost, Input, MAX_EVENTS, MAX_PARTS, MAX_STRETCHES, StepScene, Units, series_terms,
+};
+use frictiongen_model::scene::Precision;
 use frictiongen_model::stepping::Steps;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -39,7 +42,13 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         .stepping
         .step
         .and_then(|step| step_table::emit(emission, &exact, step, &sizes));
-    let cost = cost(&exact, scene.stepping.step);
+    let mut cost = cost(&exact, scene.stepping.step);
+    cost.extend(operations(
+        &exact,
+        scene.stepping.step,
+        sizes.coefficients,
+        *precision,
+    ));
     let from_tables = tables.is_some().then(|| {
         code! {
             if dt == Self::STEP {
@@ -162,6 +171,48 @@ fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
         parts,
         " A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is".to_owned(),
         format!(" followed through at most {MAX_EVENTS} events, in at most {MAX_STRETCHES} stretches."),
+    ]
+}
+
+/// How many operations that is.
+fn operations(
+    scene: &StepScene<'_, Dd>,
+    step: Option<f64>,
+    coefficients: usize,
+    precision: Precision,
+) -> [String; 3] {
+    let angle = step.map_or(1.0, |step| scene.fastest().to_f64() * step);
+    let parts = angle.ceil().clamp(1.0, f64::from(MAX_PARTS));
+    let epsilon = match precision {
+        Precision::F32 => f64::from(f32::EPSILON),
+        Precision::F64 => f64::EPSILON,
+    };
+    let terms = series_terms(angle / parts, epsilon);
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "from 1 to MAX_PARTS"
+    )]
+    let cost = scene.cost(coefficients, parts as u32, terms);
+    let of = if step.is_some() {
+        "step `STEP`"
+    } else {
+        "part"
+    };
+    let Cost {
+        tables,
+        one_event,
+        most,
+    } = cost;
+    let (each, beside) = (Cost::INSTRUCTIONS, Cost::FIXED);
+    [
+        String::new(),
+        format!(
+            " A {of} has at most {tables} floating-point operations by the tables, about {one_event} with one event, never"
+        ),
+        format!(
+            " more than {most}.  A Cortex-M4F takes up to {each} instructions for each in single precision, and {beside} a part."
+        ),
     ]
 }
 

@@ -16,6 +16,9 @@ pub struct Bowed;
 /// A step `STEP` is cut into 1 part, any other into 73.54·dt, rounded up, and at most 1024.
 /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
 /// followed through at most 8 events, in at most 64 stretches.
+///
+/// A step `STEP` has at most 260 floating-point operations by the tables, about 20116 with one event, never
+/// more than 3732696.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
 #[allow(deprecated, non_camel_case_types)]
 pub struct BowedStepper(
     ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f64, 2, 2, 1, 2>,
@@ -279,6 +282,9 @@ const _: () = {
         /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
         /// followed through at most 8 events, in at most 64 stretches.
         ///
+        /// A step `STEP` has at most 260 floating-point operations by the tables, about 20116 with one event, never
+        /// more than 3732696.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
+        ///
         /// # Errors
         /// `OutOfDomain` for a step that is not positive and finite, or too long.
         #[inline]
@@ -321,6 +327,9 @@ const _: () = {
         /// A step `STEP` is cut into 1 part, any other into 73.54·dt, rounded up, and at most 1024.
         /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
         /// followed through at most 8 events, in at most 64 stretches.
+        ///
+        /// A step `STEP` has at most 260 floating-point operations by the tables, about 20116 with one event, never
+        /// more than 3732696.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
         ///
         /// # Errors
         /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares

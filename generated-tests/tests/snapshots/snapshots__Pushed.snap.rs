@@ -16,6 +16,9 @@ pub struct Pushed;
 /// A step is cut into 20.00·dt parts, rounded up, and at most 1024.
 /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
 /// followed through at most 8 events, in at most 64 stretches.
+///
+/// A part has at most 132 floating-point operations by the tables, about 7878 with one event, never
+/// more than 1559174.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
 #[allow(deprecated, non_camel_case_types)]
 pub struct PushedStepper(
     ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f32, 1, 1, 0, 1>,
@@ -129,6 +132,9 @@ const _: () = {
         /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
         /// followed through at most 8 events, in at most 64 stretches.
         ///
+        /// A part has at most 132 floating-point operations by the tables, about 7878 with one event, never
+        /// more than 1559174.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
+        ///
         /// # Errors
         /// `OutOfDomain` for a step that is not positive and finite, or too long.
         #[inline]
@@ -171,6 +177,9 @@ const _: () = {
         /// A step is cut into 20.00·dt parts, rounded up, and at most 1024.
         /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
         /// followed through at most 8 events, in at most 64 stretches.
+        ///
+        /// A part has at most 132 floating-point operations by the tables, about 7878 with one event, never
+        /// more than 1559174.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
         ///
         /// # Errors
         /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares
