@@ -25,7 +25,10 @@ pub(super) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
                 return from_left(value, tangent);
             }
         }
-        if zero < curve + root {
+        if curve < zero {
+            // The same root of p′, in the form that does not cancel: a slight bound would leave nothing of it.
+            from = ((slope + slope) / (root - curve)).max(zero);
+        } else if zero < curve + root {
             from = (curve + root) / bound;
         }
     } else if !(zero < value(inflection)) {
