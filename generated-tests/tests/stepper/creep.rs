@@ -93,7 +93,7 @@ fn all(steps: u32) {
 
 #[test]
 fn none() {
-    all(400_000);
+    all(1_000_000);
 }
 
 #[test]

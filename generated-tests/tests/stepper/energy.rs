@@ -120,6 +120,12 @@ fn balance() {
 }
 
 #[test]
+fn balance_over_a_million_steps() {
+    run::<f64>(ONE, LINEAR, 1_000_000, f64::EPSILON);
+    run::<f32>(ONE, LINEAR, 1_000_000, f64::from(f32::EPSILON));
+}
+
+#[test]
 #[ignore = "minutes"]
 fn balance_over_a_hundred_million_steps() {
     run::<f64>(ONE, LINEAR, 100_000_000, f64::EPSILON);
