@@ -82,6 +82,7 @@ impl Movement {
         let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
         if let Some(swing) = &mut self.swing {
             swing.amplitude = settled(swing.amplitude);
+            swing.phase = swing.phase.filter(|_| swing.amplitude != 0.0);
         }
         self.monoharmonic = self.monoharmonic.map(settled);
         for harmonic in &mut self.harmonics {

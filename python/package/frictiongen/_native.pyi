@@ -10,6 +10,21 @@ _Friction = tuple[Any | None, Any | None]
 _Load = tuple[Any | None, Any | None]
 _Columns = dict[str, Any]
 
+__all__ = [
+    "DomainError",
+    "SceneError",
+    "System",
+    "curve",
+    "limits",
+    "map",
+    "optimum",
+    "orbit",
+    "response",
+    "sensitivities",
+    "simulate",
+    "step",
+]
+
 class SceneError(Exception):
     errors: list[Any]
 
