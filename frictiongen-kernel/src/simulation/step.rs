@@ -105,3 +105,21 @@ fn from_left<S: Float>(value: impl Fn(S) -> S, tangent: impl Fn(S) -> S) -> S {
     }
     h
 }
+
+#[cfg(test)]
+mod tests {
+    use super::safe;
+
+    #[test]
+    fn a_slight_bound_leaves_a_fall_its_root() {
+        // 2h − h²/2 less next to nothing vanishes at 4: from the top at 2 the root is found from the right, and never passed.
+        for bound in [1e-12_f32, 1e-9, 1e-7, 1e-4] {
+            let h = safe(0.0, 2.0, -1.0, bound, 10.0);
+            // Newton's method ends within a thousandth; the chord is nearer.
+            assert!((3.99..=4.000_001).contains(&h), "{bound:e}: {h}");
+        }
+        // The same about a top that lies before: 1 − h − h²/2.
+        let h = safe(1.0, -1.0, -1.0, 1e-9_f32, 10.0);
+        assert!((0.731..=0.732_06).contains(&h), "{h}");
+    }
+}
