@@ -33,6 +33,8 @@ mod output;
 mod picture;
 mod progress;
 mod recorded;
+#[cfg(feature = "report")]
+mod report;
 mod response;
 mod sensitivity;
 mod shell;
@@ -88,6 +90,8 @@ pub fn run(
         Command::Identify(arguments) => recorded::identify(arguments, out),
         Command::Fit(arguments) => recorded::fit(arguments, out),
         Command::Drive(arguments) => recorded::drive(arguments, out),
+        #[cfg(feature = "report")]
+        Command::Report(arguments) => report::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
         Command::Check(arguments) => check::run(arguments, out),
