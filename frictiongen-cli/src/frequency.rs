@@ -70,6 +70,17 @@ impl Band {
         }
     }
 
+    /// The range between two ratios, in Hz or not.
+    #[cfg(feature = "report")]
+    pub fn between(from: f64, to: f64, in_hertz: bool) -> Self {
+        Self {
+            from,
+            to,
+            widest: None,
+            unit: if in_hertz { Unit::Hertz } else { Unit::Ratio },
+        }
+    }
+
     /// Whether it is given in a unit.
     pub fn is_physical(&self) -> bool {
         self.unit != Unit::Ratio

@@ -34,6 +34,8 @@ mod output;
 mod picture;
 mod progress;
 mod recorded;
+#[cfg(feature = "report")]
+mod report;
 mod response;
 mod sensitivity;
 mod shell;
@@ -90,6 +92,8 @@ pub fn run(
         Command::Fit(arguments) => recorded::fit(arguments, out),
         Command::Drive(arguments) => recorded::drive(arguments, out),
         Command::Features(arguments) => features::run(arguments, out),
+        #[cfg(feature = "report")]
+        Command::Report(arguments) => report::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
         Command::Check(arguments) => check::run(arguments, out),

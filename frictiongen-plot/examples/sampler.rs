@@ -382,6 +382,7 @@ fn systems() -> Figure {
 fn two_masses() -> Sketch {
     Sketch {
         masses: vec!["*m*_1".into(), "*m*_2".into()],
+        values: Vec::new(),
         springs: vec![
             Spring {
                 between: (End::Base, End::Mass(0)),
@@ -407,6 +408,7 @@ fn two_masses() -> Sketch {
 fn base_driven() -> Sketch {
     Sketch {
         masses: vec!["*m*_1".into(), "*m*_2".into()],
+        values: Vec::new(),
         springs: vec![
             Spring {
                 between: (End::Base, End::Mass(0)),

@@ -19,8 +19,8 @@ const CAPTION: f64 = 13.0;
 /// Distance of lines of text, in their size.
 const LEADING: f64 = 1.3;
 
-/// The whole figure as SVG.
-pub(crate) fn figure(figure: &Figure) -> String {
+/// The whole figure as SVG, with the frames of its panels.
+pub(crate) fn figure(figure: &Figure) -> (String, Vec<Rect>) {
     let most = if figure.page == Page::Narrow { 1 } else { 2 };
     let columns = figure
         .columns
@@ -47,15 +47,14 @@ pub(crate) fn figure(figure: &Figure) -> String {
             Style::new(TITLE, Anchor::Start),
         );
     let mut legend = Legend::default();
-    for (index, rect) in rows(figure, columns, room, &mut y).into_iter().enumerate() {
-        if let Some(panel) = figure.panels.get(index) {
-            draw_panel(
-                &mut canvas,
-                panel,
-                &Frame::new(panel, rect, false),
-                &mut legend,
-            );
-        }
+    let frames = rows(figure, columns, room, &mut y);
+    for (panel, rect) in figure.panels.iter().zip(&frames) {
+        draw_panel(
+            &mut canvas,
+            panel,
+            &Frame::new(panel, *rect, false),
+            &mut legend,
+        );
     }
     for key in &figure.keys {
         legend.add(&key.name, key.sample);
@@ -65,11 +64,12 @@ pub(crate) fn figure(figure: &Figure) -> String {
         let style = Style::new(CAPTION, Anchor::Start).coloured(SOFT);
         y += 6.0 + text(&mut canvas, &figure.caption, y + 6.0, room, style);
     }
-    canvas.document(
+    let document = canvas.document(
         (width, y + 0.6 * MARGIN),
         &heading.plain(),
         &description(figure, &legend),
-    )
+    );
+    (document, frames)
 }
 
 /// The frames of all panels; moves `y` below them.

@@ -39,12 +39,14 @@ impl Plan<'_> {
         for (index, mass) in self.sketch.masses.iter().enumerate() {
             let (left, _) = self.sides(index + 1);
             pen.rect((left, row, self.pitch.0, HEIGHT), MASS, Some(INK));
-            pen.text(
-                mass,
-                (left + 0.5 * self.pitch.0, row + 0.5 * HEIGHT + 5.0),
-                Anchor::Middle,
-                INK,
-            );
+            let (x, middle) = (left + 0.5 * self.pitch.0, row + 0.5 * HEIGHT + 5.0);
+            match self.sketch.values.get(index) {
+                Some(value) => {
+                    pen.text(mass, (x, middle - 9.0), Anchor::Middle, INK);
+                    pen.text(value, (x, middle + 9.0), Anchor::Middle, INK);
+                }
+                None => pen.text(mass, (x, middle), Anchor::Middle, INK),
+            }
         }
         self.excitation(&mut pen, row);
     }

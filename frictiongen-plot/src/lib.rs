@@ -45,7 +45,7 @@ mod ticks;
 mod xml;
 
 pub use axis::{Axis, Scale, Unit};
-pub use figure::{Figure, Inset, Key, Page, Panel, Sample};
+pub use figure::{Figure, Inset, Key, Page, Panel, PanelFrame, Sample};
 pub use geometry::Point;
 pub use label::{Face, Label, Level, Span};
 pub use layer::{Across, Anchor, Cells, Guide, Layer, Line, Markers, Note, Raster, Region};

@@ -77,6 +77,13 @@ const MAP: [Rgb; 9] = [
     Rgb(0xfd, 0xe7, 0x25),
 ];
 
+/// As a page writes it, `#0064bd`.
+impl fmt::Display for Colour {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.rgb().fmt(f)
+    }
+}
+
 impl Colour {
     /// How many series have a colour of their own.
     pub const SERIES: usize = SERIES.len();

@@ -49,7 +49,13 @@ impl<'a> Plan<'a> {
     /// Parts come nearer to each other where there is less room than they would take.
     pub(crate) fn new(sketch: &'a Sketch, room: f64) -> Option<Self> {
         let count = sketch.masses.len();
-        if !(1..=Sketch::MOST).contains(&count) {
+        let valued = !sketch.values.is_empty();
+        let most = if valued {
+            Sketch::MOST_WITH_VALUES
+        } else {
+            Sketch::MOST
+        };
+        if !(1..=most).contains(&count) {
             return None;
         }
         // Stations from left to right: the base, the masses, the wall.
@@ -74,7 +80,7 @@ impl<'a> Plan<'a> {
             base: matches!(sketch.excitation, Excitation::Base { .. }),
             wall: false,
             lanes: 0,
-            pitch: (WIDTH, GAP),
+            pitch: if valued { pitch(sketch) } else { (WIDTH, GAP) },
         };
         let mut far: Vec<(usize, usize, &Label, bool)> = Vec::new();
         for spring in &sketch.springs {
@@ -120,7 +126,7 @@ impl<'a> Plan<'a> {
         }
         let (wide, _) = plan.size();
         let (last, _) = plan.sides(count);
-        if room < wide {
+        if room < wide && !valued {
             // All but what stands to the right of the last mass and the base shrinks.
             let share = ((room - (wide - last)) / last).clamp(LEAST, 1.0);
             plan.pitch = (share * WIDTH, share * GAP);
@@ -205,4 +211,14 @@ impl<'a> Plan<'a> {
     pub(crate) fn lane(&self, lane: usize) -> f64 {
         self.top() - 14.0 - self.over() - LANE * lane as f64
     }
+}
+
+/// The widths of a mass and of a gap that have room for every word.
+fn pitch(sketch: &Sketch) -> (f64, f64) {
+    let widest = |labels: &mut dyn Iterator<Item = &Label>| {
+        labels.map(|label| label.width(TEXT)).fold(0.0, f64::max)
+    };
+    let mass = widest(&mut sketch.masses.iter().chain(&sketch.values));
+    let gap = widest(&mut sketch.springs.iter().map(|spring| &spring.label));
+    (f64::max(WIDTH, mass + 12.0), f64::max(GAP, gap + 14.0))
 }

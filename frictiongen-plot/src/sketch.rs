@@ -53,13 +53,14 @@ pub enum Excitation {
     },
 }
 
-/// A mechanical system as a sketch.  Up to [`Sketch::MOST`] masses are drawn, and nothing of a longer chain.
-/// What ends on a mass that does not exist is left out.
+/// A mechanical system as a sketch.  Up to [`Sketch::MOST`] masses are drawn, with values [`Sketch::MOST_WITH_VALUES`], and
+/// nothing of a longer chain.  What ends on a mass that does not exist is left out.
 ///
 /// ```
 /// use frictiongen_plot::{Contact, End, Excitation, Sketch, Spring};
 /// let sketch = Sketch {
 ///     masses: vec!["*m*_1".into(), "*m*_2".into()],
+///     values: Vec::new(),
 ///     springs: vec![
 ///         Spring { between: (End::Base, End::Mass(0)), label: "*k*_1".into() },
 ///         Spring { between: (End::Mass(0), End::Mass(1)), label: "*k*_2".into() },
@@ -74,6 +75,8 @@ pub enum Excitation {
 pub struct Sketch {
     /// The names of the masses, from left to right.
     pub masses: Vec<Label>,
+    /// What stands under those names, such as 3.27 kg; may be empty.  A sketch with values is as wide as its words need.
+    pub values: Vec<Label>,
     /// The springs.
     pub springs: Vec<Spring>,
     /// Dashpots beside them.
@@ -87,6 +90,9 @@ pub struct Sketch {
 impl Sketch {
     /// The most masses that are drawn.
     pub const MOST: usize = 6;
+
+    /// The most masses that are drawn with values.
+    pub const MOST_WITH_VALUES: usize = 16;
 
     /// The sketch alone as SVG; nothing where there are no masses or too many.
     #[must_use]
@@ -127,6 +133,7 @@ mod tests {
         };
         Sketch {
             masses: (1..=count).map(|i| format!("*m*_{i}").into()).collect(),
+            values: Vec::new(),
             springs: (0..count)
                 .map(|i| Spring {
                     between: ends(i),
@@ -149,6 +156,22 @@ mod tests {
         }
         assert_eq!(chain(0).svg(), None);
         assert_eq!(chain(7).svg(), None);
+    }
+
+    #[test]
+    fn values_take_the_room_that_they_need() {
+        let mut sketch = chain(7);
+        sketch.values = vec!["3.27 kg".into(); 7];
+        let (width, _) = sketch.size(ALONE).unwrap();
+        assert!(sketch.svg().unwrap().matches(">3.27 kg<").count() == 7);
+        sketch.values = vec!["327000.25 kg".into(); 7];
+        let (wider, _) = sketch.size(ALONE).unwrap();
+        assert!(width < wider);
+        sketch.springs[3].label = "1190.25 N/m and more".into();
+        assert!(wider < sketch.size(ALONE).unwrap().0);
+        let mut long = chain(Sketch::MOST_WITH_VALUES + 1);
+        long.values = vec!["1 kg".into()];
+        assert_eq!(long.svg(), None);
     }
 
     #[test]

@@ -2,6 +2,8 @@
 
 mod help;
 mod recorded;
+#[cfg(feature = "report")]
+mod report;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use help::{
@@ -13,6 +15,8 @@ pub use recorded::{
     TransmissibilityArguments,
 };
 use recorded::{DRIVES, FITS, IDENTIFICATIONS, RECORDINGS};
+#[cfg(feature = "report")]
+pub use report::ReportArguments;
 use std::path::PathBuf;
 
 /// Exact solutions of mass-spring chains with one Coulomb friction contact.
@@ -51,6 +55,10 @@ pub enum Command {
     /// Resonances, thresholds, invariant points, sliding ranges, regimes and peaks of a scene
     #[command(after_help = format!("{FEATURES}{UNITS}"))]
     Features(FeaturesArguments),
+    /// Everything about a description on one page: HTML that needs no network
+    #[cfg(feature = "report")]
+    #[command(after_help = format!("{}{UNITS}{}", report::REPORTS, report::RANGES))]
+    Report(ReportArguments),
     /// The derivatives of amplitude, phase and limits with respect to every parameter, in any regime
     #[command(after_help = format!("{SENSITIVITIES}{UNITS}{GRIDS_IN_TIME}"))]
     Sensitivity(SensitivityArguments),

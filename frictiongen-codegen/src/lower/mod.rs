@@ -59,6 +59,25 @@ pub struct Description {
     pub tables: Option<SceneTables>,
 }
 
+impl Description {
+    /// What the doc comments before the struct say, line by line.
+    #[must_use]
+    pub fn documentation(&self) -> String {
+        let text = |attribute: &syn::Attribute| match &attribute.meta {
+            syn::Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
+                syn::Expr::Lit(syn::ExprLit {
+                    lit: syn::Lit::Str(text),
+                    ..
+                }) => Some(text.value().trim().to_owned()),
+                _ => None,
+            },
+            _ => None,
+        };
+        let lines: Vec<String> = self.attributes.iter().filter_map(text).collect();
+        lines.join("\n")
+    }
+}
+
 /// Tables in the scene's scalar.
 #[derive(Clone, Debug)]
 pub enum SceneTables {

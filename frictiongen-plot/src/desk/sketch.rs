@@ -35,6 +35,7 @@ pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
         });
     Sketch {
         masses: masses.collect(),
+        values: Vec::new(),
         springs: springs.collect(),
         dashpots: Vec::new(),
         contact: Some(Contact {

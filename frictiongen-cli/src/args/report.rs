@@ -1,0 +1,103 @@
+//! What can be typed after `frictiongen report`.
+
+use super::{FileArgument, FrequencyArguments, FrictionArguments, LoadArguments};
+use clap::Args;
+use std::path::PathBuf;
+
+pub const REPORTS: &str = "\
+The page:
+  The scene drawn, its modes, amplitudes and phases at several frictions, the regime map with both
+  limits, the best friction, and what the emitted code costs. One file without network: it has its
+  pictures, its style and a script to read values off with a pointer or arrow keys; every number is
+  also in a JSON block with a version.
+
+What is chosen where nothing is given, and said on the page:
+  range      from 0.3 of the lowest to 1.5 of the highest resonance
+  frictions  0.1, 0.3 and 0.7 of the sliding limit that half of the range exceeds, and the best
+             friction; without friction and with the contact stuck besides
+  motions    the contact and every mass of up to four; of a longer chain the contact, its mass, the
+             one that the load acts on and the last
+Without --base or --force the page is in the groups r and beta.
+
+";
+
+pub const RANGES: &str = "\
+Ranges:
+  A range of frequencies is a:b, above 0. Frictions are a number, a range a:step:b, or a
+  comma-separated list of those, up to 6.
+
+Exit status:
+  0, or 2 with one line on standard error for each thing that is wrong.";
+
+/// Of `frictiongen report`.
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// The range of frequencies.
+    #[command(flatten)]
+    range: RangeArguments,
+    /// The frictions.
+    #[command(flatten)]
+    levels: LevelArguments,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
+    /// Only this mass, or `contact`; may be given more than once [default: see below]
+    #[arg(long, value_name = "NAME")]
+    pub of: Vec<String>,
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+}
+
+/// A range of frequencies, in one of three ways or none.
+#[derive(Debug, Args)]
+#[group(multiple = false)]
+struct RangeArguments {
+    /// A range of frequency ratios r = omega sqrt(m1/k1)
+    #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
+    r: Option<String>,
+    /// In place of --r, in Hz
+    #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
+    hz: Option<String>,
+    /// In place of --r, in rad/s
+    #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
+    omega: Option<String>,
+}
+
+/// Frictions, in one of two ways or none.
+#[derive(Debug, Args)]
+#[group(multiple = false)]
+struct LevelArguments {
+    /// Friction ratios beta = F/P, for base motion F/(k1 Y)
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    beta: Option<String>,
+    /// In place of --beta, kinetic friction forces F in N; needs --force or --base
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    friction: Option<String>,
+}
+
+impl ReportArguments {
+    /// The range, if one is given.
+    pub fn range(&self) -> Option<FrequencyArguments> {
+        let RangeArguments { r, hz, omega } = &self.range;
+        let given = [r, hz, omega].iter().any(|text| text.is_some());
+        given.then(|| FrequencyArguments {
+            r: r.clone(),
+            hz: hz.clone(),
+            omega: omega.clone(),
+        })
+    }
+
+    /// The frictions, if any are given.
+    pub fn frictions(&self) -> Option<FrictionArguments> {
+        let LevelArguments { beta, friction } = &self.levels;
+        let given = beta.is_some() || friction.is_some();
+        given.then(|| FrictionArguments {
+            beta: beta.clone(),
+            friction: friction.clone(),
+        })
+    }
+}

@@ -1,0 +1,206 @@
+//! What the page is about: what was asked for, and what is chosen where nothing was.
+
+use super::words::Words;
+use crate::args::ReportArguments;
+use crate::asked::{self, Part};
+use crate::failure::Failure;
+use crate::frequency::Band;
+use crate::friction::Frictions;
+use crate::measure::Measure;
+use crate::picture;
+use frictiongen::study::scene::{Excitation, Node};
+use frictiongen::{Of, System};
+
+/// The most frictions of a page: more colours are not told apart.
+const MOST_FRICTIONS: usize = 6;
+/// The most masses whose motions are all shown.
+const ALL_SHOWN: usize = 4;
+/// Of the lowest and of the highest resonance.
+const RANGE: [f64; 2] = [0.3, 1.5];
+/// Of the sliding limit that half of the range exceeds.
+const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
+/// Frequencies at which the sliding limit is looked at for that.
+const PLACES: usize = 401;
+
+/// What the page is about.
+pub struct Asked {
+    /// Of which system.
+    pub system: System,
+    /// Over which frequencies.
+    pub band: Band,
+    /// In which units.
+    pub words: Words,
+    /// Of which motions.
+    pub parts: Vec<Part>,
+    /// β, as far as it was given.
+    pub frictions: Option<Vec<f64>>,
+    /// What was chosen, and by which rule.
+    pub chosen: Vec<String>,
+}
+
+impl Asked {
+    /// What the options say.
+    pub fn of(arguments: &ReportArguments, system: System) -> Result<Self, Failure> {
+        let measure = Measure::of(&arguments.load, &system)?;
+        let mut chosen = Vec::new();
+        let band = match arguments.range() {
+            Some(range) => Band::parse(&range, &system)?,
+            None => {
+                chosen.push(format!(
+                    "The range of frequencies goes from {} of the lowest to {} of the highest resonance.",
+                    RANGE[0], RANGE[1]
+                ));
+                automatic(&system, measure.load().is_some())
+            }
+        };
+        if band.widest.is_some() {
+            return Err(Failure::new(
+                "a page has a range a:b, without a step: it is refined where something bends",
+            ));
+        }
+        let words = Words {
+            scales: picture::scales(&system, band.is_physical(), &measure),
+            in_hertz: band.is_physical(),
+            measure,
+        };
+        let parts = if arguments.of.is_empty() {
+            shown(&system, &mut chosen)?
+        } else {
+            asked::parts(&system, &arguments.of)?
+        };
+        let frictions = match arguments.frictions() {
+            None => None,
+            Some(given) => {
+                let given = Frictions::parse(&given, None)?.under(&measure)?;
+                if MOST_FRICTIONS < given.len() {
+                    return Err(Failure::new(format_args!(
+                        "a page shows up to {MOST_FRICTIONS} frictions, and {} are given",
+                        given.len()
+                    )));
+                }
+                Some(given.iter().map(|friction| friction.beta).collect())
+            }
+        };
+        Ok(Self {
+            system,
+            band,
+            words,
+            parts,
+            frictions,
+            chosen,
+        })
+    }
+
+    /// Frequency ratios evenly over the range, both ends among them.
+    pub fn even(&self, count: usize) -> impl Iterator<Item = f64> + use<> {
+        let (from, to) = (self.band.from, self.band.to);
+        let steps = count.max(2) - 1;
+        (0..=steps).map(move |i| {
+            if i == steps {
+                to
+            } else {
+                from + (to - from) * i as f64 / steps as f64
+            }
+        })
+    }
+
+    /// The sliding limits over the range, ascending; without those that are infinite.
+    pub fn sliding_limits(&self) -> Vec<f64> {
+        let at = |r: f64| Some(self.system.at(r).ok()?.sliding_limit());
+        let mut limits: Vec<f64> = self.even(PLACES).filter_map(at).collect();
+        limits.retain(|limit| limit.is_finite());
+        limits.sort_by(f64::total_cmp);
+        limits
+    }
+
+    /// The frictions of the curves: those given, or parts of the sliding limit and the best one, ascending.
+    pub fn levels(&mut self, best: Option<f64>) -> Vec<f64> {
+        if let Some(given) = &self.frictions {
+            return given.clone();
+        }
+        let limits = self.sliding_limits();
+        let middle = limits.get(limits.len() / 2).copied().unwrap_or(1.0);
+        let middle = if 0.0 < middle { middle } else { 1.0 };
+        let scale = self.words.measure.scale();
+        let nice = |beta: f64| match scale {
+            Some(scale) => scale.friction_ratio(two_digits(scale.friction(beta))),
+            None => two_digits(beta),
+        };
+        let mut levels: Vec<f64> = FRACTIONS.iter().map(|part| nice(part * middle)).collect();
+        let [first, second, third] = FRACTIONS;
+        self.chosen.push(format!(
+            "The frictions of the curves are {first}, {second} and {third} of the sliding limit that half of the range exceeds ({}), \
+             to two digits{}.",
+            self.words.friction(middle),
+            if best.is_some() { ", and the best friction" } else { "" },
+        ));
+        if let Some(best) = best.filter(|best| 0.0 < *best && best.is_finite()) {
+            // Two curves that nobody tells apart are one.
+            levels.retain(|level| 0.05 * best < (level - best).abs());
+            levels.push(best);
+        }
+        levels.retain(|level| 0.0 < *level && level.is_finite());
+        levels.sort_by(f64::total_cmp);
+        levels.dedup();
+        levels
+    }
+}
+
+fn two_digits(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
+}
+
+fn automatic(system: &System, in_hertz: bool) -> Band {
+    let positive = |r: &&f64| 0.0 < **r && r.is_finite();
+    let resonances = || system.resonances().iter().filter(positive);
+    let (lowest, highest) = (resonances().next(), resonances().next_back());
+    let [low, high] = RANGE;
+    Band::between(
+        low * lowest.copied().unwrap_or(1.0),
+        high * highest.copied().unwrap_or(1.0),
+        in_hertz,
+    )
+}
+
+/// The motions of a page: all, or of a long chain those that count first.  The motion that rubs on a wall is its mass's.
+fn shown(system: &System, chosen: &mut Vec<String>) -> Result<Vec<Part>, Failure> {
+    let mut all = asked::parts(system, &[])?;
+    let scene = system.scene();
+    if [scene.contact.from, scene.contact.to].contains(&Node::Wall) {
+        all.retain(|part| part.of != Of::Contact);
+    }
+    let count = scene.masses.len();
+    if count <= ALL_SHOWN {
+        return Ok(all);
+    }
+    let mut kept = vec![count - 1];
+    for node in [scene.contact.from, scene.contact.to] {
+        if let Node::Mass(index) = node {
+            kept.push(index);
+        }
+    }
+    match scene.excitation {
+        Excitation::Force(index) => kept.push(index),
+        Excitation::Base => {
+            kept.extend(
+                scene
+                    .springs
+                    .iter()
+                    .filter_map(|spring| match (spring.from, spring.to) {
+                        (Node::Base, Node::Mass(index)) | (Node::Mass(index), Node::Base) => {
+                            Some(index)
+                        }
+                        _ => None,
+                    }),
+            )
+        }
+    }
+    chosen.push(format!(
+        "Of {count} masses those are shown at which the contact rubs or the load acts, and the last; --of shows others."
+    ));
+    let counts = |part: &Part| match part.of {
+        Of::Contact => true,
+        Of::Mass(index) => kept.contains(&index),
+    };
+    Ok(all.into_iter().filter(counts).collect())
+}

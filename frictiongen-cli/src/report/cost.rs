@@ -1,0 +1,294 @@
+//! What the emitted code costs and how exact it is: as emitted, and as measured here.
+
+use super::asked::Asked;
+use super::words::{digits, number};
+use frictiongen::System;
+use frictiongen::kernel::Float;
+use frictiongen::kernel::number::dd::Dd;
+use frictiongen::study::scene::{Accuracy, Precision, Range, Scene};
+use frictiongen_codegen::{Limits, SceneTables, parse_text, pretty};
+use maud::{Markup, html};
+use serde_json::{Value as Json, json};
+
+/// The most masses whose answers are compared with double-double.
+const MOST_COMPARED: usize = 16;
+/// Frequencies at which they are.
+const PLACES: usize = 101;
+/// The most masses for which tables are made.
+const MOST_TABLED: usize = 4;
+/// The accuracy declared for them.
+const DECLARED: f64 = 1e-4;
+
+/// An emitted function.
+struct Function {
+    name: String,
+    about: String,
+    operations: String,
+}
+
+/// By how much answers differ from those in double-double, at most.
+struct Measured {
+    precision: &'static str,
+    continuous: f64,
+    sliding: f64,
+    amplitude: f64,
+    /// Limits, and amplitudes.
+    compared: (usize, usize),
+}
+
+/// Tables of a declared accuracy.
+struct Tabled {
+    pieces: usize,
+    bytes: usize,
+    error: f64,
+    points: usize,
+    comparisons: usize,
+    operations: usize,
+}
+
+/// The section's contents.
+pub struct Cost {
+    functions: Result<Vec<Function>, String>,
+    measured: Result<Vec<Measured>, String>,
+    tabled: Result<Tabled, String>,
+    precision: &'static str,
+}
+
+impl Cost {
+    /// Of a description.
+    pub fn of(text: &str, asked: &Asked) -> Self {
+        let scene = asked.system.scene();
+        Self {
+            functions: functions(text),
+            measured: measured(text, asked),
+            tabled: tabled(asked),
+            precision: match scene.precision {
+                Precision::F64 => "f64",
+                Precision::F32 => "f32",
+            },
+        }
+    }
+
+    /// The section.
+    pub fn html(&self) -> Markup {
+        html! {
+            section #cost {
+                h2 { "What emitted code costs, and how exact it is" }
+                p {
+                    "The macro makes Rust of this description, in " (self.precision) ", for firmware and real-time code. \
+                     Operations are those of each emitted function as its documentation counts them; searches call functions of the library besides."
+                }
+                @match &self.functions {
+                    Err(reason) => p { (reason) },
+                    Ok(all) => div.scroll tabindex="0" role="region" aria-label="Operations of emitted functions" { table {
+                        thead { tr { th scope="col" { "function" } th scope="col" { "operations" } } }
+                        tbody { @for function in all { tr {
+                            th scope="row" { code { (function.name) } @if !function.about.is_empty() { br; small { (function.about) } } }
+                            td.words { (function.operations) }
+                        } } }
+                    } },
+                }
+                @match &self.measured {
+                    Err(reason) => p { (reason) },
+                    Ok(all) => {
+                        p {
+                            "The same formulas, computed for this page with about 30 digits: the largest relative differences at "
+                            (PLACES) " frequencies of the range, amplitudes of the contact with half the friction at which it may stop."
+                        }
+                        div.scroll tabindex="0" role="region" aria-label="Differences" { table {
+                            thead { tr {
+                                th scope="col" { "computed in" }
+                                th scope="col" { "limit of continuous motion" }
+                                th scope="col" { "limit of sliding" }
+                                th scope="col" { "amplitude" }
+                            } }
+                            tbody { @for one in all { tr {
+                                th scope="row" { (one.precision) }
+                                td { (digits(one.continuous)) }
+                                td { (digits(one.sliding)) }
+                                td { @if one.compared.1 == 0 { "none compared" } @else { (digits(one.amplitude)) } }
+                            } } }
+                        } }
+                    }
+                }
+                @match &self.tabled {
+                    Err(reason) => p { (reason) },
+                    Ok(tables) => p {
+                        "Tables in place of formulas, for a declared accuracy of " (digits(DECLARED)) " over this range: "
+                        (tables.bytes) " bytes in " (tables.pieces) " pieces, a lookup of " (tables.comparisons) " comparisons and then "
+                        (tables.operations) " additions and multiplications; the largest error at " (tables.points)
+                        " points that the fit did not see is " (digits(tables.error)) "."
+                    },
+                }
+            }
+        }
+    }
+
+    /// The same as data.
+    pub fn data(&self) -> Json {
+        let none = |reason: &String| json!({ "none": reason });
+        let functions = self.functions.as_ref().map_or_else(none, |all| {
+            let one = |function: &Function| json!({ "name": function.name, "operations": function.operations });
+            all.iter().map(one).collect()
+        });
+        let measured = self.measured.as_ref().map_or_else(none, |all| {
+            let one = |one: &Measured| {
+                json!({
+                    "precision": one.precision,
+                    "continuous_limit": number(one.continuous),
+                    "sliding_limit": number(one.sliding),
+                    "contact_amplitude": number(one.amplitude),
+                    "limits_compared": one.compared.0,
+                    "amplitudes_compared": one.compared.1,
+                })
+            };
+            all.iter().map(one).collect()
+        });
+        let tabled = self.tabled.as_ref().map_or_else(none, |tables| {
+            json!({
+                "accuracy": DECLARED,
+                "bytes": tables.bytes,
+                "pieces": tables.pieces,
+                "largest_error": number(tables.error),
+                "checked_points": tables.points,
+                "comparisons": tables.comparisons,
+                "additions_and_multiplications": tables.operations,
+            })
+        });
+        json!({ "precision": self.precision, "functions": functions, "differences": measured, "tables": tabled })
+    }
+}
+
+/// The emitted functions whose documentation counts operations.
+fn functions(text: &str) -> Result<Vec<Function>, String> {
+    let description = parse_text(text, &Limits::MACRO).map_err(|_| {
+        "The macro refuses this description; “frictiongen check” says why.".to_owned()
+    })?;
+    let source = pretty(&description)?;
+    let (mut found, mut about, mut operations) = (Vec::new(), String::new(), None);
+    for line in source.lines().map(str::trim) {
+        if let Some(words) = line.strip_prefix("///").map(str::trim) {
+            match words.strip_prefix("Operations: ") {
+                Some(counts) => operations = Some(counts.trim_end_matches('.').to_owned()),
+                None if about.is_empty() => words.clone_into(&mut about),
+                None => {}
+            }
+            continue;
+        }
+        if let Some((name, _)) = line
+            .split_once("fn ")
+            .and_then(|(_, rest)| rest.split_once(['(', '<']))
+            && let Some(operations) = operations.take()
+        {
+            found.push(Function {
+                name: name.to_owned(),
+                about: about.clone(),
+                operations,
+            });
+        }
+        if !line.starts_with("#[") {
+            about.clear();
+            operations = None;
+        }
+    }
+    if found.is_empty() {
+        return Err("No emitted function counts its operations.".to_owned());
+    }
+    Ok(found)
+}
+
+fn measured(text: &str, asked: &Asked) -> Result<Vec<Measured>, String> {
+    if MOST_COMPARED < asked.system.scene().masses.len() {
+        return Err(format!(
+            "Of more than {MOST_COMPARED} masses no answers are compared with longer arithmetic here."
+        ));
+    }
+    let unread = |_| "The description cannot be read in longer arithmetic.".to_owned();
+    let reference: System<Dd> = text.parse().map_err(unread)?;
+    let single: System<f32> = text.parse().map_err(unread)?;
+    Ok(vec![
+        compared("f64", &asked.system, &reference, asked),
+        compared("f32", &single, &reference, asked),
+    ])
+}
+
+/// The largest differences of a system's answers from a reference's.
+fn compared<S: Float>(
+    precision: &'static str,
+    system: &System<S>,
+    reference: &System<Dd>,
+    asked: &Asked,
+) -> Measured {
+    let mut measured = Measured {
+        precision,
+        continuous: 0.0,
+        sliding: 0.0,
+        amplitude: 0.0,
+        compared: (0, 0),
+    };
+    for r in asked.even(PLACES) {
+        // The very same r for both.
+        let own = S::constant(r);
+        let (Ok(at), Ok(exact)) = (system.at(own), reference.at(Dd::from(own.to_f64()))) else {
+            continue;
+        };
+        let (found, limits) = (at.limits(), exact.limits());
+        let off = |found: S, exact: Dd| {
+            let (found, exact) = (found.to_f64(), exact.hi);
+            let both = found.is_finite() && exact.is_finite() && exact != 0.0;
+            both.then(|| ((found - exact) / exact).abs())
+        };
+        if let Some(off) = off(found.continuous, limits.continuous) {
+            measured.continuous = measured.continuous.max(off);
+            measured.compared.0 += 1;
+        }
+        if let Some(off) = off(found.sliding, limits.sliding) {
+            measured.sliding = measured.sliding.max(off);
+        }
+        let beta = S::constant(0.5 * limits.continuous.hi.min(limits.sliding.hi));
+        let (Ok(motion), Ok(exact)) = (at.motion(beta), exact.motion(Dd::from(beta.to_f64())))
+        else {
+            continue;
+        };
+        if let Some(off) = off(motion.contact().amplitude(), exact.contact().amplitude()) {
+            measured.amplitude = measured.amplitude.max(off);
+            measured.compared.1 += 1;
+        }
+    }
+    measured
+}
+
+fn tabled(asked: &Asked) -> Result<Tabled, String> {
+    let scene = asked.system.scene();
+    if MOST_TABLED < scene.masses.len() {
+        return Err(format!(
+            "Tables for chains of more than {MOST_TABLED} masses are not made here; “frictiongen compile” makes them."
+        ));
+    }
+    let mut scene: Scene = scene.clone();
+    scene.declared.accuracy = Accuracy::Relative(DECLARED);
+    scene.declared.budget = None;
+    scene.declared.range = Some(Range {
+        r: (asked.band.from, asked.band.to),
+        beta: (0.0, f64::INFINITY),
+    });
+    let made = System::<f64>::try_from(scene.clone()).map(drop);
+    made.map_err(|_| "Tables cannot be made for this range.".to_owned())?;
+    match SceneTables::of(&scene) {
+        Err(error) => Err(format!("Tables cannot be made for this range: {error}.")),
+        Ok(None) => Err("No tables were made.".to_owned()),
+        Ok(Some(SceneTables::Double(tables))) => Ok(figures(&tables)),
+        Ok(Some(SceneTables::Single(tables))) => Ok(figures(&tables)),
+    }
+}
+
+fn figures<S: Float>(tables: &frictiongen::study::table::Tables<S>) -> Tabled {
+    Tabled {
+        pieces: tables.pieces.len(),
+        bytes: tables.report.bytes,
+        error: tables.report.worst.error,
+        points: tables.report.points,
+        comparisons: tables.index.halvings as usize,
+        operations: tables.additions_and_multiplications(),
+    }
+}

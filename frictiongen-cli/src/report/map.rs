@@ -1,0 +1,278 @@
+//! The regimes over frequency and friction, with both limits.
+
+use super::asked::Asked;
+use super::plot::{Across, Axes, Plot, Series};
+use super::words::{digits, number, object, rounded};
+use crate::failure::Failure;
+use frictiongen::Limits;
+use frictiongen::study::{LimitLines, Map, MapRequest, Pattern};
+use frictiongen_plot::desk::{Shade, limit_lines, map_panel, regimes};
+use frictiongen_plot::{Across as Line, Colour, Figure, Guide, Layer, Panel};
+use maud::{Markup, html};
+use serde_json::{Value as Json, json};
+
+/// How far a limit may stray from its line, in β/(1 + β).
+const LINES: f64 = 5e-4;
+/// Rows of the table.
+const ROWS: usize = 31;
+
+/// The section's contents.
+pub struct Regimes {
+    lines: LimitLines,
+    /// None of a long chain, whose steady states take too long for a map.
+    map: Option<Map>,
+    top: f64,
+    rows: Vec<(f64, Limits<f64>)>,
+    /// The least and the largest limits over the range.
+    pub spread: Spread,
+    levels: Vec<f64>,
+}
+
+/// The ends of both limits over the range.
+pub struct Spread {
+    /// Up to this β nothing sticks anywhere in it.
+    pub continuous_to: f64,
+    /// From this β on the contact is stuck all over it.
+    pub stuck_from: f64,
+}
+
+/// How many frequencies and frictions a map has.
+fn cells(masses: usize) -> Option<(usize, usize)> {
+    match masses {
+        0..=4 => Some((120, 72)),
+        5..=12 => Some((60, 36)),
+        _ => None,
+    }
+}
+
+impl Regimes {
+    /// Over the range, and over frictions with room for some levels.
+    pub fn of(asked: &Asked, levels: &[f64]) -> Result<Self, Failure> {
+        let system = &asked.system;
+        let (from, to) = (asked.band.from, asked.band.to);
+        let lines = system.limit_lines(from, to, LINES).map_err(Failure::new)?;
+        let ends = |read: fn(&Limits<f64>) -> f64| {
+            let limits = lines.points.iter().map(|(_, limits)| read(limits));
+            limits.fold((f64::INFINITY, 0.0_f64), |(low, high), limit| {
+                (low.min(limit), high.max(limit))
+            })
+        };
+        let spread = Spread {
+            continuous_to: ends(|limits| limits.continuous.min(limits.sliding)).0,
+            stuck_from: ends(|limits| limits.sliding).1,
+        };
+        let limits = asked.sliding_limits();
+        let most = limits.get(limits.len() * 17 / 20).copied().unwrap_or(1.0);
+        let top = levels
+            .iter()
+            .fold(1.1 * most, |top, level| top.max(1.2 * level));
+        let top = if 0.0 < top && top.is_finite() {
+            top
+        } else {
+            1.0
+        };
+        let map = match cells(system.scene().masses.len()) {
+            None => None,
+            Some((columns, count)) => {
+                let step = (to - from) / columns as f64;
+                let rise = top / count as f64;
+                // Middles of cells that fill the range.
+                let request = MapRequest {
+                    r: (0..columns)
+                        .map(|i| from + step * (i as f64 + 0.5))
+                        .collect(),
+                    beta: (0..count).map(|i| rise * (i as f64 + 0.5)).collect(),
+                    of: Vec::new(),
+                };
+                Some(system.map(&request, |_| true).map_err(Failure::new)?)
+            }
+        };
+        let row = |r: f64| Some((r, system.at(r).ok()?.limits()));
+        Ok(Self {
+            rows: asked.even(ROWS).filter_map(row).collect(),
+            lines,
+            map,
+            top,
+            spread,
+            levels: levels.to_vec(),
+        })
+    }
+
+    /// The picture.
+    pub fn plot(&self, asked: &Asked) -> Plot {
+        let scales = &asked.words.scales;
+        let mut panel = match &self.map {
+            Some(map) => map_panel("", map, &self.lines, &[], Shade::Regime, scales),
+            None => regimes("", &self.lines, self.top, scales),
+        };
+        for (index, level) in self
+            .levels
+            .iter()
+            .enumerate()
+            .filter(|(_, level)| **level > 0.0)
+        {
+            panel = panel.with(Guide {
+                colour: Colour::Series(index),
+                ..Guide::new(Line::Y(scales.friction(*level)))
+            });
+        }
+        (panel.y.low, panel.y.high) = (0.0, scales.friction(self.top));
+        (panel.x.low, panel.x.high) = (
+            scales.frequency(asked.band.from),
+            scales.frequency(asked.band.to),
+        );
+        let panel = Panel {
+            height: Some(300.0),
+            ..panel
+        };
+        let [continuous, sliding] = limit_lines(&self.lines, self.top, scales, Colour::Black);
+        let series = |name: &str, line: frictiongen_plot::Line| {
+            let layers = [Layer::from(line)];
+            Series::of(&name.into(), Colour::Black, &layers, false)
+        };
+        let series = vec![
+            series("limit of continuous motion", continuous),
+            series("limit of sliding", sliding),
+        ];
+        let axes = Axes {
+            quantity: if asked.words.measure.scale().is_some() {
+                "friction"
+            } else {
+                "friction ratio"
+            },
+            unit: if asked.words.measure.scale().is_some() {
+                "N"
+            } else {
+                ""
+            },
+        };
+        let across = Across {
+            name: if asked.words.in_hertz {
+                "frequency"
+            } else {
+                "frequency ratio"
+            },
+            unit: if asked.words.in_hertz { "Hz" } else { "" },
+        };
+        let figure = Figure::new("", "", 1, vec![panel]);
+        Plot::new(
+            "regimes",
+            "What the contact does over frequency and friction",
+            figure,
+            &across,
+            &[(axes, series)],
+            self.cells(asked),
+        )
+    }
+
+    /// What the contact does in each cell, row after row from the least friction.
+    fn cells(&self, asked: &Asked) -> Json {
+        let Some(map) = &self.map else {
+            return Json::Null;
+        };
+        let scales = &asked.words.scales;
+        let mut names: Vec<String> = Vec::new();
+        let mut cells = Vec::new();
+        for row in 0..map.beta.len() {
+            for column in &map.columns {
+                let name = match column.points.get(row) {
+                    Some(Ok(point)) => does(point.pattern),
+                    Some(Err(error)) => format!("no answer: {}", crate::asked::no_answer(*error)),
+                    None => continue,
+                };
+                let known = names.iter().position(|known| *known == name);
+                cells.push(known.unwrap_or_else(|| {
+                    names.push(name);
+                    names.len() - 1
+                }));
+            }
+        }
+        let x: Vec<f64> = map
+            .columns
+            .iter()
+            .map(|column| rounded(scales.frequency(column.r)))
+            .collect();
+        let y: Vec<f64> = map
+            .beta
+            .iter()
+            .map(|beta| rounded(scales.friction(*beta)))
+            .collect();
+        json!({ "x": x, "y": y, "names": names, "cells": cells })
+    }
+
+    /// The section.
+    pub fn html(&self, plot: &Plot, asked: &Asked) -> Markup {
+        let words = &asked.words;
+        html! {
+            section #regimes {
+                h2 { "Where the contact slides and where it sticks" }
+                p {
+                    "Below both limits the contact slides all the time; at the dashed limit and above it never does; between them it \
+                     slides and stops in turn."
+                    @if self.levels.iter().any(|level| *level > 0.0) { " The thin level lines are the frictions of the curves." }
+                    @if self.map.is_none() { " What the motion between the limits looks like is left out: of so many masses it takes too long." }
+                }
+                div.plots.single { (plot.html()) }
+                dl.facts {
+                    div { dt { "never a stop in the range up to" } dd { (words.friction(self.spread.continuous_to)) } }
+                    div {
+                        dt { "stuck all over the range from" }
+                        dd {
+                            @if self.spread.stuck_from.is_finite() { (words.friction(self.spread.stuck_from)) }
+                            @else { "no friction does" }
+                        }
+                    }
+                }
+                details {
+                    summary { "Values: both limits" }
+                    div.scroll tabindex="0" role="region" aria-label="Both limits over frequency" {
+                        table {
+                            thead { tr {
+                                th scope="col" { (words.frequency_title()) }
+                                th scope="col" { "limit of continuous motion" }
+                                th scope="col" { "limit of sliding" }
+                            } }
+                            tbody { @for (r, limits) in &self.rows { tr {
+                                th scope="row" { (digits(words.scales.frequency(*r))) }
+                                td { (words.friction(limits.continuous)) }
+                                td { (words.friction(limits.sliding)) }
+                            } } }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The limits as data.
+    pub fn data(&self, asked: &Asked) -> Json {
+        let words = &asked.words;
+        let limit = |beta: f64| object(words.friction_json(beta));
+        let points = self.rows.iter().map(|(r, limits)| {
+            let mut fields = words.frequency_json(&asked.system, *r);
+            fields.push(("continuous_limit", limit(limits.continuous)));
+            fields.push(("sliding_limit", limit(limits.sliding)));
+            object(fields)
+        });
+        json!({
+            "nothing_sticks_up_to": limit(self.spread.continuous_to),
+            "stuck_from": limit(self.spread.stuck_from),
+            "highest_shown": number(words.scales.friction(self.top)),
+            "points": points.collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// What the contact does, in words.
+fn does(pattern: Pattern) -> String {
+    use frictiongen::Regime;
+    match (pattern.regime, pattern.period, pattern.stops) {
+        (Regime::Continuous, ..) => "slides all the time".to_owned(),
+        (Regime::Stuck, ..) => "stuck".to_owned(),
+        (_, 0, _) => "stops, without a steady state".to_owned(),
+        (_, 1, 0) => "reverses more than twice, without a stop".to_owned(),
+        (_, 1, 1) => "stops once in a cycle".to_owned(),
+        (_, 1, stops) => format!("stops {stops} times in a cycle"),
+        (_, period, _) => format!("stops; repeats after {period} cycles"),
+    }
+}

@@ -1,0 +1,61 @@
+//! `frictiongen report`: everything about a description on one page of HTML, without network.
+
+mod asked;
+mod best;
+mod cost;
+mod found;
+mod map;
+mod modes;
+mod page;
+mod plot;
+mod response;
+mod scene;
+mod summary;
+mod words;
+
+use crate::args::ReportArguments;
+use crate::failure::Failure;
+use crate::file;
+use asked::Asked;
+use frictiongen::System;
+use frictiongen_codegen::{Limits, parse_text};
+use page::Page;
+use std::io::Write;
+
+/// Runs the command.
+pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    if let Some(path) = arguments.output.as_deref() {
+        // Said before a long computation, not after it.
+        file::check(path, arguments.file.path())?;
+    }
+    let name = arguments.file.name();
+    let text = arguments.file.text()?;
+    let description = parse_text(&text, &Limits::RUN_TIME).map_err(|diagnostics| {
+        let lines = diagnostics.list.into_iter();
+        Failure::Lines(lines.map(|line| format!("{name}:{line}")).collect())
+    })?;
+    let documentation = description.documentation();
+    let system = System::try_from(description.scene).map_err(Failure::new)?;
+    let mut asked = Asked::of(arguments, system)?;
+    let best = best::search(&asked);
+    let best_beta = best::worst(&best).map(|(_, optimum)| optimum.beta);
+    let levels = asked.levels(best_beta);
+    let page = Page {
+        file: &name,
+        documentation: &documentation,
+        modes: modes::Modes::of(&asked),
+        responses: response::Responses::of(&asked, &levels, best_beta)?,
+        regimes: map::Regimes::of(&asked, &levels)?,
+        cost: cost::Cost::of(&text, &asked),
+        best,
+        asked,
+    };
+    let html = page.html();
+    match arguments.output.as_deref() {
+        Some(path) => file::write_file(path, arguments.file.path(), &html),
+        None => {
+            out.write_all(html.as_bytes())?;
+            Ok(out.flush()?)
+        }
+    }
+}

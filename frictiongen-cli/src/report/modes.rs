@@ -1,0 +1,220 @@
+//! The modes: frequencies, damping, shapes, and how load and contact take part.
+
+use super::asked::Asked;
+use super::plot::{Across, Axes, Plot, Series};
+use super::words::{Words, digits, number};
+use frictiongen_plot::{
+    Across as At, Axis, Colour, Figure, Guide, Label, Line, Marker, Markers, Panel, Stroke,
+};
+use maud::{Markup, html};
+use serde_json::{Value as Json, json};
+
+/// The most modes that are drawn: colours beyond are not told apart.
+const MOST_DRAWN: usize = 5;
+/// The most modes in the table; all are in the data.
+const MOST_LISTED: usize = 16;
+/// A part smaller than this share of the largest is called none.
+const NONE: f64 = 1e-12;
+
+/// A mode.
+struct Mode {
+    r: f64,
+    hertz: f64,
+    zeta: f64,
+    /// By mass, the largest ±1.
+    shape: Vec<f64>,
+    load: f64,
+    contact: f64,
+    threshold: Option<f64>,
+}
+
+/// The section's contents.
+pub struct Modes(Vec<Mode>);
+
+impl Modes {
+    /// Of a system.
+    pub fn of(asked: &Asked) -> Self {
+        let system = &asked.system;
+        let modal = system.modal();
+        let zeta = modal.damping_ratios.iter().map(|zeta| zeta.hi);
+        let thresholds = system.resonance_thresholds();
+        let parts = modal.loads.iter().zip(&modal.contacts);
+        let parts = parts.map(|(load, contact)| (load.hi, contact.hi));
+        let modes = system
+            .resonances()
+            .iter()
+            .zip(zeta)
+            .zip(system.mode_shapes());
+        let modes = modes.zip(parts).zip(thresholds);
+        Self(
+            modes
+                .map(|((((r, zeta), shape), (load, contact)), threshold)| Mode {
+                    r: *r,
+                    hertz: system.hertz(*r),
+                    zeta,
+                    shape: normalised(&shape),
+                    load,
+                    contact,
+                    threshold,
+                })
+                .collect(),
+        )
+    }
+
+    /// The resonances, in words: those that the load drives.
+    pub fn resonances(&self, words: &Words) -> Vec<String> {
+        self.0.iter().map(|mode| words.frequency(mode.r)).collect()
+    }
+
+    /// The picture of the shapes.
+    pub fn plot(&self, asked: &Asked) -> Plot {
+        let masses = asked.system.scene().masses.len();
+        let x = Axis::new(
+            "mass, in the order of the description",
+            0.5,
+            masses as f64 + 0.5,
+        );
+        let y = Axis::new("displacement over the largest", -1.1, 1.1);
+        let mut panel = Panel::new("", x, y).with(Guide::new(At::Y(0.0)));
+        let mut series = Vec::new();
+        for (index, mode) in self.0.iter().take(MOST_DRAWN).enumerate() {
+            let points: Vec<(f64, f64)> = (1..)
+                .map(f64::from)
+                .zip(mode.shape.iter().copied())
+                .collect();
+            let name = Label::verbatim(&format!(
+                "mode {}, {}",
+                index + 1,
+                asked.words.frequency(mode.r)
+            ));
+            let colour = Colour::Series(index);
+            let line = Line::new(name.clone(), colour, Stroke::Solid, vec![points.clone()]);
+            series.push(Series::of(&name, colour, &[line.clone().into()], false));
+            panel = panel
+                .with(line)
+                .with(Markers::unnamed(colour, Marker::Dot, points));
+        }
+        let across = Across {
+            name: "mass",
+            unit: "",
+        };
+        let axes = Axes {
+            quantity: "displacement",
+            unit: "",
+        };
+        let names: Vec<&str> = asked
+            .system
+            .scene()
+            .masses
+            .iter()
+            .map(|mass| mass.name.as_str())
+            .collect();
+        let more = json!({ "steps": names });
+        let figure = Figure::new("", "", 1, vec![panel]);
+        Plot::new(
+            "modes",
+            "Mode shapes",
+            figure,
+            &across,
+            &[(axes, series)],
+            more,
+        )
+    }
+
+    /// The section.
+    pub fn html(&self, plot: &Plot, asked: &Asked) -> Markup {
+        let scene = asked.system.scene();
+        let words = &asked.words;
+        let listed = self.0.iter().take(MOST_LISTED).enumerate();
+        let largest = |read: fn(&Mode) -> f64| {
+            self.0
+                .iter()
+                .map(|mode| read(mode).abs())
+                .fold(0.0, f64::max)
+        };
+        let (loads, contacts) = (largest(|mode| mode.load), largest(|mode| mode.contact));
+        let share = |value: f64, most: f64| {
+            if value.abs() <= NONE * most {
+                "none".to_owned()
+            } else {
+                digits(value)
+            }
+        };
+        let undamped = self.0.iter().any(|mode| mode.zeta == 0.0);
+        html! {
+            section #modes {
+                h2 { "Modes without friction" }
+                p {
+                    "Frequencies, damping and shapes of the chain whose contact slides freely. Load and contact are the parts that both take in \
+                     a mode; a mode that the contact does not touch is not damped by it."
+                    @if undamped {
+                        " Without damping of its own a mode that the load drives is bounded at its resonance only by friction above its threshold."
+                    }
+                    @if self.0.len() > MOST_LISTED { " The first " (MOST_LISTED) " of " (self.0.len()) " are listed; the data at the end of this page have all." }
+                }
+                div.scroll tabindex="0" role="region" aria-label="Modes" {
+                    table {
+                        thead { tr {
+                            th scope="col" { "mode" }
+                            @if words.in_hertz { th scope="col" { "f (Hz)" } }
+                            th scope="col" { "r" }
+                            th scope="col" { "damping ratio" }
+                            @if scene.masses.len() <= MOST_DRAWN {
+                                @for mass in &scene.masses { th scope="col" { (mass.name) } }
+                            }
+                            th scope="col" { "load" }
+                            th scope="col" { "contact" }
+                            @if undamped { th scope="col" { "threshold" } }
+                        } }
+                        tbody { @for (index, mode) in listed { tr {
+                            th scope="row" { (index + 1) }
+                            @if words.in_hertz { td { (digits(mode.hertz)) } }
+                            td { (digits(mode.r)) }
+                            td { (digits(mode.zeta)) }
+                            @if scene.masses.len() <= MOST_DRAWN {
+                                @for part in &mode.shape { td { (digits(*part)) } }
+                            }
+                            td { (share(mode.load, loads)) }
+                            td { (share(mode.contact, contacts)) }
+                            @if undamped { td { @match mode.threshold {
+                                Some(beta) => (words.friction(beta)),
+                                None => "none",
+                            } } }
+                        } } }
+                    }
+                }
+                div.plots.single { (plot.html()) }
+                @if self.0.len() > MOST_DRAWN { p.note { "The lowest " (MOST_DRAWN) " modes are drawn." } }
+            }
+        }
+    }
+
+    /// All modes as data.
+    pub fn data(&self) -> Json {
+        let modes = self.0.iter().map(|mode| {
+            json!({
+                "r": number(mode.r),
+                "frequency": number(mode.hertz),
+                "damping_ratio": number(mode.zeta),
+                "shape": mode.shape,
+                "load": number(mode.load),
+                "contact": number(mode.contact),
+                "threshold_beta": mode.threshold.map_or(Json::Null, number),
+            })
+        });
+        modes.collect()
+    }
+}
+
+/// With the largest displacement 1, and that positive.
+fn normalised(shape: &[f64]) -> Vec<f64> {
+    let largest =
+        shape.iter().copied().fold(
+            0.0_f64,
+            |most, part| {
+                if most.abs() < part.abs() { part } else { most }
+            },
+        );
+    let largest = if largest == 0.0 { 1.0 } else { largest };
+    shape.iter().map(|part| part / largest + 0.0).collect()
+}

@@ -1,0 +1,165 @@
+//! The page: its head, its sections and its data.
+
+use super::asked::Asked;
+use super::best::{self, Best};
+use super::cost::Cost;
+use super::map::Regimes;
+use super::modes::Modes;
+use super::response::Responses;
+use super::{scene, summary};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use serde_json::{Value as Json, json};
+
+/// Of the data's form: it grows when a field is renamed or means something else.
+const VERSION: u32 = 1;
+
+const STYLE: &str = include_str!("style.css");
+const SCRIPT: &str = include_str!("read.js");
+/// The hash of the script: the page lets nothing else run.  A test compares them.
+const SCRIPT_HASH: &str = include_str!("read.js.sha256");
+
+/// What stands on the page.
+pub struct Page<'a> {
+    /// What the description is called.
+    pub file: &'a str,
+    /// Its doc comments.
+    pub documentation: &'a str,
+    /// What was asked and chosen.
+    pub asked: Asked,
+    /// The modes.
+    pub modes: Modes,
+    /// Amplitudes and phases.
+    pub responses: Responses,
+    /// Limits and regimes.
+    pub regimes: Regimes,
+    /// The best frictions.
+    pub best: Result<Vec<Best>, String>,
+    /// What emitted code costs.
+    pub cost: Cost,
+}
+
+impl Page<'_> {
+    /// The page.
+    pub fn html(&self) -> String {
+        let asked = &self.asked;
+        let (modes, regimes) = (self.modes.plot(asked), self.regimes.plot(asked));
+        let responses = self.responses.plots(asked);
+        let plots = [&modes, &regimes].into_iter().chain(&responses);
+        let plots: Vec<&Json> = plots.map(super::plot::Plot::data).collect();
+        let data = json!({
+            "version": VERSION,
+            "file": self.file,
+            "name": asked.system.scene().name,
+            "scene": scene::data(asked),
+            "range": asked.words.frequency_json(&asked.system, asked.band.from).into_iter()
+                .zip(asked.words.frequency_json(&asked.system, asked.band.to))
+                .map(|((name, from), (_, to))| (name.to_owned(), json!([from, to])))
+                .collect::<serde_json::Map<_, _>>(),
+            "chosen": asked.chosen,
+            "modes": self.modes.data(),
+            "responses": self.responses.data(asked),
+            "limits": self.regimes.data(asked),
+            "best": best::data(&self.best, asked),
+            "emitted": self.cost.data(),
+            "plots": plots,
+        });
+        let name = &asked.system.scene().name;
+        let policy = format!(
+            "default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{}'",
+            SCRIPT_HASH.trim()
+        );
+        let page = html! {
+            (DOCTYPE)
+            html lang="en" {
+                head {
+                    meta charset="utf-8";
+                    meta http-equiv="Content-Security-Policy" content=(policy);
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    meta name="color-scheme" content="light dark";
+                    title { (name) ": friction report" }
+                    // Both are this crate's own text, and no name goes into them.
+                    style { (PreEscaped(STYLE)) }
+                }
+                body {
+                    header {
+                        h1 { (name) }
+                        @if !self.documentation.is_empty() { p.about { (self.documentation) } }
+                        p.note { "Made from " code { (self.file) } " by frictiongen " (env!("CARGO_PKG_VERSION")) "." }
+                    }
+                    main {
+                        (summary::html(asked, &self.modes, &self.regimes.spread, &self.best, &self.responses))
+                        (self.chosen())
+                        (scene::html(asked))
+                        (self.modes.html(&modes, asked))
+                        (self.responses.html(&responses, asked))
+                        (self.regimes.html(&regimes, asked))
+                        (best::html(&self.best, asked))
+                        (self.cost.html())
+                        (limits_of_the_page())
+                    }
+                    script #data type="application/json" { (PreEscaped(within_script(&data))) }
+                    script { (PreEscaped(SCRIPT)) }
+                }
+            }
+        };
+        page.into_string()
+    }
+
+    /// What was chosen, and in what the page counts.
+    fn chosen(&self) -> Markup {
+        let words = &self.asked.words;
+        let option = words.measure.option();
+        html! {
+            @if words.measure.load().is_none() || !self.asked.chosen.is_empty() {
+                aside aria-label="What was chosen" {
+                    @if words.measure.load().is_none() {
+                        p {
+                            "No load is given, so that friction is the ratio β, and amplitudes are multiples of "
+                            (words.length_unit())
+                            @if !words.in_hertz { "; frequencies are the ratio r" }
+                            ". With " code { (option) } " they are in N and mm" @if !words.in_hertz { ", and frequencies in Hz" } "."
+                        }
+                    }
+                    @for line in &self.asked.chosen { p { (line) } }
+                }
+            }
+        }
+    }
+}
+
+/// What a reader should not look for here.
+fn limits_of_the_page() -> Markup {
+    html! {
+        section #beyond {
+            h2 { "What this page does not say" }
+            p {
+                "It is about steady states under one harmonic load, reached from rest, with one contact of constant friction. "
+                "Starting and stopping are in " code { "frictiongen time" }
+                ", the effect of every mass and spring in " code { "frictiongen sensitivity" }
+                ". Wear, normal forces that vary, and several frequencies at once are not in the model."
+            }
+        }
+    }
+}
+
+/// JSON that ends no script element and begins no comment, whatever is in its strings.
+fn within_script(data: &Json) -> String {
+    data.to_string()
+        .replace('&', "\\u0026")
+        .replace('<', "\\u003c")
+        .replace('>', "\\u003e")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::within_script;
+    use serde_json::{Value, json};
+
+    #[test]
+    fn no_string_ends_the_block() {
+        let data = json!({ "</script><script>": "<!-- <script> & ]]>" });
+        let text = within_script(&data);
+        assert!(!text.contains(['<', '>', '&']), "{text}");
+        assert_eq!(serde_json::from_str::<Value>(&text).unwrap(), data);
+    }
+}

@@ -1,0 +1,234 @@
+//! A picture of which values can be read off, on the page and in the data.
+
+use super::words::rounded;
+use frictiongen_plot::{Colour, Figure, Label, Layer, Page, PanelFrame, Scale, Stroke};
+use maud::{Markup, PreEscaped, html};
+use serde_json::{Value as Json, json};
+
+/// How far straight lines through the points of the data may stray, relative to a value and to the largest.
+const STRAYS: [f64; 2] = [5e-4, 2e-5];
+
+/// A curve of a panel: what was drawn, in the units of the axes.
+pub struct Series {
+    name: String,
+    colour: Colour,
+    /// By regime, or by no regime.
+    runs: Vec<(Option<&'static str>, Pieces)>,
+}
+
+/// What is joined.
+type Pieces = Vec<Vec<(f64, f64)>>;
+
+impl Series {
+    /// Of the layers that draw one curve; their strokes tell the regime if `by_regime`.
+    pub fn of(name: &Label, colour: Colour, layers: &[Layer], by_regime: bool) -> Self {
+        let lines = layers.iter().filter_map(|layer| match layer {
+            Layer::Line(line) => Some(line),
+            _ => None,
+        });
+        let regime = |stroke: Stroke| match stroke {
+            Stroke::Solid => "continuous",
+            Stroke::DashDot => "stick-slip",
+            _ => "stuck",
+        };
+        let runs = lines.map(|line| {
+            let regime = by_regime.then(|| regime(line.stroke));
+            (regime, line.pieces.clone())
+        });
+        Self {
+            name: name.plain(),
+            colour,
+            runs: runs.collect(),
+        }
+    }
+
+    fn data(&self) -> Json {
+        let mut runs: Vec<Json> = Vec::new();
+        let all = self.runs.iter().flat_map(|(_, pieces)| pieces).flatten();
+        let most = all.fold(0.0_f64, |most, point| most.max(point.1.abs()));
+        for (regime, pieces) in &self.runs {
+            for piece in pieces.iter().filter(|piece| !piece.is_empty()) {
+                let piece = thinned(piece, most);
+                let list = |read: fn(&(f64, f64)) -> f64| -> Vec<f64> {
+                    piece.iter().map(|point| rounded(read(point))).collect()
+                };
+                runs.push(json!({
+                    "regime": regime,
+                    "x": list(|point| point.0),
+                    "y": list(|point| point.1),
+                }));
+            }
+        }
+        json!({ "name": self.name, "colour": self.colour.to_string(), "runs": runs })
+    }
+}
+
+/// The points of a piece without which straight lines would stray too far: a curve has many times as many where it was
+/// followed into a pole or an edge.
+fn thinned(piece: &[(f64, f64)], most: f64) -> Vec<(f64, f64)> {
+    let [relative, absolute] = STRAYS;
+    let mut kept = vec![false; piece.len()];
+    for end in [0, piece.len().saturating_sub(1)] {
+        if let Some(kept) = kept.get_mut(end) {
+            *kept = true;
+        }
+    }
+    let mut open = vec![(0, piece.len().saturating_sub(1))];
+    while let Some((low, high)) = open.pop() {
+        let (Some(a), Some(b)) = (piece.get(low), piece.get(high)) else {
+            continue;
+        };
+        let inner = piece.iter().enumerate().take(high).skip(low + 1);
+        let strays = inner.map(|(index, (x, y))| {
+            let width = b.0 - a.0;
+            let share = if 0.0 < width { (x - a.0) / width } else { 0.5 };
+            let off = (y - (a.1 + share * (b.1 - a.1))).abs();
+            (
+                index,
+                off / (relative * y.abs() + absolute * most + f64::MIN_POSITIVE),
+            )
+        });
+        if let Some((index, off)) = strays.max_by(|a, b| a.1.total_cmp(&b.1))
+            && 1.0 < off
+        {
+            if let Some(kept) = kept.get_mut(index) {
+                *kept = true;
+            }
+            open.extend([(low, index), (index, high)]);
+        }
+    }
+    let both = piece.iter().zip(kept);
+    both.filter(|(_, kept)| *kept)
+        .map(|(point, _)| *point)
+        .collect()
+}
+
+/// A picture with the curves of each of its panels.
+pub struct Plot {
+    /// Its name in the page and in the data.
+    pub id: String,
+    /// What it shows.
+    pub title: String,
+    svg: String,
+    data: Json,
+}
+
+/// What a panel's values are called and counted in.
+pub struct Axes<'a> {
+    /// What is read.
+    pub quantity: &'a str,
+    /// Its unit; may be empty.
+    pub unit: &'a str,
+}
+
+/// What the axis to the right counts.
+pub struct Across<'a> {
+    /// What it is called.
+    pub name: &'a str,
+    /// Its unit; may be empty.
+    pub unit: &'a str,
+}
+
+impl Plot {
+    /// Of a figure, for a column as wide as a telephone's; `curves` has those of each panel, `more` what is said besides.
+    pub fn new(
+        id: &str,
+        title: &str,
+        figure: Figure,
+        across: &Across<'_>,
+        curves: &[(Axes<'_>, Vec<Series>)],
+        more: Json,
+    ) -> Self {
+        let figure = Figure {
+            page: Page::Narrow,
+            ..figure
+        };
+        let (svg, frames) = figure.svg_with_frames();
+        let panels = figure.panels.iter().zip(frames).zip(curves);
+        let panels = panels.map(|((panel, frame), (axes, series))| {
+            let mut data = placed(&frame);
+            if let Json::Object(fields) = &mut data {
+                fields.insert("quantity".to_owned(), axes.quantity.into());
+                fields.insert("unit".to_owned(), axes.unit.into());
+                fields.insert("log".to_owned(), (panel.y.scale == Scale::Log).into());
+                fields.insert(
+                    "series".to_owned(),
+                    series.iter().map(Series::data).collect(),
+                );
+            }
+            data
+        });
+        let data = json!({
+            "id": id,
+            "title": title,
+            "x": across.name,
+            "x_unit": across.unit,
+            "panels": panels.collect::<Vec<_>>(),
+            "more": more,
+        });
+        Self {
+            id: id.to_owned(),
+            title: title.to_owned(),
+            svg,
+            data,
+        }
+    }
+
+    /// On the page.
+    pub fn html(&self) -> Markup {
+        html! {
+            figure.plot data-plot=(self.id) aria-label=(self.title) {
+                // Made by frictiongen-plot, which escapes every word in it.
+                div.paper { (PreEscaped(&self.svg)) }
+            }
+        }
+    }
+
+    /// In the data.
+    pub fn data(&self) -> &Json {
+        &self.data
+    }
+}
+
+/// Where a frame is, in the units of the picture, and what its sides stand for.
+fn placed(frame: &PanelFrame) -> Json {
+    json!({
+        "left": rounded(frame.left),
+        "top": rounded(frame.top),
+        "width": rounded(frame.width),
+        "height": rounded(frame.height),
+        "x_ends": [frame.x.0, frame.x.1],
+        "y_ends": [frame.y.0, frame.y.1],
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::thinned;
+
+    #[test]
+    fn thinned_lines_keep_to_the_curve() {
+        let curve: Vec<(f64, f64)> = (0..=4000)
+            .map(|i| f64::from(i) * 1e-3)
+            .map(|x| (x, 1.0 / (0.01 + (x - 1.5) * (x - 1.5))))
+            .collect();
+        let few = thinned(&curve, 100.0);
+        assert!(few.len() < 400, "{}", few.len());
+        for (x, y) in &curve {
+            let after = few.iter().position(|point| x <= &point.0).unwrap();
+            let (a, b) = (few[after.saturating_sub(1)], few[after]);
+            let share = if a.0 < b.0 {
+                (x - a.0) / (b.0 - a.0)
+            } else {
+                0.0
+            };
+            let line = a.1 + share * (b.1 - a.1);
+            assert!(
+                (line - y).abs() <= 5e-4 * y + 2e-3 + 1e-12,
+                "{x}: {line} {y}"
+            );
+        }
+        assert_eq!(thinned(&[(1.0, 2.0)], 2.0), [(1.0, 2.0)]);
+        assert!(thinned(&[], 0.0).is_empty());
+    }
+}

@@ -1,0 +1,387 @@
+//! Amplitudes and phases over frequency at several frictions, without friction and with the contact stuck.
+
+use super::asked::Asked;
+use super::found::{Found, STUCK, found};
+use super::plot::{Across, Axes, Plot, Series};
+use super::words::{Words, object};
+use crate::asked::{no_answer, regime_name};
+use crate::failure::Failure;
+use frictiongen::study::{Curve, CurveRequest, End};
+use frictiongen::{Of, Regime};
+use frictiongen_plot::desk::{Drawn, Reading, keys, lines};
+use frictiongen_plot::{Axis, Colour, Figure, Label, Layer, Panel};
+use maud::{Markup, html};
+use serde_json::{Value as Json, json};
+
+/// Rows of the table.
+const ROWS: usize = 31;
+/// The most stretches of one regime that are told in words.
+const MOST_STRETCHES: usize = 6;
+/// How many decades an axis of amplitudes shows.
+const DECADES: f64 = 1e-4;
+
+/// A curve and what it is called.
+struct Level {
+    name: String,
+    beta: f64,
+    colour: Colour,
+    curve: Curve,
+}
+
+/// The section's contents.
+pub struct Responses {
+    levels: Vec<Level>,
+    /// By frequency, then by friction, then by motion.
+    rows: Vec<(f64, Vec<Vec<Found>>)>,
+}
+
+impl Responses {
+    /// At some frictions.
+    pub fn of(asked: &Asked, frictions: &[f64], best: Option<f64>) -> Result<Self, Failure> {
+        let words = &asked.words;
+        let of: Vec<Of> = asked.parts.iter().map(|part| part.of).collect();
+        let request = CurveRequest {
+            accuracy: accuracy(asked.system.scene().masses.len()),
+            turned: words.measure.turns_contact(),
+            ..CurveRequest::new(asked.band.from, asked.band.to, &of)
+        };
+        let symbol = if words.measure.scale().is_some() {
+            "F = "
+        } else {
+            ""
+        };
+        let mut named = vec![(0.0, "no friction".to_owned(), Colour::Grey)];
+        for (index, beta) in frictions
+            .iter()
+            .enumerate()
+            .filter(|(_, beta)| **beta > 0.0)
+        {
+            let mark = if best == Some(*beta) {
+                ", the best"
+            } else {
+                ""
+            };
+            let name = format!("{symbol}{}{mark}", words.friction(*beta));
+            named.push((*beta, name, Colour::Series(index)));
+        }
+        named.push((STUCK, "contact stuck".to_owned(), Colour::Black));
+        let mut levels = Vec::new();
+        for (beta, name, colour) in named {
+            let mut curve = asked.system.curve(&request, beta).map_err(Failure::new)?;
+            if beta == STUCK {
+                curve.pieces.retain(|piece| piece.regime == Regime::Stuck);
+            }
+            levels.push(Level {
+                name,
+                beta,
+                colour,
+                curve,
+            });
+        }
+        let cells = |r: f64, level: &Level| -> Vec<Found> {
+            of.iter()
+                .map(|of| found(asked, r, level.beta, *of))
+                .collect()
+        };
+        let rows = asked
+            .even(ROWS)
+            .map(|r| (r, levels.iter().map(|level| cells(r, level)).collect()));
+        let rows = rows.collect();
+        Ok(Self { levels, rows })
+    }
+
+    /// What the contact does along the curve of a friction, and from where to where; none where that is a long story.
+    pub fn stretches(&self, beta: f64) -> Option<Vec<(&'static str, f64, f64)>> {
+        let level = self.levels.iter().find(|level| level.beta == beta)?;
+        let mut found: Vec<(&'static str, f64, f64)> = Vec::new();
+        for piece in &level.curve.pieces {
+            let (Some(first), Some(last)) = (piece.points.first(), piece.points.last()) else {
+                continue;
+            };
+            let does = match piece.regime {
+                Regime::Continuous => "slides all the time",
+                Regime::Stuck => "is stuck",
+                _ => "stops and slides",
+            };
+            match found.last_mut() {
+                Some((same, _, end)) if *same == does => *end = last.r,
+                _ => found.push((does, first.r, last.r)),
+            }
+        }
+        (1..=MOST_STRETCHES).contains(&found.len()).then_some(found)
+    }
+
+    /// A picture for each motion.
+    pub fn plots(&self, asked: &Asked) -> Vec<Plot> {
+        let parts = asked.parts.iter().enumerate();
+        parts
+            .map(|(index, part)| self.plot(index, &part.name, asked))
+            .collect()
+    }
+
+    fn plot(&self, part: usize, name: &str, asked: &Asked) -> Plot {
+        let words = &asked.words;
+        let scales = &words.scales;
+        let (from, to) = (
+            scales.frequency(asked.band.from),
+            scales.frequency(asked.band.to),
+        );
+        let across = || Axis::new(scales.frequency_label(), from, to);
+        let (low, high) = self.ends(part, words);
+        let upper = Axis::log(scales.length_label(), low, high);
+        let mut panels = [
+            Panel::new("", across(), upper),
+            Panel::new(
+                "",
+                across(),
+                Axis::new("phase *φ* (degrees)", 0.0, 180.0).degrees(),
+            ),
+        ];
+        let mut series = [Vec::new(), Vec::new()];
+        let readings = [Reading::Amplitude, Reading::Phase];
+        for ((panel, series), reading) in panels.iter_mut().zip(&mut series).zip(readings) {
+            for level in &self.levels {
+                let label = Label::verbatim(&level.name);
+                let drawn = Drawn {
+                    curve: &level.curve,
+                    name: label.clone(),
+                    colour: level.colour,
+                };
+                let layers = lines(&drawn, part, reading, scales);
+                series.push(Series::of(&label, level.colour, &layers, true));
+                panel.layers.extend(layers);
+            }
+        }
+        let [_, phase] = &mut panels;
+        (phase.y.low, phase.y.high) = turns(&phase.layers);
+        let [amplitudes, phases] = series;
+        let figure = Figure::new("", Label::verbatim(name), 1, panels.to_vec()).with_keys(keys());
+        let curves = [
+            (
+                Axes {
+                    quantity: "amplitude",
+                    unit: words.length_unit(),
+                },
+                amplitudes,
+            ),
+            (
+                Axes {
+                    quantity: "phase",
+                    unit: "°",
+                },
+                phases,
+            ),
+        ];
+        let title = format!("Amplitude and phase of {name} over frequency");
+        let across = Across {
+            name: if words.in_hertz {
+                "frequency"
+            } else {
+                "frequency ratio"
+            },
+            unit: if words.in_hertz { "Hz" } else { "" },
+        };
+        Plot::new(
+            &format!("response-{name}"),
+            &title,
+            figure,
+            &across,
+            &curves,
+            Json::Null,
+        )
+    }
+
+    /// The ends of the axis of amplitudes: all, or where one has no bound what is seen of it on an even grid, times a few.
+    fn ends(&self, part: usize, words: &Words) -> (f64, f64) {
+        let sizes = |level: &Level| -> Vec<f64> {
+            let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
+            let size = points.filter_map(|point| Some(point.movements.get(part)?.swing.amplitude));
+            size.filter(|size| size.is_finite() && 0.0 < *size)
+                .collect()
+        };
+        let unbounded = |level: &Level| {
+            let mut pieces = level.curve.pieces.iter();
+            pieces.any(|piece| piece.start == End::Pole || piece.end == End::Pole)
+        };
+        let on_grid = |index: usize| {
+            let cells = self
+                .rows
+                .iter()
+                .filter_map(move |(_, cells)| cells.get(index)?.get(part));
+            let sizes = cells.filter_map(|found| Some(found.as_ref().ok()?.1.amplitude));
+            3.0 * sizes.fold(0.0, f64::max)
+        };
+        let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
+        for (index, level) in self.levels.iter().enumerate() {
+            let sizes = sizes(level);
+            let most = sizes.iter().copied().fold(0.0, f64::max);
+            let shown = if unbounded(level) {
+                most.min(on_grid(index))
+            } else {
+                most
+            };
+            high = high.max(shown);
+            low = sizes.into_iter().fold(low, f64::min);
+        }
+        let high = words.scales.length(if 0.0 < high { high } else { 1.0 });
+        let low = words.scales.length(if low.is_finite() { low } else { 1.0 });
+        (low.max(DECADES * high).min(0.1 * high), 1.3 * high)
+    }
+
+    /// The section.
+    pub fn html(&self, plots: &[Plot], asked: &Asked) -> Markup {
+        let words = &asked.words;
+        html! {
+            section #responses {
+                h2 { "Amplitudes and phases" }
+                p {
+                    "The steady response from " (words.frequency(asked.band.from)) " to " (words.frequency(asked.band.to))
+                    ". A solid line is motion without stops, a dash-dotted one has stops, a dotted one is a stuck contact: \
+                     where a line changes, friction meets a limit. An amplitude is the largest displacement of a cycle, \
+                     a phase the lag of that maximum behind the load’s."
+                    @if asked.parts.iter().any(|part| part.of == Of::Contact) {
+                        " “contact” is the relative motion that rubs."
+                    }
+                }
+                div.plots { @for plot in plots { (plot.html()) } }
+                h3 { "The largest amplitudes" }
+                (self.peaks(asked))
+                @for (index, part) in asked.parts.iter().enumerate() {
+                    details {
+                        summary { "Values: " (part.name) }
+                        (self.table(index, asked))
+                    }
+                }
+            }
+        }
+    }
+
+    /// The largest amplitude of each curve.
+    fn peak(level: &Level, part: usize) -> Option<(f64, f64, Regime)> {
+        let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
+        let sizes = points.filter_map(|point| {
+            let size = point.movements.get(part)?.swing.amplitude;
+            Some((size, point.r, point.regime))
+        });
+        sizes.max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    fn pole(level: &Level) -> bool {
+        let mut pieces = level.curve.pieces.iter();
+        pieces.any(|piece| piece.start == End::Pole || piece.end == End::Pole)
+    }
+
+    fn peaks(&self, asked: &Asked) -> Markup {
+        let words = &asked.words;
+        html! {
+            div.scroll tabindex="0" role="region" aria-label="The largest amplitudes" {
+                table {
+                    thead { tr {
+                        th scope="col" { "friction" }
+                        @for part in &asked.parts { th scope="col" { (part.name) } }
+                    } }
+                    tbody { @for level in &self.levels { tr {
+                        th scope="row" { (level.name) }
+                        @for index in 0..asked.parts.len() {
+                            td { @match Self::peak(level, index) {
+                                None => "no answer",
+                                Some((size, ..)) if size == 0.0 => "at rest",
+                                Some(_) if Self::pole(level) => "without bound",
+                                Some((size, r, regime)) => {
+                                    (words.length(size)) " at " (words.frequency(r))
+                                    @if level.beta > 0.0 && level.beta < STUCK { " (" (regime_name(regime)) ")" }
+                                }
+                            } }
+                        }
+                    } } }
+                }
+            }
+        }
+    }
+
+    fn table(&self, part: usize, asked: &Asked) -> Markup {
+        let words = &asked.words;
+        html! {
+            div.scroll tabindex="0" role="region" aria-label="Values over frequency" {
+                table {
+                    thead { tr {
+                        th scope="col" { (words.frequency_title()) }
+                        @for level in &self.levels { th scope="col" { (level.name) } }
+                    } }
+                    tbody { @for (r, cells) in &self.rows { tr {
+                        th scope="row" { (words.frequency(*r)) }
+                        @for cell in cells.iter().filter_map(|cell| cell.get(part)) {
+                            td { @match cell {
+                                Err(error) => (no_answer(*error)),
+                                Ok((_, swing)) => {
+                                    (words.length(swing.amplitude))
+                                    @if let Some(phase) = swing.phase { ", " (Words::angle(phase)) }
+                                }
+                            } }
+                        }
+                    } } }
+                }
+            }
+        }
+    }
+
+    /// The table and the peaks as data.
+    pub fn data(&self, asked: &Asked) -> Json {
+        let words = &asked.words;
+        let cell = |found: &Found| match found {
+            Err(error) => json!({ "none": no_answer(*error) }),
+            Ok((regime, swing)) => {
+                let phase = words.measure.angle_name("phase");
+                let lag = swing.phase.map(|phase| words.measure.angle(phase));
+                object([
+                    words.length_json(swing.amplitude),
+                    (phase, lag.map_or(Json::Null, Json::from)),
+                    ("regime".to_owned(), regime_name(*regime).into()),
+                ])
+            }
+        };
+        let levels = self.levels.iter().enumerate().map(|(index, level)| {
+            let rows = self.rows.iter().map(|(r, cells)| {
+                let mut fields: Vec<(String, Json)> = Vec::new();
+                for (name, value) in words.frequency_json(&asked.system, *r) {
+                    fields.push((name.to_owned(), value));
+                }
+                let cells = cells.get(index).into_iter().flatten();
+                let cells = asked.parts.iter().zip(cells);
+                fields.extend(cells.map(|(part, found)| (part.name.clone(), cell(found))));
+                object(fields)
+            });
+            let mut fields: Vec<(&str, Json)> = vec![("name", level.name.as_str().into())];
+            if level.beta < STUCK {
+                fields.extend(words.friction_json(level.beta));
+            }
+            fields.push(("points", rows.collect()));
+            object(fields)
+        });
+        levels.collect()
+    }
+}
+
+/// How far straight lines may stray: the more masses, the longer a steady state takes.
+fn accuracy(masses: usize) -> f64 {
+    match masses {
+        0..=4 => 5e-4,
+        5..=16 => 2e-3,
+        _ => 1e-2,
+    }
+}
+
+/// The ends of an axis of phases: whole eighths of a turn.
+fn turns(layers: &[Layer]) -> (f64, f64) {
+    let lines = layers.iter().filter_map(|layer| match layer {
+        Layer::Line(line) => Some(line.pieces.iter().flatten()),
+        _ => None,
+    });
+    let (low, high) = lines
+        .flatten()
+        .fold((0.0_f64, 180.0_f64), |(low, high), point| {
+            (low.min(point.1), high.max(point.1))
+        });
+    let step = |value: f64| (value / 45.0).abs() - 1e-6;
+    (-45.0 * step(low).ceil().max(0.0), 45.0 * step(high).ceil())
+}

@@ -1,0 +1,146 @@
+//! The scene: its drawing and its values.
+
+use super::asked::Asked;
+use super::words::digits;
+use frictiongen::study::Load;
+use frictiongen::study::scene::{Damping, Excitation, Node, Scene};
+use frictiongen_plot::{Excitation as Drawn, Label, Sketch, desk};
+use maud::{Markup, PreEscaped, html};
+use serde_json::{Value as Json, json};
+
+/// What an end is called.
+fn node(scene: &Scene, node: Node) -> &str {
+    scene.node_name(node)
+}
+
+/// The sketch with its values; none where the chain is too long.
+fn drawing(asked: &Asked) -> Option<String> {
+    let scene = asked.system.scene();
+    let plain = desk::sketch(scene, true);
+    let values = scene.masses.iter();
+    let values = values.map(|mass| Label::verbatim(&format!("{} kg", digits(mass.value))));
+    let mut sketch = Sketch {
+        values: values.collect(),
+        ..plain
+    };
+    for (drawn, spring) in sketch.springs.iter_mut().zip(&scene.springs) {
+        drawn.label = Label::verbatim(&format!("{} N/m", digits(spring.stiffness)));
+    }
+    let size = asked.words.measure.load().map(|load| match load {
+        Load::Base(motion) => (format!("*Y* = {} mm", digits(1e3 * motion)), "*Y* cos *ωt*"),
+        Load::Force(force) => (format!("*P* = {} N", digits(force)), "*P* cos *ωt*"),
+    });
+    if let (Some((size, _)), Drawn::Base { label } | Drawn::Force { label, .. }) =
+        (size, &mut sketch.excitation)
+    {
+        *label = size.into();
+    }
+    sketch.svg()
+}
+
+/// The damping, in words.
+fn damping(scene: &Scene) -> String {
+    match &scene.damping {
+        Damping::None => "none but friction".to_owned(),
+        Damping::Uniform(zeta) => format!("damping ratio {} in every mode", digits(*zeta)),
+        Damping::Modal(zeta) => {
+            let all: Vec<String> = zeta.iter().map(|zeta| digits(*zeta)).collect();
+            format!("damping ratios of the modes {}", all.join(", "))
+        }
+        Damping::Rayleigh { mass, stiffness } => format!(
+            "Rayleigh: {} of the mass and {} of the stiffness matrix",
+            digits(*mass),
+            digits(*stiffness)
+        ),
+    }
+}
+
+/// What drives it, in words.
+fn load(asked: &Asked) -> String {
+    let scene = asked.system.scene();
+    let place = match scene.excitation {
+        Excitation::Base => "motion of the base".to_owned(),
+        Excitation::Force(index) => {
+            let name = scene
+                .masses
+                .get(index)
+                .map_or("", |mass| mass.name.as_str());
+            format!("force on {name}")
+        }
+    };
+    match asked.words.measure.load() {
+        None => place,
+        Some(Load::Base(motion)) => format!("{place}, amplitude Y = {} mm", digits(1e3 * motion)),
+        Some(Load::Force(force)) => format!("{place}, amplitude P = {} N", digits(force)),
+    }
+}
+
+/// The section.
+pub fn html(asked: &Asked) -> Markup {
+    let scene = asked.system.scene();
+    let contact = (
+        node(scene, scene.contact.from),
+        node(scene, scene.contact.to),
+    );
+    html! {
+        section #scene {
+            h2 { "The chain" }
+            @match drawing(asked) {
+                // Made by frictiongen-plot, which escapes every word in it.
+                Some(svg) => div.scroll.paper.sketch tabindex="0" role="region" aria-label="Drawing of the chain" { (PreEscaped(svg)) },
+                None => p { "A chain of " (scene.masses.len()) " masses is not drawn; its values are in the tables." },
+            }
+            dl.facts {
+                div { dt { "contact" } dd { (contact.0) " – " (contact.1) } }
+                div { dt { "load" } dd { (load(asked)) } }
+                div { dt { "damping" } dd { (damping(scene)) } }
+                div { dt { "stiction, static over kinetic friction" } dd { "μ = " (digits(scene.stiction)) } }
+            }
+            details {
+                summary { "Values: masses and springs" }
+                div.pair {
+                    table {
+                        caption { "Masses" }
+                        thead { tr { th scope="col" { "name" } th scope="col" { "kg" } } }
+                        tbody { @for mass in &scene.masses { tr { th scope="row" { (mass.name) } td { (digits(mass.value)) } } } }
+                    }
+                    table {
+                        caption { "Springs" }
+                        thead { tr { th scope="col" { "between" } th scope="col" { "N/m" } } }
+                        tbody { @for spring in &scene.springs { tr {
+                            th scope="row" { (node(scene, spring.from)) " – " (node(scene, spring.to)) }
+                            td { (digits(spring.stiffness)) }
+                        } } }
+                    }
+                }
+            }
+            p.note {
+                "Units are those of the description, read as kg, N/m, N and m. "
+                "r = ω√(m₁/k₁) and β = "
+                @if scene.excitation == Excitation::Base { "F/(k₁Y)" } @else { "F/P" }
+                " refer to the first mass and the first spring."
+            }
+        }
+    }
+}
+
+/// The scene as data.
+pub fn data(asked: &Asked) -> Json {
+    let scene = asked.system.scene();
+    let masses = scene.masses.iter();
+    let springs = scene.springs.iter();
+    json!({
+        "masses": masses.map(|mass| json!({ "name": mass.name, "kg": mass.value })).collect::<Vec<_>>(),
+        "springs": springs.map(|spring| json!({
+            "between": [node(scene, spring.from), node(scene, spring.to)],
+            "N_per_m": spring.stiffness,
+        })).collect::<Vec<_>>(),
+        "contact": [node(scene, scene.contact.from), node(scene, scene.contact.to)],
+        "load": load(asked),
+        "load_m_or_N": asked.words.measure.load().map(|load| match load {
+            Load::Base(size) | Load::Force(size) => size,
+        }),
+        "damping": damping(scene),
+        "stiction": scene.stiction,
+    })
+}

@@ -1,0 +1,97 @@
+//! What a reader is to take along: the first lines of the page.
+
+use super::asked::Asked;
+use super::best::{self, Best};
+use super::map::Spread;
+use super::modes::Modes;
+use super::response::Responses;
+use frictiongen::study::OptimumKind;
+use frictiongen::study::scene::Excitation;
+use maud::{Markup, html};
+
+/// The most resonances that are named.
+const MOST_NAMED: usize = 4;
+
+/// The first lines.
+pub fn html(
+    asked: &Asked,
+    modes: &Modes,
+    spread: &Spread,
+    best: &Result<Vec<Best>, String>,
+    responses: &Responses,
+) -> Markup {
+    let (words, scene) = (&asked.words, asked.system.scene());
+    let resonances = modes.resonances(words);
+    let named = resonances
+        .iter()
+        .take(MOST_NAMED)
+        .map(String::as_str)
+        .collect::<Vec<_>>()
+        .join(", ");
+    let (from, to) = (
+        words.frequency(asked.band.from),
+        words.frequency(asked.band.to),
+    );
+    html! {
+        section #short aria-label="In short" {
+            ul.short {
+                li {
+                    @if scene.masses.len() == 1 { "One mass" } @else { (scene.masses.len()) " masses" }
+                    ", driven by " @if scene.excitation == Excitation::Base { "the motion of the base" } @else { "a force" }
+                    "; without friction " @if resonances.len() == 1 { "it resonates" } @else { "they resonate" } " at " (named)
+                    @if resonances.len() > MOST_NAMED { " and " (resonances.len() - MOST_NAMED) " more" } "."
+                }
+                @if let Some((best, optimum)) = best::worst(best) {
+                    li {
+                        @match optimum.kind {
+                            OptimumKind::NoFriction => {
+                                strong { "No friction is best" } " for " strong { (best.part.name) } ", which moves farthest: at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
+                            }
+                            OptimumKind::Stuck => {
+                                "For " strong { (best.part.name) } ", which moves farthest, the contact is best stuck: from "
+                                (words.friction(optimum.beta)) " on, at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
+                            }
+                            OptimumKind::EqualPeaks | OptimumKind::SinglePeak => {
+                                strong { "Best friction: " (words.friction(optimum.beta)) } ", chosen for " strong { (best.part.name) }
+                                ", which moves farthest. With it that moves by at most "
+                                strong { (words.length(optimum.amplitude)) } " between " (from) " and " (to) ". The most without friction: "
+                                (best::bound(words, optimum.without_friction)) ", with the contact stuck: "
+                                (best::bound(words, optimum.with_contact_locked)) "."
+                            }
+                        }
+                    }
+                    @if let (Some(widest), OptimumKind::EqualPeaks | OptimumKind::SinglePeak) = (optimum.tolerances.last(), optimum.kind) {
+                        li {
+                            "It need not be exact: from " (words.friction(widest.from)) " to " (words.friction(widest.to))
+                            " the largest amplitude stays within a tenth of its least."
+                        }
+                    }
+                    @if let Some(stretches) = responses.stretches(optimum.beta) {
+                        li { "With the best friction the contact " @for (index, (does, from, to)) in stretches.iter().enumerate() {
+                            @if index > 0 { ", " } (does) " from " (words.frequency(*from)) " to " (words.frequency(*to))
+                        } "." }
+                    }
+                    @if optimum.unbounded_to > 0.0 {
+                        li { "Up to " (words.friction(optimum.unbounded_to)) " a resonance is without bound: nothing but friction damps it." }
+                    }
+                } @else if let Ok(all) = best {
+                    @for best in all.iter().take(1) { @if let Err(error) = &best.found {
+                        li { "No best friction for " (best.part.name) ": " (error) "." }
+                    } }
+                }
+                li {
+                    @if spread.continuous_to > 0.0 {
+                        "Up to " (words.friction(spread.continuous_to)) " the contact never stops anywhere in this range; "
+                    } @else {
+                        "With any friction the contact stops somewhere in this range; "
+                    }
+                    @if spread.stuck_from.is_finite() {
+                        "from " (words.friction(spread.stuck_from)) " on it never moves."
+                    } @else {
+                        "no friction holds it everywhere."
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! How the page writes numbers, for people: four digits, with the unit.
+
+use crate::measure::Measure;
+use frictiongen::System;
+use frictiongen::study::units;
+use frictiongen_plot::desk::Scales;
+use serde_json::Value as Json;
+
+/// In what the page counts.
+#[derive(Clone, Copy, Debug)]
+pub struct Words {
+    /// On the axes.
+    pub scales: Scales,
+    /// Whether frequencies are in Hz.
+    pub in_hertz: bool,
+    /// The load and what it makes of the groups.
+    pub measure: Measure,
+}
+
+/// Four digits.
+pub fn digits(value: f64) -> String {
+    let size = value.abs();
+    if value.is_nan() {
+        return "none".to_owned();
+    }
+    if size.is_infinite() {
+        return if value < 0.0 { "−∞" } else { "∞" }.to_owned();
+    }
+    if size == 0.0 {
+        return "0".to_owned();
+    }
+    let text = if (1e-3..1e5).contains(&size) {
+        let decimals = (3.0 - size.log10().floor()).clamp(0.0, 7.0) as usize;
+        trimmed(&format!("{value:.decimals$}"))
+    } else {
+        let text = format!("{value:.3e}");
+        match text.split_once('e') {
+            Some((digits, power)) => format!("{}e{power}", trimmed(digits)),
+            None => text,
+        }
+    };
+    text.replace('-', "−")
+}
+
+/// Without needless noughts.
+fn trimmed(text: &str) -> String {
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text.to_owned()
+    }
+}
+
+/// A number in the JSON, which has no infinity: a string stands for it.
+pub fn number(value: f64) -> Json {
+    crate::number::Value::from(value).json()
+}
+
+/// To six digits: what a picture shows.
+pub fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+impl Words {
+    /// The unit of displacements.
+    pub fn length_unit(&self) -> &'static str {
+        match (self.measure.scale(), self.measure.option()) {
+            (Some(_), _) => "mm",
+            (None, "--base") => "Y",
+            (None, _) => "P/k₁",
+        }
+    }
+
+    /// A displacement.
+    pub fn length(&self, ratio: f64) -> String {
+        let value = digits(self.scales.length(ratio));
+        format!("{value} {}", self.length_unit())
+    }
+
+    /// A friction.
+    pub fn friction(&self, beta: f64) -> String {
+        let value = digits(self.scales.friction(beta));
+        match self.measure.scale() {
+            Some(_) => format!("{value} N"),
+            None => format!("β = {value}"),
+        }
+    }
+
+    /// A frequency.
+    pub fn frequency(&self, r: f64) -> String {
+        let value = digits(self.scales.frequency(r));
+        if self.in_hertz {
+            format!("{value} Hz")
+        } else {
+            format!("r = {value}")
+        }
+    }
+
+    /// What heads a column of frequencies.
+    pub fn frequency_title(&self) -> &'static str {
+        if self.in_hertz { "f (Hz)" } else { "r" }
+    }
+
+    /// A phase, rad → degrees.
+    pub fn angle(radians: f64) -> String {
+        // A thousandth of a degree is more than anybody reads off.
+        format!("{:.1}°", radians.to_degrees() + 0.0).replace('-', "−")
+    }
+
+    /// The fields of a frequency.
+    pub fn frequency_json(&self, system: &System, r: f64) -> Vec<(&'static str, Json)> {
+        let hertz = units::hertz(system.angular_frequency(r));
+        let mut fields = vec![("r", number(r))];
+        if self.in_hertz {
+            fields.push(("frequency_Hz", number(hertz)));
+        }
+        fields
+    }
+
+    /// The fields of a friction, or of a limit of it.
+    pub fn friction_json(&self, beta: f64) -> Vec<(&'static str, Json)> {
+        let mut fields = vec![("beta", number(beta))];
+        if self.measure.scale().is_some() {
+            fields.push(("friction_N", number(self.measure.force(beta))));
+        }
+        fields
+    }
+
+    /// The field of an amplitude.
+    pub fn length_json(&self, ratio: f64) -> (String, Json) {
+        let name = self.measure.length_name("amplitude");
+        (name, number(self.measure.length(ratio)))
+    }
+}
+
+/// An object of some fields.
+pub fn object<K: Into<String>>(fields: impl IntoIterator<Item = (K, Json)>) -> Json {
+    let fields = fields.into_iter().map(|(name, value)| (name.into(), value));
+    Json::Object(fields.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{digits, rounded};
+
+    #[test]
+    fn four_digits() {
+        for (value, text) in [
+            (0.0, "0"),
+            (2.0, "2"),
+            (0.123_456, "0.1235"),
+            (-12.345_6, "−12.35"),
+            (1234.56, "1235"),
+            (1e-5, "1e−5"),
+            (f64::INFINITY, "∞"),
+            (f64::NAN, "none"),
+        ] {
+            assert_eq!(digits(value), text);
+        }
+        assert_eq!(rounded(0.123_456_789), 0.123_457);
+    }
+}
