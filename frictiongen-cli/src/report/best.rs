@@ -10,6 +10,8 @@ use serde_json::{Value as Json, json};
 
 /// The most masses of a chain whose best friction is looked for; of longer ones it takes minutes.
 const MOST_MASSES: usize = 12;
+/// The most masses of a chain for which it is looked for over the whole range.
+const WHOLE_RANGE: usize = 4;
 /// The most motions whose best friction is looked for.
 const MOST_MOTIONS: usize = 4;
 
@@ -21,6 +23,19 @@ pub struct Best {
     pub found: Result<Optimum, OptimumError>,
 }
 
+/// Over which frequencies it is looked for: the range, or of a longer chain as much of it as has the lowest resonance
+/// alone, since over all of them it takes more amplitudes than are computed.
+pub fn band(asked: &Asked) -> (f64, f64) {
+    let (from, to) = (asked.band.from, asked.band.to);
+    match asked.system.resonances() {
+        [first, second, ..] if WHOLE_RANGE < asked.system.scene().masses.len() => {
+            let between = (first * second).sqrt();
+            (from, if from < between { to.min(between) } else { to })
+        }
+        _ => (from, to),
+    }
+}
+
 /// The best frictions, or why none was looked for.
 pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let masses = asked.system.scene().masses.len();
@@ -30,6 +45,7 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
              “frictiongen optimum” finds it for one motion."
         ));
     }
+    let (from, to) = band(asked);
     let only_contact = asked.parts.iter().all(|part| part.of == Of::Contact);
     let parts = asked.parts.iter();
     let parts = parts.filter(|part| only_contact || part.of != Of::Contact);
@@ -37,7 +53,7 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
         part: part.clone(),
         found: asked.system.optimum(&OptimumRequest {
             of: part.of,
-            band: FrequencyBand::Ratio(asked.band.from, asked.band.to),
+            band: FrequencyBand::Ratio(from, to),
             load: asked.words.measure.load(),
         }),
     };
@@ -74,8 +90,9 @@ pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
                 Ok(all) => {
                     p {
                         "The friction that keeps the largest amplitude between "
-                        (words.frequency(asked.band.from)) " and " (words.frequency(asked.band.to))
+                        (words.frequency(band(asked).0)) " and " (words.frequency(band(asked).1))
                         " smallest, over all regimes. Where friction may be from … to …, that amplitude is at most a tenth above its least."
+                        @if band(asked).1 < asked.band.to { " Of so long a chain it is looked for about the lowest resonance only." }
                     }
                     div.scroll tabindex="0" role="region" aria-label="Best frictions" {
                         table {

@@ -28,10 +28,8 @@ pub fn html(
         .map(String::as_str)
         .collect::<Vec<_>>()
         .join(", ");
-    let (from, to) = (
-        words.frequency(asked.band.from),
-        words.frequency(asked.band.to),
-    );
+    let (from, to) = best::band(asked);
+    let (from, to) = (words.frequency(from), words.frequency(to));
     html! {
         section #short aria-label="In short" {
             ul.short {
