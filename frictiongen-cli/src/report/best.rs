@@ -64,6 +64,8 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
 pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
     let all = best.as_ref().ok()?.iter();
     let found = all.filter_map(|best| Some((best, best.found.as_ref().ok()?)));
+    // A mass that a contact can hold at rest asks for no choice.
+    let found = found.filter(|(_, optimum)| 0.0 < optimum.amplitude);
     found.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude))
 }
 
