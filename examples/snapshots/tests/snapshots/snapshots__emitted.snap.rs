@@ -46,6 +46,27 @@ const _: () = {
             [0.3426795800926145, 1.6805434410452347],
             [0.9394523433296388, -0.6130038684705358],
         ];
+        /// What the limits need beyond the modes.
+        const CHAIN: Chain<f64> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 4.2,
+            stiction: 1.15,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f64) -> f64 {
+            omega / 70.71067811865476
+        }
+        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
+            friction / load
+        }
+    }
+    impl Mount {
         /// The modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
@@ -75,13 +96,6 @@ const _: () = {
                 static_residue: -1.1610643562596341,
             },
         ];
-        /// What the limits need beyond the modes.
-        const CHAIN: Chain<f64> = Chain {
-            damped: true,
-            on_moving_base: None,
-            inverse_mass: 4.2,
-            stiction: 1.15,
-        };
         /// All that the steady response rests on.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
@@ -96,18 +110,6 @@ const _: () = {
             unbounded: &[],
             invisible: &[],
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
-        #[inline]
-        #[must_use]
-        pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega / 70.71067811865476
-        }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
-        #[inline]
-        #[must_use]
-        pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
-            friction / load
-        }
         /// The scene at the frequency ratio r = ω√(m₁/k₁).
         ///
         /// # Errors
@@ -436,6 +438,7 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(MountAt : stuck);
+    ::frictiongen::kernel::not_provided!(Mount : stepper);
     ::frictiongen::kernel::not_provided!(Mount : simulation);
     ::frictiongen::kernel::left_out!(MountMotion : frame);
     impl Mount {
