@@ -223,11 +223,10 @@ fn no_advice_that_is_refused() {
     assert!(!help.contains("may be 0 and inf") && help.contains("above 0 and below infinity"));
 }
 
-/// What is not built, and what is said by halves, is refused by every command, and nothing goes to standard output.
+/// What is said by halves is refused by every command, and nothing goes to standard output.
 #[test]
-fn what_is_not_built_is_refused() {
+fn what_is_said_by_halves_is_refused() {
     for (field, told) in [
-        ("provide: [stepper]", "`stepper` is not built yet"),
         ("accuracy: 1e-6", "holds over a range"),
         (
             "range: { r: 0.1..2, beta: 0..1 }",

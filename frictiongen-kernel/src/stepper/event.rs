@@ -266,7 +266,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 
     fn terms(&self) -> usize {
-        self.scene.terms(self.table.pace.terms, D)
+        self.scene.terms(self.table.pace.terms)
     }
 
     /// The relative velocity as a power series about here, under the friction force level + slope·velocity.

@@ -59,15 +59,24 @@ impl<S: Float> StepScene<'_, S> {
         modes.chain(held).fold(S::constant(0.0), S::max)
     }
 
+    /// How many coefficients the input has over a step: those of emitted tables, where a system's have room for more.
+    fn coefficients(&self) -> usize {
+        match (self.input, self.on_base) {
+            (Input::Hold, false) => 1,
+            (Input::Hold, true) | (Input::Linear, false) => 2,
+            (Input::Linear, true) => 4,
+        }
+    }
+
     /// How many terms of a power series are formed, if so many reach the end of a part.
-    pub(super) fn terms(&self, enough: u32, coefficients: usize) -> usize {
+    pub(super) fn terms(&self, enough: u32) -> usize {
         let terms = if self.law.is_empty() {
             usize::try_from(enough).unwrap_or(TERMS)
         } else {
             TERMS
         };
         // The input's last coefficient starts a series of its own, so many terms later.
-        (terms + coefficients).clamp(5, TERMS)
+        (terms + self.coefficients()).clamp(5, TERMS)
     }
 
     /// What a step costs at most that is cut into so many parts, from how many coefficients an input has and how many
@@ -80,7 +89,7 @@ impl<S: Float> StepScene<'_, S> {
             driven: count(self.dynamics.in_contact()),
             inputs: count(self.channels()),
             coefficients: count(coefficients),
-            terms: count(self.terms(terms, coefficients)),
+            terms: count(self.terms(terms)),
             parts: u64::from(parts),
             on_moving_base: self.rubs_on_base(),
             lines: !self.law.is_empty(),

@@ -53,11 +53,18 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
     (
         "is never called",
         &[
+            "emitted::missing::AddLimitsToProvide::answer",
             "emitted::missing::AddMassToMotion::answer",
             "emitted::missing::AddMotionToProvide::answer",
             "emitted::missing::AddOrbitToProvide::answer",
             "emitted::missing::AddSimulationToProvide::answer",
+            "emitted::missing::AddStepperToProvide::answer",
             "emitted::missing::AddStuckToProvide::answer",
+            "emitted::missing::at",
+            "emitted::missing::limits_into",
+            "emitted::missing::limits_without_search",
+            "emitted::missing::stepper",
+            "emitted::missing::stepper_from",
             "emitted::missing::motion",
             "emitted::missing::orbit",
             "emitted::missing::orbit_from",
