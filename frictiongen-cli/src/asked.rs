@@ -1,8 +1,8 @@
 //! What is asked of commands that go over frequency and friction: points, masses, harmonics.
 
 use crate::failure::Failure;
-use frictiongen::study::{SystemAt, SystemMotion, UnknownMass};
-use frictiongen::{Error, NoOrbit, NotContinuous, Of, OutOfDomain, Regime, System};
+use frictiongen::study::{SystemAt, SystemMotion, UnknownMass, words};
+use frictiongen::{NotContinuous, Of, OutOfDomain, Regime, System};
 use std::ops::RangeInclusive;
 
 /// The highest harmonic there may be.
@@ -123,49 +123,17 @@ pub fn part(system: &System, name: &str) -> Result<Part, Failure> {
         .ok_or_else(|| Failure::new("--of: give the motion"))
 }
 
-/// The regime in a word.
-pub fn regime_name(regime: Regime) -> &'static str {
-    match regime {
-        Regime::Continuous => "continuous",
-        Regime::StickSlip => "stick-slip",
-        Regime::Stuck => "stuck",
-        _ => "",
-    }
-}
-
-/// Why there is no response, in a word.
-pub fn no_answer(error: Error) -> &'static str {
-    match error {
-        Error::NoOrbit(error) => reason(error),
-        Error::NotContinuous(_) | Error::StuckResonance(_) => "unbounded",
-        _ => "no cycle",
-    }
-}
-
 /// The regime in a word, the same in every command.
 pub fn regime(
     at: &SystemAt<'_>,
     motion: &Result<SystemMotion<'_>, NotContinuous>,
 ) -> Result<&'static str, OutOfDomain> {
     Ok(match motion {
-        Ok(_) => regime_name(Regime::Continuous),
-        Err(NotContinuous::StickSlip) => regime_name(Regime::StickSlip),
-        Err(NotContinuous::Stuck) if at.stuck().is_ok() => regime_name(Regime::Stuck),
+        Ok(_) => words::regime(Regime::Continuous),
+        Err(NotContinuous::StickSlip) => words::regime(Regime::StickSlip),
+        Err(NotContinuous::Stuck) if at.stuck().is_ok() => words::regime(Regime::Stuck),
         // On an undamped resonance, of the chain or of the chain with its contact stuck.
         Err(NotContinuous::Stuck | NotContinuous::Unbounded) => "unbounded",
         Err(_) => return Err(OutOfDomain { argument: "beta" }),
     })
-}
-
-/// Why there is no steady state, in a word.
-pub fn reason(error: NoOrbit) -> &'static str {
-    match error {
-        NoOrbit::OutOfDomain(_) => "no cycle",
-        NoOrbit::TooManyEvents => "crowded",
-        NoOrbit::Unbounded => "unbounded",
-        NoOrbit::Undamped(_) => "undamped",
-        NoOrbit::Unstable => "unstable",
-        NoOrbit::Unsettled => "unsettled",
-        _ => "none",
-    }
 }

@@ -10,7 +10,7 @@ use crate::output::{self, Report, Visitor};
 use crate::summary::Summary;
 use crate::table::Column;
 use frictiongen::System;
-use frictiongen::study::{FrequencyBand, OperatingPoint, Optimum, OptimumKind, OptimumRequest};
+use frictiongen::study::{FrequencyBand, OperatingPoint, Optimum, OptimumRequest, words};
 use frictiongen_codegen::Limits;
 use std::io::Write;
 
@@ -88,12 +88,7 @@ impl OptimumReport {
             size(optimum.amplitude),
             length,
         );
-        let kind = match optimum.kind {
-            OptimumKind::EqualPeaks => "equal peaks",
-            OptimumKind::SinglePeak => "one peak at its least",
-            OptimumKind::NoFriction => "friction only does harm",
-            OptimumKind::Stuck => "stuck: more friction changes nothing",
-        };
+        let kind = words::kind(optimum.kind);
         add("what limits it".to_owned(), kind.into(), "");
         for peak in &optimum.peaks {
             let at = if peak.at_end {
@@ -107,11 +102,7 @@ impl OptimumReport {
             }
             add(format!("{at} r"), peak.r.into(), "");
             add("  amplitude".to_owned(), size(peak.amplitude), length);
-            add(
-                "  regime".to_owned(),
-                asked::regime_name(peak.regime).into(),
-                "",
-            );
+            add("  regime".to_owned(), words::regime(peak.regime).into(), "");
         }
         for tolerance in &optimum.tolerances {
             let percent = format!("{:.0} % above the best", tolerance.excess * 100.0);

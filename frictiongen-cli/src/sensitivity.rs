@@ -11,7 +11,7 @@ use crate::output::{self, Report, Visitor};
 use crate::summary::Summary;
 use crate::table::Column;
 use frictiongen::System;
-use frictiongen::study::{NoDerivative, OperatingPoint, ParameterSensitivity, Slope, StudyError};
+use frictiongen::study::{OperatingPoint, ParameterSensitivity, Slope, words};
 use frictiongen_codegen::Limits;
 use std::io::Write;
 
@@ -180,12 +180,13 @@ impl Report for SensitivityReport {
                 let known = match self.system.response_sensitivities(asked, self.part.of) {
                     Ok(known) => known,
                     Err(error) => {
-                        let answer = reason(&error).ok_or_else(|| Failure::new(&error))?;
+                        let answer =
+                            words::no_derivative(&error).ok_or_else(|| Failure::new(&error))?;
                         visit(&Point { answer, ..empty })?;
                         continue;
                     }
                 };
-                let regime = asked::regime_name(known.regime);
+                let regime = words::regime(known.regime);
                 for (place, sensitivity) in known.parameters.into_iter().enumerate() {
                     let parameter = sensitivity.parameter;
                     visit(&Point {
@@ -308,18 +309,4 @@ impl Report for SensitivityReport {
             .map(|(name, value)| (name, value.json()))
             .collect()
     }
-}
-
-/// Why there is no derivative at a point, in a word; none for what is wrong with the question.
-fn reason(error: &StudyError) -> Option<&'static str> {
-    Some(match error {
-        StudyError::NoDerivative(error) => match error {
-            NoDerivative::Marginal => "marginal",
-            NoDerivative::Unsettled => "unsettled",
-            NoDerivative::Degenerate => "degenerate",
-            _ => "bend",
-        },
-        StudyError::Solver(error) => asked::no_answer(*error),
-        _ => return None,
-    })
 }

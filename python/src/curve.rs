@@ -8,10 +8,9 @@ use crate::columns::{Columns, Words, cell, count};
 use crate::errors::domain;
 use crate::motion::{self, Extent, Movement};
 use crate::system::NativeSystem;
-use crate::words;
 use crate::work::without_lock;
-use frictiongen::study::{Curve, CurveError, CurvePoint, CurveRequest};
-use frictiongen::{Error, Of, Regime};
+use frictiongen::study::{Curve, CurveError, CurvePoint, CurveRequest, words};
+use frictiongen::{Error, Of};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -49,15 +48,6 @@ fn lines(friction: usize, curve: Curve) -> Vec<Line> {
     }
     lines.sort_by(|a, b| a.r.total_cmp(&b.r));
     lines
-}
-
-fn answer(found: &Result<CurvePoint, Error>) -> &'static str {
-    match found {
-        Err(error) => words::no_answer(*error),
-        Ok(point) if !point.settled => "last 64 cycles",
-        Ok(point) if point.regime == Regime::StickSlip => "orbit",
-        Ok(_) => "closed form",
-    }
 }
 
 /// Accuracy, the largest step, the highest harmonic, and whether velocities are asked for.
@@ -131,7 +121,7 @@ pub fn curve<'py>(
         "answer",
         found
             .iter()
-            .map(|line| answer(&line.found))
+            .map(|line| words::on_curve(line.found.as_ref().map_err(|error| *error)))
             .collect::<Words>(),
     )?;
     columns.counts(

@@ -19,7 +19,6 @@ mod sensitivities;
 mod simulate;
 mod step;
 mod system;
-mod words;
 mod work;
 
 /// The compiled part of the package.

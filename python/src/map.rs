@@ -7,11 +7,10 @@ use crate::asked::{
 use crate::columns::{Columns, Words, cell, count};
 use crate::errors::domain;
 use crate::system::NativeSystem;
-use crate::words;
 use crate::work::without_lock;
 use frictiongen::Error;
 use frictiongen::Limits;
-use frictiongen::study::{MapPoint, MapRequest};
+use frictiongen::study::{MapPoint, MapRequest, words};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

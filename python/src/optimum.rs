@@ -4,9 +4,8 @@ use crate::asked::{Band, FrequencyArguments, LoadArguments, Measure, part};
 use crate::columns::{Columns, Words, cell};
 use crate::errors::domain;
 use crate::system::NativeSystem;
-use crate::words;
 use crate::work::without_lock;
-use frictiongen::study::{FrequencyBand, OperatingPoint, OptimumRequest};
+use frictiongen::study::{FrequencyBand, OperatingPoint, OptimumRequest, words};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

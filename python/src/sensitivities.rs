@@ -6,9 +6,8 @@ use crate::asked::{
 use crate::columns::{Columns, Words, cell};
 use crate::errors::domain;
 use crate::system::NativeSystem;
-use crate::words;
 use crate::work::without_lock;
-use frictiongen::study::{OperatingPoint, ParameterSensitivity, Slope};
+use frictiongen::study::{OperatingPoint, ParameterSensitivity, Slope, words};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -7,10 +7,9 @@ use crate::asked::{
 use crate::columns::{Columns, Words, cell};
 use crate::errors::domain;
 use crate::system::NativeSystem;
-use crate::words;
 use crate::work::without_lock;
 use frictiongen::kernel::simulation::Contact;
-use frictiongen::study::{HistoryError, HistoryRequest, MOST_SAMPLES, units};
+use frictiongen::study::{HistoryError, HistoryRequest, MOST_SAMPLES, units, words};
 use frictiongen::{Of, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,6 +1,6 @@
 //! Writes curves: a line for each point, with the piece that it belongs to.
 
-use crate::asked::{Part, no_answer, regime_name};
+use crate::asked::Part;
 use crate::failure::Failure;
 use crate::frequency::{Band, Frequency};
 use crate::friction::{Friction, Frictions};
@@ -9,8 +9,8 @@ use crate::measure::Measure;
 use crate::number::Value;
 use crate::output::{Report, Visitor};
 use crate::table::Column;
-use frictiongen::study::{Curve, CurvePoint, CurveRequest, Movement};
-use frictiongen::{Error, Regime, System};
+use frictiongen::study::{Curve, CurvePoint, CurveRequest, Movement, words};
+use frictiongen::{Error, System};
 use serde_json::Value as Json;
 
 /// What is computed.
@@ -70,12 +70,7 @@ impl CurveReport {
     }
 
     fn answer(&self, line: &Line) -> &'static str {
-        match &line.found {
-            Err(error) => no_answer(*error),
-            Ok(point) if !point.settled => "last 64 cycles",
-            Ok(point) if point.regime == Regime::StickSlip => "orbit",
-            Ok(_) => "closed form",
-        }
+        words::on_curve(line.found.as_ref().map_err(|error| *error))
     }
 
     /// What a line says once.
@@ -84,7 +79,7 @@ impl CurveReport {
         values.extend(line.frequency.values());
         values.push(line.piece.map_or(Value::Missing, Value::Count));
         let point = line.found.as_ref().ok();
-        values.push(point.map_or(Value::Missing, |point| regime_name(point.regime).into()));
+        values.push(point.map_or(Value::Missing, |point| words::regime(point.regime).into()));
         values.push(self.answer(line).into());
         values.push(point.map_or(Value::Missing, |point| point.stops.into()));
         values.push(point.map_or(Value::Missing, |point| (point.period as usize).into()));

@@ -1,12 +1,12 @@
 //! The features, a line each.
 
-use crate::asked::{Part, regime_name};
+use crate::asked::Part;
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::measure::Measure;
 use frictiongen::System;
 use frictiongen::study::{
-    Certainty, Condition, Edge, FeatureError, Features, Measured, RegimeEnd, Sensed,
+    Certainty, Condition, Edge, FeatureError, Features, Measured, RegimeEnd, Sensed, words,
 };
 
 /// What stands behind a line.
@@ -298,7 +298,7 @@ impl Own<'_, '_> {
         };
         for found in ranges {
             let mut line = self.line("regime", "contact", ground);
-            line = line.saying(regime_name(found.regime));
+            line = line.saying(words::regime(found.regime));
             (line.r, line.to) = (Some(found.from), Some(found.to));
             if let RegimeEnd::Continuous(sensed) | RegimeEnd::Sliding(sensed) = found.end {
                 line.sensed.push(("to_frequency", sensed));
@@ -316,7 +316,7 @@ impl Own<'_, '_> {
                     lines.push(line);
                 }
                 if let Some(found) = peak.peak {
-                    let regime = found.regime.map_or("unbounded", regime_name);
+                    let regime = found.regime.map_or("unbounded", words::regime);
                     let mut line = self
                         .line("peak", &part.name, Ground::Sampled)
                         .with_amplitude(found.amplitude)

@@ -1,13 +1,12 @@
 //! Writes the boundaries of a map.
 
 use super::points::MapReport;
-use super::region;
 use crate::failure::Failure;
 use crate::frequency::Frequency;
 use crate::number::Value;
 use crate::output::{Report, Visitor};
 use crate::table::Column;
-use frictiongen::study::Boundary;
+use frictiongen::study::{Boundary, words};
 use serde_json::Value as Json;
 use std::borrow::Cow;
 
@@ -41,8 +40,8 @@ impl Report for BoundaryReport<'_> {
                 frequency,
                 beta: boundary.beta,
                 width: boundary.width,
-                below: region::name(boundary.below),
-                above: region::name(boundary.above),
+                below: words::region(boundary.below),
+                above: words::region(boundary.above),
             })?;
         }
         Ok(())

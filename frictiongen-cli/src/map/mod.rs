@@ -4,7 +4,6 @@
 mod draw;
 mod lines;
 mod points;
-mod region;
 
 use crate::args::MapArguments;
 use crate::asked;

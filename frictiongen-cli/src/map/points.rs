@@ -1,7 +1,6 @@
 //! Writes the points of a map.
 
-use super::region;
-use crate::asked::{Part, regime_name};
+use crate::asked::Part;
 use crate::failure::Failure;
 use crate::frequency::{Frequencies, Frequency};
 use crate::friction::{Friction, Frictions};
@@ -9,7 +8,7 @@ use crate::measure::Measure;
 use crate::number::Value;
 use crate::output::{Report, Visitor};
 use crate::table::Column;
-use frictiongen::study::{Map, MapPoint};
+use frictiongen::study::{Map, MapPoint, words};
 use frictiongen::{Error, System};
 use serde_json::Value as Json;
 use std::borrow::Cow;
@@ -62,7 +61,9 @@ impl MapReport {
         // Of a motion that does not repeat nothing is counted.
         let counted = pattern.filter(|pattern| 0 < pattern.period);
         values.extend([
-            pattern.map_or(Value::Missing, |pattern| regime_name(pattern.regime).into()),
+            pattern.map_or(Value::Missing, |pattern| {
+                words::regime(pattern.regime).into()
+            }),
             Value::Text(&point.region),
             count(counted.map(|pattern| pattern.period as usize)),
             count(counted.map(|pattern| pattern.stops)),
@@ -126,7 +127,7 @@ impl Report for MapReport {
                 visit(&Point {
                     frequency,
                     friction,
-                    region: region::name(pattern),
+                    region: words::region(pattern),
                     found: found.clone(),
                 })?;
             }

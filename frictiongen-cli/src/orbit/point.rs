@@ -3,7 +3,7 @@
 use crate::asked::{self, Mass};
 use crate::frequency::Frequency;
 use crate::friction::Friction;
-use frictiongen::study::{SystemAt, SystemOrbit, SystemOrbitMotion};
+use frictiongen::study::{SystemAt, SystemOrbit, SystemOrbitMotion, words};
 use frictiongen::{Complex, NoOrbit, OutOfDomain};
 
 /// The steady state at one frequency ratio and one friction ratio.
@@ -132,16 +132,11 @@ pub fn answer(
     let regime = asked::regime(at, &at.motion(beta))?;
     let (state, orbit) = match at.orbit_or_last_cycles(beta) {
         Ok(orbit) => {
-            let state = match (orbit.is_marginal(), orbit.is_stable()) {
-                _ if !orbit.is_settled() => asked::reason(NoOrbit::Unsettled),
-                (true, _) => "marginal",
-                (false, true) => "stable",
-                (false, false) => "unstable",
-            };
-            (state, Some(Steady::of(&orbit, question)))
+            let steady = Steady::of(&orbit, question);
+            (words::state(&orbit), Some(steady))
         }
         Err(NoOrbit::OutOfDomain(error)) => return Err(error),
-        Err(error) => (asked::reason(error), None),
+        Err(error) => (words::reason(error), None),
     };
     Ok(Point {
         frequency,

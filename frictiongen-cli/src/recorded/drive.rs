@@ -12,10 +12,9 @@ use crate::number::{Value, computed};
 use crate::output::{self, Report, Visitor};
 use crate::summary::Summary;
 use crate::table::Column;
-use frictiongen::kernel::simulation::Contact;
 use frictiongen::kernel::stepper::Work;
 use frictiongen::measure::Inputs;
-use frictiongen::study::SystemStepper;
+use frictiongen::study::{SystemStepper, words};
 use frictiongen::{Of, System};
 use serde_json::{Value as Json, json};
 use std::io::Write;
@@ -168,11 +167,7 @@ impl Sample {
             time,
             motions: motions.collect(),
             force: sign * contact.force(),
-            state: match slides {
-                Contact::Stuck => "stuck",
-                Contact::Forward => "forward",
-                Contact::Backward => "backward",
-            },
+            state: words::contact(slides),
             events,
         }
     }

@@ -13,6 +13,7 @@ use frictiongen::System;
 use frictiongen::measure::{Identified, IdentifyRequest, Observation, Unknown, Using, Verdict};
 use frictiongen::study::scene::Excitation;
 use frictiongen::study::units::{hertz, polar};
+use frictiongen::study::words;
 use std::io::Write;
 
 /// Runs the command.
@@ -145,7 +146,7 @@ fn lines(system: &System, observations: &[Observation], found: &Identified) -> L
         lines.number(format!("  {what}"), size, unit);
         lines.number("  r", point.r, "");
         lines.number("  beta", point.beta, "");
-        lines.word("  regime", asked::regime_name(point.regime));
+        lines.word("  regime", words::regime(point.regime));
         for (datum, (model, residual)) in seen
             .motions
             .iter()

@@ -2,9 +2,11 @@
 
 use super::asked::Asked;
 use super::words::{Words, number, object};
-use crate::asked::{Part, regime_name};
+use crate::asked::Part;
 use frictiongen::Of;
-use frictiongen::study::{FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumRequest};
+use frictiongen::study::{
+    FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumRequest, words,
+};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
@@ -139,7 +141,7 @@ fn row(best: &Best, asked: &Asked) -> Markup {
                     td {
                         @for (index, peak) in optimum.peaks.iter().enumerate().filter(|(_, peak)| peak.amplitude > 0.0) {
                             @if index > 0 { ", " }
-                            (words.frequency(peak.r)) " (" (regime_name(peak.regime))
+                            (words.frequency(peak.r)) " (" (words::regime(peak.regime))
                             @if peak.at_end { ", end of the range" } ")"
                         }
                     }
@@ -191,7 +193,7 @@ pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
                     .map(owned)
                     .collect();
                 fields.push(words.length_json(peak.amplitude));
-                fields.push(("regime".to_owned(), regime_name(peak.regime).into()));
+                fields.push(("regime".to_owned(), words::regime(peak.regime).into()));
                 object(fields)
             });
             fields.push(("peaks".to_owned(), peaks.collect()));

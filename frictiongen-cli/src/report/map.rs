@@ -5,7 +5,7 @@ use super::plot::{Across, Axes, Plot, Series};
 use super::words::{digits, number, object, rounded};
 use crate::failure::Failure;
 use frictiongen::Limits;
-use frictiongen::study::{LimitLines, Map, MapRequest, Pattern};
+use frictiongen::study::{LimitLines, Map, MapRequest, Pattern, words};
 use frictiongen_plot::desk::{Shade, limit_lines, map_panel, regimes};
 use frictiongen_plot::{Across as Line, Colour, Figure, Guide, Layer, Panel};
 use maud::{Markup, html};
@@ -177,7 +177,7 @@ impl Regimes {
             for column in &map.columns {
                 let name = match column.points.get(row) {
                     Some(Ok(point)) => does(point.pattern),
-                    Some(Err(error)) => format!("no answer: {}", crate::asked::no_answer(*error)),
+                    Some(Err(error)) => format!("no answer: {}", words::no_answer(*error)),
                     None => continue,
                 };
                 let known = names.iter().position(|known| *known == name);

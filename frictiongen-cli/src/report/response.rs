@@ -4,9 +4,9 @@ use super::asked::Asked;
 use super::found::{Found, STUCK, found};
 use super::plot::{Across, Axes, Plot, Series};
 use super::words::{Words, object};
-use crate::asked::{no_answer, regime_name};
+
 use crate::failure::Failure;
-use frictiongen::study::{Curve, CurveRequest, End};
+use frictiongen::study::{Curve, CurveRequest, End, words};
 use frictiongen::{Of, Regime};
 use frictiongen_plot::desk::{Drawn, Reading, keys, lines};
 use frictiongen_plot::{Axis, Colour, Figure, Label, Layer, Panel};
@@ -289,7 +289,7 @@ impl Responses {
                                 Some(_) if Self::pole(level) => "without bound",
                                 Some((size, r, regime)) => {
                                     (words.length(size)) " at " (words.frequency(r))
-                                    @if level.beta > 0.0 && level.beta < STUCK { " (" (regime_name(regime)) ")" }
+                                    @if level.beta > 0.0 && level.beta < STUCK { " (" (words::regime(regime)) ")" }
                                 }
                             } }
                         }
@@ -312,7 +312,7 @@ impl Responses {
                         th scope="row" { (words.frequency(*r)) }
                         @for cell in cells.iter().filter_map(|cell| cell.get(part)) {
                             td { @match cell {
-                                Err(error) => (no_answer(*error)),
+                                Err(error) => (words::no_answer(*error)),
                                 Ok((_, swing)) => {
                                     (words.length(swing.amplitude))
                                     @if let Some(phase) = swing.phase { ", " (Words::angle(phase)) }
@@ -329,14 +329,14 @@ impl Responses {
     pub fn data(&self, asked: &Asked) -> Json {
         let words = &asked.words;
         let cell = |found: &Found| match found {
-            Err(error) => json!({ "none": no_answer(*error) }),
+            Err(error) => json!({ "none": words::no_answer(*error) }),
             Ok((regime, swing)) => {
                 let phase = words.measure.angle_name("phase");
                 let lag = swing.phase.map(|phase| words.measure.angle(phase));
                 object([
                     words.length_json(swing.amplitude),
                     (phase, lag.map_or(Json::Null, Json::from)),
-                    ("regime".to_owned(), regime_name(*regime).into()),
+                    ("regime".to_owned(), words::regime(*regime).into()),
                 ])
             }
         };

@@ -6,7 +6,7 @@ use crate::frequency::Frequency;
 use crate::friction::{Friction, Frictions};
 use crate::output::Visitor;
 use frictiongen::study::units::{polar, reversed_phase};
-use frictiongen::study::{SystemAt, SystemMotion, SystemOrbitMotion, SystemSteady};
+use frictiongen::study::{SystemAt, SystemMotion, SystemOrbitMotion, SystemSteady, words};
 use frictiongen::{Complex, Limits, NotContinuous, OutOfDomain};
 
 /// The response at one frequency ratio and one friction ratio.
@@ -159,13 +159,7 @@ impl Question<'_> {
     fn orbit(&self, at: &SystemAt<'_>, point: &mut Point) {
         match at.orbit_or_last_cycles(point.friction.beta) {
             Ok(orbit) => {
-                point.answer = match (orbit.is_marginal(), orbit.is_stable()) {
-                    _ if !orbit.is_settled() => "last 64 cycles",
-                    (true, _) => "orbit: marginal",
-                    (false, true) if orbit.period() > 1 => "subharmonic",
-                    (false, true) => "orbit: stable",
-                    (false, false) => "orbit: unstable",
-                };
+                point.answer = words::found(&orbit);
                 point.contact = Movement::orbit(&orbit.contact(), self.orders);
                 if self.turn_contact {
                     point.contact.turn(orbit.reversed_contact_phase());
@@ -175,7 +169,7 @@ impl Question<'_> {
                     Some(Movement::orbit(&motion, self.orders))
                 });
             }
-            Err(error) => point.answer = asked::reason(error),
+            Err(error) => point.answer = words::reason(error),
         }
     }
 

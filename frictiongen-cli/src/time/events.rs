@@ -6,23 +6,13 @@ use crate::failure::Failure;
 use crate::number::Value;
 use crate::output::{Report, Visitor};
 use crate::table::Column;
-use frictiongen::kernel::simulation::Event;
-use frictiongen::study::HistoryEvent;
+use frictiongen::study::{HistoryEvent, words};
 use serde_json::Value as Json;
 
 /// The events of a motion.
 pub struct EventsReport<'m> {
     /// Of this motion.
     pub motion: &'m Motion,
-}
-
-/// An event in a word.
-fn word(event: Event) -> &'static str {
-    match event {
-        Event::Stop => "stop",
-        Event::Slip => "break-away",
-        Event::Reversal => "reversal",
-    }
 }
 
 impl Report for EventsReport<'_> {
@@ -65,7 +55,7 @@ impl Report for EventsReport<'_> {
     fn record<'a>(&'a self, event: &'a HistoryEvent) -> Vec<Value<'a>> {
         let mut record: Vec<Value<'a>> = self.motion.time(event.tau);
         record.extend([
-            word(event.event).into(),
+            words::event(event.event).into(),
             self.motion.state(event.contact).into(),
         ]);
         let parts = self.motion.course.parts.iter().zip(&event.displacements);

@@ -1,7 +1,7 @@
 //! The motion over time that is written, in groups, and what it is counted in.
 
 use super::asked::{Asked, Start};
-use crate::asked::{CONTACT, MOST_HARMONICS, Part, regime_name};
+use crate::asked::{CONTACT, MOST_HARMONICS, Part};
 use crate::failure::Failure;
 use crate::frequency::Frequency;
 use crate::friction::Friction;
@@ -10,7 +10,7 @@ use crate::measure::Measure;
 use crate::number::{Value, computed};
 use crate::table::Column;
 use frictiongen::kernel::simulation::Contact;
-use frictiongen::study::{History, HistoryError, HistoryRequest, Spectrum, units};
+use frictiongen::study::{History, HistoryError, HistoryRequest, Spectrum, units, words};
 use frictiongen::{NoOrbit, Of, System};
 use serde_json::{Map, Value as Json, json};
 
@@ -64,7 +64,7 @@ impl Motion {
         let history = if asked.steady {
             let at = system.at(r).map_err(Failure::new)?;
             let response = at.response(beta).map_err(Failure::new)?;
-            regime = Some(regime_name(response.regime()));
+            regime = Some(words::regime(response.regime()));
             let history = response.history(&of, asked.samples).map_err(told)?;
             if asked.spectrum {
                 let highest = (asked.samples / 2).min(MOST_HARMONICS);
@@ -118,11 +118,7 @@ impl Motion {
             true => contact.reversed(),
             false => contact,
         };
-        match contact {
-            Contact::Stuck => "stuck",
-            Contact::Forward => "forward",
-            Contact::Backward => "backward",
-        }
+        words::contact(contact)
     }
 
     /// The cells of an instant.

@@ -22,6 +22,7 @@ mod simulation;
 mod stepper;
 mod system;
 pub mod units;
+pub mod words;
 
 pub use at::SystemAt;
 pub use builder::Builder;

@@ -1,13 +1,15 @@
-//! What the command calls regimes, answers and events: the same words here.
+//! What regimes, answers and events are called: one word for each, in tables, files and every language.
 
-use frictiongen::kernel::simulation::{Contact, Event};
-use frictiongen::study::{
-    NoDerivative, OptimumKind, Pattern, StudyError, SystemOrbit, SystemResponse,
-};
-use frictiongen::{Error, NoOrbit, Regime};
+#[cfg(feature = "desk")]
+use super::{CurvePoint, Pattern};
+use super::{NoDerivative, OptimumKind, StudyError, SystemOrbit, SystemResponse};
+use crate::{Error, NoOrbit, Regime};
+use frictiongen_kernel::simulation::{Contact, Event};
+#[cfg(feature = "desk")]
 use std::borrow::Cow;
 
 /// A regime.
+#[must_use]
 pub fn regime(regime: Regime) -> &'static str {
     match regime {
         Regime::Continuous => "continuous",
@@ -18,6 +20,7 @@ pub fn regime(regime: Regime) -> &'static str {
 }
 
 /// The regime where there is no response.
+#[must_use]
 pub fn regime_without(error: Error) -> &'static str {
     match error {
         Error::NoOrbit(_) => regime(Regime::StickSlip),
@@ -26,6 +29,7 @@ pub fn regime_without(error: Error) -> &'static str {
 }
 
 /// Why there is no response.
+#[must_use]
 pub fn no_answer(error: Error) -> &'static str {
     match error {
         Error::NoOrbit(error) => reason(error),
@@ -35,6 +39,7 @@ pub fn no_answer(error: Error) -> &'static str {
 }
 
 /// Why there is no steady state.
+#[must_use]
 pub fn reason(error: NoOrbit) -> &'static str {
     match error {
         NoOrbit::OutOfDomain(_) => "no cycle",
@@ -48,20 +53,40 @@ pub fn reason(error: NoOrbit) -> &'static str {
 }
 
 /// How a response was found.
+#[must_use]
 pub fn answer(response: &SystemResponse<'_>) -> &'static str {
     match response {
-        SystemResponse::StickSlip(orbit) => match (orbit.is_marginal(), orbit.is_stable()) {
-            _ if !orbit.is_settled() => "last 64 cycles",
-            (true, _) => "orbit: marginal",
-            (false, true) if orbit.period() > 1 => "subharmonic",
-            (false, true) => "orbit: stable",
-            (false, false) => "orbit: unstable",
-        },
+        SystemResponse::StickSlip(orbit) => found(orbit),
         _ => "closed form",
     }
 }
 
+/// What was found where the contact sticks and slides.
+#[must_use]
+pub fn found(orbit: &SystemOrbit<'_>) -> &'static str {
+    match (orbit.is_marginal(), orbit.is_stable()) {
+        _ if !orbit.is_settled() => "last 64 cycles",
+        (true, _) => "orbit: marginal",
+        (false, true) if orbit.period() > 1 => "subharmonic",
+        (false, true) => "orbit: stable",
+        (false, false) => "orbit: unstable",
+    }
+}
+
+/// How a point of a curve was found, or why there is none.
+#[cfg(feature = "desk")]
+#[must_use]
+pub fn on_curve(point: Result<&CurvePoint, Error>) -> &'static str {
+    match point {
+        Err(error) => no_answer(error),
+        Ok(point) if !point.settled => "last 64 cycles",
+        Ok(point) if point.regime == Regime::StickSlip => "orbit",
+        Ok(_) => "closed form",
+    }
+}
+
 /// What a steady state is.
+#[must_use]
 pub fn state(orbit: &SystemOrbit<'_>) -> &'static str {
     match (orbit.is_marginal(), orbit.is_stable()) {
         _ if !orbit.is_settled() => reason(NoOrbit::Unsettled),
@@ -72,6 +97,8 @@ pub fn state(orbit: &SystemOrbit<'_>) -> &'static str {
 }
 
 /// A region of a map.
+#[cfg(feature = "desk")]
+#[must_use]
 pub fn region(found: Result<Pattern, Error>) -> Cow<'static, str> {
     let pattern = match found {
         Ok(pattern) => pattern,
@@ -89,6 +116,7 @@ pub fn region(found: Result<Pattern, Error>) -> Cow<'static, str> {
 }
 
 /// What the contact does.
+#[must_use]
 pub fn contact(contact: Contact) -> &'static str {
     match contact {
         Contact::Stuck => "stuck",
@@ -98,6 +126,7 @@ pub fn contact(contact: Contact) -> &'static str {
 }
 
 /// An event.
+#[must_use]
 pub fn event(event: Event) -> &'static str {
     match event {
         Event::Stop => "stop",
@@ -107,6 +136,7 @@ pub fn event(event: Event) -> &'static str {
 }
 
 /// What limits the amplitude at an optimum.
+#[must_use]
 pub fn kind(kind: OptimumKind) -> &'static str {
     match kind {
         OptimumKind::EqualPeaks => "equal peaks",
@@ -117,6 +147,7 @@ pub fn kind(kind: OptimumKind) -> &'static str {
 }
 
 /// Why there is no derivative; none for what is wrong with the question.
+#[must_use]
 pub fn no_derivative(error: &StudyError) -> Option<&'static str> {
     Some(match error {
         StudyError::NoDerivative(error) => match error {
