@@ -17,13 +17,13 @@ use std::io::Write;
 
 /// Runs the command.
 pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let frequencies = Frequencies::parse(&arguments.frequency, true)?;
-    let frictions = Frictions::parse(&arguments.friction, Some(&frequencies))?;
-    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
+    let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
+    let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
+    let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let part = asked::part(&system, &arguments.of)?;
     frequencies.check(&system)?;
-    let measure = Measure::of(&arguments.load, &system)?;
+    let measure = Measure::of(&arguments.point.load, &system)?;
     let frictions = frictions.under(&measure)?;
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let report = SensitivityReport {

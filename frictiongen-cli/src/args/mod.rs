@@ -151,6 +151,23 @@ pub struct LoadArguments {
     pub base: Option<String>,
 }
 
+/// A scene at frequencies and frictions.
+#[derive(Debug, Args)]
+pub struct PointArguments {
+    /// The description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// The frequency.
+    #[command(flatten)]
+    pub frequency: FrequencyArguments,
+    /// The friction.
+    #[command(flatten)]
+    pub friction: FrictionArguments,
+    /// The load.
+    #[command(flatten)]
+    pub load: LoadArguments,
+}
+
 /// Of `frictiongen limits`.
 #[derive(Debug, Args)]
 pub struct LimitsArguments {
@@ -171,18 +188,9 @@ pub struct LimitsArguments {
 /// Of `frictiongen response`.
 #[derive(Debug, Args)]
 pub struct ResponseArguments {
-    /// The description.
+    /// What is asked about.
     #[command(flatten)]
-    pub file: FileArgument,
-    /// The frequency.
-    #[command(flatten)]
-    pub frequency: FrequencyArguments,
-    /// The friction.
-    #[command(flatten)]
-    pub friction: FrictionArguments,
-    /// The load.
-    #[command(flatten)]
-    pub load: LoadArguments,
+    pub point: PointArguments,
     /// Only this mass; may be given more than once [default: every mass]
     #[arg(long, value_name = "NAME")]
     pub mass: Vec<String>,
@@ -197,18 +205,9 @@ pub struct ResponseArguments {
 /// Of `frictiongen orbit`.
 #[derive(Debug, Args)]
 pub struct OrbitArguments {
-    /// The description.
+    /// What is asked about.
     #[command(flatten)]
-    pub file: FileArgument,
-    /// The frequency.
-    #[command(flatten)]
-    pub frequency: FrequencyArguments,
-    /// The friction.
-    #[command(flatten)]
-    pub friction: FrictionArguments,
-    /// The load.
-    #[command(flatten)]
-    pub load: LoadArguments,
+    pub point: PointArguments,
     /// Only this mass; may be given more than once [default: every mass]
     #[arg(long, value_name = "NAME")]
     pub mass: Vec<String>,
@@ -223,18 +222,9 @@ pub struct OrbitArguments {
 /// Of `frictiongen curve`.
 #[derive(Debug, Args)]
 pub struct CurveArguments {
-    /// The description.
+    /// What is asked about.
     #[command(flatten)]
-    pub file: FileArgument,
-    /// The frequency.
-    #[command(flatten)]
-    pub frequency: FrequencyArguments,
-    /// The friction.
-    #[command(flatten)]
-    pub friction: FrictionArguments,
-    /// The load.
-    #[command(flatten)]
-    pub load: LoadArguments,
+    pub point: PointArguments,
     /// Only this mass, or `contact`; may be given more than once [default: all]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
@@ -270,18 +260,9 @@ pub enum Shade {
 /// Of `frictiongen map`.
 #[derive(Debug, Args)]
 pub struct MapArguments {
-    /// The description.
+    /// What is asked about.
     #[command(flatten)]
-    pub file: FileArgument,
-    /// The frequency.
-    #[command(flatten)]
-    pub frequency: FrequencyArguments,
-    /// The friction.
-    #[command(flatten)]
-    pub friction: FrictionArguments,
-    /// The load.
-    #[command(flatten)]
-    pub load: LoadArguments,
+    pub point: PointArguments,
     /// Only the amplitude of this mass, or `contact`; may be given more than once [default: all]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
@@ -302,18 +283,9 @@ pub struct MapArguments {
 /// Of `frictiongen time`.
 #[derive(Debug, Args)]
 pub struct TimeArguments {
-    /// The description.
+    /// What is asked about.
     #[command(flatten)]
-    pub file: FileArgument,
-    /// The frequency.
-    #[command(flatten)]
-    pub frequency: FrequencyArguments,
-    /// The friction.
-    #[command(flatten)]
-    pub friction: FrictionArguments,
-    /// The load.
-    #[command(flatten)]
-    pub load: LoadArguments,
+    pub point: PointArguments,
     /// How many cycles of the excitation are written [default: 10]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub cycles: Option<String>,
@@ -349,18 +321,9 @@ pub struct TimeArguments {
 /// Of `frictiongen sensitivity`.
 #[derive(Debug, Args)]
 pub struct SensitivityArguments {
-    /// The description.
+    /// What is asked about.
     #[command(flatten)]
-    pub file: FileArgument,
-    /// The frequency.
-    #[command(flatten)]
-    pub frequency: FrequencyArguments,
-    /// The friction.
-    #[command(flatten)]
-    pub friction: FrictionArguments,
-    /// The load.
-    #[command(flatten)]
-    pub load: LoadArguments,
+    pub point: PointArguments,
     /// Of this mass, or of `contact`
     #[arg(long, value_name = "NAME")]
     pub of: String,

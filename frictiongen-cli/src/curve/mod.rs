@@ -25,7 +25,7 @@ use std::io::Write;
 pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let destination = Destination::of(
         arguments.output.as_deref(),
-        arguments.file.path(),
+        arguments.point.file.path(),
         &arguments.format,
         true,
     )?;
@@ -33,12 +33,12 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         Some(highest) => (1..=highest).collect(),
         None => Vec::new(),
     };
-    let frictions = Frictions::parse(&arguments.friction, None)?;
-    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
+    let frictions = Frictions::parse(&arguments.point.friction, None)?;
+    let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
-    let band = Band::parse(&arguments.frequency, &system)?;
+    let band = Band::parse(&arguments.point.frequency, &system)?;
     let parts = asked::parts(&system, &arguments.of)?;
-    let measure = Measure::of(&arguments.load, &system)?;
+    let measure = Measure::of(&arguments.point.load, &system)?;
     let frictions = frictions.under(&measure)?;
     let of: Vec<_> = parts.iter().map(|part| part.of).collect();
     let mut request = CurveRequest {

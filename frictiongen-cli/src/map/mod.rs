@@ -33,18 +33,18 @@ const MOST_DIGITS: u32 = 12;
 pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let destination = Destination::of(
         arguments.output.as_deref(),
-        arguments.file.path(),
+        arguments.point.file.path(),
         &arguments.format,
         true,
     )?;
     let digits = arguments.boundaries.as_deref().map(digits).transpose()?;
-    let frequencies = Frequencies::parse(&arguments.frequency, false)?;
-    let frictions = Frictions::parse(&arguments.friction, Some(&frequencies))?;
-    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
+    let frequencies = Frequencies::parse(&arguments.point.frequency, false)?;
+    let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
+    let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;
     let parts = asked::parts(&system, &arguments.of)?;
-    let measure = Measure::of(&arguments.load, &system)?;
+    let measure = Measure::of(&arguments.point.load, &system)?;
     let frictions = frictions.under(&measure)?;
     let request = MapRequest {
         r: frequencies

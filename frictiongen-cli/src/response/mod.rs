@@ -18,17 +18,17 @@ use std::io::Write;
 
 /// Runs the command.
 pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let frequencies = Frequencies::parse(&arguments.frequency, false)?;
-    let frictions = Frictions::parse(&arguments.friction, Some(&frequencies))?;
+    let frequencies = Frequencies::parse(&arguments.point.frequency, false)?;
+    let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
     let orders = match asked::harmonics(arguments.harmonics.as_deref())? {
         Some(highest) => (1..=highest).step_by(2).collect(),
         None => Vec::new(),
     };
-    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
+    let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let masses = asked::masses(&system, &arguments.mass)?;
     frequencies.check(&system)?;
-    let measure = Measure::of(&arguments.load, &system)?;
+    let measure = Measure::of(&arguments.point.load, &system)?;
     let frictions = frictions.under(&measure)?;
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let report = ResponseReport {

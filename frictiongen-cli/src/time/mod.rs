@@ -32,19 +32,19 @@ use std::io::Write;
 pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let destination = Destination::of(
         arguments.output.as_deref(),
-        arguments.file.path(),
+        arguments.point.file.path(),
         &arguments.format,
         !arguments.events,
     )?;
     let form = destination.form;
     let asked = Asked::parse(arguments)?;
-    let frequencies = Frequencies::parse(&arguments.frequency, true)?;
-    let frictions = Frictions::parse(&arguments.friction, Some(&frequencies))?;
-    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
+    let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
+    let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
+    let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let parts = parts(&system, &arguments.of)?;
     frequencies.check(&system)?;
-    let measure = Measure::of(&arguments.load, &system)?;
+    let measure = Measure::of(&arguments.point.load, &system)?;
     let frictions = frictions.under(&measure)?;
     let frequency = frequencies.only(&system)?;
     let friction = frictions.only()?;
