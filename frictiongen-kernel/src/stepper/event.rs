@@ -24,10 +24,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let one = S::constant(1.0);
         let mut departing = None;
         for _ in 0..MAX_STRETCHES {
-            if !(self.place < one) {
-                return;
-            }
-            if MAX_EVENTS <= self.events {
+            if !(self.place < one) || MAX_EVENTS <= self.events {
                 break;
             }
             departing = match self.status.contact {
@@ -37,6 +34,9 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
         if self.place < one {
             self.rest(departing);
+        }
+        if self.status.contact == Contact::Stuck {
+            self.status.holding = self.held_force();
         }
     }
 
@@ -188,9 +188,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     fn reach(&self, slope: S) -> S {
         let left = S::constant(1.0) - self.place;
         let pace = &self.table.pace;
-        let inverse_mass = self.scene.dynamics.chain.inverse_mass;
-        let steep = slope.abs() * inverse_mass * pace.span * pace.span;
-        let rate = pace.rate + steep;
+        let rate = pace.rate + self.acceleration(slope.abs());
         if S::constant(1.0) < rate * left {
             S::constant(1.0) / rate
         } else {
@@ -198,15 +196,20 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
     }
 
-    /// The contact's acceleration, in lengths a part squared, under a force of so much more than it takes to keep its
-    /// velocity.
+    /// The contact's acceleration under a force of so much more than it takes to keep its velocity.
     fn acceleration(&self, excess: S) -> S {
-        let span = self.table.pace.span;
-        self.scene.dynamics.chain.inverse_mass * excess * span * span
+        self.scene.acceleration(&self.table.pace, excess)
     }
 
-    /// The contact force that would keep the relative velocity as it is.
-    pub(super) fn holding(&self) -> S {
+    /// The force in the held contact.
+    fn held_force(&self) -> S {
+        let ([still, ..], _) = self.still();
+        let held = self.table.held.iter().zip(&*self.store.held);
+        held.fold(still, |sum, (step, [y, _])| sum - step.force * *y)
+    }
+
+    /// The contact force that would keep the relative velocity as it is, while the contact slides.
+    fn holding(&self) -> S {
         let two = S::constant(2.0);
         let mut sum = S::constant(0.0);
         for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
@@ -245,14 +248,11 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 
     /// From sticking to sliding: the modes take over.
-    pub(super) fn leave(&mut self) {
+    fn leave(&mut self) {
         let [base, rate] = self.carried();
         let lifted = (self.status.place + base, rate);
-        let held = self.store.held.iter().copied();
-        let modes = self.store.modes.iter_mut().map(|[y, u]| (y, u));
         let receptance = self.table.pace.receptance;
-        let dynamics = &self.scene.dynamics;
-        dynamics.release(receptance, held, lifted, modes);
+        self.store.release(self.scene, receptance, lifted);
     }
 
     /// Displacement of the base that carries the contact, and its velocity in the time t√(k₁/m₁).
@@ -301,7 +301,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             let inverse = S::constant(1.0) / order;
             let states = steps.iter().zip(&mut *self.store.scratch);
             for (index, (step, state)) in states.enumerate() {
-                let load = load_term(self.table.loads, self.store.drive, index, place);
+                let load = load_term(self.table.loads_of(index), self.store.drive, place);
                 let drive = load - step.gain * step.contact * force;
                 let rates = next((step.angle, step.zeta), *state, [zero, drive]);
                 *state = rates.map(|rate| rate * inverse);
@@ -339,7 +339,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             for (index, (step, state)) in states.enumerate() {
                 let mut drive = [zero; 2];
                 if place < D {
-                    drive = held_load_term(self.table.held_loads, self.store.drive, index, place);
+                    let loads = self.table.held_loads_of(index);
+                    drive = held_load_term(loads, self.store.drive, place);
                 }
                 if let Some(motions) = &motions {
                     for (lift, motion) in step.lift.iter().zip(motions) {
@@ -450,18 +451,11 @@ fn gain_of_integral<S: Float>(terms: &[S], place: S) -> S {
 
 /// What the inputs add to the u′ of a mode, one coefficient.
 #[inline]
-fn load_term<S: Float, const D: usize>(
-    loads: &[S],
-    inputs: &[[S; D]],
-    mode: usize,
-    place: usize,
-) -> S {
+fn load_term<S: Float, const D: usize>(loads: &[S], inputs: &[[S; D]], place: usize) -> S {
     let zero = S::constant(0.0);
     if D <= place {
         return zero;
     }
-    let start = mode * inputs.len();
-    let loads = loads.get(start..).unwrap_or_default();
     let pairs = loads.iter().zip(inputs);
     pairs.fold(zero, |sum, (load, input)| {
         sum + *load * input.get(place).copied().unwrap_or(zero)
@@ -473,12 +467,9 @@ fn load_term<S: Float, const D: usize>(
 fn held_load_term<S: Float, const D: usize>(
     loads: &[HeldLoad<S>],
     inputs: &[[S; D]],
-    mode: usize,
     place: usize,
 ) -> [S; 2] {
     let zero = S::constant(0.0);
-    let start = mode * inputs.len();
-    let loads = loads.get(start..).unwrap_or_default();
     let pairs = loads.iter().zip(inputs);
     pairs.fold([zero; 2], |[first, second], (load, input)| {
         let term = input.get(place).copied().unwrap_or(zero);

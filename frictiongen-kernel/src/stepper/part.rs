@@ -34,10 +34,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     #[inline]
     pub(super) fn load(&self, mode: usize) -> [S; D] {
         let mut sum = [S::constant(0.0); D];
-        let inputs = self.store.drive.len();
-        let start = mode * inputs;
-        let loads = self.table.loads.get(start..start + inputs);
-        for (load, drive) in loads.unwrap_or_default().iter().zip(&*self.store.drive) {
+        let loads = self.table.loads_of(mode);
+        for (load, drive) in loads.iter().zip(&*self.store.drive) {
             add(&mut sum, *load, drive);
         }
         sum
@@ -47,10 +45,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     #[inline]
     pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {
         let mut sum = [[S::constant(0.0); D]; 2];
-        let inputs = self.store.drive.len();
-        let start = mode * inputs;
-        let loads = self.table.held_loads.get(start..start + inputs);
-        for (load, drive) in loads.unwrap_or_default().iter().zip(&*self.store.drive) {
+        let loads = self.table.held_loads_of(mode);
+        for (load, drive) in loads.iter().zip(&*self.store.drive) {
             for (sum, load) in sum.iter_mut().zip(load.drive) {
                 add(sum, load, drive);
             }
@@ -110,16 +106,6 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         };
         if !known {
             self.look();
-        }
-    }
-
-    /// Keeps what the base does at the end of the part.
-    pub(super) fn leave_base(&mut self) {
-        if self.scene.rubs_on_base() {
-            let span = self.table.pace.span;
-            let left = S::constant(1.0) - self.place;
-            let acceleration = at(&derived(derived(self.base)), left);
-            self.status.acceleration = acceleration / (span * span);
         }
     }
 
@@ -238,6 +224,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             *state = *next;
         }
         self.account(work, zero);
+        self.status.holding = end;
         true
     }
 
@@ -314,10 +301,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         place: S,
     ) -> S {
         let mut work = S::constant(0.0);
-        let inputs = self.store.drive.len();
-        let start = mode * inputs;
-        let loads = self.table.held_loads.get(start..start + inputs);
-        for (load, drive) in loads.unwrap_or_default().iter().zip(&*self.store.drive) {
+        let loads = self.table.held_loads_of(mode);
+        for (load, drive) in loads.iter().zip(&*self.store.drive) {
             let [of_y, of_u] = load.reach;
             for ((term, y), u) in drive.iter().zip(moments).zip(turns) {
                 work = work + *term * (of_y * *y + of_u * *u);

@@ -241,8 +241,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             // How much the law bends the motion within a part.
             let friction = sample.friction / self.scene.units.stiffness;
             let seconds = pace.step / S::constant(f64::from(pace.parts));
-            let inverse_mass = self.scene.dynamics.chain.inverse_mass;
-            let rate = friction * steep / seconds * inverse_mass * pace.span * pace.span;
+            let rate = self.scene.acceleration(&pace, friction * steep / seconds);
             if !(rate <= S::constant(16.0)) {
                 return Err(OutOfDomain {
                     argument: "friction",
@@ -297,7 +296,6 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             exceeded: false,
         };
         through.go();
-        through.leave_base();
         (through.events, through.exceeded)
     }
 
@@ -323,11 +321,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     fn release(&mut self) {
         let lifted = self.lifted();
         let receptance = self.tables.view().pace.receptance;
-        let store = self.store.change();
-        let held = store.held.iter().copied();
-        let modes = store.modes.iter_mut().map(|[y, u]| (y, u));
-        let dynamics = &self.scene.dynamics;
-        dynamics.release(receptance, held, lifted, modes);
+        self.store.change().release(&self.scene, receptance, lifted);
     }
 
     /// Where the held contact is, and how fast, in the time t√(k₁/m₁).
@@ -511,36 +505,9 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             };
             sign * status.friction * (line.level + line.slope * speed)
         } else {
-            self.holding()
+            status.holding
         };
         force * self.scene.units.stiffness
-    }
-
-    /// What holds the contact now, over k₁.
-    fn holding(&self) -> S {
-        // The inputs are known over the last part of the step; at its end they are those of the next one.
-        let view = self.tables.view();
-        let store = self.store.read();
-        let zero = S::constant(0.0);
-        let inverse_mass = self.scene.dynamics.chain.inverse_mass;
-        let [place, velocity] = self.carrying();
-        let mut load = zero;
-        for (input, channel) in view.channels.iter().enumerate() {
-            let now = if self.scene.on_base && input == 0 {
-                self.status.base[0]
-            } else {
-                store.last.get(input).copied().unwrap_or(zero)
-            };
-            load = load + channel.residue * now;
-        }
-        load = load - self.status.acceleration;
-        let mut force = load / inverse_mass
-            - (self.status.place + place) / view.pace.receptance
-            - view.pace.drag * velocity / inverse_mass;
-        for (step, [y, _]) in view.held.iter().zip(store.held) {
-            force = force - step.force * *y;
-        }
-        force
     }
 
     /// The work done since the start.

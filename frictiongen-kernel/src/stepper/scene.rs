@@ -3,6 +3,7 @@
 use super::TERMS;
 use super::cost::{Cost, Extent};
 use super::drive::Input;
+use super::table::Pace;
 use crate::number::scalar::Float;
 use crate::simulation::Dynamics;
 
@@ -107,6 +108,11 @@ impl<S: Float> StepScene<'_, S> {
         let mass = self.forces.get(place).copied();
         let shape = mass.map_or(&[][..], |mass| self.dynamics.shape(mass));
         shape.get(mode).copied().unwrap_or(zero)
+    }
+
+    /// The contact's acceleration, in lengths a part squared, under this force.
+    pub(super) fn acceleration(&self, pace: &Pace<S>, force: S) -> S {
+        self.dynamics.chain.inverse_mass * force * pace.span * pace.span
     }
 
     /// Whether the contact rubs on the moving base.

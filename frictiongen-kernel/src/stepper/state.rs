@@ -1,5 +1,6 @@
 //! Where a stepper stands.
 
+use super::scene::StepScene;
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Total};
 
@@ -16,6 +17,16 @@ pub struct StoreMut<'s, S, const D: usize> {
     pub drive: &'s mut [[S; D]],
     /// The forces at the last sample.
     pub last: &'s mut [S],
+}
+
+impl<S: Float, const D: usize> StoreMut<'_, S, D> {
+    /// Writes the state of the modes that the contact drives, from that of the held modes and from where the held contact
+    /// is, and how fast.
+    pub(super) fn release(&mut self, scene: &StepScene<'_, S>, receptance: S, lifted: (S, S)) {
+        let held = self.held.iter().copied();
+        let modes = self.modes.iter_mut().map(|[y, u]| (y, u));
+        scene.dynamics.release(receptance, held, lifted, modes);
+    }
 }
 
 /// The numbers of a stepper.
@@ -118,8 +129,8 @@ pub(super) struct Status<S> {
     pub steps: u64,
     /// In how many of them the bound on events was met.
     pub exceeded: u64,
-    /// The acceleration of the base that carries the contact at the end of the last step, in the time t√(k₁/m₁).
-    pub acceleration: S,
+    /// The force that holds the contact at the end of the last step, over k₁, if it sticks.
+    pub holding: S,
     /// The work of the load and that taken by friction, over k₁, and the energy at the start.
     pub load: Total<S>,
     pub dissipated: Total<S>,
@@ -141,7 +152,7 @@ impl<S: Float> Status<S> {
             stiction,
             steps: 0,
             exceeded: 0,
-            acceleration: zero,
+            holding: zero,
             load: Total::zero(),
             dissipated: Total::zero(),
             energy: zero,

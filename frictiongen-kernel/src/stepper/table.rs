@@ -113,6 +113,27 @@ pub struct View<'t, S, const D: usize> {
     pub channels: &'t [Channel<S>],
 }
 
+impl<'t, S, const D: usize> View<'t, S, D> {
+    /// What each input adds to the u′ of a mode.
+    #[inline]
+    pub(super) fn loads_of(&self, mode: usize) -> &'t [S] {
+        row(self.loads, mode, self.channels.len())
+    }
+
+    /// What each input has to do with a held mode.
+    #[inline]
+    pub(super) fn held_loads_of(&self, mode: usize) -> &'t [HeldLoad<S>] {
+        row(self.held_loads, mode, self.channels.len())
+    }
+}
+
+/// One of the rows of so many entries that follow each other.
+#[inline]
+fn row<T>(entries: &[T], index: usize, length: usize) -> &[T] {
+    let start = index * length;
+    entries.get(start..start + length).unwrap_or_default()
+}
+
 /// What holds the tables: arrays, a constant, or vectors.
 pub trait Tables<S, const D: usize> {
     /// All of them.
