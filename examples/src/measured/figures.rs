@@ -42,27 +42,7 @@ fn one_storey() -> Result<Figure, Box<dyn Error>> {
     }
     let fit = system.fit_sweep(&points, false)?;
     let theory = |hertz: f64| 1.0 / (1.0 - (hertz / fit.reference.value).powi(2)).abs();
-    let marks = points
-        .iter()
-        .map(|point| (point.hertz, point.amplitude))
-        .collect();
-    let panel = Panel::new(
-        "",
-        Axis::new("frequency (Hz)", 0.0, 8.0),
-        Axis::new("*X̄*_fft", 0.0, 10.0),
-    )
-    .with(Line::new(
-        "fitted (4.1)",
-        COLOURS[0],
-        Stroke::Solid,
-        curve(8.0, theory, 10.0),
-    ))
-    .with(Markers::new(
-        "measured",
-        Colour::Black,
-        Marker::Circle,
-        marks,
-    ));
+    let panel = swept(("*X̄*_fft", 10.0), "fitted (4.1)", theory, &points);
     Ok(Figure::new("4.3", "The natural frequency from a sweep", 1, vec![panel]).with_caption(format!(
         "Synthetic amplitudes with errors of 1 %: f_n = {:.4} Hz, 95 % from {:.4} to {:.4}.",
         fit.reference.value, fit.reference.from, fit.reference.to
@@ -214,30 +194,33 @@ fn storeys() -> Result<Figure, Box<dyn Error>> {
         let r = fit.system.frequency_ratio_at_hertz(hertz);
         fundamental(&fit.system, r, 0.0).map_or(f64::INFINITY, |value| value.norm())
     };
-    let marks = points
-        .iter()
-        .map(|point| (point.hertz, point.amplitude))
-        .collect();
-    let panel = Panel::new(
-        "",
-        Axis::new("frequency (Hz)", 0.0, 8.0),
-        Axis::new("*X̄*_{1,fft}", 0.0, 6.0),
-    )
-    .with(Line::new(
-        "fitted (6.15)",
-        COLOURS[0],
-        Stroke::Solid,
-        curve(8.0, theory, 6.0),
-    ))
-    .with(Markers::new(
-        "measured",
-        Colour::Black,
-        Marker::Circle,
-        marks,
-    ));
+    let panel = swept(("*X̄*_{1,fft}", 6.0), "fitted (6.15)", theory, &points);
     let (gamma, kappa) = (fit.masses[0], fit.springs[0]);
     Ok(Figure::new("6.19", "Two storeys from a sweep of the lower one", 1, vec![panel]).with_caption(format!(
         "Synthetic amplitudes with errors of 1 %: r_1 = {:.4} s × f, γ = {:.4} ({:.4} to {:.4}), κ = {:.4} ({:.4} to {:.4}); true are 0.3419 s, 0.9772 and 1.1119.",
         1.0 / fit.reference.value, gamma.value, gamma.from, gamma.to, kappa.value, kappa.from, kappa.to
     )))
+}
+
+/// A sweep up to 8 Hz, and what was fitted to it.
+fn swept(
+    (label, high): (&str, f64),
+    name: &str,
+    theory: impl Fn(f64) -> f64,
+    points: &[SweepPoint],
+) -> Panel {
+    let fitted = curve(8.0, theory, high);
+    let marks = points.iter().map(|point| (point.hertz, point.amplitude));
+    Panel::new(
+        "",
+        Axis::new("frequency (Hz)", 0.0, 8.0),
+        Axis::new(label, 0.0, high),
+    )
+    .with(Line::new(name, COLOURS[0], Stroke::Solid, fitted))
+    .with(Markers::new(
+        "measured",
+        Colour::Black,
+        Marker::Circle,
+        marks.collect(),
+    ))
 }

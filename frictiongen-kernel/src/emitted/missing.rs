@@ -140,88 +140,31 @@ macro_rules! not_provided {
         }
     };
     (@ $type:ident limits) => {
-        impl $type {
-            #[doc(hidden)]
-            pub fn at<'a, T>(
-                _: T,
-            ) -> <&'a Self as $crate::emitted::missing::AddLimitsToProvide>::Answer
-            where
-                &'a Self: $crate::emitted::missing::AddLimitsToProvide,
-            {
-                <&'a Self as $crate::emitted::missing::AddLimitsToProvide>::answer()
-            }
-
-            #[doc(hidden)]
-            pub fn limits_without_search<'a, T>(
-                _: T,
-            ) -> <&'a Self as $crate::emitted::missing::AddLimitsToProvide>::Answer
-            where
-                &'a Self: $crate::emitted::missing::AddLimitsToProvide,
-            {
-                <&'a Self as $crate::emitted::missing::AddLimitsToProvide>::answer()
-            }
-
-            #[doc(hidden)]
-            pub fn limits_into<'a, T, U, V>(
-                _: T,
-                _: U,
-                _: V,
-            ) -> <&'a Self as $crate::emitted::missing::AddLimitsToProvide>::Answer
-            where
-                &'a Self: $crate::emitted::missing::AddLimitsToProvide,
-            {
-                <&'a Self as $crate::emitted::missing::AddLimitsToProvide>::answer()
-            }
-        }
+        $crate::not_provided!(
+            @ $type AddLimitsToProvide: at(T), limits_without_search(T), limits_into(T, U, V)
+        );
     };
     (@ $type:ident stepper) => {
-        impl $type {
-            #[doc(hidden)]
-            pub fn stepper<'a, T>(
-                _: T,
-            ) -> <&'a Self as $crate::emitted::missing::AddStepperToProvide>::Answer
-            where
-                &'a Self: $crate::emitted::missing::AddStepperToProvide,
-            {
-                <&'a Self as $crate::emitted::missing::AddStepperToProvide>::answer()
-            }
-
-            #[doc(hidden)]
-            pub fn stepper_from<'a, T, U>(
-                _: T,
-                _: U,
-            ) -> <&'a Self as $crate::emitted::missing::AddStepperToProvide>::Answer
-            where
-                &'a Self: $crate::emitted::missing::AddStepperToProvide,
-            {
-                <&'a Self as $crate::emitted::missing::AddStepperToProvide>::answer()
-            }
-        }
+        $crate::not_provided!(@ $type AddStepperToProvide: stepper(T), stepper_from(T, U));
     };
     (@ $type:ident simulation) => {
+        $crate::not_provided!(
+            @ $type AddSimulationToProvide: simulation(T, U), simulation_from(T, U, V)
+        );
+    };
+    (@ $type:ident $missing:ident: $($function:ident($($argument:ident),*)),*) => {
         impl $type {
-            #[doc(hidden)]
-            pub fn simulation<'a, T>(
-                _: T,
-                _: T,
-            ) -> <&'a Self as $crate::emitted::missing::AddSimulationToProvide>::Answer
-            where
-                &'a Self: $crate::emitted::missing::AddSimulationToProvide,
-            {
-                <&'a Self as $crate::emitted::missing::AddSimulationToProvide>::answer()
-            }
-
-            #[doc(hidden)]
-            pub fn simulation_from<'a, T, U>(
-                _: T,
-                _: T,
-                _: U,
-            ) -> <&'a Self as $crate::emitted::missing::AddSimulationToProvide>::Answer
-            where
-                &'a Self: $crate::emitted::missing::AddSimulationToProvide,
-            {
-                <&'a Self as $crate::emitted::missing::AddSimulationToProvide>::answer()
-            }
+            $(
+                #[doc(hidden)]
+                pub fn $function<'a, $($argument),*>(
+                    $(_: $argument),*
+                ) -> <&'a Self as $crate::emitted::missing::$missing>::Answer
+                where
+                    &'a Self: $crate::emitted::missing::$missing,
+                {
+                    <&'a Self as $crate::emitted::missing::$missing>::answer()
+                }
+            )*
         }
     };
 }
