@@ -57,6 +57,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         }
     });
     let types = types(emission, &steps, &literals, &cost);
+    let costs = format!(" [`{stepper}`] says what it costs.");
     let methods = methods(emission);
     let fields = force_fields(emission, &steps);
     let base = if steps.on_base {
@@ -85,8 +86,6 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
 
             /// The motion by steps of dt, in s, from rest under no load.
-            ///
-            #(#[doc = #cost])*
             ///
             /// # Errors
             /// `OutOfDomain` for a step that is not positive and finite, or too long.
@@ -123,8 +122,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
 
             #[doc = #when]
-            ///
-            #(#[doc = #cost])*
+            #[doc = #costs]
             ///
             /// # Errors
             /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares
@@ -155,22 +153,14 @@ fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
     } else {
         format!("{fastest:.3e}")
     };
-    let parts = match step {
-        Some(step) => {
-            let parts = (fastest * step).ceil().max(1.0);
-            let plural = if parts > 1.0 { "s" } else { "" };
-            format!(
-                " A step `STEP` is cut into {parts} part{plural}, any other into {shown}·dt, rounded up, and at most {MAX_PARTS}."
-            )
-        }
-        None => {
-            format!(" A step is cut into {shown}·dt parts, rounded up, and at most {MAX_PARTS}.")
-        }
-    };
+    let mut parts = format!(" A step of dt has ⌈{shown}·dt⌉ parts, at most {MAX_PARTS}");
+    if let Some(step) = step {
+        parts += &format!(": `STEP` has {}", (fastest * step).ceil().max(1.0));
+    }
     vec![
-        parts,
-        " A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is".to_owned(),
-        format!(" followed through at most {MAX_EVENTS} events, in at most {MAX_STRETCHES} stretches."),
+        parts + ".",
+        " A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.".to_owned(),
+        format!(" Any other is followed from event to event: at most {MAX_EVENTS} events, in at most {MAX_STRETCHES} stretches."),
     ]
 }
 
@@ -195,7 +185,7 @@ fn operations(
     )]
     let cost = scene.cost(coefficients, parts as u32, terms);
     let of = if step.is_some() {
-        "step `STEP`"
+        "step of `STEP`"
     } else {
         "part"
     };

@@ -13,9 +13,9 @@
 pub struct Pushed;
 /// The motion of [`Pushed`] by steps of one length, under any input; `advance` takes a step.
 ///
-/// A step is cut into 20.00·dt parts, rounded up, and at most 1024.
-/// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
-/// followed through at most 8 events, in at most 64 stretches.
+/// A step of dt has ⌈20.00·dt⌉ parts, at most 1024.
+/// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
+/// Any other is followed from event to event: at most 8 events, in at most 64 stretches.
 ///
 /// A part has at most 132 floating-point operations by the tables, about 7878 with one event, never
 /// more than 1559174.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
@@ -128,13 +128,6 @@ const _: () = {
         }
         /// The motion by steps of dt, in s, from rest under no load.
         ///
-        /// A step is cut into 20.00·dt parts, rounded up, and at most 1024.
-        /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
-        /// followed through at most 8 events, in at most 64 stretches.
-        ///
-        /// A part has at most 132 floating-point operations by the tables, about 7878 with one event, never
-        /// more than 1559174.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
-        ///
         /// # Errors
         /// `OutOfDomain` for a step that is not positive and finite, or too long.
         #[inline]
@@ -173,13 +166,7 @@ const _: () = {
                 })
         }
         /// Takes a step under an input that is held over it.
-        ///
-        /// A step is cut into 20.00·dt parts, rounded up, and at most 1024.
-        /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
-        /// followed through at most 8 events, in at most 64 stretches.
-        ///
-        /// A part has at most 132 floating-point operations by the tables, about 7878 with one event, never
-        /// more than 1559174.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
+        /// [`PushedStepper`] says what it costs.
         ///
         /// # Errors
         /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares

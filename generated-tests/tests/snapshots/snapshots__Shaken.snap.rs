@@ -13,11 +13,11 @@
 pub struct Shaken;
 /// The motion of [`Shaken`] by steps of one length, under any input; `advance` takes a step.
 ///
-/// A step `STEP` is cut into 1 part, any other into 32.90·dt, rounded up, and at most 1024.
-/// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
-/// followed through at most 8 events, in at most 64 stretches.
+/// A step of dt has ⌈32.90·dt⌉ parts, at most 1024: `STEP` has 1.
+/// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
+/// Any other is followed from event to event: at most 8 events, in at most 64 stretches.
 ///
-/// A step `STEP` has at most 386 floating-point operations by the tables, about 10602 with one event, never
+/// A step of `STEP` has at most 386 floating-point operations by the tables, about 10602 with one event, never
 /// more than 1638772.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
 #[allow(deprecated, non_camel_case_types)]
 pub struct ShakenStepper(
@@ -463,13 +463,6 @@ const _: () = {
         }
         /// The motion by steps of dt, in s, from rest under no load.
         ///
-        /// A step `STEP` is cut into 1 part, any other into 32.90·dt, rounded up, and at most 1024.
-        /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
-        /// followed through at most 8 events, in at most 64 stretches.
-        ///
-        /// A step `STEP` has at most 386 floating-point operations by the tables, about 10602 with one event, never
-        /// more than 1638772.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
-        ///
         /// # Errors
         /// `OutOfDomain` for a step that is not positive and finite, or too long.
         #[inline]
@@ -508,13 +501,7 @@ const _: () = {
                 })
         }
         /// Takes a step, in a straight line from the last input to this one.
-        ///
-        /// A step `STEP` is cut into 1 part, any other into 32.90·dt, rounded up, and at most 1024.
-        /// A part in which the contact certainly neither stops nor leaves is one product with the tables; any other is
-        /// followed through at most 8 events, in at most 64 stretches.
-        ///
-        /// A step `STEP` has at most 386 floating-point operations by the tables, about 10602 with one event, never
-        /// more than 1638772.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
+        /// [`ShakenStepper`] says what it costs.
         ///
         /// # Errors
         /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares
