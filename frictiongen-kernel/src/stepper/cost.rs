@@ -58,12 +58,13 @@ impl Cost {
         Self {
             tables,
             // To the event and from there on, and what the contact does between.
-            one_event: tables + 2 * usual + extent.event(),
+            one_event: tables + 2 * usual + extent.event() + extent.held_force(),
             most: extent.parts
                 * (attempt
                     + MAX_STRETCHES as u64 * longest
                     + MAX_EVENTS as u64 * extent.event()
-                    + extent.stretch()),
+                    + extent.stretch()
+                    + extent.held_force()),
         }
     }
 }
@@ -83,15 +84,8 @@ impl Extent {
         let mode = load + (d + 1) * (3 + 2 * d) + 4 * d + 30;
         let base = if self.on_moving_base { 8 * d } else { 0 };
         let held = 2 * load + base + 2 * d * (3 + 4 * d) + (5 * inputs + 9) * d + 30;
-        let still = 2 * load
-            + 12
-            + if self.on_moving_base {
-                40 + 10 * d * d
-            } else {
-                0
-            };
         let sliding = driven * mode;
-        let sticking = (driven - 1) * held + still;
+        let sticking = (driven - 1) * held + self.still();
         let contact = if sliding < sticking {
             sticking
         } else {
@@ -99,6 +93,22 @@ impl Extent {
         };
         // Input, base, accounts of work.
         (modes - driven) * mode + contact + 80 + 6 * inputs * d
+    }
+
+    /// The force in the held contact without the held modes, and the work of the base that carries it.
+    const fn still(&self) -> u64 {
+        let d = self.coefficients;
+        let base = if self.on_moving_base {
+            40 + 10 * d * d
+        } else {
+            0
+        };
+        4 * self.inputs * d + 12 + base
+    }
+
+    /// The force in the held contact at the end of a part.
+    const fn held_force(&self) -> u64 {
+        self.still() + 2 * self.driven
     }
 
     /// One stretch of a part that is looked through, its walk left out.

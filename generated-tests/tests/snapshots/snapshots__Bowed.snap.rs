@@ -17,8 +17,8 @@ pub struct Bowed;
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
 /// Any other is followed from event to event: at most 8 events, in at most 64 stretches.
 ///
-/// A step of `STEP` has at most 260 floating-point operations by the tables, about 20116 with one event, never
-/// more than 3732696.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
+/// A step of `STEP` has at most 260 floating-point operations by the tables, about 20148 with one event, never
+/// more than 3732728.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
 #[allow(deprecated, non_camel_case_types)]
 pub struct BowedStepper(
     ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f64, 2, 2, 1, 2>,

@@ -17,8 +17,8 @@ pub struct Pushed;
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
 /// Any other is followed from event to event: at most 8 events, in at most 64 stretches.
 ///
-/// A part has at most 132 floating-point operations by the tables, about 7878 with one event, never
-/// more than 1559174.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
+/// A part has at most 132 floating-point operations by the tables, about 7896 with one event, never
+/// more than 1559192.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
 #[allow(deprecated, non_camel_case_types)]
 pub struct PushedStepper(
     ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f32, 1, 1, 0, 1>,

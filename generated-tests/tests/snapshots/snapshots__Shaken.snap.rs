@@ -17,8 +17,8 @@ pub struct Shaken;
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
 /// Any other is followed from event to event: at most 8 events, in at most 64 stretches.
 ///
-/// A step of `STEP` has at most 386 floating-point operations by the tables, about 10602 with one event, never
-/// more than 1638772.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
+/// A step of `STEP` has at most 386 floating-point operations by the tables, about 10634 with one event, never
+/// more than 1638804.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
 #[allow(deprecated, non_camel_case_types)]
 pub struct ShakenStepper(
     ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f64, 4, 2, 1, 1>,
