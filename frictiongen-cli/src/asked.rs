@@ -44,6 +44,26 @@ pub fn harmonics(highest: Option<&str>) -> Result<Option<u32>, Failure> {
     highest.map(of).transpose()
 }
 
+/// The number of an option.
+pub fn number(option: &str, text: &str) -> Result<f64, Failure> {
+    text.trim()
+        .parse()
+        .map_err(|_| Failure::new(format_args!("{option} `{text}`: it is not a number")))
+}
+
+/// The finite number of an option that has to be such a one, as the words say.
+pub fn number_that(
+    option: &str,
+    text: &str,
+    sound: impl Fn(f64) -> bool,
+    needed: &str,
+) -> Result<f64, Failure> {
+    let number: Option<f64> = text.trim().parse().ok();
+    number
+        .filter(|number| number.is_finite() && sound(*number))
+        .ok_or_else(|| Failure::new(format_args!("{option} `{text}`: {needed} is needed")))
+}
+
 /// The whole number of an option.
 pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32, Failure> {
     let number = text.trim().parse().ok();

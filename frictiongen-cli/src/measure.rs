@@ -1,6 +1,7 @@
 //! What displacements, phases and limits are counted in: the units of a load, or groups.
 
 use crate::args::LoadArguments;
+use crate::asked::number;
 use crate::failure::Failure;
 use frictiongen::System;
 use frictiongen::study::scene::Excitation;
@@ -193,11 +194,4 @@ impl Measure {
     pub fn angle_title(&self) -> &'static str {
         self.scale.map_or("(rad)", |_| "(deg)")
     }
-}
-
-/// The number of an option.
-fn number(option: &str, text: &str) -> Result<f64, Failure> {
-    text.trim()
-        .parse()
-        .map_err(|_| Failure::new(format_args!("{option} `{text}`: it is not a number")))
 }

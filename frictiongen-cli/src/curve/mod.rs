@@ -49,10 +49,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         ..CurveRequest::new(band.from, band.to, &of)
     };
     if let Some(text) = &arguments.accuracy {
-        request.accuracy = text
-            .trim()
-            .parse()
-            .map_err(|_| Failure::new(format_args!("--accuracy `{text}`: it is not a number")))?;
+        request.accuracy = asked::number("--accuracy", text)?;
     }
     let curve = |friction: crate::friction::Friction| {
         Ok((

@@ -37,7 +37,11 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
         &arguments.format,
         true,
     )?;
-    let digits = arguments.boundaries.as_deref().map(digits).transpose()?;
+    let digits = arguments
+        .boundaries
+        .as_deref()
+        .map(|text| asked::whole("--boundaries", text, 1..=MOST_DIGITS))
+        .transpose()?;
     let frequencies = Frequencies::parse(&arguments.point.frequency, false)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
     let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
@@ -96,13 +100,4 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
         )));
     }
     Ok(())
-}
-
-fn digits(text: &str) -> Result<u32, Failure> {
-    match text.trim().parse() {
-        Ok(digits @ 1..=MOST_DIGITS) => Ok(digits),
-        _ => Err(Failure::new(format_args!(
-            "--boundaries `{text}`: a whole number from 1 to {MOST_DIGITS} is needed"
-        ))),
-    }
 }

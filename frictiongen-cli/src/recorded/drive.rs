@@ -2,7 +2,7 @@
 
 use super::read;
 use crate::args::DriveArguments;
-use crate::asked::{CONTACT, Part, parts};
+use crate::asked::{CONTACT, Part, number_that, parts};
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
 use crate::destination::Form;
@@ -25,7 +25,11 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
     let output = arguments.output.as_deref();
     let destination = Destination::of(output, Some(&files.scene), &arguments.format, true)?;
     let form = destination.form;
-    let friction = arguments.friction.as_deref().map(force).transpose()?;
+    let friction = arguments.friction.as_deref().map(|text| {
+        let needed = "a force in N that is not negative";
+        number_that("--friction", text, |force| 0.0 <= force, needed)
+    });
+    let friction = friction.transpose()?;
     let system = read::scene(&files.scene)?;
     let parts = parts(&system, &arguments.of)?;
     let recording = files.inputs()?;
@@ -44,18 +48,6 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
         }
         output::print(&driven, &summary, form, out)
     })
-}
-
-/// A friction force in N.
-fn force(text: &str) -> Result<f64, Failure> {
-    let number: Option<f64> = text.trim().parse().ok();
-    number
-        .filter(|number| number.is_finite() && 0.0 <= *number)
-        .ok_or_else(|| {
-            Failure::new(format_args!(
-                "--friction `{text}`: a force in N that is not negative is needed"
-            ))
-        })
 }
 
 /// The motion under the inputs.

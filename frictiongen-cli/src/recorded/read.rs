@@ -1,6 +1,7 @@
 //! Reads recordings.
 
 use crate::args::{FileArgument, RecordingArguments};
+use crate::asked::number_that;
 use crate::failure::{Failure, reason};
 use frictiongen::System;
 use frictiongen::measure::{Column, CsvRequest, MeasureError, Measured, Recording, Unit};
@@ -39,24 +40,12 @@ pub fn told(path: &Path, error: &MeasureError) -> Failure {
     Failure::new(format_args!("{}: {error}", path.display()))
 }
 
-/// A positive number of an option.
-pub fn positive(option: &str, text: &str) -> Result<f64, Failure> {
-    let number: Option<f64> = text.trim().parse().ok();
-    number
-        .filter(|number| number.is_finite() && 0.0 < *number)
-        .ok_or_else(|| {
-            Failure::new(format_args!(
-                "{option} `{text}`: a number above 0 is needed"
-            ))
-        })
-}
-
 impl RecordingArguments {
     fn request(&self) -> Result<CsvRequest, Failure> {
         let rate = self
             .rate
             .as_deref()
-            .map(|text| positive("--rate", text))
+            .map(|text| number_that("--rate", text, |rate| 0.0 < rate, "a number above 0"))
             .transpose()?;
         let columns = self.channel.iter().map(|text| column(text));
         Ok(CsvRequest {
