@@ -6,7 +6,10 @@ const SUMS: [&str; 2] = [
     " Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of",
     " (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).",
 ];
-const EVERY: &str = " `frequency` is x = √λ/r, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact drives is E, `scale`.";
+const EVERY: [&str; 2] = [
+    " `frequency` is x = √λ/r, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact drives is",
+    " E, `scale`.",
+];
 const ALONE: &str = " `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.";
 const PARTS: &str = " `u` is uR²; it, `g` and `reversal` come times `size`, then times E.";
 const UNDAMPED: [&str; 2] = [
@@ -37,7 +40,7 @@ pub(super) fn lines(modes: &[Mode<f64>]) -> Vec<&'static str> {
     let any = |kinds: &[Kind]| modes.iter().any(|mode| kinds.contains(&mode.kind));
     let mut lines = SUMS.to_vec();
     if modes.iter().any(|mode| mode.resonance != 1.0) {
-        lines.push(EVERY);
+        lines.extend(EVERY);
     } else {
         lines.push(ALONE);
     }

@@ -116,7 +116,7 @@ pub(super) fn slices(emission: &Emission<'_>) -> TokenStream {
         (code!(At), "NaN or negative r")
     };
     let errors = format!(
-        " `OutOfDomain` for slices of unequal lengths, and nothing is written; at the first {first}, and what comes before is."
+        " `OutOfDomain` for slices of unequal lengths, and then nothing is written; at the first {first}, up to which it is."
     );
     code! {
         /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
