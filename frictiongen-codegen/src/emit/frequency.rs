@@ -1,13 +1,13 @@
 //! The frequency stage: a scene at one r.
 
 use super::trace::{Tracer, contact_outputs, mode_outputs};
-use super::{Emission, field, legend, local};
+use super::{Emission, field, legend, local, mode};
 use crate::graph::count::Count;
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::contact::sums::{Chain, ContactAt};
 use frictiongen_kernel::number::complex::Complex;
-use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
+use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use proc_macro2::{Literal, TokenStream};
 
 /// The frequency stage, as a method of the kernel's `Scene`.
@@ -21,7 +21,10 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
         _ => straight(emission),
     };
     let operations = format!(" Operations: {operations}.");
-    let legend = legend::lines(&emission.reduced.modes);
+    let legend = match emission.reduced.modes.as_slice() {
+        [mode] => legend::single(mode),
+        _ => legend::sums(),
+    };
     code! {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
@@ -67,7 +70,7 @@ fn single(emission: &Emission<'_>) -> (TokenStream, String) {
     (body, count.to_string())
 }
 
-/// A block for each mode, then the sums.
+/// The functions of each mode, then the sums.
 fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
     let graph = Graph::new(emission.modes());
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
@@ -89,15 +92,15 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
     (body, count.to_string())
 }
 
-/// A block for each mode, the scale, and the modes at it: what sums over modes start from.
+/// The functions of each mode, the scale, and the modes at it: what sums over modes start from.
 pub(super) fn blocks(emission: &Emission<'_>, with_g: bool) -> (TokenStream, Count) {
     let mut count = Count::default();
     let mut body = TokenStream::new();
     let names = super::motion::mode_names(emission);
     for (index, name) in names.iter().enumerate() {
-        let (block, operations) = mode_block(emission, index, with_g);
+        let (call, operations) = mode::call(emission, index, with_g);
         count = count.and(&operations);
-        body.extend(code!(let #name = #block;));
+        body.extend(code!(let #name = #call;));
     }
     let graph = Graph::new(emission.modes());
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
@@ -126,57 +129,6 @@ pub(super) fn blocks(emission: &Emission<'_>, with_g: bool) -> (TokenStream, Cou
     let at_names = (1..=names.len()).map(|mode| local(&format!("at_{mode}")));
     body.extend(code!(let [#(#at_names),*] = &modes;));
     (body, count)
-}
-
-/// The functions of one mode, free of their pole.
-fn mode_block(emission: &Emission<'_>, index: usize, with_g: bool) -> (TokenStream, Count) {
-    let graph = Graph::new(1);
-    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
-    let Some(mode) = tracer.reduced.modes.get(index) else {
-        return (TokenStream::new(), Count::default());
-    };
-    let mut response = mode.response(graph.input("inverse_r"), 0);
-    if !with_g {
-        response.g = Expr::constant(0.0);
-    }
-    let outputs = response_outputs(&response);
-    let (printed, count) = tracer.print(&outputs, emission.precision, &["inverse_r"]);
-    let statements = &printed.statements;
-    let structure = response_structure(&printed.outputs);
-    (code!({ #statements #structure }), count)
-}
-
-/// The outputs of a mode's functions, in the order in which they are emitted.
-fn response_outputs(response: &ModeResponse<Expr<'_>>) -> Vec<Operand> {
-    let ModeResponse {
-        x,
-        denominator,
-        size,
-        u,
-        g,
-        reversal,
-    } = *response;
-    [x, denominator.re, denominator.im, size, u, g, reversal]
-        .map(Expr::operand)
-        .to_vec()
-}
-
-fn response_structure(outputs: &[TokenStream]) -> TokenStream {
-    let [x, re, im, size, u, g, reversal] = outputs else {
-        return TokenStream::new();
-    };
-    let (x, size, u) = (field("x", x), field("size", size), field("u", u));
-    let (g, reversal) = (field("g", g), field("reversal", reversal));
-    code! {
-        ModeResponse {
-            #x,
-            denominator: Complex { re: #re, im: #im },
-            #size,
-            #u,
-            #g,
-            #reversal,
-        }
-    }
 }
 
 fn contact_structure(outputs: &[TokenStream]) -> TokenStream {
@@ -215,14 +167,11 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
     let graph = Graph::new(1);
     let tracer = Tracer::new(&graph, &emission.modal, *precision);
     let chain = &tracer.reduced.chain;
-    let symbolic = symbolic_mode(&graph, kind);
+    let symbolic = mode::symbolic(&graph, kind);
 
     let first = symbolic.response(graph.input("inverse_r"), 0);
-    let outputs = response_outputs(&first);
-    let taken = ["r", "inverse_r", "scale", "mode", "response", "responses"];
-    let (first, first_count) = tracer.print(&outputs, *precision, &taken);
-    let statements = &first.statements;
-    let response = response_structure(&first.outputs);
+    let first_count = Count::of(&graph, &mode::outputs(&first));
+    let function = mode::function_of(kind);
     let every_mode = emission.reduced.modes.iter().all(|mode| mode.in_contact);
     let smallest = code!(scale = Scalar::min(scale, response.size););
     let smallest = if every_mode {
@@ -234,8 +183,7 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
         let mut responses = [ModeResponse::<#scalar>::zero(); #modes];
         let mut scale = ::core::#scalar::INFINITY;
         for (mode, response) in IntoIterator::into_iter(&Self::MODES).zip(&mut responses) {
-            #statements
-            *response = #response;
+            *response = Self::#function(mode, inverse_r);
             #smallest
         }
     };
@@ -307,28 +255,6 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
         .times(emission.modes())
         .and(&last_count);
     (body, count.to_string())
-}
-
-fn symbolic_mode(graph: &Graph, kind: Kind) -> Mode<Expr<'_>> {
-    let of = |field: &str| graph.input(format!("mode.{field}"));
-    let zeta = if kind == Kind::Undamped {
-        Expr::Number(0.0)
-    } else {
-        of("zeta")
-    };
-    Mode {
-        kind,
-        in_contact: true,
-        resonance: of("resonance"),
-        zeta,
-        q: of("q"),
-        q_defect: of("q_defect"),
-        load: of("load"),
-        contact: of("contact"),
-        residue: of("residue"),
-        inverse_mass: of("inverse_mass"),
-        static_residue: of("static_residue"),
-    }
 }
 
 fn symbolic_sum(graph: &Graph, damped: bool) -> ContactAt<Expr<'_>> {

@@ -7,8 +7,8 @@ const SUMS: [&str; 2] = [
     " (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).",
 ];
 const EVERY: [&str; 2] = [
-    " `frequency` is x = √λ/r, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact drives is",
-    " E, `scale`.",
+    " `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact",
+    " drives is E, `scale`.",
 ];
 const ALONE: &str = " `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.";
 const PARTS: &str = " `u` is uR²; it, `g` and `reversal` come times `size`, then times E.";
@@ -35,30 +35,37 @@ const OVER: [&str; 3] = [
     " `size`.",
 ];
 
-/// The lines of documentation, by the kinds of damping that a scene has.
-pub(super) fn lines(modes: &[Mode<f64>]) -> Vec<&'static str> {
-    let any = |kinds: &[Kind]| modes.iter().any(|mode| kinds.contains(&mode.kind));
+/// Of a frequency stage whose modes have functions of their own.
+pub(super) fn sums() -> Vec<&'static str> {
+    SUMS.to_vec()
+}
+
+/// Of the function of a mode with this damping.
+pub(super) fn mode(kind: Kind) -> Vec<&'static str> {
+    let mut lines = [&EVERY[..], &[PARTS]].concat();
+    lines.extend(of(kind));
+    lines
+}
+
+/// Of a frequency stage of one mode.
+pub(super) fn single(mode: &Mode<f64>) -> Vec<&'static str> {
     let mut lines = SUMS.to_vec();
-    if modes.iter().any(|mode| mode.resonance != 1.0) {
-        lines.extend(EVERY);
-    } else {
+    if mode.resonance == 1.0 {
         lines.push(ALONE);
+    } else {
+        lines.extend(EVERY);
     }
     lines.push(PARTS);
-    if any(&[Kind::Undamped]) {
-        lines.extend(UNDAMPED);
-    }
-    if modes.iter().any(|mode| mode.kind != Kind::Undamped) {
-        lines.push(DAMPED);
-    }
-    if any(&[Kind::Light, Kind::Heavy]) {
-        lines.extend(LIGHT);
-    }
-    if any(&[Kind::Critical]) {
-        lines.extend(CRITICAL);
-    }
-    if any(&[Kind::Over]) {
-        lines.extend(OVER);
-    }
+    lines.extend(of(mode.kind));
     lines
+}
+
+fn of(kind: Kind) -> Vec<&'static str> {
+    let lines: &[&[&str]] = match kind {
+        Kind::Undamped => &[&UNDAMPED],
+        Kind::Light | Kind::Heavy => &[&[DAMPED], &LIGHT],
+        Kind::Critical => &[&[DAMPED], &CRITICAL],
+        Kind::Over => &[&[DAMPED], &OVER],
+    };
+    lines.concat()
 }

@@ -6,6 +6,7 @@ mod frequency;
 mod legend;
 mod limits;
 mod missing;
+mod mode;
 mod motion;
 mod names;
 mod orbit;

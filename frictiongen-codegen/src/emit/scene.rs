@@ -1,6 +1,6 @@
 //! The scene as the kernel's response knows it: constants and specialised formulas.
 
-use super::{Emission, Wanted, frequency, limits};
+use super::{Emission, Wanted, frequency, limits, mode};
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
@@ -35,8 +35,11 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
     } else {
         code!(#facade::kernel::wraps!(#at, At of #name, Copy);)
     };
+    let functions = mode::functions(emission);
     code! {
         #wraps
+
+        #functions
 
         impl Scene for #name {
             type Scalar = #scalar;

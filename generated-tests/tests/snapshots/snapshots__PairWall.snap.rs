@@ -133,7 +133,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, and nothing is written; at the first NaN or negative r, and what comes before is.
+        /// `OutOfDomain` for slices of unequal lengths, and then nothing is written; at the first NaN or negative r, up to which it is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -144,6 +144,34 @@ const _: () = {
     }
     ::frictiongen::emitted_system!(PairWall, PairWallAt, f64, ["lower", "upper"]);
     ::frictiongen::kernel::wraps!(PairWallAt, At of PairWall, Copy);
+    impl PairWall {
+        /// The functions of an undamped mode.
+        ///
+        /// `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact
+        /// drives is E, `scale`.
+        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
+        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0
+        /// where that is exactly 0.
+        #[inline(always)]
+        fn undamped_mode(mode: &Mode<f64>, inverse_r: f64) -> ModeResponse<f64> {
+            let frequency = mode.resonance * inverse_r;
+            let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
+            let detuning = Scalar::detuning_off_pole(
+                (frequency - 1.0) * (frequency + 1.0),
+            );
+            let cosine = Scalar::cosine_off_pole(plain_cosine);
+            let size = Scalar::abs(detuning);
+            let u = sine * size / (frequency * cosine);
+            ModeResponse {
+                x: frequency,
+                denominator: Complex { re: detuning, im: 0.0 },
+                size,
+                u,
+                g: 0.0,
+                reversal: 0.0,
+            }
+        }
+    }
     impl Scene for PairWall {
         type Scalar = f64;
         type Decay = Undamped;
@@ -182,50 +210,12 @@ const _: () = {
         ///
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        /// `frequency` is x = √λ/r, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact drives is E, `scale`.
-        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
-        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0
-        /// where that is exactly 0.
         ///
         /// Operations: 40: 18 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            let mode_1 = {
-                let frequency = 0.6180339887498949 * inverse_r;
-                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let detuning = Scalar::detuning_off_pole(
-                    (frequency - 1.0) * (frequency + 1.0),
-                );
-                let cosine = Scalar::cosine_off_pole(plain_cosine);
-                let size = Scalar::abs(detuning);
-                let u = sine * size / (frequency * cosine);
-                ModeResponse {
-                    x: frequency,
-                    denominator: Complex { re: detuning, im: 0.0 },
-                    size,
-                    u,
-                    g: 0.0,
-                    reversal: 0.0,
-                }
-            };
-            let mode_2 = {
-                let frequency = 1.618033988749895 * inverse_r;
-                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let detuning = Scalar::detuning_off_pole(
-                    (frequency - 1.0) * (frequency + 1.0),
-                );
-                let cosine = Scalar::cosine_off_pole(plain_cosine);
-                let size = Scalar::abs(detuning);
-                let u = sine * size / (frequency * cosine);
-                ModeResponse {
-                    x: frequency,
-                    denominator: Complex { re: detuning, im: 0.0 },
-                    size,
-                    u,
-                    g: 0.0,
-                    reversal: 0.0,
-                }
-            };
+            let mode_1 = Self::undamped_mode(&Self::MODES[0], inverse_r);
+            let mode_2 = Self::undamped_mode(&Self::MODES[1], inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
@@ -273,42 +263,8 @@ const _: () = {
         /// Operations: 48: 20 ×, 8 +, 6 sign, 6 ÷, 5 compare, 2 sin_cos_pi, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
-            let mode_1 = {
-                let frequency = 0.6180339887498949 * inverse_r;
-                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let detuning = Scalar::detuning_off_pole(
-                    (frequency - 1.0) * (frequency + 1.0),
-                );
-                let cosine = Scalar::cosine_off_pole(plain_cosine);
-                let size = Scalar::abs(detuning);
-                let u = sine * size / (frequency * cosine);
-                ModeResponse {
-                    x: frequency,
-                    denominator: Complex { re: detuning, im: 0.0 },
-                    size,
-                    u,
-                    g: 0.0,
-                    reversal: 0.0,
-                }
-            };
-            let mode_2 = {
-                let frequency = 1.618033988749895 * inverse_r;
-                let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-                let detuning = Scalar::detuning_off_pole(
-                    (frequency - 1.0) * (frequency + 1.0),
-                );
-                let cosine = Scalar::cosine_off_pole(plain_cosine);
-                let size = Scalar::abs(detuning);
-                let u = sine * size / (frequency * cosine);
-                ModeResponse {
-                    x: frequency,
-                    denominator: Complex { re: detuning, im: 0.0 },
-                    size,
-                    u,
-                    g: 0.0,
-                    reversal: 0.0,
-                }
-            };
+            let mode_1 = Self::undamped_mode(&Self::MODES[0], inverse_r);
+            let mode_2 = Self::undamped_mode(&Self::MODES[1], inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),

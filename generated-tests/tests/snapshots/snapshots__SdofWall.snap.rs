@@ -114,7 +114,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, and nothing is written; at the first NaN or negative r, and what comes before is.
+        /// `OutOfDomain` for slices of unequal lengths, and then nothing is written; at the first NaN or negative r, up to which it is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],

@@ -682,7 +682,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, and nothing is written; at the first NaN or negative r, and what comes before is.
+        /// `OutOfDomain` for slices of unequal lengths, and then nothing is written; at the first NaN or negative r, up to which it is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -696,6 +696,64 @@ const _: () = {
         "m11", "m12", "m13", "m14", "m15", "m16", "m17"]
     );
     ::frictiongen::kernel::wraps!(TallAt, At of Tall, Copy);
+    impl Tall {
+        /// The functions of a lightly damped mode, ζ < 1/2.
+        ///
+        /// `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact
+        /// drives is E, `scale`.
+        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
+        /// `loss` is 2ζx.
+        /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
+        /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
+        /// `cosine` are of πqx/2, formed as the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of
+        /// `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|) of it, `unit_nearness` it times
+        /// that, and `pole_weight` `size` times that over the squared modulus of `unit_nearness`.  `swing` is uR times `size`;
+        /// `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g where its terms cancel.
+        #[inline(always)]
+        fn damped_mode(mode: &Mode<f64>, inverse_r: f64) -> ModeResponse<f64> {
+            let frequency = mode.resonance * inverse_r;
+            let detuning = (frequency - 1.0) * (frequency + 1.0);
+            let loss = 2.0 * mode.zeta * frequency;
+            let size = Scalar::abs(detuning) + loss;
+            let decay_exponent = 3.141592653589793 * mode.zeta * frequency;
+            let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+            let half_decay_factor = 1.0 + half_decay_minus_one;
+            let decay_complement = -(half_decay_minus_one * (1.0 + half_decay_factor));
+            let decay_factor = half_decay_factor * half_decay_factor;
+            let half_turns = mode.q * frequency;
+            let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                frequency * 0.5,
+                frequency * (mode.q_defect * 0.5),
+            );
+            let one_plus_factor = 1.0 + decay_factor;
+            let nearness_re = one_plus_factor * cosine;
+            let nearness_im = decay_complement * sine;
+            let inverse_nearness = 1.0
+                / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+            let unit_nearness_re = nearness_re * inverse_nearness;
+            let unit_nearness_im = nearness_im * inverse_nearness;
+            let pole_weight = size * inverse_nearness
+                / (unit_nearness_re * unit_nearness_re
+                    + unit_nearness_im * unit_nearness_im);
+            let swing = 4.0 / mode.q * sine * decay_factor * (cosine * inverse_nearness)
+                * pole_weight;
+            let u = swing / frequency;
+            let g = (Scalar::scaled_sinh_defect(decay_exponent)
+                + 2.0 * decay_factor * decay_exponent
+                    * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                * pole_weight;
+            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                * pole_weight + mode.zeta * swing;
+            ModeResponse {
+                x: frequency,
+                denominator: Complex { re: detuning, im: loss },
+                size,
+                u,
+                g,
+                reversal,
+            }
+        }
+    }
     impl Scene for Tall {
         type Scalar = f64;
         type Decay = Damped<f64>;
@@ -755,15 +813,6 @@ const _: () = {
         ///
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        /// `frequency` is x = √λ/r, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact drives is E, `scale`.
-        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
-        /// `loss` is 2ζx.
-        /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
-        /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, formed as the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of
-        /// `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|) of it, `unit_nearness` it times
-        /// that, and `pole_weight` `size` times that over the squared modulus of `unit_nearness`.  `swing` is uR times `size`;
-        /// `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g where its terms cancel.
         ///
         /// Operations: 1513: 918 ×, 306 +, 136 ÷, 85 sign, 17 exp_m1, 17 one_minus_sinc_pi, 17 scaled_sinh_defect, 17 sin_cos_pi.
         #[inline]
@@ -776,48 +825,7 @@ const _: () = {
             for (mode, response) in IntoIterator::into_iter(&Self::MODES)
                 .zip(&mut responses)
             {
-                let frequency = mode.resonance * inverse_r;
-                let detuning = (frequency - 1.0) * (frequency + 1.0);
-                let loss = 2.0 * mode.zeta * frequency;
-                let size = Scalar::abs(detuning) + loss;
-                let decay_exponent = 3.141592653589793 * mode.zeta * frequency;
-                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
-                let half_decay_factor = 1.0 + half_decay_minus_one;
-                let decay_complement = -(half_decay_minus_one
-                    * (1.0 + half_decay_factor));
-                let decay_factor = half_decay_factor * half_decay_factor;
-                let half_turns = mode.q * frequency;
-                let (sine, cosine) = Scalar::sin_cos_pi_minus(
-                    frequency * 0.5,
-                    frequency * (mode.q_defect * 0.5),
-                );
-                let one_plus_factor = 1.0 + decay_factor;
-                let nearness_re = one_plus_factor * cosine;
-                let nearness_im = decay_complement * sine;
-                let inverse_nearness = 1.0
-                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
-                let unit_nearness_re = nearness_re * inverse_nearness;
-                let unit_nearness_im = nearness_im * inverse_nearness;
-                let pole_weight = size * inverse_nearness
-                    / (unit_nearness_re * unit_nearness_re
-                        + unit_nearness_im * unit_nearness_im);
-                let swing = 4.0 / mode.q * sine * decay_factor
-                    * (cosine * inverse_nearness) * pole_weight;
-                let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(decay_exponent)
-                    + 2.0 * decay_factor * decay_exponent
-                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
-                    * pole_weight;
-                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                    * pole_weight + mode.zeta * swing;
-                *response = ModeResponse {
-                    x: frequency,
-                    denominator: Complex { re: detuning, im: loss },
-                    size,
-                    u,
-                    g,
-                    reversal,
-                };
+                *response = Self::damped_mode(mode, inverse_r);
                 scale = Scalar::min(scale, response.size);
             }
             let mut sum = ContactAt::<f64>::zero(scale);

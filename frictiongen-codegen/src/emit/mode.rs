@@ -1,0 +1,160 @@
+//! The functions of one mode at one r: printed once for each kind of damping, called for each mode.
+
+use super::trace::Tracer;
+use super::{Emission, field, legend, local};
+use crate::graph::count::Count;
+use crate::graph::{Expr, Graph, Operand};
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
+use proc_macro2::{Ident, Literal, TokenStream};
+
+/// The functions of a mode, free of their pole: one function for each kind of damping, which several modes share.
+pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
+    if emission.modes() == 1 {
+        return TokenStream::new();
+    }
+    let (name, scalar) = (&emission.name, &emission.scalar);
+    let modes = &emission.reduced.modes;
+    let functions = KINDS.iter().filter_map(|(kind, function, about)| {
+        if modes.iter().all(|mode| mode.kind != *kind) {
+            return None;
+        }
+        let graph = Graph::new(1);
+        let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+        let response = symbolic(&graph, *kind).response(graph.input("inverse_r"), 0);
+        let outputs = outputs(&response);
+        let (printed, _) = tracer.print(&outputs, emission.precision, &["inverse_r", "mode"]);
+        let (statements, structure) = (&printed.statements, structure(&printed.outputs));
+        let (function, legend) = (local(function), legend::mode(*kind));
+        Some(code! {
+            #[doc = #about]
+            ///
+            #(#[doc = #legend])*
+            #[inline(always)]
+            fn #function(mode: &Mode<#scalar>, inverse_r: #scalar) -> ModeResponse<#scalar> {
+                #statements
+                #structure
+            }
+        })
+    });
+    let functions: TokenStream = functions.collect();
+    code! {
+        impl #name {
+            #functions
+        }
+    }
+}
+
+/// Each kind of damping: the function of its modes, and what that says of itself.
+const KINDS: [(Kind, &str, &str); 5] = [
+    (
+        Kind::Undamped,
+        "undamped_mode",
+        " The functions of an undamped mode.",
+    ),
+    (
+        Kind::Light,
+        "damped_mode",
+        " The functions of a lightly damped mode, ζ < 1/2.",
+    ),
+    (
+        Kind::Heavy,
+        "heavily_damped_mode",
+        " The functions of a mode below critical damping, ζ ≥ 1/2.",
+    ),
+    (
+        Kind::Critical,
+        "critically_damped_mode",
+        " The functions of a critically damped mode.",
+    ),
+    (
+        Kind::Over,
+        "overdamped_mode",
+        " The functions of an overdamped mode.",
+    ),
+];
+
+/// The name of the function of such a mode.
+pub(super) fn function_of(kind: Kind) -> Ident {
+    let function = KINDS.iter().find(|(of, ..)| *of == kind);
+    local(function.map_or("", |(_, function, _)| function))
+}
+
+/// The call of a mode's function, and how many operations that is.
+pub(super) fn call(emission: &Emission<'_>, index: usize, with_g: bool) -> (TokenStream, Count) {
+    let Some(mode) = emission.reduced.modes.get(index) else {
+        return (TokenStream::new(), Count::default());
+    };
+    // With the mode's own constants, which fold where the function is inlined.
+    let graph = Graph::new(1);
+    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+    let Some(constants) = tracer.reduced.modes.get(index) else {
+        return (TokenStream::new(), Count::default());
+    };
+    let mut response = constants.response(graph.input("inverse_r"), 0);
+    if !with_g {
+        response.g = Expr::constant(0.0);
+    }
+    let count = Count::of(&graph, &outputs(&response));
+    let function = function_of(mode.kind);
+    let place = Literal::usize_unsuffixed(index);
+    (
+        code!(Self::#function(&Self::MODES[#place], inverse_r)),
+        count,
+    )
+}
+
+/// The outputs of a mode's functions, in the order in which they are emitted.
+pub(super) fn outputs(response: &ModeResponse<Expr<'_>>) -> Vec<Operand> {
+    let ModeResponse {
+        x,
+        denominator,
+        size,
+        u,
+        g,
+        reversal,
+    } = *response;
+    [x, denominator.re, denominator.im, size, u, g, reversal]
+        .map(Expr::operand)
+        .to_vec()
+}
+
+fn structure(outputs: &[TokenStream]) -> TokenStream {
+    let [x, re, im, size, u, g, reversal] = outputs else {
+        return TokenStream::new();
+    };
+    let (x, size, u) = (field("x", x), field("size", size), field("u", u));
+    let (g, reversal) = (field("g", g), field("reversal", reversal));
+    code! {
+        ModeResponse {
+            #x,
+            denominator: Complex { re: #re, im: #im },
+            #size,
+            #u,
+            #g,
+            #reversal,
+        }
+    }
+}
+
+pub(super) fn symbolic(graph: &Graph, kind: Kind) -> Mode<Expr<'_>> {
+    let of = |field: &str| graph.input(format!("mode.{field}"));
+    let zeta = if kind == Kind::Undamped {
+        Expr::Number(0.0)
+    } else {
+        of("zeta")
+    };
+    Mode {
+        kind,
+        in_contact: true,
+        resonance: of("resonance"),
+        zeta,
+        q: of("q"),
+        q_defect: of("q_defect"),
+        load: of("load"),
+        contact: of("contact"),
+        residue: of("residue"),
+        inverse_mass: of("inverse_mass"),
+        static_residue: of("static_residue"),
+    }
+}
