@@ -3,7 +3,7 @@
 mod data;
 mod explained;
 mod friction;
-pub(super) mod model;
+mod model;
 mod several;
 
 use super::statistics::excess;
