@@ -1,6 +1,7 @@
 //! Random scenes against dense samples.
 
 mod count;
+mod damped;
 mod inversions;
 mod regimes;
 mod sums;
