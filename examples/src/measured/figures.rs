@@ -33,7 +33,7 @@ fn one_storey() -> Result<Figure, Box<dyn Error>> {
     for i in 2..=16 {
         let hertz = 0.5 * f64::from(i);
         let size = 1.0 / (1.0 - (hertz / NATURAL).powi(2)).abs();
-        let amplitude = size * (1.0 + 0.01 * noise.next());
+        let amplitude = size * (1.0 + 0.01 * noise.draw());
         points.push(SweepPoint {
             hertz,
             mass: 0,
@@ -186,7 +186,7 @@ fn storeys() -> Result<Figure, Box<dyn Error>> {
         points.push(SweepPoint {
             hertz,
             mass: 0,
-            amplitude: size * (1.0 + 0.01 * noise.next()),
+            amplitude: size * (1.0 + 0.01 * noise.draw()),
             deviation: Some(0.01 * size),
         });
     }

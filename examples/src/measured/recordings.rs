@@ -28,7 +28,7 @@ fn sweep(mass: &str, frequencies: &[f64], of: impl Fn(f64) -> f64, noise: &mut N
     for hertz in frequencies {
         let size = of(*hertz).abs();
         let deviation = 1e-3 * size;
-        let measured = size + deviation * noise.next();
+        let measured = size + deviation * noise.draw();
         let _ = writeln!(text, "{hertz:.3},{measured:.6},{deviation:.6}");
     }
     text

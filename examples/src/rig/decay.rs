@@ -23,7 +23,7 @@ pub fn decay(length: f64, rate: f64, seconds: f64, noise: &mut Noise) -> Vec<f64
         } else {
             extreme
         };
-        samples.push(x + 0.02 * noise.next());
+        samples.push(x + 0.02 * noise.draw());
     }
     samples
 }

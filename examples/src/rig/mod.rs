@@ -40,7 +40,7 @@ impl Noise {
     }
 
     /// The next number, of mean 0 and deviation 1.
-    pub fn next(&mut self) -> f64 {
+    pub fn draw(&mut self) -> f64 {
         StandardNormal.sample(&mut self.0)
     }
 }
@@ -124,7 +124,7 @@ pub fn noisy(
         let squares: f64 = samples.iter().map(|x| x * x).sum();
         let deviation = NOISE * (squares / samples.len() as f64).sqrt();
         for x in &mut samples {
-            *x += deviation * noise.next();
+            *x += deviation * noise.draw();
         }
         Channel {
             name,
