@@ -47,8 +47,11 @@ pub fn disc_on_the_upper() -> Drawn {
     ))
 }
 
-/// X₁/Y at driving frequencies in Hz, read from recordings without friction.
-fn read() -> Result<Vec<(f64, Complex<f64>, f64)>, Box<dyn Error>> {
+/// A driving frequency in Hz, X₁/Y there and its deviation.
+type Point = (f64, Complex<f64>, f64);
+
+/// What recordings without friction say.
+fn read() -> Result<Vec<Point>, Box<dyn Error>> {
     let rig = two_storeys()?;
     let mut noise = Noise::new(619);
     let mut points = Vec::new();
@@ -62,7 +65,7 @@ fn read() -> Result<Vec<(f64, Complex<f64>, f64)>, Box<dyn Error>> {
 }
 
 /// The parameters, from the amplitudes of the lower plate and two equal storeys to start from.
-fn fitted(points: &[(f64, Complex<f64>, f64)]) -> Result<SweepFit, Box<dyn Error>> {
+fn fitted(points: &[Point]) -> Result<SweepFit, Box<dyn Error>> {
     let guess: System = "struct Storeys {
         masses: { m1: 3.0, m2: 3.0 }, springs: { base - m1: 1000.0, m1 - m2: 1000.0 }, contact: m1 - wall, excitation: base,
     }"
