@@ -1,67 +1,154 @@
-//! Motions at β = 0.2 in time and by their harmonics.
+//! Motions at β = 0.2 in time and by their harmonics: recorded, and theory.
 
 use crate::{PLATE, drawn, fixed};
-use frictiongen_examples::draw::{Times, cycle, from_rest, keys, part_colour};
-use frictiongen_plot::{Across, Axis, Figure, Guide, Line, Marker, Markers, Panel, Stroke};
+use frictiongen::Complex;
+use frictiongen::System;
+use frictiongen::measure::Measured;
+use frictiongen::study::SystemResponse;
+use frictiongen_examples::draw::{Times, cycle, from_rest, part_colour};
+use frictiongen_examples::rig::{LENGTH, NATURAL, Noise, one_storey, recording};
+use frictiongen_plot::{
+    Across, Axis, Colour, Figure, Guide, Key, Line, Marker, Markers, Panel, Stroke,
+};
 use std::error::Error;
 use std::f64::consts::TAU;
 
 const BETA: f64 = 0.2;
-/// Title, r, μ.
+/// Letter, r, μ: with μ = 1.2 the plate stops once a cycle at r = 0.5, as the measured one does.
 const CASES: [(&str, f64, f64); 4] = [
-    ("(a) *r* = 0.12", 0.12, 1.0),
-    ("(b) *r* = 0.5", 0.5, 1.0),
-    ("(c) *r* = 0.8", 0.8, 1.0),
-    ("(d) *r* = 1.25", 1.25, 1.0),
+    ("a", 0.12, 1.0),
+    ("b", 0.5, 1.2),
+    ("c", 0.8, 1.0),
+    ("d", 1.25, 1.0),
 ];
-/// The static friction with which one stop a cycle is seen in (b).
-const STICTION: f64 = 1.2;
-const HARMONICS: u32 = 12;
+/// Cycles of a short and of a long time.
+const SHORT: f64 = 2.0;
+const LONG: f64 = 16.0;
+/// Circles of a short cycle, and points of a long one.
+const CIRCLES: u32 = 24;
+const POINTS: u32 = 48;
+/// Cycles of which a spectrum is taken, and its highest order.
+const CYCLES: f64 = 24.0;
+const HIGHEST: f64 = 12.0;
+/// The lowest level that is drawn, dB.
+const LOWEST: f64 = -100.0;
+
+/// A recording of the plate, and what it says.
+struct Recorded {
+    /// The plate over the amplitude of the base that was read.
+    plate: Vec<f64>,
+    measured: Measured,
+}
+
+impl Recorded {
+    fn new(index: usize) -> Result<Self, Box<dyn Error>> {
+        let (_, r, stiction) = CASES[index];
+        let rig = one_storey("wall", &format!("stiction: {stiction:?},"))?;
+        let mut noise = Noise::new(412 + index as u64);
+        let recording = recording(&rig, (r * NATURAL, BETA), LENGTH, &mut noise)?;
+        let measured = Measured::of(&recording, rig.scene())?;
+        let plate = recording.channel("plate").ok_or("no plate")?;
+        let unit = 1e3 * measured.drive_amplitude();
+        Ok(Self {
+            plate: plate.samples.iter().map(|x| x / unit).collect(),
+            measured,
+        })
+    }
+
+    /// The angle of the base at a sample: phases count from the middle of the steady part.
+    fn angle(&self, index: usize) -> f64 {
+        let (from, to) = self.measured.steady;
+        let middle = 0.5 * (from + to) * self.measured.rate - 0.5;
+        let drive = self.measured.drive.fundamental();
+        let turn = TAU * self.measured.hertz / self.measured.rate;
+        turn * (index as f64 - middle) + drive.im.atan2(drive.re)
+    }
+
+    /// Samples about so many to a cycle from an angle on, with their angles from there.
+    fn samples(&self, from: f64, cycles: f64, each: u32) -> Vec<(f64, f64)> {
+        let per_sample = TAU * self.measured.hertz / self.measured.rate;
+        let wait = (from - self.angle(0)).rem_euclid(TAU);
+        let first = (wait / per_sample).ceil();
+        let count = (cycles * f64::from(each)) as u32;
+        (0..=count)
+            .filter_map(|i| {
+                let step = TAU * f64::from(i) / f64::from(each) / per_sample;
+                let index = (first + step).round() as usize;
+                let angle = index as f64 * per_sample - wait;
+                Some((angle, *self.plate.get(index)?)).filter(|_| angle <= TAU * cycles)
+            })
+            .collect()
+    }
+}
 
 /// 4.12: time responses.
 pub fn motions() -> Result<Figure, Box<dyn Error>> {
-    let times = Times {
-        span: (0.0, 2.0 * TAU),
-        circles: TAU / 24.0,
-        excitation: true,
-    };
-    let parts = [("plate *x̄*", PLATE, part_colour(0))];
     let mut panels = Vec::new();
-    for (title, r, stiction) in CASES {
+    for (index, (letter, r, stiction)) in CASES.into_iter().enumerate() {
+        let recorded = Recorded::new(index)?;
         let system = fixed(stiction);
-        let mut panel = cycle(title, &system, (r, BETA), &parts, times).ok_or("no motion")?;
-        if r == 0.5 {
-            panel = panel.with(one_stop()?);
-            (panel.y.low, panel.y.high) = (-1.65, 1.65);
+        let (origin, mut short) = theory(&system, &format!("({letter}) *r* = {r}"), r)?;
+        if 1.0 < stiction {
+            short = short.with(with_a_stop(&system, r, origin)?);
+            (short.y.low, short.y.high) = (-1.65, 1.65);
         }
-        panels.push(panel);
+        short = short.with(Markers::new(
+            "recorded",
+            Colour::Black,
+            Marker::Circle,
+            recorded.samples(origin, SHORT, CIRCLES),
+        ));
+        let long = recorded.samples(origin, LONG, POINTS);
+        let x = Axis::new("*τ*", 0.0, LONG * TAU).in_pi();
+        let title = format!("({letter}) for longer");
+        let long = Panel::new(title.as_str(), x, short.y.clone()).with(Line::new(
+            "recorded",
+            Colour::Black,
+            Stroke::Thin,
+            vec![long],
+        ));
+        panels.extend([short, long]);
     }
     Ok(Figure::new("4.12", "Steady motions at *β* = 0.2", 2, panels)
         .with_sketch(drawn(&fixed(1.0)))
-        .with_keys(keys())
+        .with_keys([Key::marker("recorded", Marker::Circle)])
         .with_caption(
-            "Fixed wall, *μ* = 1, two cycles; the thesis shows four such motions beside measured ones without stating all *r*. \
-             In (b) the symmetric motion (line) is one of a continuum, and from rest another is reached (circles); with \
-             *μ* = 1.2 the plate stops once a cycle (green), as the measured one does.",
+            "Fixed wall; synthetic recordings with noise of 40 dB, and the theory. The time *τ* counts by the phase of the base \
+             that is read. *μ* = 1, in (b) 1.2: there the plate may slide all the time (line), but from rest it comes to another \
+             motion (green), which is not symmetric and stops once a cycle, as that of the thesis does. The thesis does not state \
+             all *r*.",
         ))
 }
 
-/// The steady state from rest at r = 1/2 with more static friction, its time counted as in the symmetric motion.
-fn one_stop() -> Result<Line, Box<dyn Error>> {
-    let symmetric = fixed(1.0);
-    let origin = symmetric.at(0.5)?.motion(BETA)?.contact().phase();
+/// The theory over two cycles, and the angle of the base at which it begins.
+fn theory(system: &System, title: &str, r: f64) -> Result<(f64, Panel), Box<dyn Error>> {
+    let times = Times {
+        span: (0.0, SHORT * TAU),
+        circles: 0.0,
+        excitation: true,
+    };
+    let parts = [("plate *x̄*", PLATE, part_colour(0))];
+    let panel = cycle(title, system, (r, BETA), &parts, times).ok_or("no motion")?;
+    let origin = match system.at(r)?.response(BETA)? {
+        SystemResponse::Continuous(motion) => motion.contact().phase(),
+        SystemResponse::StickSlip(orbit) => orbit.origin(),
+        SystemResponse::Stuck(_) => return Err("no motion".into()),
+    };
+    Ok((origin, panel))
+}
+
+/// The steady state from rest, from an angle of the base on.
+fn with_a_stop(system: &System, r: f64, origin: f64) -> Result<Line, Box<dyn Error>> {
     let count = 480;
-    let taus = (0..=count).map(|i| 2.0 * TAU * f64::from(i) / f64::from(count));
-    let taus: Vec<f64> = taus.collect();
-    let angles: Vec<f64> = taus
-        .iter()
-        .map(|tau| tau + origin.rem_euclid(TAU))
+    let taus: Vec<f64> = (0..=count)
+        .map(|i| SHORT * TAU * f64::from(i) / f64::from(count))
         .collect();
-    let system = fixed(STICTION);
-    let motion = from_rest(&system, (0.5, BETA), &[PLATE], &angles).ok_or("no run")?;
+    let start = origin.rem_euclid(TAU);
+    let angles: Vec<f64> = taus.iter().map(|tau| tau + start).collect();
+    let motion = from_rest(system, (r, BETA), &[PLATE], &angles).ok_or("no run")?;
     let points = taus.into_iter().zip(motion.into_iter().flatten()).collect();
     Ok(Line::new(
-        "*r* = 0.5, *μ* = 1.2",
+        "with one stop",
         part_colour(2),
         Stroke::Solid,
         vec![points],
@@ -69,62 +156,80 @@ fn one_stop() -> Result<Line, Box<dyn Error>> {
 }
 
 /// 4.13: their harmonics.
-pub fn spectra() -> Result<Figure, Box<dyn Error>> {
+pub fn harmonics() -> Result<Figure, Box<dyn Error>> {
     let mut panels = Vec::new();
-    for (title, r, stiction) in CASES {
-        let x = Axis::new("harmonic *n*", 0.0, f64::from(HARMONICS));
-        let y = Axis::new("|*X̄*_n| (dB)", -80.0, 10.0);
-        let mut panel = Panel::new(title, x, y).with(Guide::new(Across::Y(0.0)));
-        let levels = levels(r, stiction)?;
-        let stems = levels
-            .iter()
-            .map(|(n, level)| vec![(*n, -80.0), (*n, *level)]);
-        panel = panel.with(Line::unnamed(
-            part_colour(0),
-            Stroke::Solid,
-            stems.collect(),
-        ));
-        panel = panel.with(Markers::new("*μ* = 1", part_colour(0), Marker::Dot, levels));
-        if r == 0.5 {
-            let levels = self::levels(r, STICTION)?;
-            panel = panel.with(Markers::new(
-                "*r* = 0.5, *μ* = 1.2",
-                part_colour(2),
-                Marker::Square,
-                levels,
+    for (index, (letter, r, stiction)) in CASES.into_iter().enumerate() {
+        let recorded = Recorded::new(index)?;
+        let x = Axis::new("*f* over that of the base", 0.0, HIGHEST);
+        let y = Axis::new("|*X̄*| (dB)", LOWEST, 10.0);
+        let title = format!("({letter}) *r* = {r}");
+        let panel = Panel::new(title.as_str(), x, y)
+            .with(Guide::new(Across::Y(0.0)))
+            .with(Line::new(
+                "recorded",
+                Colour::Black,
+                Stroke::Thin,
+                vec![spectrum(&recorded)],
+            ))
+            .with(Markers::new(
+                "theory",
+                part_colour(0),
+                Marker::Dot,
+                exact(&fixed(stiction), r)?,
             ));
-        }
         panels.push(panel);
     }
     Ok(Figure::new("4.13", "Harmonics of the steady motions at *β* = 0.2", 2, panels)
         .with_sketch(drawn(&fixed(1.0)))
         .with_caption(
-            "The motions of figure 4.12 as reached from rest; 0 dB is the motion *Y* of the base, and levels below −78 dB are \
-             left out. Friction puts in odd harmonics; even ones show that a motion is not symmetric.",
+            "Of the recordings of figure 4.12, 24 cycles under a Hann window; 0 dB is the motion *Y* of the base. Friction puts in \
+             odd harmonics; even ones show that a motion is not symmetric. What lies between the lines is noise.",
         ))
 }
 
-/// The levels in dB of the harmonics of a run from rest, from the mean on.
-fn levels(r: f64, stiction: f64) -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
+/// The levels in dB of 24 cycles of a recording under a Hann window, by order.
+fn spectrum(recorded: &Recorded) -> Vec<(f64, f64)> {
+    let per_sample = recorded.measured.hertz / recorded.measured.rate;
+    let count = (CYCLES / per_sample).round() as usize;
+    let samples = recorded.plate.iter().take(count).enumerate();
+    let weight = |t: usize| 0.5 - 0.5 * (TAU * (t as f64 + 1.0) / (count as f64 + 1.0)).cos();
+    let windowed: Vec<f64> = samples.map(|(t, x)| weight(t) * x).collect();
+    let whole: f64 = (0..count).map(weight).sum();
+    let step = 0.5 / CYCLES;
+    // The mean has half of the weight of a line.
+    let orders = (0..).map(|i: u32| f64::from(i) * step);
+    let orders = orders.take_while(|order| *order <= HIGHEST);
+    let level = |order: f64| {
+        let turn = Complex::from_polar(1.0, -TAU * per_sample * order);
+        let mut power = Complex::new(1.0, 0.0);
+        let mut sum = Complex::new(0.0, 0.0);
+        for x in &windowed {
+            sum += power * x;
+            power *= turn;
+        }
+        let share = if order == 0.0 { 1.0 } else { 2.0 };
+        let level = 20.0 * (share * sum.norm() / whole).log10();
+        (order, level.max(LOWEST))
+    };
+    orders.map(level).collect()
+}
+
+/// The levels in dB of the harmonics of the steady state that is reached from rest, from the mean on.
+fn exact(system: &System, r: f64) -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
     let count = 4096;
     let angles: Vec<f64> = (0..count)
         .map(|i| TAU * f64::from(i) / f64::from(count))
         .collect();
-    let system = fixed(stiction);
-    let motions = from_rest(&system, (r, BETA), &[PLATE], &angles).ok_or("no run")?;
+    let motions = from_rest(system, (r, BETA), &[PLATE], &angles).ok_or("no run")?;
     let motion = motions.first().ok_or("no motion")?;
     let level = |n: u32| {
-        let angle = |i: usize| f64::from(n) * angles[i];
-        let sum = |of: fn(f64) -> f64| -> f64 {
-            let terms = motion.iter().enumerate().map(|(i, x)| x * of(angle(i)));
-            terms.sum()
-        };
+        let turned = motion.iter().zip(&angles);
+        let sum: Complex<f64> = turned
+            .map(|(x, angle)| Complex::from_polar(*x, -f64::from(n) * angle))
+            .sum();
         let share = if n == 0 { 1.0 } else { 2.0 } / f64::from(count);
-        let size = share * sum(f64::cos).hypot(sum(f64::sin));
-        (f64::from(n), 20.0 * size.log10())
+        (f64::from(n), 20.0 * (share * sum.norm()).log10())
     };
-    Ok((0..=HARMONICS)
-        .map(level)
-        .filter(|(_, level)| -78.0 < *level)
-        .collect())
+    let levels = (0..=HIGHEST as u32).map(level);
+    Ok(levels.filter(|(_, level)| LOWEST < *level).collect())
 }

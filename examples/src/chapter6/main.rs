@@ -4,6 +4,7 @@ mod fives;
 mod moving;
 mod points;
 mod rigs;
+mod storeys;
 mod systems;
 mod walls;
 
@@ -15,7 +16,7 @@ use std::error::Error;
 type Drawing = fn() -> Result<Figure, Box<dyn Error>>;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let figures: [Drawing; 30] = [
+    let figures: [Drawing; 32] = [
         walls::system_of_three,
         walls::stuck_three,
         walls::invariant_points,
@@ -35,7 +36,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         fives::middle_phases,
         fives::middle_motion,
         fives::middle_regimes,
-        rigs::without_friction,
+        storeys::disc_on_the_lower,
+        storeys::disc_on_the_upper,
+        storeys::without_friction,
         rigs::lower,
         rigs::upper,
         moving::system_between,

@@ -1,10 +1,11 @@
-//! Figures 4.3, 4.4, 4.6, 4.7 and 6.19 in method: markers are read from recordings, lines are the theory.
+//! Figures 4.3, 4.4, 4.7 and 6.19 in method: markers are read from recordings, lines are the theory.
 
-use crate::recordings::{NATURAL, Noise, Y, decay, plate, recording, two_storeys};
+use crate::recordings::two_storeys;
 use frictiongen::measure::{
     Channel, IdentifyRequest, Measured, Observation, Recording, SweepPoint, Unit,
 };
 use frictiongen::{Complex, Of, System};
+use frictiongen_examples::rig::{NATURAL, Noise, Y, decay, one_storey as rig, recording};
 use frictiongen_plot::{Axis, Colour, Figure, Line, Marker, Markers, Panel, Stroke};
 use std::error::Error;
 use std::path::Path;
@@ -26,13 +27,13 @@ pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
 
 /// 4.3: the natural frequency from a sweep without friction.
 fn one_storey() -> Result<Figure, Box<dyn Error>> {
-    let system = plate()?;
+    let system = rig("wall", "")?;
     let mut noise = Noise::new(43);
     let mut points = Vec::new();
     for i in 2..=16 {
         let hertz = 0.5 * f64::from(i);
         let size = 1.0 / (1.0 - (hertz / NATURAL).powi(2)).abs();
-        let amplitude = size * (1.0 + 0.01 * noise.next());
+        let amplitude = size * (1.0 + 0.01 * noise.draw());
         points.push(SweepPoint {
             hertz,
             mass: 0,
@@ -80,7 +81,7 @@ fn free_decay() -> Result<Figure, Box<dyn Error>> {
         unit: Unit::MILLIMETRE,
         samples,
     };
-    let found = plate()?.free_decay(&Recording::new(1000.0, vec![channel])?, None)?;
+    let found = rig("wall", "")?.free_decay(&Recording::new(1000.0, vec![channel])?, None)?;
     let marks = found.extremes.iter().map(|(t, x)| (*t, 1e3 * x)).collect();
     let panel = Panel::new(
         "",
@@ -119,7 +120,7 @@ fn fundamental(system: &System, r: f64, beta: f64) -> Option<Complex<f64>> {
 
 /// 4.7: transmissibility and phase from recordings, and the friction that they tell.
 fn forced() -> Result<Figure, Box<dyn Error>> {
-    let system = plate()?;
+    let system = rig("wall", "")?;
     let mut noise = Noise::new(47);
     let x = || Axis::new("*r*", 0.0, 2.5);
     let mut sizes = Panel::new("(a) transmissibility", x(), Axis::new("*X̄*_fft", 0.0, 5.0));
@@ -185,7 +186,7 @@ fn storeys() -> Result<Figure, Box<dyn Error>> {
         points.push(SweepPoint {
             hertz,
             mass: 0,
-            amplitude: size * (1.0 + 0.01 * noise.next()),
+            amplitude: size * (1.0 + 0.01 * noise.draw()),
             deviation: Some(0.01 * size),
         });
     }

@@ -177,6 +177,7 @@ Answers:
   several levels  several friction forces give this response: each with its interval
   stuck           the contact never slides: the interval begins at the least force that holds it
   not told        the response hardly changes with friction here, as at an invariant point
+  all but stuck   amplitudes without phases are so small that a unit may be wrong by 1000
 
 Quantities:
   friction force  F in N, for a scene in kg and N/m

@@ -294,7 +294,7 @@ impl Own<'_, '_> {
         let (ranges, certainty) = self.features.regimes(self.beta, self.range)?;
         let ground = match certainty {
             Certainty::Proven => Ground::All,
-            Certainty::Sampled => Ground::Sampled,
+            Certainty::Sampled { .. } => Ground::Sampled,
         };
         for found in ranges {
             let mut line = self.line("regime", "contact", ground);
@@ -317,12 +317,11 @@ impl Own<'_, '_> {
                 }
                 if let Some(found) = peak.peak {
                     let regime = found.regime.map_or("unbounded", words::regime);
-                    let mut line = self
+                    let line = self
                         .line("peak", &part.name, Ground::Sampled)
                         .with_amplitude(found.amplitude)
                         .saying(format!("mode {}: {regime}", peak.mode + 1));
-                    line.r = Some(found.r);
-                    lines.push(line);
+                    lines.push(line.at(found.r, found.frequency));
                 }
             }
         }

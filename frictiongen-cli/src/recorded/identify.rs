@@ -97,6 +97,7 @@ fn word(verdict: Verdict) -> &'static str {
         Verdict::SeveralLevels => "several levels",
         Verdict::Stuck => "stuck",
         Verdict::NotTold => "not told",
+        Verdict::AllButStuck => "all but stuck",
     }
 }
 

@@ -2,8 +2,7 @@
 
 use crate::made::{How, NATURAL, Noise, RATE, Y, motions, recording, rig};
 use frictiongen::measure::{
-    Datum, Identified, IdentifyRequest, MeasureError, Measured, Observation, Unknown, Using,
-    Verdict,
+    Datum, Identified, IdentifyRequest, Measured, Observation, Unknown, Using, Verdict,
 };
 use frictiongen::study::{Load, Quantity};
 use frictiongen::{Of, Regime, System};
@@ -268,67 +267,6 @@ fn stiction_where_it_shows() {
     let slides = [seen(&truth, 1.3, 0.3, &[0], 1e-5)];
     let found = guess.identify(&slides, &request).unwrap();
     assert!(found.unknowns[0].1.to.is_infinite(), "{:?}", found.unknowns);
-}
-
-/// A unit that is wrong by 1000, of the base and of the mass, and a motion that is another's.
-#[test]
-fn wrong_units_and_other_motions() {
-    let system = rig("");
-    let good = seen(&system, 1.3, 0.4, &[0], 1e-4);
-    let scaled = |factor: f64, r: f64| {
-        let mut seen = good.clone();
-        seen.motions[0].value *= factor;
-        seen.motions[0].deviation *= factor;
-        seen.hertz *= r;
-        seen
-    };
-    for using in [Using::Complex, Using::Amplitude, Using::Phase] {
-        let request = IdentifyRequest {
-            using,
-            ..IdentifyRequest::default()
-        };
-        // The amplitude alone may be as small as any: the contact then is all but stuck.
-        let factors: &[f64] = if using == Using::Amplitude {
-            &[1e3]
-        } else {
-            &[1e3, 1e-3, 1e-6]
-        };
-        for factor in factors.iter().copied() {
-            let error = system
-                .identify(&[scaled(factor, 1.0)], &request)
-                .unwrap_err();
-            assert!(
-                matches!(error, MeasureError::WrongUnit { factor: found, .. } if found == factor),
-                "{using:?}: {error}"
-            );
-        }
-    }
-    let error = system
-        .identify(&[scaled(30.0, 1.0)], &IdentifyRequest::default())
-        .unwrap_err();
-    assert!(
-        matches!(error, MeasureError::NotExplained { .. }),
-        "{error}"
-    );
-    assert!(matches!(
-        system.identify(&[], &IdentifyRequest::default()),
-        Err(MeasureError::NoObservation)
-    ));
-    let request = IdentifyRequest {
-        unknowns: vec![Unknown::Damping, Unknown::Frequencies],
-        ..IdentifyRequest::default()
-    };
-    let error = system.identify(&[scaled(1.0, 1.0)], &request).unwrap_err();
-    assert!(
-        matches!(
-            error,
-            MeasureError::TooFewData {
-                data: 2,
-                unknowns: 3
-            }
-        ),
-        "{error}"
-    );
 }
 
 /// Two amplitudes at resonance tell friction and damping (Liang and Feeny 2004): 2ζk|X| + 4F/π = kY for small ζ.

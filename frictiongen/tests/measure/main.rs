@@ -17,3 +17,4 @@ mod intervals;
 mod made;
 mod recordings;
 mod sweeps;
+mod units;

@@ -223,7 +223,8 @@ fn intervals_of_a_sweep() {
     sweep_intervals(true);
 }
 
-/// Where the scatter itself tells the deviation, by Student's distribution.  The command as in `intervals`, `sweeps`.
+/// Where the scatter itself tells the deviation, by Student's distribution.
+/// `cargo test --release -p frictiongen --features measure --test measure sweeps -- --ignored --nocapture`
 #[test]
 #[ignore = "minutes without optimisation"]
 fn intervals_of_a_sweep_without_deviations() {

@@ -64,7 +64,11 @@ fn all(system: &System, load: Load, friction: f64) -> Vec<Sensed> {
         let regular = peak
             .peak
             .filter(|peak| peak.regime == Some(Regime::Continuous));
-        found.extend(regular.map(|peak| peak.amplitude));
+        found.extend(
+            regular
+                .into_iter()
+                .flat_map(|peak| [peak.amplitude, peak.frequency]),
+        );
     }
     for crossing in features
         .crossings(Of::Mass(0), [0.5 * beta, beta], range)
@@ -173,6 +177,27 @@ fn undamped_by_differences() {
 #[test]
 fn damped_by_differences() {
     assert!(against_differences(DAMPED, Load::Force(1.9)) > 100);
+}
+
+/// Peaks a thousandth of r wide.
+#[test]
+fn sharp_peaks_by_differences() {
+    let text = DAMPED.replace("rayleigh(0.02, 0.03)", "rayleigh(0.001, 0.001)");
+    assert!(against_differences(&text, Load::Force(1.9)) > 100);
+    for text in [DAMPED, text.as_str()] {
+        let system: System = text.parse().unwrap();
+        let load = Load::Force(1.9);
+        let beta = system.load_scale(load).unwrap().friction_ratio(FRICTION);
+        let features = system.features(Some(load)).unwrap();
+        let peaks = features.resonant_peaks(Of::Mass(0), beta).unwrap();
+        let mut smooth = peaks.iter().filter_map(|peak| peak.peak.as_ref());
+        assert!(
+            smooth.any(|peak| {
+                7 <= peak.frequency.slopes.len() && 7 <= peak.amplitude.slopes.len()
+            }),
+            "{peaks:?}"
+        );
+    }
 }
 
 /// A frequency does not change if all masses and springs grow alike; with forces too nothing changes but them.

@@ -10,6 +10,9 @@ use crate::study::System;
 const GROSS: f64 = 0.5;
 /// What is explained when a wrong unit is put right.
 const MENDED: f64 = 0.2;
+/// A motion below this part of the largest that the scene has there, at any friction, may be one in another unit.
+const TINY: f64 = 0.01;
+
 impl Problem<'_> {
     /// The part of the motion that is not explained at this friction force, and the mass and motion of which most is not.
     fn unexplained(&self, friction: f64, factor: f64) -> Option<(f64, usize, f64, f64)> {
@@ -58,9 +61,7 @@ impl Problem<'_> {
         let name = self.system.scene().masses.get(mass);
         let mass = name.map_or_else(String::new, |mass| mass.name.clone());
         for factor in [1e3, 1e-3, 1e6, 1e-6] {
-            let forces = (0..=PLACES).map(|i| self.range.1 * f64::from(i) / f64::from(PLACES));
-            let parts = forces.filter_map(|force| Some(self.unexplained(force, factor)?.0));
-            if parts.fold(f64::INFINITY, f64::min) < MENDED {
+            if self.mends(factor) {
                 return Err(MeasureError::WrongUnit { factor, mass });
             }
         }
@@ -69,6 +70,41 @@ impl Problem<'_> {
             measured,
             nearest,
         })
+    }
+
+    /// The friction forces of the range.
+    fn forces(&self) -> impl Iterator<Item = f64> {
+        let end = self.range.1;
+        (0..=PLACES).map(move |i| end * f64::from(i) / f64::from(PLACES))
+    }
+
+    /// Whether some friction force explains the motion with its unit put right.
+    fn mends(&self, factor: f64) -> bool {
+        let parts = self
+            .forces()
+            .filter_map(|force| Some(self.unexplained(force, factor)?.0));
+        parts.fold(f64::INFINITY, f64::min) < MENDED
+    }
+
+    /// Whether amplitudes without phases are as small as beside sticking, and larger by a power of 1000 are explained too.
+    pub(super) fn doubts_unit(&self) -> bool {
+        if self.using != Using::Amplitude {
+            return false;
+        }
+        let is_tiny = self.observations.iter().all(|seen| {
+            let answers = self
+                .forces()
+                .filter_map(|force| model::answer(self.system, seen, force));
+            let mut largest = vec![0.0_f64; seen.motions.len()];
+            for answer in answers {
+                for (size, value) in largest.iter_mut().zip(&answer.values) {
+                    *size = size.max(value.norm());
+                }
+            }
+            let mut pairs = seen.motions.iter().zip(&largest);
+            pairs.all(|(datum, largest)| datum.value.norm() < TINY * largest)
+        });
+        is_tiny && [1e-3, 1e-6].into_iter().any(|factor| self.mends(factor))
     }
 
     /// Each observation beside what a scene does.

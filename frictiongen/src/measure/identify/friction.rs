@@ -278,7 +278,10 @@ impl Alone {
     pub(super) fn answer(self, problem: &Problem<'_>) -> Result<Identified, MeasureError> {
         let mut friction = self.best()?;
         let explained = problem.explained(problem.system, friction.value)?;
-        let verdict = verdict(&friction, self.levels.len(), &explained);
+        let mut verdict = verdict(&friction, self.levels.len(), &explained);
+        if matches!(verdict, Verdict::Told | Verdict::NotTold) && problem.doubts_unit() {
+            verdict = Verdict::AllButStuck;
+        }
         if verdict == Verdict::Stuck {
             // Every one from here on is as good.
             friction.value = friction.from;

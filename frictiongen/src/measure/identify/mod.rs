@@ -3,7 +3,7 @@
 mod data;
 mod explained;
 mod friction;
-pub(super) mod model;
+mod model;
 mod several;
 
 use super::statistics::excess;
@@ -150,6 +150,9 @@ pub enum Verdict {
     /// It does not: the response hardly changes with friction there, as at an invariant point, or friction is too small
     /// to stand out of the noise.
     NotTold,
+    /// Of amplitudes without phases: friction all but holds the contact, or a unit is wrong by 1000 or a million, as a motion
+    /// that many times as large is explained as well.
+    AllButStuck,
 }
 
 impl std::fmt::Display for Verdict {
@@ -159,6 +162,7 @@ impl std::fmt::Display for Verdict {
             Self::SeveralLevels => "several friction forces give this response; another frequency, or amplitude and phase together, would tell which",
             Self::Stuck => "the contact is stuck: this tells only the least force that holds it",
             Self::NotTold => "the measurement cannot tell the friction force: the response hardly changes with it here, beside the noise; measure at another frequency or another mass",
+            Self::AllButStuck => "the motion is so small that friction all but holds the contact, or a unit is wrong by 1000 or a million: amplitudes alone do not tell which, and phases would",
         })
     }
 }

@@ -9,12 +9,12 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
 /// The response of a scene where something was measured.
-pub(in crate::measure) struct Answer {
+pub(super) struct Answer {
     pub(super) r: f64,
     pub(super) beta: f64,
     pub(super) regime: Regime,
     /// In the order of the observation's motions, over the load.
-    pub(in crate::measure) values: Vec<Complex<f64>>,
+    pub(super) values: Vec<Complex<f64>>,
 }
 
 /// The first spring's stiffness.
@@ -43,11 +43,7 @@ pub(super) fn force_scale(system: &System, load: Load) -> f64 {
 }
 
 /// The response at a friction force in N; none where there is no steady one.
-pub(in crate::measure) fn answer(
-    system: &System,
-    seen: &Observation,
-    friction: f64,
-) -> Option<Answer> {
+pub(super) fn answer(system: &System, seen: &Observation, friction: f64) -> Option<Answer> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let beta = friction / force_scale(system, seen.load);
     let at = system.at(r).ok()?;
@@ -157,7 +153,7 @@ pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> 
 
 /// What a derivative is taken with respect to.
 #[derive(Clone, Copy)]
-pub(in crate::measure) enum Direction {
+pub(super) enum Direction {
     /// The friction force, N.
     Friction,
     /// A factor on all frequencies, at 1.
@@ -167,14 +163,14 @@ pub(in crate::measure) enum Direction {
 }
 
 /// A scene that carries one derivative through every answer.
-pub(in crate::measure) struct Along<'s> {
+pub(super) struct Along<'s> {
     system: &'s System,
     direction: Direction,
     varied: Varied,
 }
 
 impl<'s> Along<'s> {
-    pub(in crate::measure) fn new(system: &'s System, direction: Direction) -> Option<Self> {
+    pub(super) fn new(system: &'s System, direction: Direction) -> Option<Self> {
         let varied = match direction {
             Direction::Quantity(quantity) => system.along(quantity)?,
             _ => system.unvaried(),
@@ -187,11 +183,7 @@ impl<'s> Along<'s> {
     }
 
     /// The derivatives of the values of [`answer`]; none where there is no derivative.
-    pub(in crate::measure) fn slopes(
-        &self,
-        seen: &Observation,
-        friction: f64,
-    ) -> Option<Vec<Complex<f64>>> {
+    pub(super) fn slopes(&self, seen: &Observation, friction: f64) -> Option<Vec<Complex<f64>>> {
         let number = |value: f64, own: bool| -> Sensitive {
             let value = Dd::from(value);
             if own {

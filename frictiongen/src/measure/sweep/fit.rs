@@ -19,25 +19,20 @@ const GOOD: f64 = 2.0;
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
+/// A hop that comes so near to the best fit, of each parameter, ends there.
+const BACK: f64 = 1e-5;
+
 impl Sweep<'_> {
     /// Places from which a fit may start, the best first.
     fn starts(&self) -> Vec<Vec<f64>> {
         let own = self.start();
-        let [low, high] = FACTORS;
-        let factors = (0..=TRIED).map(|i| low * (high / low).powf(f64::from(i) / f64::from(TRIED)));
         let ratios = own.len() - 1 - usize::from(self.damping);
         let each: &[f64] = match ratios {
             0..=2 => &TWO,
             3..=4 => &THREE,
             _ => &[1.0],
         };
-        let mut tried: Vec<Vec<f64>> = factors
-            .map(|factor| {
-                std::iter::once(factor)
-                    .chain(own.iter().skip(1).copied())
-                    .collect()
-            })
-            .collect();
+        let mut tried = vec![own];
         for place in 1..=ratios {
             let others = tried.iter().flat_map(|start| {
                 each.iter().map(move |ratio| {
@@ -50,10 +45,28 @@ impl Sweep<'_> {
             });
             tried = others.collect();
         }
-        let mut judged: Vec<(f64, Vec<f64>)> = tried
-            .into_iter()
-            .filter_map(|start| Some((self.residuals(&start, Form::Log)?.norm_squared(), start)))
+        let [low, high] = FACTORS;
+        let share = |i: u32| f64::from(i) / f64::from(TRIED);
+        let factors: Vec<f64> = (0..=TRIED)
+            .map(|i| low * (high / low).powf(share(i)))
             .collect();
+        let mut judged = Vec::new();
+        for ratios in tried {
+            // One analysis for all frequencies: they scale.
+            let Some(system) = self.at(&ratios) else {
+                continue;
+            };
+            for factor in &factors {
+                let Some(values) = self.values(&system, *factor) else {
+                    continue;
+                };
+                let mut start = ratios.clone();
+                if let Some(first) = start.first_mut() {
+                    *first = *factor;
+                }
+                judged.push((self.compared(&values, Form::Log).norm_squared(), start));
+            }
+        }
         judged.sort_by(|a, b| a.0.total_cmp(&b.0));
         judged
             .into_iter()
@@ -104,10 +117,20 @@ impl Sweep<'_> {
         for _ in 0..ROUNDS {
             let places = 0..best.parameters.len();
             let hops = places.flat_map(|place| HOPS.map(|hop| (place, hop)));
+            let known = &best.parameters;
             let found = hops.filter_map(|(place, hop)| {
-                let mut start = best.parameters.clone();
+                let mut start = known.clone();
                 *start.get_mut(place)? *= hop;
-                run(&start, Form::Plain).filter(|fit| fit.settled)
+                let linearise = |at: &[f64]| {
+                    let pairs = at.iter().zip(known);
+                    let back = pairs.fold(0.0_f64, |most, (new, old)| {
+                        most.max((new - old).abs() / old.abs().max(BACK))
+                    });
+                    // Most hops fall back to where they came from.
+                    (BACK < back).then(|| self.linearise(at, Form::Plain))?
+                };
+                let residuals = |at: &[f64]| self.residuals(at, Form::Plain);
+                minimise(&start, &bounds(&start), residuals, linearise).filter(|fit| fit.settled)
             });
             let found = found.min_by(|a, b| a.squares.total_cmp(&b.squares));
             match found.filter(|fit| fit.squares < BETTER * best.squares) {

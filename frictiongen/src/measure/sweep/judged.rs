@@ -17,7 +17,7 @@ const DIFFERENCE: f64 = 1e-6;
 
 pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureError> {
     let system = sweep.at(&fit.parameters).ok_or(MeasureError::NoFit)?;
-    let values = sweep.values(&system).ok_or(MeasureError::NoFit)?;
+    let values = sweep.values(&system, 1.0).ok_or(MeasureError::NoFit)?;
     let pairs = sweep.points.iter().zip(&values);
     let residuals: Vec<f64> = pairs
         .map(|(point, value)| point.amplitude - value.norm())

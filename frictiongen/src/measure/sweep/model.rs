@@ -2,11 +2,14 @@
 
 use super::SweepPoint;
 use crate::Complex;
-use crate::measure::identify::model::{Along, Direction, answer};
-use crate::measure::identify::{Datum, Observation};
 use crate::measure::least_squares::Linearised;
 use crate::study::scene::Damping;
-use crate::study::{Load, Quantity, System};
+use crate::study::units::angular_frequency;
+use crate::study::{Quantity, System};
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
+use frictiongen_kernel::{Float, Scalar};
+use frictiongen_model::modal::Modal;
 use nalgebra::{DMatrix, DVector};
 
 /// A logarithm of amplitudes does not count more than this.
@@ -18,7 +21,6 @@ const SOME_DAMPING: f64 = 0.005;
 pub(super) struct Sweep<'a> {
     pub(super) system: &'a System,
     pub(super) points: &'a [SweepPoint],
-    seen: Vec<Observation>,
     pub(super) damping: bool,
 }
 
@@ -27,7 +29,6 @@ impl<'a> Sweep<'a> {
         Self {
             system,
             points,
-            seen: points.iter().map(observation).collect(),
             damping,
         }
     }
@@ -87,40 +88,33 @@ impl<'a> Sweep<'a> {
         System::try_from(scene).ok()
     }
 
-    /// The directions of a parameter, with what each is multiplied by; in the scene of these parameters.
-    fn directions(
-        &self,
-        parameters: &[f64],
-        index: usize,
-        system: &System,
-    ) -> Vec<(Direction, f64)> {
+    /// The quantities that a parameter moves, with what each is multiplied by; in the scene of these parameters.  The first
+    /// parameter moves r instead.
+    fn directions(&self, index: usize, system: &System) -> Vec<(Quantity, f64)> {
         let masses = self.masses();
-        let springs = system.scene().springs.len();
         let scene = system.scene();
-        if index == 0 {
-            let factor = parameters.first().copied().unwrap_or(1.0);
-            return vec![(Direction::Frequencies, 1.0 / factor)];
-        }
         if index < masses {
-            return vec![(Direction::Quantity(Quantity::Mass(index)), self.mass(0))];
+            return vec![(Quantity::Mass(index), self.mass(0))];
         }
         let spring = index + 1 - masses;
-        if spring < springs {
+        if spring < scene.springs.len() {
             let first = scene.springs.first().map_or(1.0, |spring| spring.stiffness);
-            return vec![(Direction::Quantity(Quantity::Stiffness(spring)), first)];
+            return vec![(Quantity::Stiffness(spring), first)];
         }
         (0..masses)
-            .map(|mode| (Direction::Quantity(Quantity::DampingRatio(mode)), 1.0))
+            .map(|mode| (Quantity::DampingRatio(mode), 1.0))
             .collect()
     }
 
-    /// The amplitudes of a scene, with what they are made of.
-    pub(super) fn values(&self, system: &System) -> Option<Vec<Complex<f64>>> {
-        let answers = self
-            .seen
-            .iter()
-            .map(|seen| answer(system, seen, 0.0)?.values.first().copied());
-        answers.collect()
+    /// The amplitudes of a scene whose frequencies are a factor higher, with what they are made of; none on a resonance without
+    /// damping.
+    pub(super) fn values(&self, system: &System, factor: f64) -> Option<Vec<Complex<f64>>> {
+        let values = self.points.iter().map(|point| {
+            let r = ratio(system, point) / factor;
+            let [re, im] = free(system.modal(), point.mass, r, |value| value.to_f64())?;
+            (re.is_finite() && im.is_finite()).then_some(Complex::new(re, im))
+        });
+        values.collect()
     }
 
     /// What a residual is divided by.
@@ -129,7 +123,11 @@ impl<'a> Sweep<'a> {
     }
 
     pub(super) fn residuals(&self, parameters: &[f64], form: Form) -> Option<DVector<f64>> {
-        let values = self.values(&self.at(parameters)?)?;
+        Some(self.compared(&self.values(&self.at(parameters)?, 1.0)?, form))
+    }
+
+    /// Points beside a scene's amplitudes.
+    pub(super) fn compared(&self, values: &[Complex<f64>], form: Form) -> DVector<f64> {
         let residuals = self
             .points
             .iter()
@@ -138,24 +136,36 @@ impl<'a> Sweep<'a> {
                 Form::Plain => (point.amplitude - value.norm()) / Self::weight(point),
                 Form::Log => (point.amplitude / value.norm()).ln().clamp(-FAR, FAR),
             });
-        Some(DVector::from_iterator(self.points.len(), residuals))
+        DVector::from_iterator(self.points.len(), residuals)
     }
 
     pub(super) fn linearise(&self, parameters: &[f64], form: Form) -> Option<Linearised> {
-        let residuals = self.residuals(parameters, form)?;
         let system = self.at(parameters)?;
-        let values = self.values(&system)?;
+        let values = self.values(&system, 1.0)?;
+        let residuals = self.compared(&values, form);
         let mut jacobian = DMatrix::zeros(residuals.len(), parameters.len());
-        for index in 0..parameters.len() {
-            for (direction, scale) in self.directions(parameters, index, &system) {
-                let along = Along::new(&system, direction)?;
-                for (row, (point, seen)) in self.points.iter().zip(&self.seen).enumerate() {
-                    let (value, slope) = (*values.get(row)?, *along.slopes(seen, 0.0)?.first()?);
+        for (index, parameter) in parameters.iter().enumerate() {
+            let along = if index == 0 {
+                vec![(system.modal().fixed(), 1.0)]
+            } else {
+                let directions = self.directions(index, &system);
+                let along = directions.into_iter().map(|(quantity, scale)| {
+                    Some((system.modal().along(system.scene(), quantity)?, scale))
+                });
+                along.collect::<Option<Vec<_>>>()?
+            };
+            for (row, (point, value)) in self.points.iter().zip(&values).enumerate() {
+                let r = ratio(&system, point);
+                // Frequencies that are a factor higher make r lower.
+                let slope = if index == 0 { -r / parameter } else { 0.0 };
+                let r = Dual { value: r, slope };
+                let far = residuals
+                    .get(row)
+                    .is_some_and(|residual| FAR <= residual.abs());
+                for (modal, scale) in &along {
+                    let [re, im] = free(modal, point.mass, r, plain)?;
                     let size = value.norm();
-                    let change = scale * (value.re * slope.re + value.im * slope.im) / size;
-                    let far = residuals
-                        .get(row)
-                        .is_some_and(|residual| FAR <= residual.abs());
+                    let change = scale * (value.re * re.slope + value.im * im.slope) / size;
                     *jacobian.get_mut((row, index))? -= match form {
                         Form::Plain => change / Self::weight(point),
                         Form::Log if far => 0.0,
@@ -178,16 +188,85 @@ pub(super) enum Form {
     Log,
 }
 
-fn observation(point: &SweepPoint) -> Observation {
-    Observation {
-        hertz: point.hertz,
-        load: Load::Base(1.0),
-        load_deviation: 0.0,
-        motions: vec![Datum {
-            mass: point.mass,
-            harmonic: 1,
-            value: Complex::new(point.amplitude, 0.0),
-            deviation: 1.0,
-        }],
+/// The frequency ratio of a point.
+fn ratio(system: &System, point: &SweepPoint) -> f64 {
+    system.frequency_ratio(angular_frequency(point.hertz))
+}
+
+/// Sixteen digits are enough for the steps of a fit.
+fn plain(number: Dual<Dd>) -> Dual<f64> {
+    Dual {
+        value: number.value.to_f64(),
+        slope: number.slope.to_f64(),
+    }
+}
+
+/// X/Y of a mass without friction, the sum of its modes' parts, real and imaginary: Σ φ φᵀp/(λ − r² + 2iζ√λ r).
+fn free<F: Float, T: Scalar>(
+    modal: &Modal<F>,
+    mass: usize,
+    r: T,
+    to: impl Fn(F) -> T,
+) -> Option<[T; 2]> {
+    let zero = T::constant(0.0);
+    let modes = modal.resonances.iter().zip(&modal.damping_ratios);
+    let modes = modes.zip(modal.loads.iter().zip(&modal.shapes));
+    let mut sum = [zero, zero];
+    for ((resonance, zeta), (load, shape)) in modes {
+        let share = to(*shape.get(mass)?) * to(*load);
+        let (resonance, zeta) = (to(*resonance), to(*zeta));
+        let gap = (resonance - r) * (resonance + r);
+        let loss = (zeta + zeta) * resonance * r;
+        let square = gap * gap + loss * loss;
+        sum = [
+            sum[0] + share * gap / square,
+            sum[1] - share * loss / square,
+        ];
+    }
+    Some(sum)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may fail")]
+mod tests {
+    use super::{free, plain};
+    use crate::Of;
+    use crate::study::{Quantity, Sensitive, System};
+    use frictiongen_kernel::number::dual::Dual;
+
+    /// The sum of the modes beside the fundamental of the continuous motion, and its derivative beside that one's.
+    #[test]
+    fn the_motion_without_friction() {
+        let system: System = "struct Frame {
+            masses: { lower: 3.27, upper: 3.25 },
+            springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+            contact: lower - wall, excitation: base, damping: modal[0.01, 0.03],
+        }"
+        .parse()
+        .unwrap();
+        let along = system.along(Quantity::Mass(1)).unwrap();
+        for r in [0.2, 0.61, 1.3, 1.62, 4.0] {
+            for mass in 0..2 {
+                let [re, im] = free(system.modal(), mass, r, |value| value.to_f64()).unwrap();
+                let at = system.at(r).unwrap();
+                let response = at.response(0.0).unwrap();
+                let exact = response.harmonic(Of::Mass(mass), 1).unwrap();
+                // Rounded once for each of a dozen operations.
+                let near = 1e-13 * exact.norm();
+                assert!((re - exact.re).abs() < near && (im - exact.im).abs() < near);
+                let fixed = Dual {
+                    value: r,
+                    slope: 0.0,
+                };
+                let [re, im] = free(along.modal(), mass, fixed, plain).unwrap();
+                let zero = Sensitive::fixed(0.0.into());
+                let motion = along.at(Sensitive::fixed(r.into())).unwrap();
+                let exact = motion.motion(zero).unwrap();
+                let exact = exact.mass_at(mass).unwrap().harmonic(1);
+                let near = 1e-12 * exact.re.slope.to_f64().hypot(exact.im.slope.to_f64());
+                assert!((re.slope - exact.re.slope.to_f64()).abs() <= near);
+                assert!((im.slope - exact.im.slope.to_f64()).abs() <= near);
+            }
+        }
     }
 }

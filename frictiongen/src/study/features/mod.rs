@@ -2,7 +2,7 @@
 //! sliding ranges, regimes along frequency, peaks.
 //!
 //! Zeros of functions in closed form are found by intervals ([`Certainty::Proven`]); what rests on a search over the half
-//! period, or on steady states with stops, is sampled and refined ([`Certainty::Sampled`]).
+//! period, or on steady states with stops, is sampled in steps of a stated length and refined ([`Certainty::Sampled`]).
 
 mod functions;
 mod interval;
@@ -32,8 +32,20 @@ pub enum Certainty {
     /// Every one in the range is found, by a closed form or by intervals: two nearer to each other than 1e-9 of their
     /// place may count as one, and one within 1e-13 of a pole does not show.
     Proven,
-    /// Sampled closely and refined: a pair within one step of the samples may be missed.
-    Sampled,
+    /// Sampled and refined: every stretch that is longer than one of so many equal parts of the range, over 1/r, is found.  Of
+    /// shorter ones those are found that lie where the function comes near to its level between three samples, or beside a
+    /// resonance or an odd sub-harmonic of one.
+    Sampled {
+        /// The parts.
+        steps: u32,
+    },
+}
+
+impl Certainty {
+    /// The parts of a range that is sampled.
+    pub const STEPS: u32 = 8192;
+
+    const SAMPLED: Self = Self::Sampled { steps: Self::STEPS };
 }
 
 /// Why there are no features.

@@ -1,11 +1,12 @@
 //! Resonant peaks, estimated and true, and where the exact amplitudes of two frictions cross.
 
-use super::places::{changes, samples};
+use super::places::{changes, merge, samples, steps};
 use super::sensed::Sensed;
 use super::{FeatureError, Features, check_friction, check_range};
+use crate::study::optimum::Friction;
 use crate::study::optimum::peaks::Band;
-use crate::study::optimum::{Friction, PEAK_PLACE};
 use crate::study::physical::swing;
+use crate::study::sensitivity::{Sensitive, Varied};
 use crate::{Of, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
@@ -13,8 +14,10 @@ use frictiongen_kernel::number::dual::Dual;
 /// The largest amplitude about a resonance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TruePeak {
-    /// r, to 1e-8 of it where the peak is smooth: an amplitude is flat there.
+    /// r.
     pub r: f64,
+    /// In Hz under a load; with its derivatives where the peak is smooth.
+    pub frequency: Sensed,
     /// In m under a load; infinite on an undamped resonance below its threshold.
     pub amplitude: Sensed,
     /// The regime there; none where it is infinite.
@@ -47,12 +50,18 @@ pub struct Crossing {
     pub amplitude: f64,
 }
 
-/// Samples over each range in which both frictions let the contact slide all the time.
-const SAMPLES: usize = 512;
+/// Samples over each range in which both frictions let the contact slide all the time, beside the steps of the range.
+const SAMPLES: usize = 128;
+/// The step of a difference beside a peak, of r.
+const BESIDE: f64 = 1e-6;
+/// Beside a smooth peak the slope grows in proportion to the distance, to this part.
+const STRAIGHT: f64 = 0.1;
 
 impl Features<'_> {
     /// The peak of a motion at every resonance of the chain, at β: what (7.60) estimates and the largest amplitude itself,
-    /// over all regimes.  The true peaks are sampled and refined: [`Certainty::Sampled`](super::Certainty::Sampled).
+    /// over all regimes.  The true peaks are sampled and refined: closely about the resonances of the chain and of the chain
+    /// with its contact stuck and about their odd sub-harmonics, and at 96 places between.  An amplitude that is steady over
+    /// frequency costs much where the motion stops; no resolution is promised.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::UnknownMass`].
@@ -112,37 +121,90 @@ impl Features<'_> {
             slopes: Vec::new(),
         };
         if best.value.is_infinite() {
+            // It stays on its resonance.
+            let frequency = self
+                .variations
+                .of_frequency(best.r, Some(beta), |variation| {
+                    let mut modes = variation.varied.modal().resonances.iter();
+                    let own = modes.find(|resonance| resonance.value.to_f64() == best.r)?;
+                    Some(own.slope)
+                });
             return Some(TruePeak {
                 r: best.r,
+                frequency,
                 amplitude: none(f64::INFINITY),
                 regime: None,
             });
         }
-        let response = self.system.at(best.r).ok()?.response(beta).ok()?;
+        let smooth = self.smooth(of, beta, best.r);
+        let r = smooth.as_ref().map_or(best.r, |(r, _)| *r);
+        let response = self.system.at(r).ok()?.response(beta).ok()?;
         let scale = self.variations.scale;
         let value = self.variations.length(best.value);
         // At a peak the amplitude does not change with r: its derivatives are those at a constant r, or at a constant Hz.
         let amplitude = self.variations.sensed(value, Some(beta), |variation| {
             let friction = variation.beta(beta, scale);
-            let r = Dual::fixed(Dd::from(best.r));
+            let r = Dual::fixed(Dd::from(r));
             let answer = swing(&variation.varied, &response, (r, friction), of, false);
             Some(answer.ok()?.0 * variation.length)
         });
-        let smooth = PEAK_PLACE * 1e3 * best.r;
-        let beside = |r: f64| self.system.at(r).ok()?.response(beta).ok()?.swing(of);
-        let kinked = [best.r - smooth, best.r + smooth].iter().any(|r| {
-            beside(*r).is_none_or(|swing| (best.value - swing.amplitude) > 1e-7 * best.value)
-        });
-        Some(TruePeak {
-            r: best.r,
+        let regime = Some(response.regime());
+        Some(match smooth {
+            Some((r, frequency)) => TruePeak {
+                r,
+                frequency,
+                amplitude,
+                regime,
+            },
             // On a kink, where the regime changes, the peak moves along it.
-            amplitude: if kinked { none(value) } else { amplitude },
-            regime: Some(response.regime()),
+            None => TruePeak {
+                r,
+                frequency: self.variations.of_frequency(r, Some(beta), |_| None),
+                amplitude: none(value),
+                regime,
+            },
         })
     }
 
+    /// The place of a smooth peak near r, and how it moves; none where the amplitude has a kink.
+    ///
+    /// ∂A/∂r is 0 there, so that dr/dp = −(∂²A/∂r∂p)/(∂²A/∂r²).  Second derivatives are differences of exact first ones.
+    fn smooth(&self, of: Of, beta: f64, r: f64) -> Option<(f64, Sensed)> {
+        let slope = |varied: &Varied, r: Sensitive, beta: Sensitive| {
+            let at = self.system.at(r.value.to_f64()).ok()?;
+            let response = at.response(beta.value.to_f64()).ok()?;
+            let answer = swing(varied, &response, (r, beta), of, false);
+            Some(answer.ok()?.0.slope.to_f64())
+        };
+        let fixed = Dual::fixed(Dd::from(beta));
+        let along = |r: f64| {
+            let r = Dual::variable(Dd::from(r));
+            slope(&self.variations.unvaried, r, fixed)
+        };
+        let step = BESIDE * r;
+        let [far, below, above, beyond] =
+            [-2.0, -1.0, 1.0, 2.0].map(|steps| along(r + steps * step));
+        let (far, below, above, beyond) = (far?, below?, above?, beyond?);
+        let bent = |near: f64, far: f64| (far - 2.0 * near).abs() < STRAIGHT * far.abs();
+        if !(0.0 < below && above < 0.0 && bent(below, far) && bent(above, beyond)) {
+            return None;
+        }
+        let bend = (above - below) / (2.0 * step);
+        // The amplitude itself is flat and tells the place to half of the digits only.
+        let r = r - along(r)? / bend;
+        let scale = self.variations.scale;
+        let frequency = self.variations.of_frequency(r, Some(beta), |variation| {
+            let friction = variation.beta(beta, scale);
+            let moved = |r: f64| slope(&variation.varied, Dual::fixed(Dd::from(r)), friction);
+            let mixed = (moved(r + step)? - moved(r - step)?) / (2.0 * step);
+            Some(Dd::from(-mixed / bend))
+        });
+        Some((r, frequency))
+    }
+
     /// Where the exact amplitudes of a motion at two friction ratios cross, as long as the contact slides all the time at
-    /// both: ascending.  With damping too.  Sampled: [`Certainty::Sampled`](super::Certainty::Sampled).
+    /// both: ascending.  With damping too.  Sampled: two that are further apart than one of
+    /// [`Certainty::STEPS`](super::Certainty::STEPS) equal parts of the range, over 1/r, are told apart.
     ///
     /// Each pair of frictions has its own crossings; of the contact's motion without damping they are the
     /// [`invariant_points`](Self::invariant_points), where the amplitudes touch, and are not listed here.
@@ -182,6 +244,7 @@ impl Features<'_> {
             .iter()
             .map(|r| r.to_f64())
             .collect();
+        let steps = steps(range);
         let mut found = Vec::new();
         for stretch in regimes
             .iter()
@@ -194,7 +257,9 @@ impl Features<'_> {
                 .collect();
             // The end of the regime belongs to another.
             let ends = [stretch.from * (1.0 + 1e-12), stretch.to * (1.0 - 1e-12)];
-            for r in changes(&samples(ends, SAMPLES, &marks), gain) {
+            let mut places = samples(ends, SAMPLES, &marks);
+            merge(&mut places, &steps);
+            for r in changes(&places, gain) {
                 let Some(height) = amplitude(r, less) else {
                     continue;
                 };

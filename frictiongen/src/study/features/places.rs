@@ -1,5 +1,7 @@
 //! Where the sign of something changes that can only be sampled: refined where it comes near to 0.
 
+use super::Certainty;
+
 /// Of neighbouring samples, three of one sign whose middle is nearest to 0 may hide two changes: steps of the search there,
 /// each keeps 0.62 of an interval.
 const STEPS: usize = 60;
@@ -25,6 +27,25 @@ pub(super) fn samples([from, to]: [f64; 2], count: usize, marks: &[f64]) -> Vec<
     places.sort_by(f64::total_cmp);
     places.dedup();
     places
+}
+
+/// The ends of the equal parts of a range over 1/r, over which sub-harmonics are evenly spaced.
+pub(super) fn steps([from, to]: [f64; 2]) -> Vec<f64> {
+    let count = Certainty::STEPS;
+    let (first, last) = (1.0 / from, 1.0 / to);
+    (1..count)
+        .map(|i| 1.0 / (first + (last - first) * (f64::from(i) / f64::from(count))))
+        .collect()
+}
+
+/// Adds those of `steps` that lie between the first and the last of ascending places.
+pub(super) fn merge(places: &mut Vec<f64>, steps: &[f64]) {
+    let (Some(first), Some(last)) = (places.first().copied(), places.last().copied()) else {
+        return;
+    };
+    places.extend(steps.iter().filter(|r| first < **r && **r < last));
+    places.sort_by(f64::total_cmp);
+    places.dedup();
 }
 
 /// Where a function changes its sign between samples, ascending; a place without a value belongs to neither sign.

@@ -2,7 +2,7 @@
 
 use super::functions::Target;
 use super::isolate::Function;
-use super::places::{changes, samples};
+use super::places::{changes, merge, samples, steps};
 use super::sensed::Sensed;
 use super::sliding::Bound;
 use super::{Certainty, FeatureError, Features, check_friction, check_range, exact};
@@ -32,7 +32,7 @@ pub struct RegimeRange {
     pub end: RegimeEnd,
 }
 
-/// Samples over each stretch in which β_lim may exceed β.
+/// Samples over each stretch in which β_lim may exceed β, beside the steps of the range.
 const SAMPLES: usize = 128;
 /// The odd sub-harmonics that are looked at closely, at most.
 const SUBHARMONICS: usize = 12;
@@ -42,8 +42,8 @@ impl Features<'_> {
     ///
     /// Where β*_lim = β is found by intervals.  β_lim rests on a search over the half period; without damping it is a closed
     /// form for r ≥ √λ_N/2, and below it is at most one everywhere.  So without damping a range that lies above √λ_N/2 is
-    /// proven; otherwise stretches in which the closed form exceeds β are sampled.  There an island of the stick-slip
-    /// regime narrower than one of 128 samples, which is not about a pole of U or a zero of V, may be missed.
+    /// proven; otherwise stretches in which the closed form exceeds β are sampled.  There an island of a regime narrower
+    /// than one of [`Certainty::STEPS`] equal parts of the range, over 1/r, may be missed.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::Crowded`].
@@ -143,6 +143,7 @@ impl Features<'_> {
             return Ok((bounds, Certainty::Proven));
         }
         edges.push(last);
+        let steps = steps([from, last]);
         let limit = |r: f64| (self.continuous_limit(r) / beta).ln();
         for stretch in edges.windows(2) {
             let &[low, high] = stretch else { continue };
@@ -163,14 +164,16 @@ impl Features<'_> {
                 .copied()
                 .filter(|r| low <= *r && *r <= high)
                 .collect();
-            for r in changes(&samples([low, high], SAMPLES, &own), limit) {
+            let mut places = samples([low, high], SAMPLES, &own);
+            merge(&mut places, &steps);
+            for r in changes(&places, limit) {
                 bounds.push(self.continuous_bound(r, beta));
             }
             bounds.push(self.continuous_bound(low, beta));
         }
         bounds.sort_by(|a, b| a.r.total_cmp(&b.r));
         bounds.dedup_by(|b, a| (b.r - a.r).abs() <= 1e-14 * a.r);
-        Ok((bounds, Certainty::Sampled))
+        Ok((bounds, Certainty::SAMPLED))
     }
 
     /// A place where β_lim may be β, with its derivatives.

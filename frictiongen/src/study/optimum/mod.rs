@@ -13,7 +13,6 @@ use super::units::{Load, angular_frequency};
 use crate::{Of, Regime};
 pub(in crate::study) use amplitude::Friction;
 use peaks::Band;
-pub(in crate::study) use peaks::PLACE as PEAK_PLACE;
 use search::Kind;
 
 /// A band of frequencies.

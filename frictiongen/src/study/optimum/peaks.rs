@@ -16,7 +16,7 @@ const MOST_SUBHARMONICS: u32 = 9;
 /// A local maximum of the places below this share of the largest is not refined.
 const WORTH: f64 = 0.7;
 /// How near to the place of a maximum a search goes: its value is then right to rounding.
-pub(in crate::study) const PLACE: f64 = 2e-9;
+const PLACE: f64 = 2e-9;
 /// Where a maximum moves along, its first bracket.
 const NEIGHBOUR: f64 = 2e-3;
 /// An amplitude from which on it is no finite one.

@@ -1,0 +1,185 @@
+//! The rig of 6.4: where its disc stands, and what its parameters are found from (6.4.2, appendix A).
+
+use super::systems::{M1, rig};
+use frictiongen::measure::{Measured, SweepFit, SweepPoint};
+use frictiongen::{Complex, Of, System};
+use frictiongen_examples::draw::{drawn, part_colour, tidy};
+use frictiongen_examples::rig::{
+    LENGTH, Noise, STOREYS, two_storeys, without_friction as recorded,
+};
+use frictiongen_plot::{
+    Across, Anchor, Axis, Figure, Guide, Key, Line, Marker, Markers, Note, Panel, Sketch, Stroke,
+};
+use std::error::Error;
+
+type Drawn = Result<Figure, Box<dyn Error>>;
+
+const GAMMA: f64 = STOREYS[0];
+const KAPPA: f64 = STOREYS[1];
+/// r₁ for each Hz.
+const SECONDS: f64 = STOREYS[2];
+
+fn configuration(number: &str, title: &str, contact: &str, caption: &str) -> Figure {
+    Figure::new(number, title, 1, Vec::new())
+        .with_sketch(drawn(&rig(contact)))
+        .with_caption(caption)
+}
+
+/// 6.18a.
+pub fn disc_on_the_lower() -> Drawn {
+    let caption = "Two storeys on a base that moves; a counterweight pinned to the external frame presses a disc on the lower plate.";
+    Ok(configuration(
+        "6.18a",
+        "Contact of the lower plate",
+        "m1 - wall",
+        caption,
+    ))
+}
+
+/// 6.18b.
+pub fn disc_on_the_upper() -> Drawn {
+    let caption = "The same with the disc on the upper plate.";
+    Ok(configuration(
+        "6.18b",
+        "Contact of the upper plate",
+        "m2 - wall",
+        caption,
+    ))
+}
+
+/// A driving frequency in Hz, X₁/Y there and its deviation.
+type Point = (f64, Complex<f64>, f64);
+
+/// What recordings without friction say.
+fn read() -> Result<Vec<Point>, Box<dyn Error>> {
+    let rig = two_storeys()?;
+    let mut noise = Noise::new(619);
+    let mut points = Vec::new();
+    for i in 2..=32 {
+        let recording = recorded(&rig, 0.25 * f64::from(i), LENGTH, &mut noise)?;
+        let measured = Measured::of(&recording, rig.scene())?;
+        let found = measured.transmissibility(0).ok_or("not recorded")?;
+        points.push((measured.hertz, found.value, found.deviation));
+    }
+    Ok(points)
+}
+
+/// The parameters, from the amplitudes of the lower plate and two equal storeys to start from.
+fn fitted(points: &[Point]) -> Result<SweepFit, Box<dyn Error>> {
+    let guess: System = "struct Storeys {
+        masses: { m1: 3.0, m2: 3.0 }, springs: { base - m1: 1000.0, m1 - m2: 1000.0 }, contact: m1 - wall, excitation: base,
+    }"
+    .parse()?;
+    let sweep: Vec<SweepPoint> = points
+        .iter()
+        .map(|(hertz, value, deviation)| SweepPoint {
+            hertz: *hertz,
+            mass: 0,
+            amplitude: value.norm(),
+            deviation: Some(*deviation),
+        })
+        .collect();
+    Ok(guess.fit_sweep(&sweep, false)?)
+}
+
+/// 6.19.
+pub fn without_friction() -> Drawn {
+    let points = read()?;
+    let found = fitted(&points)?;
+    let system = rig("m1 - base");
+    let parts = [
+        ("*X̄*_1, lower mass", M1),
+        ("*Z̄*, lower mass and base", Of::Contact),
+    ];
+    let mut panel = Panel::new(
+        "",
+        Axis::new("frequency (Hz)", 0.0, 8.0),
+        Axis::log("amplitude over *Y*", 1e-3, 1e3),
+    );
+    let antiresonance = (KAPPA / GAMMA).sqrt();
+    let relative = (KAPPA * (1.0 + GAMMA) / GAMMA).sqrt();
+    let resonances = system.resonances();
+    let [first, second] = [0, 1].map(|i| resonances.get(i).copied().unwrap_or(f64::NAN));
+    let guides = [
+        ("*f*_1", first),
+        ("*f*_0", antiresonance),
+        ("*f*_{*z*0}", relative),
+        ("*f*_2", second),
+    ];
+    for (name, r) in guides {
+        let hertz = r / SECONDS;
+        panel = panel.with(Guide::new(Across::X(hertz))).with(Note::new(
+            name,
+            (hertz + 0.06, 350.0),
+            Anchor::Start,
+        ));
+    }
+    for (index, (name, of)) in parts.into_iter().enumerate() {
+        let stroke = if index == 0 {
+            Stroke::Solid
+        } else {
+            Stroke::Dashed
+        };
+        let pieces = undamped(&system, of, &guides.map(|guide| guide.1));
+        panel = panel.with(Line::new(name, part_colour(index), stroke, pieces));
+        // z = x₁ − y (A.12).
+        let base = Complex::new(f64::from(index as u32), 0.0);
+        let circles = points
+            .iter()
+            .map(|(hertz, value, _)| (*hertz, (value - base).norm()));
+        let circles = circles.collect();
+        panel = panel.with(Markers::unnamed(
+            part_colour(index),
+            Marker::Circle,
+            circles,
+        ));
+    }
+    let said = guides.map(|(name, r)| format!("{name} = {:.2} Hz", r / SECONDS));
+    let sketch = Sketch {
+        contact: None,
+        ..drawn(&system)
+    };
+    let (gamma, kappa) = (found.masses.first(), found.springs.first());
+    let (gamma, kappa) = gamma.zip(kappa).ok_or("no ratios")?;
+    let reference = found.reference;
+    Ok(Figure::new("6.19", "The rig without friction", 1, vec![tidy(panel)])
+        .with_sketch(sketch)
+        .with_keys([Key::marker("read from recordings", Marker::Circle)])
+        .with_caption(format!(
+            "Theory for *γ* = 0.9772, *κ* = 1.1119, *r*_1 = 0.3419 s × frequency in Hz, and synthetic recordings of 60 s at 2 kHz with \
+             noise of 40 dB. Two resonances and two antiresonances, of the lower mass and of its motion relative to the base, give \
+             all three parameters: {}. A fit of the amplitudes of the lower mass gives *γ* = {:.5} (95 % from {:.5} to {:.5}), \
+             *κ* = {:.5} ({:.5} to {:.5}) and *r*_1 = {:.6} s × frequency.",
+            said.join(", "),
+            gamma.value,
+            gamma.from,
+            gamma.to,
+            kappa.value,
+            kappa.from,
+            kappa.to,
+            1.0 / reference.value,
+        )))
+}
+
+/// An amplitude without friction, between the places where it has none or no end.
+fn undamped(system: &System, of: Of, marks: &[f64]) -> Vec<Vec<(f64, f64)>> {
+    let steps = 800;
+    let width = 8.0 * SECONDS;
+    let mut ends: Vec<f64> = marks.iter().copied().chain([0.0, width]).collect();
+    ends.sort_by(f64::total_cmp);
+    let mut pieces = Vec::new();
+    for pair in ends.windows(2) {
+        let &[from, to] = pair else { continue };
+        // Closer and closer to both ends.
+        let place = |i: u32| {
+            let share = f64::from(i) / f64::from(steps);
+            from + (to - from) * 0.5 * (1.0 + (6.0 * (2.0 * share - 1.0)).tanh() / 6.0_f64.tanh())
+        };
+        let read = |r: f64| {
+            let swing = system.at(r).ok()?.response(0.0).ok()?.swing(of)?;
+            (0.0 < swing.amplitude).then_some((r / SECONDS, swing.amplitude))
+        };
+        pieces.push((1..steps).filter_map(|i| read(place(i))).collect());
+    }
+    pieces
+}

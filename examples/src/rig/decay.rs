@@ -1,0 +1,29 @@
+//! A free vibration.
+
+use super::{NATURAL, Noise};
+use std::f64::consts::PI;
+
+/// A free vibration from 20 mm, in mm: about ±F/k in turn (4.2).
+#[must_use]
+pub fn decay(length: f64, rate: f64, seconds: f64, noise: &mut Noise) -> Vec<f64> {
+    let half = 0.5 / NATURAL;
+    let mut samples = Vec::new();
+    for index in 0..(rate * seconds) as u32 {
+        // Held for half a second, then let go.
+        let since = (f64::from(index) / rate - 0.5).max(0.0);
+        let (mut swing, mut extreme) = (0.0, 20.0_f64);
+        while swing + 1.0 <= since / half && length < extreme.abs() {
+            extreme = 2.0 * length * extreme.signum() - extreme;
+            swing += 1.0;
+        }
+        let centre = length * extreme.signum();
+        let moves = length < extreme.abs();
+        let x = if moves {
+            centre + (extreme - centre) * (PI * (since / half - swing)).cos()
+        } else {
+            extreme
+        };
+        samples.push(x + 0.02 * noise.draw());
+    }
+    samples
+}

@@ -1,0 +1,180 @@
+//! The rigs of chapters 4 and 6, and synthetic recordings of them: simulation sampled, with seeded noise.
+
+mod decay;
+mod read;
+
+pub use decay::decay;
+pub use read::{Point, frequencies, points};
+
+use frictiongen::measure::{Channel, Recording, Unit};
+use frictiongen::study::SystemSimulation;
+use frictiongen::{Of, System};
+use rand::SeedableRng;
+use rand::rngs::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+use std::error::Error;
+use std::f64::consts::TAU;
+
+/// The natural frequency of the one-storey rig, Hz (4.3.1).
+pub const NATURAL: f64 = 3.086;
+/// The amplitude of its base, m.
+pub const Y: f64 = 1.75e-3;
+/// Samples a second, and the seconds of a recording (4.3.3).
+pub const LENGTH: (f64, f64) = (2000.0, 60.0);
+/// Noise over signal: 40 dB.
+const NOISE: f64 = 0.01;
+/// γ, κ and r₁ for each Hz of the two-storey rig (6.4.2).
+pub const STOREYS: [f64; 3] = [0.9772, 1.1119, 0.3419];
+/// Cycles from rest before a recording begins, as in 3.6.1.
+const SKIPPED: f64 = 200.0;
+
+/// Noise that is the same in every run.
+#[derive(Debug)]
+pub struct Noise(ChaCha8Rng);
+
+impl Noise {
+    /// The noise of a seed.
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
+        Self(ChaCha8Rng::seed_from_u64(seed))
+    }
+
+    /// The next number, of mean 0 and deviation 1.
+    pub fn draw(&mut self) -> f64 {
+        StandardNormal.sample(&mut self.0)
+    }
+}
+
+/// The one-storey rig, its disc on the `wall` or on the `base`, and what else its description says.
+///
+/// # Errors
+/// What is wrong with the description.
+pub fn one_storey(disc: &str, more: &str) -> Result<System, Box<dyn Error>> {
+    let omega = TAU * NATURAL;
+    let text = format!(
+        "struct Plate {{ masses: {{ plate: 2.0 }}, springs: {{ base - plate: {:?} }}, contact: plate - {disc}, excitation: base, {more} }}",
+        2.0 * omega * omega
+    );
+    Ok(text.parse()?)
+}
+
+/// The two-storey rig.
+///
+/// # Errors
+/// None: its description is right.
+pub fn two_storeys() -> Result<System, Box<dyn Error>> {
+    let [gamma, kappa, seconds] = STOREYS;
+    let (mass, spring) = (3.0, 3.0 * (TAU / seconds).powi(2));
+    let text = format!(
+        "struct Storeys {{ masses: {{ m1: {mass:?}, m2: {:?} }}, springs: {{ base - m1: {spring:?}, m1 - m2: {:?} }}, contact: m1 - wall, excitation: base }}",
+        gamma * mass,
+        kappa * spring
+    );
+    Ok(text.parse()?)
+}
+
+/// Moves a run on to a τ.
+///
+/// # Errors
+/// None, in fact: the run is not asked to go back.
+pub fn reach(run: &mut SystemSimulation<'_>, target: f64) -> Result<(), Box<dyn Error>> {
+    loop {
+        let left = target - (TAU * run.cycles() as f64 + run.phase());
+        if left <= 1e-11 * target {
+            return Ok(());
+        }
+        run.advance(left)?;
+    }
+}
+
+/// Base and first mass over Y, `count` samples of a run from a cycle on.
+///
+/// # Errors
+/// None, in fact: the run is not asked to go back.
+pub fn followed(
+    run: &mut SystemSimulation<'_>,
+    from: f64,
+    (hertz, rate): (f64, f64),
+    count: u32,
+) -> Result<[Vec<f64>; 2], Box<dyn Error>> {
+    let (mut base, mut mass) = (Vec::new(), Vec::new());
+    for index in 0..count {
+        let target = TAU * (from + hertz * f64::from(index) / rate);
+        reach(run, target)?;
+        base.push(target.cos());
+        mass.push(run.run().mass(0).displacement());
+    }
+    Ok([base, mass])
+}
+
+/// A recording in mm of motions over Y, the base first and then the masses, each with noise of 40 dB.
+///
+/// # Errors
+/// What a recording must not be.
+pub fn noisy(
+    system: &System,
+    motions: &[Vec<f64>],
+    rate: f64,
+    noise: &mut Noise,
+) -> Result<Recording, Box<dyn Error>> {
+    let masses = system.scene().masses.iter().map(|mass| mass.name.clone());
+    let names = std::iter::once("base".to_owned()).chain(masses);
+    let channels = names.zip(motions).map(|(name, motion)| {
+        let mut samples: Vec<f64> = motion.iter().map(|x| 1e3 * Y * x).collect();
+        let squares: f64 = samples.iter().map(|x| x * x).sum();
+        let deviation = NOISE * (squares / samples.len() as f64).sqrt();
+        for x in &mut samples {
+            *x += deviation * noise.draw();
+        }
+        Channel {
+            name,
+            unit: Unit::MILLIMETRE,
+            samples,
+        }
+    });
+    Ok(Recording::new(rate, channels.collect())?)
+}
+
+/// Base and plate with friction, after 200 cycles from rest.
+///
+/// # Errors
+/// A frequency or a friction that there cannot be.
+pub fn recording(
+    system: &System,
+    (hertz, beta): (f64, f64),
+    (rate, seconds): (f64, f64),
+    noise: &mut Noise,
+) -> Result<Recording, Box<dyn Error>> {
+    let mut run = system.simulation(system.frequency_ratio_at_hertz(hertz), beta)?;
+    let motions = followed(&mut run, SKIPPED, (hertz, rate), (rate * seconds) as u32)?;
+    noisy(system, &motions, rate, noise)
+}
+
+/// Base and all masses without friction, steady: no simulation from rest comes to that, as nothing damps it.
+///
+/// # Errors
+/// A frequency that there cannot be.
+pub fn without_friction(
+    system: &System,
+    hertz: f64,
+    (rate, seconds): (f64, f64),
+    noise: &mut Noise,
+) -> Result<Recording, Box<dyn Error>> {
+    let response = system
+        .at(system.frequency_ratio_at_hertz(hertz))?
+        .response(0.0)?;
+    let base: Vec<f64> = (0..(rate * seconds) as u32)
+        .map(|index| (TAU * hertz * f64::from(index) / rate).cos())
+        .collect();
+    let mut motions = Vec::new();
+    for mass in 0..system.scene().masses.len() {
+        // In phase with the base, or against it.
+        let size = response
+            .harmonic(Of::Mass(mass), 1)
+            .ok_or("no such mass")?
+            .re;
+        motions.push(base.iter().map(|x| size * x).collect());
+    }
+    motions.insert(0, base);
+    noisy(system, &motions, rate, noise)
+}

@@ -1,0 +1,68 @@
+//! What recordings say at many frequencies.
+
+use super::{LENGTH, NATURAL, Noise, recording};
+use frictiongen::System;
+use frictiongen::measure::{Measured, Transmissibility};
+use std::error::Error;
+
+/// The lag about which lags are taken, rad, and a turn.
+const MIDDLE: f64 = std::f64::consts::FRAC_PI_2;
+const TURN: f64 = std::f64::consts::TAU;
+
+/// What a recording says of the plate.
+#[derive(Clone, Copy, Debug)]
+pub struct Point {
+    /// The frequency ratio, of the driving frequency that was found.
+    pub r: f64,
+    /// X̄_fft (4.4).
+    pub amplitude: f64,
+    /// φ_fft (4.5) in degrees, between −90 and 270.
+    pub lag: f64,
+}
+
+impl Point {
+    fn new(r: f64, found: Transmissibility) -> Self {
+        let lag = found.lag() - ((found.lag() - MIDDLE) / TURN).round() * TURN;
+        Self {
+            r,
+            amplitude: found.amplitude(),
+            lag: lag.to_degrees(),
+        }
+    }
+}
+
+/// Frequency ratios so far apart, between round numbers, so that none is a resonance.
+#[must_use]
+pub fn frequencies((from, to): (f64, f64), step: f64) -> Vec<f64> {
+    let count = ((to - from) / step).round() as u32;
+    (0..count)
+        .map(|i| from + (f64::from(i) + 0.37) * step)
+        .collect()
+}
+
+/// Recordings of the one-storey rig at a friction ratio, read: 60 s at 2 kHz with noise of 40 dB.  At frequencies at which the
+/// plate would be stuck there is none.
+///
+/// # Errors
+/// A recording that tells nothing.
+pub fn points(
+    system: &System,
+    beta: f64,
+    frequencies: &[f64],
+    noise: &mut Noise,
+) -> Result<Vec<Point>, Box<dyn Error>> {
+    let mut points = Vec::new();
+    for r in frequencies {
+        if system.at(*r)?.limits().sliding <= beta {
+            continue;
+        }
+        let recording = recording(system, (r * NATURAL, beta), LENGTH, noise)?;
+        let measured = Measured::of(&recording, system.scene())?;
+        let found = measured.transmissibility(0).ok_or("not recorded")?;
+        points.push(Point::new(
+            system.frequency_ratio_at_hertz(measured.hertz),
+            found,
+        ));
+    }
+    Ok(points)
+}

@@ -1,0 +1,20 @@
+//! Random scenes against dense samples.
+
+mod count;
+mod damped;
+mod inversions;
+mod regimes;
+mod sums;
+mod zeros;
+
+/// Samples over a range.
+const DENSE: usize = 4_000;
+
+/// Evenly over 1/r, as sub-harmonics are spaced.
+fn dense([from, to]: [f64; 2], count: usize) -> Vec<f64> {
+    let share = |i: usize| i as f64 / count as f64;
+    (0..=count)
+        .map(|i| (1.0 / (1.0 / to + (1.0 / from - 1.0 / to) * share(i))).clamp(from, to))
+        .rev()
+        .collect()
+}
