@@ -2,6 +2,7 @@
 
 use super::asked::Asked;
 use super::found::at_once;
+use super::response::Responses;
 use super::tried::Trial;
 use super::words::{Words, number, object};
 use crate::asked::Part;
@@ -130,6 +131,29 @@ impl Answer {
     }
 }
 
+/// Takes a larger amplitude that a curve with the best friction has: where steady states jump, a narrow peak may lie between
+/// the frequencies tried.
+pub fn met(best: &mut Result<Vec<Best>, String>, asked: &Asked, responses: &Responses) {
+    let all = best.iter_mut().flatten();
+    for Best { part, found } in all {
+        let Ok(answer) = found else { continue };
+        let place = asked.parts.iter().position(|known| known.of == part.of);
+        let peak = place.and_then(|place| responses.largest(answer.beta, place));
+        if let Some((amplitude, r, regime)) = peak
+            && answer.tried.is_some()
+            && answer.amplitude < amplitude
+        {
+            answer.amplitude = amplitude;
+            answer.peaks = vec![Peak {
+                r,
+                amplitude,
+                regime,
+                at_end: r == asked.band.from || r == asked.band.to,
+            }];
+        }
+    }
+}
+
 /// The one for what moves farthest.
 pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Answer)> {
     let all = best.as_ref().ok()?.iter();
@@ -167,7 +191,8 @@ pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
                         " smallest, over all regimes. Where friction may be from … to …, that amplitude is at most a tenth above its least."
                         @if let Some((frictions, frequencies)) = all.iter().find_map(|best| best.found.as_ref().ok()?.tried) {
                             " Of so long a chain these are the best of some " (frictions) " frictions tried at " (frequencies)
-                            " frequencies, closely about all resonances, free and with the contact stuck: right to a few per cent of the friction. "
+                            " frequencies, closely about all resonances, free and with the contact stuck: right to a few per cent of the friction. \
+                             Where steady states jump, an amplitude may have a narrow peak between them. "
                             "“frictiongen optimum” finds all digits for one motion over a narrower range."
                         }
                     }

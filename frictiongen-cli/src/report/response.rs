@@ -262,6 +262,12 @@ impl Responses {
         }
     }
 
+    /// The largest amplitude along the curve of a friction, if that is drawn, and where.
+    pub fn largest(&self, beta: f64, part: usize) -> Option<(f64, f64, Regime)> {
+        let level = self.levels.iter().find(|level| level.beta == beta)?;
+        Self::peak(level, part)
+    }
+
     /// The largest amplitude of each curve.
     fn peak(level: &Level, part: usize) -> Option<(f64, f64, Regime)> {
         let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);

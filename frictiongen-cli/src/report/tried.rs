@@ -9,7 +9,7 @@ use frictiongen::{Error, NoOrbit, NotContinuous, Of};
 /// Frequencies evenly over the range.
 const EVEN: usize = 41;
 /// Frequencies about each resonance, of the chain and of the chain with its contact stuck, as shares of its damping ratio.
-const BESIDE: [f64; 5] = [-3.0, -1.0, 0.0, 1.0, 3.0];
+const BESIDE: [f64; 9] = [-10.0, -6.0, -3.0, -1.0, 0.0, 1.0, 3.0, 6.0, 10.0];
 /// Where there is next to no damping, as if it were so much.
 const LEAST_DAMPING: f64 = 5e-3;
 /// Frictions of the first round, besides none: from this share of the middle sliding limit on, each larger by the same factor,

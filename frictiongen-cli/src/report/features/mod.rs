@@ -139,6 +139,17 @@ impl Features {
 }
 
 impl Table {
+    /// Without the column of this head.
+    fn leave_out(&mut self, head: &str) {
+        let Some(place) = self.heads.iter().position(|other| *other == head) else {
+            return;
+        };
+        self.heads.remove(place);
+        for row in self.rows.iter_mut().filter(|row| place < row.len()) {
+            row.remove(place);
+        }
+    }
+
     fn html(&self) -> Markup {
         html! {
             h3 { (self.title) }

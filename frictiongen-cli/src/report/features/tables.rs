@@ -186,7 +186,9 @@ impl Features {
                 does(&line.detail).to_owned(),
             ]
         });
-        let peaks = self.named("peak").map(|line| {
+        // What a contact holds at rest has none.
+        let moving = |line: &&Line| line.amplitude != Some(0.0);
+        let peaks = self.named("peak").filter(moving).map(|line| {
             let (mode, regime) = line.detail.split_once(": ").unwrap_or((&line.detail, ""));
             let estimate = self.named("peak by estimate").find(|other| {
                 (other.detail.as_str(), &other.of, other.friction)
@@ -217,7 +219,7 @@ impl Features {
                 line.detail.clone(),
             ]
         });
-        vec![
+        let mut tables = vec![
             Table {
                 title: format!("Peaks{at}"),
                 says: "The largest amplitude about each resonance, over all regimes, beside the estimate for small damping; \
@@ -252,7 +254,14 @@ impl Features {
                 heads: vec!["of", "at", "amplitude", "which"],
                 rows: crossings.collect(),
             },
-        ]
+        ];
+        if let [_] = self.frictions.as_slice() {
+            // The title says it.
+            for table in &mut tables {
+                table.leave_out("friction");
+            }
+        }
+        tables
     }
 }
 
