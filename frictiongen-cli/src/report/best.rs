@@ -191,7 +191,7 @@ pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
                         " smallest, over all regimes. Where friction may be from … to …, that amplitude is at most a tenth above its least."
                         @if let Some((frictions, frequencies)) = all.iter().find_map(|best| best.found.as_ref().ok()?.tried) {
                             " Of so long a chain these are the best of some " (frictions) " frictions tried at " (frequencies)
-                            " frequencies, closely about all resonances, free and with the contact stuck: right to a few per cent of the friction. \
+                            " frequencies, closely about all resonances, free and with the contact stuck: right to about a twentieth of the friction. \
                              Where steady states jump, an amplitude may have a narrow peak between them. "
                             "“frictiongen optimum” finds all digits for one motion over a narrower range."
                         }
