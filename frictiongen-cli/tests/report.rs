@@ -8,7 +8,7 @@
 
 mod common;
 
-use common::{BLOCK, failure, json, output};
+use common::{BLOCK, FRAME, failure, json, output};
 use frictiongen::System;
 use frictiongen::study::{FrequencyBand, OptimumRequest};
 use frictiongen::{Of, Regime};
@@ -144,6 +144,125 @@ fn the_numbers_are_the_librarys() {
     println!("{compared} numbers compared");
 }
 
+/// The lines of `frictiongen features --json`, without their derivatives.
+#[test]
+fn features_are_those_of_the_command() {
+    let undamped = [
+        "--r", "0.62:2", "--beta", "0.2,0.4", "--of", "m1", "--of", "contact",
+    ];
+    let damped = [
+        "--hz",
+        "1:7",
+        "--base",
+        "0.001",
+        "--friction",
+        "0.4",
+        "--of",
+        "lower",
+    ];
+    let two = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/thesis/two_m2.friction");
+    let mut compared = 0;
+    for (file, arguments, told) in [
+        (
+            two,
+            &undamped[..],
+            &[
+                "Invariant points",
+                "Where friction makes it worse",
+                "two frictions",
+                "bounded from",
+            ][..],
+        ),
+        (
+            FRAME,
+            &damped[..],
+            &[
+                "threshold without damping",
+                "Peaks with 0.4 N",
+                "no invariant points",
+                "4.412 Hz",
+            ][..],
+        ),
+    ] {
+        let (text, data) = page("", &[&[file], arguments].concat());
+        let lines = data["features"]["lines"].as_array().unwrap().clone();
+        let command = [&["features", file], arguments, &["--json"]].concat();
+        let own = json(&output("", &command));
+        let own = own["points"].as_array().unwrap();
+        assert_eq!(lines.len(), own.len(), "{file}");
+        for (line, own) in lines.iter().zip(own) {
+            for (name, value) in line.as_object().unwrap() {
+                if !["per_cent_for_one", "parameter"].contains(&name.as_str()) {
+                    assert_eq!(value, &own[name], "{name}");
+                    compared += 1;
+                }
+            }
+        }
+        for words in told {
+            assert!(text.contains(words), "{file}: {words}");
+        }
+        // Marked among the curves.
+        let mark = if file == two {
+            "invariant point"
+        } else {
+            "peak"
+        };
+        assert!(text.matches(mark).count() > 1, "{mark}");
+    }
+    println!("{compared} fields compared");
+    assert!(300 < compared, "{compared}");
+}
+
+/// The chain of six masses whose last one rubs.
+fn chain(count: usize) -> String {
+    let masses: Vec<String> = (1..=count).map(|i| format!("m{i}: 1")).collect();
+    let springs: Vec<String> = (2..=count)
+        .map(|i| format!("m{} - m{i}: 1", i - 1))
+        .collect();
+    format!(
+        "struct Long {{ masses: {{ {} }}, springs: {{ base - m1: 1, {} }}, contact: m{count} - wall, excitation: base,
+         damping: modal(0.02) }}",
+        masses.join(", "),
+        springs.join(", ")
+    )
+}
+
+/// Of a longer chain the best of some frictions tried: no friction beside it is better by more than it says, each looked at
+/// where the chain with and without its contact resonates.
+#[test]
+fn the_best_of_those_tried() {
+    let (text, data) = page(&chain(6), &["--r", "0.15:1.2", "--of", "m3"]);
+    let best = &data["best"][0];
+    assert!(text.contains("the best of some"), "says what it is");
+    let (beta, amplitude) = (
+        best["beta"].as_f64().unwrap(),
+        best["amplitude"].as_f64().unwrap(),
+    );
+    let [from, to] = ["from", "to"].map(|end| best["within"][0][end]["beta"].as_f64().unwrap());
+    assert!(from < beta && beta < to && 0.0 < amplitude);
+    let system: System = chain(6).parse().unwrap();
+    let largest = |beta: f64| {
+        let places = (0..=600).map(|i| 0.15 + 1.05 * f64::from(i) / 600.0);
+        let sizes =
+            places.filter_map(|r| system.at(r).ok()?.response(beta).ok()?.swing(Of::Mass(2)));
+        sizes.fold(0.0_f64, |most, swing| most.max(swing.amplitude))
+    };
+    // Of 601 places none is above the refined peak, but for what its curve may stray.
+    assert!(
+        largest(beta) <= amplitude * 1.003,
+        "{} {amplitude}",
+        largest(beta)
+    );
+    for share in [0.5, 0.7, 0.85, 1.2, 1.5, 2.0] {
+        let beside = largest(beta * share);
+        assert!(amplitude <= beside * 1.03, "{share}: {beside} {amplitude}");
+    }
+    // Beyond the ends that are named it is worse by a tenth, as far as frictions were tried.
+    for outside in [0.6 * from, 1.6 * to] {
+        assert!(amplitude * 1.1 < largest(outside), "{outside}");
+    }
+}
+
 #[test]
 fn nothing_runs_from_a_name_or_a_comment() {
     let evil = "</script><script>alert(1)</script><img src=x onerror=alert(1)> & \"quoted\"";
@@ -165,6 +284,26 @@ fn nothing_runs_from_a_name_or_a_comment() {
             .unwrap()
             .ends_with("a<b>&\"onclick=.friction")
     );
+    // A name in a description is a word of letters: the longest chain with such names, and one with markup for a name.
+    let masses: Vec<String> = (1..=64).map(|i| format!("größe_ß{i}: 1")).collect();
+    let springs: Vec<String> = (1..=64).map(|i| format!("größe_ß{i} - base: 1")).collect();
+    let scene = format!(
+        "/// {evil}\nstruct Ünder {{ masses: {{ {} }}, springs: {{ {} }}, contact: größe_ß1 - wall, excitation: größe_ß1 }}",
+        masses.join(", "),
+        springs.join(", ")
+    );
+    let (text, data) = page(
+        &scene,
+        &["--r", "0.5:0.9", "--beta", "3", "--of", "größe_ß1"],
+    );
+    assert!(text.contains("größe_ß1") && !text.contains("<img"));
+    assert_eq!(data["name"], "Ünder");
+    let named = BLOCK.replace("block", "<script>alert(1)</script>");
+    let lines = failure(&named, &["report"]);
+    assert!(
+        lines.iter().all(|line| line.starts_with("<stdin>:")),
+        "{lines:?}"
+    );
 }
 
 #[test]
@@ -180,19 +319,13 @@ fn scenes_without_an_answer_say_so() {
     assert!(text.contains("mm") && data["scene"]["load_m_or_N"] == 1.0);
     let (text, _) = page(rubs_on_base, &["--r", "0.8:1.3", "--beta", "0"]);
     assert!(text.contains("without bound"));
-    let masses: Vec<String> = (1..=64).map(|i| format!("m{i}: 1")).collect();
-    let springs: Vec<String> = (2..=64).map(|i| format!("m{} - m{i}: 1", i - 1)).collect();
-    let long = format!(
-        "struct Long {{ masses: {{ {} }}, springs: {{ base - m1: 1, {} }}, contact: m64 - wall, excitation: base,
-         damping: modal(0.02) }}",
-        masses.join(", "),
-        springs.join(", ")
-    );
+    let long = chain(64);
     // More friction than any limit: 64 masses that stop and slide take long.
     let (text, data) = page(&long, &["--r", "0.01:0.02", "--beta", "1000", "--of", "m1"]);
     assert!(text.contains("A chain of 64 masses is not drawn"));
     assert_eq!(data["modes"].as_array().unwrap().len(), 64);
-    assert!(data["best"]["none"].is_string());
+    assert!(data["best"]["none"].is_string() && data["features"]["none"].is_string());
+    assert!(text.contains("Of more than 16 masses features are not listed here"));
 }
 
 #[test]

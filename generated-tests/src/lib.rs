@@ -21,3 +21,13 @@ pub struct DeskPage;
 #[cfg(doctest)]
 #[doc = include_str!("../../docs/measure.md")]
 pub struct MeasurePage;
+
+/// And that of `docs/start.md`.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/start.md")]
+pub struct StartPage;
+
+/// And that of `docs/features.md`.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/features.md")]
+pub struct FeaturesPage;

@@ -16,7 +16,8 @@ What is chosen where nothing is given, and said on the page:
   frictions  0.1, 0.3 and 0.7 of the sliding limit that half of the range exceeds, and the best
              friction; without friction and with the contact stuck besides
   motions    the contact and every mass of up to four; of a longer chain the contact, its mass, the
-             one that the load acts on and the last
+             one that the load acts on, the last and the one that moves farthest with the contact stuck
+  best       the exact optimum of up to four masses; of a longer chain the best of some frictions tried
 Without --base or --force the page is in the groups r and beta.
 
 ";

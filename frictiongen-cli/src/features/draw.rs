@@ -1,12 +1,14 @@
 //! Draws the amplitudes with the features marked.
 
+use super::lines::Line;
 use super::report::FeaturesReport;
 use crate::asked::Part;
 use crate::destination::Form;
 use crate::failure::Failure;
+use crate::measure::Measure;
 use crate::picture;
 use frictiongen::study::CurveRequest;
-use frictiongen_plot::desk::{Drawn, Reading, keys, panel};
+use frictiongen_plot::desk::{Drawn, Reading, Scales, keys, panel};
 use frictiongen_plot::{Colour, Figure, Label, Marker, Markers};
 use std::io::Write;
 
@@ -16,6 +18,31 @@ const MARKS: [(&str, Marker, &str); 3] = [
     ("same amplitude", Marker::Square, "same amplitude"),
     ("peak", Marker::Triangle, "peak"),
 ];
+
+/// What is marked among the amplitudes of a motion.
+pub fn marks(lines: &[Line], part: &Part, measure: &Measure, scales: &Scales) -> Vec<Markers> {
+    let mut marks = Vec::new();
+    for (feature, marker, name) in MARKS {
+        // Drawn are amplitudes: points of the fundamental component lie elsewhere.
+        let marked = lines.iter().filter(|line| {
+            line.feature == feature
+                && line.of == part.name
+                && !line.detail.starts_with("fundamental")
+        });
+        // A line's amplitude is in m already; the scales count in mm.
+        let points: Vec<_> = marked
+            .filter_map(|line| {
+                let height = measure.length_ratio(line.amplitude?);
+                Some((scales.frequency(line.r?), scales.length(height)))
+            })
+            .filter(|(_, height)| height.is_finite())
+            .collect();
+        if !points.is_empty() {
+            marks.push(Markers::new(name, Colour::Black, marker, points));
+        }
+    }
+    marks
+}
 
 /// Draws every motion in a panel of its own; without friction if none is asked for.
 pub fn draw(
@@ -51,25 +78,8 @@ pub fn draw(
     for (index, part) in parts.iter().enumerate() {
         let title = picture::part_name(part);
         let mut own = panel(title, &drawn, index, Reading::Amplitude, &scales);
-        for (feature, marker, name) in MARKS {
-            let lines = report.lines.iter();
-            // Drawn are amplitudes: points of the fundamental component lie elsewhere.
-            let marked = lines.filter(|line| {
-                line.feature == feature
-                    && line.of == part.name
-                    && !line.detail.starts_with("fundamental")
-            });
-            // A line's amplitude is in m already; the scales count in mm.
-            let points: Vec<_> = marked
-                .filter_map(|line| {
-                    let height = report.measure.length_ratio(line.amplitude?);
-                    Some((scales.frequency(line.r?), scales.length(height)))
-                })
-                .filter(|(_, height)| height.is_finite())
-                .collect();
-            if !points.is_empty() {
-                own = own.with(Markers::new(name, Colour::Black, marker, points));
-            }
+        for markers in marks(&report.lines, part, &report.measure, &scales) {
+            own = own.with(markers);
         }
         panels.push(own);
     }

@@ -93,13 +93,15 @@ impl Line {
     }
 }
 
-/// All features of a scene, those of each friction after those that depend on none.
+/// All features of a scene, those of each friction after those that depend on none; with or without the true peaks, which
+/// take long of a long chain.
 pub fn lines(
     system: &System,
     band: &Band,
     measure: &Measure,
     parts: &[Part],
     frictions: &[f64],
+    peaks: bool,
 ) -> Result<Vec<Line>, Failure> {
     let features = system.features(measure.load()).map_err(Failure::new)?;
     let range = [band.from, band.to];
@@ -118,6 +120,7 @@ pub fn lines(
             beta: *beta,
             range,
         };
+        let parts = if peaks { parts } else { &[] };
         own.lines(parts, &mut lines).map_err(Failure::new)?;
     }
     for pair in frictions.windows(2) {

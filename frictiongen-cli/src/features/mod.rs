@@ -1,9 +1,9 @@
 //! `frictiongen features`: what the response of a scene is made of, without a sweep.
 
 #[cfg(feature = "pictures")]
-mod draw;
-mod lines;
-mod report;
+pub mod draw;
+pub mod lines;
+pub mod report;
 
 use crate::args::{FeaturesArguments, FrequencyArguments, FrictionArguments};
 use crate::asked;
@@ -80,7 +80,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
         .map(|friction| friction.beta)
         .collect();
     let summary = Summary::of(&system, band.is_physical(), measure);
-    let lines = lines::lines(&system, &band, &measure, &parts, &frictions)?;
+    let lines = lines::lines(&system, &band, &measure, &parts, &frictions, true)?;
     let report = FeaturesReport {
         system: &system,
         band,

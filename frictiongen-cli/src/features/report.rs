@@ -35,12 +35,13 @@ impl FeaturesReport<'_> {
         }
     }
 
-    fn symbol(&self, parameter: Parameter) -> String {
+    /// What a parameter is called.
+    pub fn symbol(&self, parameter: Parameter) -> String {
         parameter.symbol(self.system.scene(), &self.point())
     }
 
     /// What moves a line's first number most: in words, and by how many per cent for one.
-    fn strongest(line: &Line) -> Option<(&'static str, Parameter, f64)> {
+    pub fn strongest(line: &Line) -> Option<(&'static str, Parameter, f64)> {
         let (name, sensed) = line.sensed.first()?;
         let (parameter, relative) = sensed.strongest()?;
         Some((name, parameter, relative))

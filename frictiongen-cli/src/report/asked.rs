@@ -9,6 +9,7 @@ use crate::friction::Frictions;
 use crate::measure::Measure;
 use crate::picture;
 use frictiongen::study::scene::{Excitation, Node};
+use frictiongen::study::units;
 use frictiongen::{Of, System};
 
 /// The most frictions of a page: more colours are not told apart.
@@ -64,7 +65,7 @@ impl Asked {
             measure,
         };
         let parts = if arguments.of.is_empty() {
-            shown(&system, &mut chosen)?
+            shown(&system, &band, &mut chosen)?
         } else {
             asked::parts(&system, &arguments.of)?
         };
@@ -93,15 +94,7 @@ impl Asked {
 
     /// Frequency ratios evenly over the range, both ends among them.
     pub fn even(&self, count: usize) -> impl Iterator<Item = f64> + use<> {
-        let (from, to) = (self.band.from, self.band.to);
-        let steps = count.max(2) - 1;
-        (0..=steps).map(move |i| {
-            if i == steps {
-                to
-            } else {
-                from + (to - from) * i as f64 / steps as f64
-            }
-        })
+        evenly(&self.band, count)
     }
 
     /// The sliding limits over the range, ascending; without those that are infinite.
@@ -146,6 +139,31 @@ impl Asked {
     }
 }
 
+/// Frequency ratios evenly over a range, both ends among them.
+fn evenly(band: &Band, count: usize) -> impl Iterator<Item = f64> + use<> {
+    let (from, to) = (band.from, band.to);
+    let steps = count.max(2) - 1;
+    (0..=steps).map(move |i| {
+        if i == steps {
+            to
+        } else {
+            from + (to - from) * i as f64 / steps as f64
+        }
+    })
+}
+
+/// The mass that too much friction does most harm to.
+fn farthest_if_stuck(system: &System, band: &Band) -> Option<usize> {
+    let stuck = evenly(band, PLACES).filter_map(|r| system.at(r).ok()?.stuck().ok());
+    let each = stuck.flat_map(|stuck| {
+        let masses = 0..system.scene().masses.len();
+        let sizes = masses.filter_map(|mass| Some((mass, units::polar(stuck.mass_at(mass)?).0)));
+        sizes.collect::<Vec<_>>()
+    });
+    let most = each.max_by(|a, b| a.1.total_cmp(&b.1));
+    most.map(|(mass, _)| mass)
+}
+
 fn two_digits(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }
@@ -163,7 +181,7 @@ fn automatic(system: &System, in_hertz: bool) -> Band {
 }
 
 /// The motions of a page: all, or of a long chain those that count first.  The motion that rubs on a wall is its mass's.
-fn shown(system: &System, chosen: &mut Vec<String>) -> Result<Vec<Part>, Failure> {
+fn shown(system: &System, band: &Band, chosen: &mut Vec<String>) -> Result<Vec<Part>, Failure> {
     let mut all = asked::parts(system, &[])?;
     let scene = system.scene();
     if [scene.contact.from, scene.contact.to].contains(&Node::Wall) {
@@ -195,8 +213,10 @@ fn shown(system: &System, chosen: &mut Vec<String>) -> Result<Vec<Part>, Failure
             )
         }
     }
+    kept.extend(farthest_if_stuck(system, band));
     chosen.push(format!(
-        "Of {count} masses those are shown at which the contact rubs or the load acts, and the last; --of shows others."
+        "Of {count} masses those are shown at which the contact rubs or the load acts, the last, and the one that would move \
+         farthest with the contact stuck; --of shows others."
     ));
     let counts = |part: &Part| match part.of {
         Of::Contact => true,

@@ -1,41 +1,67 @@
 //! The best friction for each mass that is shown.
 
 use super::asked::Asked;
+use super::found::at_once;
+use super::response::Responses;
+use super::tried::Trial;
 use super::words::{Words, number, object};
 use crate::asked::Part;
-use frictiongen::Of;
-use frictiongen::study::{
-    FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumRequest, words,
-};
+use frictiongen::study::{FrequencyBand, Optimum, OptimumKind, OptimumRequest, words};
+use frictiongen::{Error, Of, Regime};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// The most masses of a chain whose best friction is looked for; of longer ones it takes minutes.
-const MOST_MASSES: usize = 12;
-/// The most masses of a chain for which it is looked for over the whole range.
-const WHOLE_RANGE: usize = 4;
+/// The most masses of a chain whose exact optimum is looked for: of longer ones it takes minutes.
+const EXACT: usize = 4;
+/// The most masses of a chain whose best friction is looked for among some.
+const MOST_MASSES: usize = 16;
 /// The most motions whose best friction is looked for.
 const MOST_MOTIONS: usize = 4;
+
+/// A frequency at which the largest amplitude is reached.
+#[derive(Clone, Debug)]
+pub struct Peak {
+    /// r.
+    pub r: f64,
+    /// Over P/k₁, for base motion over Y.
+    pub amplitude: f64,
+    /// What the contact does there.
+    pub regime: Regime,
+    /// Whether it is an end of the range.
+    pub at_end: bool,
+}
+
+/// The best friction of a motion.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// β.
+    pub beta: f64,
+    /// The largest amplitude with it.
+    pub amplitude: f64,
+    /// What limits it, if that is known.
+    pub kind: Option<OptimumKind>,
+    /// Where it is reached.
+    pub peaks: Vec<Peak>,
+    /// The largest amplitude without friction.
+    pub without_friction: f64,
+    /// And with the contact stuck.
+    pub with_contact_locked: f64,
+    /// Between these frictions the largest amplitude is at most a tenth above the best.
+    pub within: Option<(f64, f64)>,
+    /// Up to this friction a resonance is without bound.
+    pub unbounded_to: f64,
+    /// How many frictions were tried at how many frequencies; none of an exact answer.
+    pub tried: Option<(usize, usize)>,
+    /// The exact answer.
+    pub exact: Option<Box<Optimum>>,
+}
 
 /// The best friction for one motion, or why there is none.
 pub struct Best {
     /// Of which motion.
     pub part: Part,
     /// What was found.
-    pub found: Result<Optimum, OptimumError>,
-}
-
-/// Over which frequencies it is looked for: the range, or of a longer chain as much of it as has the lowest resonance
-/// alone, since over all of them it takes more amplitudes than are computed.
-pub fn band(asked: &Asked) -> (f64, f64) {
-    let (from, to) = (asked.band.from, asked.band.to);
-    match asked.system.resonances() {
-        [first, second, ..] if WHOLE_RANGE < asked.system.scene().masses.len() => {
-            let between = (first * second).sqrt();
-            (from, if from < between { to.min(between) } else { to })
-        }
-        _ => (from, to),
-    }
+    pub found: Result<Answer, String>,
 }
 
 /// The best frictions, or why none was looked for.
@@ -47,39 +73,106 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
              “frictiongen optimum” finds it for one motion."
         ));
     }
-    let (from, to) = band(asked);
     let only_contact = asked.parts.iter().all(|part| part.of == Of::Contact);
     let parts = asked.parts.iter();
     let parts = parts.filter(|part| only_contact || part.of != Of::Contact);
-    let best = |part: &Part| Best {
-        part: part.clone(),
-        found: asked.system.optimum(&OptimumRequest {
+    let parts: Vec<Part> = parts.take(MOST_MOTIONS).cloned().collect();
+    if EXACT < masses {
+        return tried(asked, parts).map_err(|error| error.to_string());
+    }
+    let best = |part: Part| {
+        let found = asked.system.optimum(&OptimumRequest {
             of: part.of,
-            band: FrequencyBand::Ratio(from, to),
+            band: FrequencyBand::Ratio(asked.band.from, asked.band.to),
             load: asked.words.measure.load(),
-        }),
+        });
+        let found = found.map(Answer::exact).map_err(|error| error.to_string());
+        Best { part, found }
     };
-    Ok(parts.take(MOST_MOTIONS).map(best).collect())
+    Ok(at_once(parts, best))
+}
+
+/// The same of some frictions tried.
+fn tried(asked: &Asked, parts: Vec<Part>) -> Result<Vec<Best>, Error> {
+    let mut trial = Trial::of(asked, parts.iter().map(|part| part.of).collect())?;
+    let best = |(place, part): (usize, Part)| {
+        let found = trial.best(asked, place)?;
+        let found = found.ok_or_else(|| {
+            "with every friction tried a resonance is without bound: nothing damps it".to_owned()
+        });
+        Ok(Best { part, found })
+    };
+    parts.into_iter().enumerate().map(best).collect()
+}
+
+impl Answer {
+    fn exact(optimum: Optimum) -> Self {
+        let peaks = optimum.peaks.iter().map(|peak| Peak {
+            r: peak.r,
+            amplitude: peak.amplitude,
+            regime: peak.regime,
+            at_end: peak.at_end,
+        });
+        Self {
+            beta: optimum.beta,
+            amplitude: optimum.amplitude,
+            kind: Some(optimum.kind),
+            peaks: peaks.collect(),
+            without_friction: optimum.without_friction,
+            with_contact_locked: optimum.with_contact_locked,
+            within: optimum
+                .tolerances
+                .last()
+                .map(|widest| (widest.from, widest.to)),
+            unbounded_to: optimum.unbounded_to,
+            tried: None,
+            exact: Some(Box::new(optimum)),
+        }
+    }
+}
+
+/// Takes a larger amplitude that a curve with the best friction has: where steady states jump, a narrow peak may lie between
+/// the frequencies tried.
+pub fn met(best: &mut Result<Vec<Best>, String>, asked: &Asked, responses: &Responses) {
+    let all = best.iter_mut().flatten();
+    for Best { part, found } in all {
+        let Ok(answer) = found else { continue };
+        let place = asked.parts.iter().position(|known| known.of == part.of);
+        let peak = place.and_then(|place| responses.largest(answer.beta, place));
+        if let Some((amplitude, r, regime)) = peak
+            && answer.tried.is_some()
+            && answer.amplitude < amplitude
+        {
+            answer.amplitude = amplitude;
+            answer.peaks = vec![Peak {
+                r,
+                amplitude,
+                regime,
+                at_end: r == asked.band.from || r == asked.band.to,
+            }];
+        }
+    }
 }
 
 /// The one for what moves farthest.
-pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
+pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Answer)> {
     let all = best.as_ref().ok()?.iter();
     let found = all.filter_map(|best| Some((best, best.found.as_ref().ok()?)));
     // A mass that a contact can hold at rest asks for no choice.
-    let found = found.filter(|(_, optimum)| 0.0 < optimum.amplitude);
+    let found = found.filter(|(_, answer)| 0.0 < answer.amplitude);
     found.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude))
 }
 
 /// What limits the amplitude there, in words.
-pub fn kind(kind: OptimumKind) -> &'static str {
+pub fn kind(kind: Option<OptimumKind>) -> &'static str {
     match kind {
-        OptimumKind::EqualPeaks => {
+        None => "less friction or more makes it larger",
+        Some(OptimumKind::EqualPeaks) => {
             "two peaks are equally high: with more friction one grows, with less the other"
         }
-        OptimumKind::SinglePeak => "one peak is at its least",
-        OptimumKind::NoFriction => "any friction makes it worse",
-        OptimumKind::Stuck => "the contact is best stuck; more friction changes nothing",
+        Some(OptimumKind::SinglePeak) => "one peak is at its least",
+        Some(OptimumKind::NoFriction) => "any friction makes it worse",
+        Some(OptimumKind::Stuck) => "the contact is best stuck; more friction changes nothing",
     }
 }
 
@@ -94,9 +187,14 @@ pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
                 Ok(all) => {
                     p {
                         "The friction that keeps the largest amplitude between "
-                        (words.frequency(band(asked).0)) " and " (words.frequency(band(asked).1))
+                        (words.frequency(asked.band.from)) " and " (words.frequency(asked.band.to))
                         " smallest, over all regimes. Where friction may be from … to …, that amplitude is at most a tenth above its least."
-                        @if band(asked).1 < asked.band.to { " Of so long a chain it is looked for about the lowest resonance only." }
+                        @if let Some((frictions, frequencies)) = all.iter().find_map(|best| best.found.as_ref().ok()?.tried) {
+                            " Of so long a chain these are the best of some " (frictions) " frictions tried at " (frequencies)
+                            " frequencies, closely about all resonances, free and with the contact stuck: right to about a twentieth of the friction. \
+                             Where steady states jump, an amplitude may have a narrow peak between them. "
+                            "“frictiongen optimum” finds all digits for one motion over a narrower range."
+                        }
                     }
                     div.scroll tabindex="0" role="region" aria-label="Best frictions" {
                         table {
@@ -136,7 +234,7 @@ fn row(best: &Best, asked: &Asked) -> Markup {
             @match &best.found {
                 Err(error) => td colspan="7" { "none: " (error) },
                 Ok(optimum) => {
-                    td { (words.friction(optimum.beta)) }
+                    td { (words.friction(optimum.beta)) @if optimum.kind == Some(OptimumKind::Stuck) { " or more" } }
                     td { (bound(words, optimum.amplitude)) }
                     td {
                         @for (index, peak) in optimum.peaks.iter().enumerate().filter(|(_, peak)| peak.amplitude > 0.0) {
@@ -148,9 +246,9 @@ fn row(best: &Best, asked: &Asked) -> Markup {
                     td { (bound(words, optimum.without_friction)) }
                     td { (bound(words, optimum.with_contact_locked)) }
                     td {
-                        @if let Some(widest) = optimum.tolerances.last() {
-                            (words.friction(widest.from))
-                            @if widest.to.is_finite() { " … " (words.friction(widest.to)) } @else { " on" }
+                        @if let Some((from, to)) = optimum.within {
+                            (words.friction(from))
+                            @if to.is_finite() { " … " (words.friction(to)) } @else { " on" }
                         }
                     }
                     td { (kind(optimum.kind)) }
@@ -164,7 +262,7 @@ fn row(best: &Best, asked: &Asked) -> Markup {
 pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
     let words = &asked.words;
     let one = |best: &Best| match &best.found {
-        Err(error) => json!({ "of": best.part.name, "none": error.to_string() }),
+        Err(error) => json!({ "of": best.part.name, "none": error }),
         Ok(optimum) => {
             let length = |ratio: f64| number(words.measure.length(ratio));
             let name = |name: &str| words.measure.length_name(name);
@@ -181,11 +279,15 @@ pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
             let owned = |(name, value): (&str, Json)| (name.to_owned(), value);
             fields.extend(words.friction_json(optimum.beta).into_iter().map(owned));
             let limit = |beta: f64| object(words.friction_json(beta));
-            fields.push((
-                "nothing_sticks_up_to".to_owned(),
-                limit(optimum.free_of_sticking),
-            ));
-            fields.push(("stuck_from".to_owned(), limit(optimum.locked)));
+            if let Some(exact) = &optimum.exact {
+                let free = limit(exact.free_of_sticking);
+                fields.push(("nothing_sticks_up_to".to_owned(), free));
+                fields.push(("stuck_from".to_owned(), limit(exact.locked)));
+            }
+            if let Some((frictions, frequencies)) = optimum.tried {
+                let tried = json!({ "frictions": frictions, "frequencies": frequencies });
+                fields.push(("tried".to_owned(), tried));
+            }
             let peaks = optimum.peaks.iter().map(|peak| {
                 let mut fields: Vec<(String, Json)> = words
                     .frequency_json(&asked.system, peak.r)
@@ -197,13 +299,19 @@ pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
                 object(fields)
             });
             fields.push(("peaks".to_owned(), peaks.collect()));
-            let within = optimum.tolerances.iter().map(|tolerance| {
-                json!({
-                    "excess": tolerance.excess,
-                    "from": limit(tolerance.from),
-                    "to": limit(tolerance.to),
-                })
-            });
+            let within: Vec<(f64, f64, f64)> = match &optimum.exact {
+                Some(exact) => {
+                    let all = exact.tolerances.iter();
+                    all.map(|one| (one.excess, one.from, one.to)).collect()
+                }
+                None => {
+                    let within = optimum.within.into_iter();
+                    within.map(|(from, to)| (0.1, from, to)).collect()
+                }
+            };
+            let within = within.into_iter().map(
+                |(excess, from, to)| json!({ "excess": excess, "from": limit(from), "to": limit(to) }),
+            );
             fields.push(("within".to_owned(), within.collect()));
             object(fields)
         }

@@ -19,6 +19,9 @@ const MOST_TABLED: usize = 4;
 /// The accuracy declared for them.
 const DECLARED: f64 = 1e-4;
 
+/// Steps in a period of the highest resonance.
+const STEPS_OF_A_PERIOD: f64 = 20.0;
+
 /// An emitted function.
 struct Function {
     name: String,
@@ -46,8 +49,20 @@ struct Tabled {
     operations: usize,
 }
 
+/// What answers take at most, counted from the sizes of the scene.
+struct Bounds {
+    /// Evaluations of a sum over the modes, of a search for β_lim and for an amplitude.
+    limit: u32,
+    amplitude: u32,
+    /// The numbers that a steady state with stops keeps, in bytes.
+    orbit: usize,
+    /// The length of a step, in seconds, and its operations by the tables and with one event.
+    step: Option<(f64, u64, u64)>,
+}
+
 /// The section's contents.
 pub struct Cost {
+    bounds: Option<Bounds>,
     functions: Result<Vec<Function>, String>,
     measured: Result<Vec<Measured>, String>,
     tabled: Result<Tabled, String>,
@@ -59,6 +74,7 @@ impl Cost {
     pub fn of(text: &str, asked: &Asked) -> Self {
         let scene = asked.system.scene();
         Self {
+            bounds: bounds(asked),
             functions: functions(text),
             measured: measured(text, asked),
             tabled: tabled(asked),
@@ -88,6 +104,7 @@ impl Cost {
                         } } }
                     } },
                 }
+                @if let Some(bounds) = &self.bounds { (bounds.html(self.precision)) }
                 @match &self.measured {
                     Err(reason) => p { (reason) },
                     Ok(all) => {
@@ -155,8 +172,65 @@ impl Cost {
                 "additions_and_multiplications": tables.operations,
             })
         });
-        json!({ "precision": self.precision, "functions": functions, "differences": measured, "tables": tabled })
+        let bounds = self.bounds.as_ref().map(|bounds| {
+            json!({
+                "evaluations_of_a_limit": bounds.limit,
+                "evaluations_of_an_amplitude": bounds.amplitude,
+                "bytes_of_a_steady_state": bounds.orbit,
+                "step": bounds.step.map(|(seconds, tables, one_event)| json!({
+                    "length_s": number(seconds),
+                    "operations_by_tables": tables,
+                    "operations_with_one_event": one_event,
+                })),
+            })
+        });
+        json!({ "precision": self.precision, "bounds": bounds, "functions": functions, "differences": measured, "tables": tabled })
     }
+}
+
+impl Bounds {
+    fn html(&self, precision: &str) -> Markup {
+        html! {
+            dl.facts {
+                div { dt { "a search for the limit of continuous motion, at most" } dd { (self.limit) " evaluations" } }
+                div { dt { "a search for an amplitude, at most" } dd { (self.amplitude) " evaluations" } }
+                div { dt { "a steady state with stops, in " (precision) } dd { (self.orbit) " bytes" } }
+                @if let Some((seconds, tables, one_event)) = self.step {
+                    div { dt { "a step of " (digits(1e3 * seconds)) " ms without an event" } dd { (tables) " operations" } }
+                    div { dt { "a step with one event" } dd { (one_event) " operations" } }
+                }
+            }
+            p.note {
+                "An evaluation is one of the sum over all modes; at higher frequencies searches need fewer. A step is a twentieth of the \
+                 period of the highest resonance. Instructions, flash and stack of a few scenes on a microcontroller are in \
+                 docs/firmware.md of the project, the budget of every function’s error in docs/accuracy.md."
+            }
+        }
+    }
+}
+
+fn bounds(asked: &Asked) -> Option<Bounds> {
+    let system = &asked.system;
+    let most = system.at(asked.band.from).ok()?.most_evaluations();
+    let size = match system.scene().precision {
+        Precision::F64 => size_of::<f64>(),
+        Precision::F32 => size_of::<f32>(),
+    };
+    let modes = system.scene().masses.len();
+    let touched = system.modal().contacts.iter();
+    let touched = touched.filter(|contact| !contact.is_zero()).count();
+    let highest = system.resonances().last().map(|r| system.hertz(*r));
+    let step = highest.and_then(|hertz| {
+        let seconds = 1.0 / (STEPS_OF_A_PERIOD * hertz);
+        let cost = system.stepper(seconds).ok()?.cost();
+        Some((seconds, cost.tables, cost.one_event))
+    });
+    Some(Bounds {
+        limit: most.limit,
+        amplitude: most.amplitude,
+        orbit: size * frictiongen::kernel::orbit::numbers(modes, touched),
+        step,
+    })
 }
 
 /// The emitted functions whose documentation counts operations.

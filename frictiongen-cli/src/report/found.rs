@@ -1,4 +1,4 @@
-//! What a motion does at one frequency and one friction.
+//! What a motion does at one frequency and one friction, and questions asked at once.
 
 use super::asked::Asked;
 use frictiongen::study::{Swing, SystemResponse, units};
@@ -38,4 +38,21 @@ pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
         });
     }
     Ok((response.regime(), swing))
+}
+
+/// Answers questions at once, each in a thread: they take seconds, and there are a few.
+pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sync) -> Vec<A> {
+    let answer = &answer;
+    std::thread::scope(|scope| {
+        let threads = questions
+            .into_iter()
+            .map(|question| scope.spawn(move || answer(question)));
+        let threads: Vec<_> = threads.collect();
+        let answers = threads.into_iter().map(|thread| match thread.join() {
+            Ok(answer) => answer,
+            // As if it had been answered here.
+            Err(panic) => std::panic::resume_unwind(panic),
+        });
+        answers.collect()
+    })
 }

@@ -3,6 +3,7 @@
 mod asked;
 mod best;
 mod cost;
+mod features;
 mod found;
 mod map;
 mod modes;
@@ -11,6 +12,7 @@ mod plot;
 mod response;
 mod scene;
 mod summary;
+mod tried;
 mod words;
 
 use crate::args::ReportArguments;
@@ -37,15 +39,19 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
     let documentation = description.documentation();
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let mut asked = Asked::of(arguments, system)?;
-    let best = best::search(&asked);
+    let mut best = best::search(&asked);
     let best_beta = best::worst(&best).map(|(_, optimum)| optimum.beta);
     let levels = asked.levels(best_beta);
+    let responses = response::Responses::of(&asked, &levels, best_beta)?;
+    best::met(&mut best, &asked, &responses);
+    let features = features::Features::of(&asked, &levels, best_beta);
     let page = Page {
         file: &name,
         documentation: &documentation,
         modes: modes::Modes::of(&asked),
-        responses: response::Responses::of(&asked, &levels, best_beta)?,
+        responses,
         regimes: map::Regimes::of(&asked, &levels)?,
+        features,
         cost: cost::Cost::of(&text, &asked),
         best,
         asked,

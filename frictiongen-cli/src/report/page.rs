@@ -3,6 +3,7 @@
 use super::asked::Asked;
 use super::best::{self, Best};
 use super::cost::Cost;
+use super::features::Features;
 use super::map::Regimes;
 use super::modes::Modes;
 use super::response::Responses;
@@ -32,6 +33,8 @@ pub struct Page<'a> {
     pub responses: Responses,
     /// Limits and regimes.
     pub regimes: Regimes,
+    /// What the response is made of.
+    pub features: Features,
     /// The best frictions.
     pub best: Result<Vec<Best>, String>,
     /// What emitted code costs.
@@ -43,7 +46,7 @@ impl Page<'_> {
     pub fn html(&self) -> String {
         let asked = &self.asked;
         let (modes, regimes) = (self.modes.plot(asked), self.regimes.plot(asked));
-        let responses = self.responses.plots(asked);
+        let responses = self.responses.plots(asked, self.features.lines());
         let plots = [&modes, &regimes].into_iter().chain(&responses);
         let plots: Vec<&Json> = plots.map(super::plot::Plot::data).collect();
         let data = json!({
@@ -59,6 +62,7 @@ impl Page<'_> {
             "modes": self.modes.data(),
             "responses": self.responses.data(asked),
             "limits": self.regimes.data(asked),
+            "features": self.features.data(asked),
             "best": best::data(&self.best, asked),
             "emitted": self.cost.data(),
             "plots": plots,
@@ -93,6 +97,7 @@ impl Page<'_> {
                         (self.modes.html(&modes, asked))
                         (self.responses.html(&responses, asked))
                         (self.regimes.html(&regimes, asked))
+                        (self.features.html(asked))
                         (best::html(&self.best, asked))
                         (self.cost.html())
                         (limits_of_the_page())

@@ -1,15 +1,17 @@
 //! Amplitudes and phases over frequency at several frictions, without friction and with the contact stuck.
 
 use super::asked::Asked;
-use super::found::{Found, STUCK, found};
+use super::found::{Found, STUCK, at_once, found};
 use super::plot::{Across, Axes, Plot, Series};
 use super::words::{Words, object};
 
 use crate::failure::Failure;
+use crate::features::draw::marks;
+use crate::features::lines::Line;
 use frictiongen::study::{Curve, CurveRequest, End, words};
 use frictiongen::{Of, Regime};
 use frictiongen_plot::desk::{Drawn, Reading, keys, lines};
-use frictiongen_plot::{Axis, Colour, Figure, Label, Layer, Panel};
+use frictiongen_plot::{Axis, Colour, Figure, Label, Layer, Markers, Panel};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
@@ -65,19 +67,19 @@ impl Responses {
             named.push((*beta, name, Colour::Series(index)));
         }
         named.push((STUCK, "contact stuck".to_owned(), Colour::Black));
-        let mut levels = Vec::new();
-        for (beta, name, colour) in named {
+        let levels = at_once(named, |(beta, name, colour)| {
             let mut curve = asked.system.curve(&request, beta).map_err(Failure::new)?;
             if beta == STUCK {
                 curve.pieces.retain(|piece| piece.regime == Regime::Stuck);
             }
-            levels.push(Level {
+            Ok(Level {
                 name,
                 beta,
                 colour,
                 curve,
-            });
-        }
+            })
+        });
+        let levels = levels.into_iter().collect::<Result<Vec<_>, Failure>>()?;
         let cells = |r: f64, level: &Level| -> Vec<Found> {
             of.iter()
                 .map(|of| found(asked, r, level.beta, *of))
@@ -111,15 +113,18 @@ impl Responses {
         (1..=MOST_STRETCHES).contains(&found.len()).then_some(found)
     }
 
-    /// A picture for each motion.
-    pub fn plots(&self, asked: &Asked) -> Vec<Plot> {
+    /// A picture for each motion, with its features marked.
+    pub fn plots(&self, asked: &Asked, features: &[Line]) -> Vec<Plot> {
         let parts = asked.parts.iter().enumerate();
         parts
-            .map(|(index, part)| self.plot(index, &part.name, asked))
+            .map(|(index, part)| {
+                let marked = marks(features, part, &asked.words.measure, &asked.words.scales);
+                self.plot(index, &part.name, asked, marked)
+            })
             .collect()
     }
 
-    fn plot(&self, part: usize, name: &str, asked: &Asked) -> Plot {
+    fn plot(&self, part: usize, name: &str, asked: &Asked, marked: Vec<Markers>) -> Plot {
         let words = &asked.words;
         let scales = &words.scales;
         let (from, to) = (
@@ -152,7 +157,8 @@ impl Responses {
                 panel.layers.extend(layers);
             }
         }
-        let [_, phase] = &mut panels;
+        let [amplitude, phase] = &mut panels;
+        amplitude.layers.extend(marked.into_iter().map(Layer::from));
         (phase.y.low, phase.y.high) = turns(&phase.layers);
         let [amplitudes, phases] = series;
         let figure = Figure::new("", Label::verbatim(name), 1, panels.to_vec()).with_keys(keys());
@@ -254,6 +260,12 @@ impl Responses {
                 }
             }
         }
+    }
+
+    /// The largest amplitude along the curve of a friction, if that is drawn, and where.
+    pub fn largest(&self, beta: f64, part: usize) -> Option<(f64, f64, Regime)> {
+        let level = self.levels.iter().find(|level| level.beta == beta)?;
+        Self::peak(level, part)
     }
 
     /// The largest amplitude of each curve.

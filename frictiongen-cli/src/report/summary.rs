@@ -5,8 +5,9 @@ use super::best::{self, Best};
 use super::map::Spread;
 use super::modes::Modes;
 use super::response::Responses;
-use frictiongen::study::OptimumKind;
+use super::words::digits;
 use frictiongen::study::scene::Excitation;
+use frictiongen::study::{Load, OptimumKind};
 use maud::{Markup, html};
 
 /// The most resonances that are named.
@@ -28,8 +29,10 @@ pub fn html(
         .map(String::as_str)
         .collect::<Vec<_>>()
         .join(", ");
-    let (from, to) = best::band(asked);
-    let (from, to) = (words.frequency(from), words.frequency(to));
+    let (from, to) = (
+        words.frequency(asked.band.from),
+        words.frequency(asked.band.to),
+    );
     html! {
         section #short aria-label="In short" {
             ul.short {
@@ -42,15 +45,16 @@ pub fn html(
                 @if let Some((best, optimum)) = best::worst(best) {
                     li {
                         @match optimum.kind {
-                            OptimumKind::NoFriction => {
+                            Some(OptimumKind::NoFriction) => {
                                 strong { "No friction is best" } " for " strong { (best.part.name) } ", which moves farthest: at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
                             }
-                            OptimumKind::Stuck => {
+                            Some(OptimumKind::Stuck) => {
                                 "For " strong { (best.part.name) } ", which moves farthest, the contact is best stuck: from "
                                 (words.friction(optimum.beta)) " on, at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
                             }
-                            OptimumKind::EqualPeaks | OptimumKind::SinglePeak => {
-                                strong { "Best friction: " (words.friction(optimum.beta)) } ", chosen for " strong { (best.part.name) }
+                            Some(OptimumKind::EqualPeaks | OptimumKind::SinglePeak) | None => {
+                                strong { "Best friction: " (words.friction(optimum.beta)) }
+                                @if optimum.tried.is_some() { ", the best of those tried" } ", chosen for " strong { (best.part.name) }
                                 ", which moves farthest. With it that moves by at most "
                                 strong { (words.length(optimum.amplitude)) } " between " (from) " and " (to) ". The most without friction: "
                                 (best::bound(words, optimum.without_friction)) ", with the contact stuck: "
@@ -58,9 +62,9 @@ pub fn html(
                             }
                         }
                     }
-                    @if let (Some(widest), OptimumKind::EqualPeaks | OptimumKind::SinglePeak) = (optimum.tolerances.last(), optimum.kind) {
+                    @if let (Some((from, to)), Some(OptimumKind::EqualPeaks | OptimumKind::SinglePeak) | None) = (optimum.within, optimum.kind) {
                         li {
-                            "It need not be exact: from " (words.friction(widest.from)) " to " (words.friction(widest.to))
+                            "It need not be exact: from " (words.friction(from)) " to " (words.friction(to))
                             " the largest amplitude stays within a tenth of its least."
                         }
                     }
@@ -87,6 +91,14 @@ pub fn html(
                         "from " (words.friction(spread.stuck_from)) " on it never moves."
                     } @else {
                         "no friction holds it everywhere."
+                    }
+                }
+                @if let Some(load) = words.measure.load() {
+                    li {
+                        "All this is for " (match load {
+                            Load::Base(motion) => format!("a base motion of {} mm", digits(1e3 * motion)),
+                            Load::Force(force) => format!("a force of {} N", digits(force)),
+                        }) ". Twice the load asks for twice the friction, and moves everything twice as far."
                     }
                 }
             }

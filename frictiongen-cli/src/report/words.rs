@@ -79,7 +79,12 @@ impl Words {
 
     /// A friction.
     pub fn friction(&self, beta: f64) -> String {
-        let value = digits(self.scales.friction(beta));
+        self.force(self.scales.friction(beta))
+    }
+
+    /// A friction that is in its unit already.
+    pub fn force(&self, force: f64) -> String {
+        let value = digits(force);
         match self.measure.scale() {
             Some(_) => format!("{value} N"),
             None => format!("β = {value}"),

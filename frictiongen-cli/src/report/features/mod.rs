@@ -1,0 +1,172 @@
+//! What the response is made of: the features that `frictiongen features` lists, in the words of the page.
+
+mod tables;
+
+use super::asked::Asked;
+use crate::failure::Failure;
+use crate::features::lines::{Line, lines};
+use crate::features::report::FeaturesReport;
+use crate::number::Value;
+use crate::output::Report as _;
+use maud::{Markup, html};
+use serde_json::{Value as Json, json};
+
+/// The most masses whose features are looked for: each number comes with its derivatives by all masses and springs.
+const MOST_MASSES: usize = 16;
+/// The most masses for which that is done at every friction that is given, and with the true peaks.
+const ALL_FRICTIONS: usize = 4;
+/// The most rows of a table; all are in the data.
+const MOST_ROWS: usize = 24;
+
+/// The section's contents.
+pub struct Features {
+    /// β of what depends on it.
+    frictions: Vec<f64>,
+    lines: Result<Vec<Line>, String>,
+}
+
+/// A table of the section.
+struct Table {
+    title: String,
+    says: String,
+    heads: Vec<&'static str>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Features {
+    /// At the frictions given, or at the best one; none of a long chain.
+    pub fn of(asked: &Asked, levels: &[f64], best: Option<f64>) -> Self {
+        let masses = asked.system.scene().masses.len();
+        if MOST_MASSES < masses {
+            return Self {
+                frictions: Vec::new(),
+                lines: Err(format!(
+                    "Of more than {MOST_MASSES} masses features are not listed here; “frictiongen features” does so."
+                )),
+            };
+        }
+        let sliding = |beta: &&f64| 0.0 < **beta;
+        let mut frictions: Vec<f64> = match (&asked.frictions, best) {
+            (None, Some(best)) if 0.0 < best && best.is_finite() => vec![best],
+            (Some(given), _) => given.iter().filter(sliding).copied().collect(),
+            (None, _) => levels.iter().filter(sliding).take(1).copied().collect(),
+        };
+        if ALL_FRICTIONS < masses {
+            frictions.truncate(1);
+        }
+        let found = lines(
+            &asked.system,
+            &asked.band,
+            &asked.words.measure,
+            &asked.parts,
+            &frictions,
+            masses <= ALL_FRICTIONS,
+        );
+        let lines = found.map_err(|failure| match failure {
+            Failure::Lines(lines) => lines.join(" ").replace("frictiongen: ", ""),
+            Failure::Closed => String::new(),
+        });
+        Self { frictions, lines }
+    }
+
+    /// All of them.
+    pub fn lines(&self) -> &[Line] {
+        self.lines.as_deref().unwrap_or_default()
+    }
+
+    fn named<'s>(&'s self, feature: &'static str) -> impl Iterator<Item = &'s Line> {
+        let lines = self.lines().iter();
+        lines.filter(move |line| line.feature == feature)
+    }
+
+    /// The same lines as the command's, with what moves their first number most.
+    fn report<'a>(&self, asked: &'a Asked) -> FeaturesReport<'a> {
+        FeaturesReport {
+            system: &asked.system,
+            band: asked.band.clone(),
+            measure: asked.words.measure,
+            lines: self.lines().to_vec(),
+        }
+    }
+
+    /// The section.
+    pub fn html(&self, asked: &Asked) -> Markup {
+        let damped = asked.system.modal().is_damped();
+        html! {
+            section #features {
+                h2 { "What the response is made of" }
+                @match &self.lines {
+                    Err(reason) => p { (reason) },
+                    Ok(_) => {
+                        p {
+                            "Why the curves look as they do, found by formulas and intervals rather than read off the curves; \
+                             true peaks, and with damping what the contact does, by close samples."
+                            @if damped {
+                                " With damping there are no invariant points and no inversions: some friction always changes the amplitude."
+                            }
+                        }
+                        @if ALL_FRICTIONS < asked.system.scene().masses.len() {
+                            p.note { "True peaks beside their estimates are listed of up to " (ALL_FRICTIONS) " masses; “frictiongen features” has them." }
+                        }
+                        @for table in self.tables(asked) { (table.html()) }
+                    }
+                }
+            }
+        }
+    }
+
+    /// As data: the lines of `frictiongen features --json`, with one derivative in place of all.
+    pub fn data(&self, asked: &Asked) -> Json {
+        if let Err(reason) = &self.lines {
+            return json!({ "none": reason });
+        }
+        let report = self.report(asked);
+        let names = report.names();
+        let one = |line: &Line| -> Json {
+            let record = report.record(line);
+            let fields = names.iter().cloned();
+            fields
+                .zip(record.iter().map(Value::json))
+                .collect::<serde_json::Map<_, _>>()
+                .into()
+        };
+        let frictions = self.frictions.iter();
+        json!({
+            "beta": frictions.copied().collect::<Vec<f64>>(),
+            "lines": report.lines.iter().map(one).collect::<Vec<_>>(),
+        })
+    }
+}
+
+impl Table {
+    /// Without the column of this head.
+    fn leave_out(&mut self, head: &str) {
+        let Some(place) = self.heads.iter().position(|other| *other == head) else {
+            return;
+        };
+        self.heads.remove(place);
+        for row in self.rows.iter_mut().filter(|row| place < row.len()) {
+            row.remove(place);
+        }
+    }
+
+    fn html(&self) -> Markup {
+        html! {
+            h3 { (self.title) }
+            p { (self.says) }
+            div.scroll tabindex="0" role="region" aria-label=(self.title) {
+                table {
+                    thead { tr { @for head in &self.heads { th scope="col" { (head) } } } }
+                    tbody { @for row in self.rows.iter().take(MOST_ROWS) { tr {
+                        @for (index, cell) in row.iter().enumerate() {
+                            @if index == 0 { th scope="row" { (cell) } } @else { td { (cell) } }
+                        }
+                    } } }
+                }
+            }
+            @if MOST_ROWS < self.rows.len() {
+                p.note { "The first " (MOST_ROWS) " of " (self.rows.len()) "; the data at the end of this page have all." }
+            }
+        }
+    }
+}

@@ -1,0 +1,320 @@
+//! The tables of the features.
+
+use super::super::asked::Asked;
+use super::super::words::{Words, digits};
+use super::{Features, Table};
+use crate::features::lines::Line;
+use crate::features::report::FeaturesReport;
+
+impl Features {
+    /// Those that have rows.
+    pub(super) fn tables(&self, asked: &Asked) -> Vec<Table> {
+        let mut tables = self.about_the_chain(asked);
+        if !asked.system.modal().is_damped() {
+            tables.extend(self.without_damping(&asked.words));
+        }
+        tables.extend(self.at_frictions(asked));
+        tables.retain(|table| !table.rows.is_empty());
+        tables
+    }
+
+    fn about_the_chain(&self, asked: &Asked) -> Vec<Table> {
+        let words = &asked.words;
+        let report = self.report(asked);
+        let moved = |line: &Line| match FeaturesReport::strongest(line) {
+            Some((_, parameter, percent)) => {
+                format!(
+                    "{} % for 1 % of {}",
+                    digits(percent),
+                    report.symbol(parameter)
+                )
+            }
+            None => String::new(),
+        };
+        let damped = asked.system.modal().is_damped();
+        let force = |line: &Line| {
+            line.friction
+                .map_or_else(|| line.detail.clone(), |force| limit(words, force))
+        };
+        let resonances = self.named("resonance").map(|line| {
+            let mut row = vec![line.of.clone(), place(words, line), force(line)];
+            if damped {
+                let mut thresholds = self.named("threshold without damping");
+                let own = thresholds.find(|other| other.of == line.of);
+                row.push(own.map_or_else(|| "none".to_owned(), force));
+            }
+            row.push(moved(line));
+            row
+        });
+        let (says, heads) = if damped {
+            (
+                "Up to the first friction the contact slides all the time at that resonance. Up to the second the amplitude there would \
+                 be without bound if the chain had no damping of its own: so much friction it takes to matter.",
+                vec![
+                    "mode",
+                    "at",
+                    "slides all the time up to",
+                    "threshold without damping",
+                    "frequency moves most",
+                ],
+            )
+        } else {
+            (
+                "Below its threshold a resonance is without bound: nothing else damps it.",
+                vec!["mode", "at", "bounded from", "frequency moves most"],
+            )
+        };
+        let stuck = self.named("resonance if stuck").map(|line| {
+            let holds = match line.friction {
+                Some(force) if force.is_infinite() => "slides whatever the friction".to_owned(),
+                Some(force) => format!("slides up to {}", words.force(force)),
+                None => line.detail.clone(),
+            };
+            vec![place(words, line), holds, moved(line)]
+        });
+        let ends = ["limit for r -> 0", "limit for r -> inf"]
+            .into_iter()
+            .zip(["towards rest", "far above all resonances"]);
+        let ends = ends.flat_map(|(feature, at)| {
+            self.named(feature).map(move |line| {
+                let does = match line.friction {
+                    Some(0.0) if line.detail == "slides up to" => {
+                        "is stuck with any friction".to_owned()
+                    }
+                    Some(0.0) => "stops with any friction".to_owned(),
+                    Some(force) if force.is_infinite() => {
+                        format!("{} any friction", line.detail)
+                    }
+                    Some(force) => format!("{} {}", line.detail, words.force(force)),
+                    None => line.detail.clone(),
+                };
+                vec![at.to_owned(), does]
+            })
+        });
+        vec![
+            Table {
+                title: "Resonances and their thresholds".to_owned(),
+                says: says.to_owned(),
+                heads,
+                rows: resonances.collect(),
+            },
+            Table {
+                title: "Resonances of the chain with its contact stuck".to_owned(),
+                says: "With too much friction the peak goes there. A contact that slides there whatever the friction cannot be locked."
+                    .to_owned(),
+                heads: vec!["at", "the contact there", "frequency moves most"],
+                rows: stuck.collect(),
+            },
+            Table {
+                title: "At the ends of the frequency axis".to_owned(),
+                says: "What the contact does when the load is very slow or very fast.".to_owned(),
+                heads: vec!["where", "the contact"],
+                rows: ends.collect(),
+            },
+        ]
+    }
+
+    fn without_damping(&self, words: &Words) -> Vec<Table> {
+        let points = self.named("invariant point").map(|line| {
+            vec![
+                line.of.clone(),
+                place(words, line),
+                amplitude(words, line),
+                line.friction
+                    .map_or_else(String::new, |force| limit(words, force)),
+                measured(&line.detail).to_owned(),
+            ]
+        });
+        let inversions = self.named("grows with friction").map(|line| {
+            let (_, ends) = line.detail.split_once(": ").unwrap_or_default();
+            vec![
+                line.of.clone(),
+                range(words, line),
+                ends.to_owned(),
+                measured(&line.detail).to_owned(),
+            ]
+        });
+        let still = self
+            .named("antiresonance")
+            .map(|line| vec![line.of.clone(), place(words, line)]);
+        vec![
+            Table {
+                title: "Invariant points".to_owned(),
+                says: "At these frequencies no friction changes the amplitude, as long as the contact slides all the time: \
+                       no damper brings a curve below them, and no measurement there tells the friction."
+                    .to_owned(),
+                heads: vec!["of", "at", "amplitude there", "for friction up to", "what is invariant"],
+                rows: points.collect(),
+            },
+            Table {
+                title: "Where friction makes it worse".to_owned(),
+                says: "Between these frequencies more friction means more motion.".to_owned(),
+                heads: vec!["of", "from … to", "from and to what", "what grows"],
+                rows: inversions.collect(),
+            },
+            Table {
+                title: "Antiresonances".to_owned(),
+                says: "Without friction these stand still there.".to_owned(),
+                heads: vec!["of", "at"],
+                rows: still.collect(),
+            },
+        ]
+    }
+
+    fn at_frictions(&self, asked: &Asked) -> Vec<Table> {
+        let words = &asked.words;
+        let forces: Vec<String> = self
+            .frictions
+            .iter()
+            .map(|beta| words.friction(*beta))
+            .collect();
+        let at = match forces.as_slice() {
+            [only] => format!(" with {only}"),
+            _ => String::new(),
+        };
+        let force = |line: &Line| {
+            line.friction
+                .map_or_else(String::new, |force| words.force(force))
+        };
+        let slides = self
+            .named("slides")
+            .map(|line| vec![force(line), range(words, line)]);
+        let regimes = self.named("regime").map(|line| {
+            vec![
+                force(line),
+                range(words, line),
+                does(&line.detail).to_owned(),
+            ]
+        });
+        // What a contact holds at rest has none.
+        let moving = |line: &&Line| line.amplitude != Some(0.0);
+        let peaks = self.named("peak").filter(moving).map(|line| {
+            let (mode, regime) = line.detail.split_once(": ").unwrap_or((&line.detail, ""));
+            let estimate = self.named("peak by estimate").find(|other| {
+                (other.detail.as_str(), &other.of, other.friction)
+                    == (mode, &line.of, line.friction)
+            });
+            vec![
+                force(line),
+                line.of.clone(),
+                mode.trim_start_matches("mode ").to_owned(),
+                place(words, line),
+                amplitude(words, line),
+                estimate.map_or_else(|| "none".to_owned(), |line| amplitude(words, line)),
+                does(regime).to_owned(),
+            ]
+        });
+        let starts = self.named("quasi-static start").map(|line| {
+            let height = match line.amplitude {
+                Some(_) => amplitude(words, line),
+                None => "the contact is stuck there".to_owned(),
+            };
+            vec![force(line), line.of.clone(), height]
+        });
+        let crossings = self.named("same amplitude").map(|line| {
+            vec![
+                line.of.clone(),
+                place(words, line),
+                amplitude(words, line),
+                line.detail.clone(),
+            ]
+        });
+        let mut tables = vec![
+            Table {
+                title: format!("Peaks{at}"),
+                says: "The largest amplitude about each resonance, over all regimes, beside the estimate for small damping; \
+                       a resonance that is not listed has no peak left."
+                    .to_owned(),
+                heads: vec!["friction", "of", "mode", "peak at", "amplitude", "estimate", "the contact there"],
+                rows: peaks.collect(),
+            },
+            Table {
+                title: format!("Where the contact slides{at}"),
+                says: "In these ranges it slides, all the time or in turns, with this friction and with every smaller one; \
+                       outside it is stuck."
+                    .to_owned(),
+                heads: vec!["friction", "from … to"],
+                rows: slides.collect(),
+            },
+            Table {
+                title: format!("What the contact does{at}"),
+                says: "From low to high frequencies.".to_owned(),
+                heads: vec!["friction", "from … to", "the contact"],
+                rows: regimes.collect(),
+            },
+            Table {
+                title: format!("The quasi-static start{at}"),
+                says: "How far each mass moves when the load is very slow: where the curves begin.".to_owned(),
+                heads: vec!["friction", "of", "amplitude"],
+                rows: starts.collect(),
+            },
+            Table {
+                title: "The same amplitude with two frictions".to_owned(),
+                says: "There the exact curves of two frictions cross.".to_owned(),
+                heads: vec!["of", "at", "amplitude", "which"],
+                rows: crossings.collect(),
+            },
+        ];
+        if let [_] = self.frictions.as_slice() {
+            // The title says it.
+            for table in &mut tables {
+                table.leave_out("friction");
+            }
+        }
+        tables
+    }
+}
+
+fn place(words: &Words, line: &Line) -> String {
+    line.r.map_or_else(String::new, |r| words.frequency(r))
+}
+
+fn range(words: &Words, line: &Line) -> String {
+    match (line.r, line.to) {
+        (Some(from), Some(to)) => {
+            format!("{} … {}", words.frequency(from), words.frequency(to))
+        }
+        _ => place(words, line),
+    }
+}
+
+/// A friction that may have no end.
+fn limit(words: &Words, force: f64) -> String {
+    if force.is_infinite() {
+        "any friction".to_owned()
+    } else {
+        words.force(force)
+    }
+}
+
+/// The amplitude of a line, which is in its unit already.
+fn amplitude(words: &Words, line: &Line) -> String {
+    match line.amplitude {
+        None => String::new(),
+        Some(size) if size.is_infinite() => "without bound".to_owned(),
+        Some(size) => words.length(words.measure.length_ratio(size)),
+    }
+}
+
+/// What does not change, or grows, in words.
+fn measured(detail: &str) -> &'static str {
+    if detail.starts_with("fundamental") {
+        "fundamental component"
+    } else if detail.contains("estimate") {
+        "amplitude, as estimated"
+    } else if detail.contains("phase too") {
+        "amplitude and phase"
+    } else {
+        "amplitude"
+    }
+}
+
+/// What the contact does, in words.
+fn does(regime: &str) -> &str {
+    match regime {
+        "continuous" => "slides all the time",
+        "stick-slip" => "slides and stops in turn",
+        "stuck" => "is stuck",
+        other => other,
+    }
+}
