@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from conftest import SCENES
+from conftest import SCENES, hold
 
 import frictiongen
 
@@ -21,23 +21,6 @@ def system(scene):
 
 def listed(values):
     return ",".join(repr(float(value)) for value in values)
-
-
-def hold(ours, theirs, but=()):
-    """Every column of theirs is in ours, in the same order, with the same bits."""
-    names = [name for name in theirs.columns if name not in but]
-    assert [name for name in ours.columns if name not in but] == names
-    assert len(ours) == len(theirs)
-    compared = 0
-    for name in names:
-        left, right = ours[name], theirs[name]
-        if left.dtype.kind in "fi":
-            # What is missing is NaN on both sides; 0 == -0, and neither side has the latter.
-            np.testing.assert_array_equal(left.to_numpy(float), right.to_numpy(float), err_msg=name)
-        else:
-            assert left.fillna("").tolist() == right.fillna("").tolist(), name
-        compared += len(left)
-    return compared
 
 
 @pytest.mark.parametrize(("scene", "load", "option"), SCENES_AND_LOADS)

@@ -15,5 +15,6 @@ mod force;
 mod fuzz;
 mod intervals;
 mod made;
+mod phase;
 mod recordings;
 mod sweeps;

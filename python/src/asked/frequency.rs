@@ -1,5 +1,6 @@
 //! The frequencies asked for: ratios r, Hz or rad/s.
 
+use super::measure::Measure;
 use super::numbers::{Given, numbers, one};
 use crate::columns::{Columns, cell};
 use crate::errors::domain;
@@ -161,6 +162,28 @@ pub struct Band {
 }
 
 impl Band {
+    /// The two ends given, or, if none are, the range about the resonances: in Hz with a load.
+    pub fn of_or_usual(
+        system: &System,
+        arguments: &FrequencyArguments<'_>,
+        measure: &Measure,
+    ) -> PyResult<Self> {
+        if !matches!(arguments, (None, None, None)) {
+            return Self::of(system, arguments);
+        }
+        let [from, to] = system.about_resonances();
+        let unit = match measure.load() {
+            Some(_) => Unit::Hertz,
+            None => Unit::Ratio,
+        };
+        Ok(Self { from, to, unit })
+    }
+
+    /// Whether it was given in a unit.
+    pub fn is_physical(&self) -> bool {
+        self.unit != Unit::Ratio
+    }
+
     /// The two ends given.
     pub fn of(system: &System, arguments: &FrequencyArguments<'_>) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;

@@ -75,8 +75,17 @@ pub enum Using {
     Complex,
     /// The amplitude alone.
     Amplitude,
-    /// The phase alone.
+    /// The phase alone, of motions of a likely size.
     Phase,
+    /// The phase alone, of motions whose size was not measured: of [`Datum::value`] only the direction counts.
+    PhaseAlone,
+}
+
+impl Using {
+    /// Whether phases are compared, and nothing else.
+    pub(super) fn is_phase(self) -> bool {
+        matches!(self, Self::Phase | Self::PhaseAlone)
+    }
 }
 
 /// What is looked for beside the friction force.
@@ -150,6 +159,19 @@ pub enum Verdict {
     /// It does not: the response hardly changes with friction there, as at an invariant point, or friction is too small
     /// to stand out of the noise.
     NotTold,
+}
+
+impl Verdict {
+    /// In a word or two.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Told => "told",
+            Self::SeveralLevels => "several levels",
+            Self::Stuck => "stuck",
+            Self::NotTold => "not told",
+        }
+    }
 }
 
 impl std::fmt::Display for Verdict {
