@@ -10,7 +10,10 @@ use std::path::PathBuf;
 /// A file with this text.
 fn file(name: &str, text: &str) -> String {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("recorded-{name}"));
-    std::fs::write(&path, text).unwrap();
+    // Whole or not at all: another test may read it meanwhile.
+    let own = path.with_extension(format!("{:?}", std::thread::current().id()));
+    std::fs::write(&own, text).unwrap();
+    std::fs::rename(&own, &path).unwrap();
     path.to_str().unwrap().to_owned()
 }
 
