@@ -89,11 +89,11 @@ class Design(Base):
         >>> frame = frictiongen.System(frictiongen.FRAME)
         >>> features = frame.features(hz=(1, 7), friction=0.4, base=0.001)
         >>> features.held_resonances.frequency_Hz.round(3).tolist()
-        [4.411]
+        [4.412]
         >>> features.regimes.regime.tolist()
-        ['stick-slip', 'continuous', 'stick-slip', 'continuous', 'stick-slip', 'continuous']
-        >>> features.peaks.keys()
-        ['friction_N', 'beta', 'of', 'mode']
+        ['stick-slip', 'continuous', 'stick-slip', 'continuous', 'stick-slip', 'stuck']
+        >>> features.regimes.relative("to_frequency_Hz")["F"].round(2).tolist()[:2]  # per cent for one per cent
+        [0.45, -0.09]
         """
         return Features(
             _native.features(self._native, (r, hz, omega), (beta, friction), (force, base), names(of))
