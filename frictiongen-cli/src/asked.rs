@@ -1,8 +1,8 @@
 //! What is asked of commands that go over frequency and friction: points, masses, harmonics.
 
 use crate::failure::Failure;
-use frictiongen::study::{SystemAt, SystemMotion, UnknownMass, words};
-use frictiongen::{NotContinuous, Of, OutOfDomain, Regime, System};
+use frictiongen::study::UnknownMass;
+use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
 
 /// The highest harmonic there may be.
@@ -141,19 +141,4 @@ pub fn part(system: &System, name: &str) -> Result<Part, Failure> {
     parts
         .pop()
         .ok_or_else(|| Failure::new("--of: give the motion"))
-}
-
-/// The regime in a word, the same in every command.
-pub fn regime(
-    at: &SystemAt<'_>,
-    motion: &Result<SystemMotion<'_>, NotContinuous>,
-) -> Result<&'static str, OutOfDomain> {
-    Ok(match motion {
-        Ok(_) => words::regime(Regime::Continuous),
-        Err(NotContinuous::StickSlip) => words::regime(Regime::StickSlip),
-        Err(NotContinuous::Stuck) if at.stuck().is_ok() => words::regime(Regime::Stuck),
-        // On an undamped resonance, of the chain or of the chain with its contact stuck.
-        Err(NotContinuous::Stuck | NotContinuous::Unbounded) => "unbounded",
-        Err(_) => return Err(OutOfDomain { argument: "beta" }),
-    })
 }

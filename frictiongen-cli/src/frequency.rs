@@ -3,6 +3,7 @@
 use crate::args::FrequencyArguments;
 use crate::failure::Failure;
 use crate::grid::{self, Quantity};
+use crate::measure::Measure;
 use crate::number::{Value, survives};
 use crate::table::Column;
 use frictiongen::System;
@@ -12,6 +13,8 @@ use frictiongen::study::units;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Unit {
     Ratio,
+    /// r, with Hz beside it, as the load has units.
+    RatioUnderLoad,
     Hertz,
     Omega,
 }
@@ -72,8 +75,19 @@ impl Band {
         }
     }
 
+    /// The same under a load: with units, r has its Hz beside it.
+    pub fn under(mut self, measure: &Measure) -> Self {
+        self.unit = self.unit.under(measure);
+        self
+    }
+
     /// Whether it is given in a unit.
     pub fn is_physical(&self) -> bool {
+        self.unit.is_physical()
+    }
+
+    /// Whether Hz stand beside r.
+    pub fn tells_hertz(&self) -> bool {
         self.unit != Unit::Ratio
     }
 
@@ -82,7 +96,7 @@ impl Band {
         let omega = system.angular_frequency(r);
         match self.unit {
             Unit::Ratio => Frequency::of_ratio(r),
-            Unit::Hertz => Frequency {
+            Unit::RatioUnderLoad | Unit::Hertz => Frequency {
                 hertz: Some(units::hertz(omega)),
                 ..Frequency::of_ratio(r)
             },
@@ -98,7 +112,7 @@ impl Band {
     pub fn columns(&self) -> Vec<Column> {
         let titles: &[&[&str]] = match self.unit {
             Unit::Ratio => &[&["r"]],
-            Unit::Hertz => &[&["frequency", "(Hz)"], &["r"]],
+            Unit::RatioUnderLoad | Unit::Hertz => &[&["frequency", "(Hz)"], &["r"]],
             Unit::Omega => &[&["frequency", "(Hz)"], &["omega", "(rad/s)"], &["r"]],
         };
         titles.iter().map(|title| Column::computed(title)).collect()
@@ -128,11 +142,22 @@ fn too_far(quantity: Quantity, given: f64) -> Failure {
 }
 
 impl Unit {
+    fn under(self, measure: &Measure) -> Self {
+        match (self, measure.scale()) {
+            (Self::Ratio, Some(_)) => Self::RatioUnderLoad,
+            (unit, _) => unit,
+        }
+    }
+
+    fn is_physical(self) -> bool {
+        matches!(self, Self::Hertz | Self::Omega)
+    }
+
     /// What a frequency is read as; of a motion in time, which needs a cycle, or not.
     fn quantity(self, in_time: bool) -> Quantity {
         match (self, in_time) {
-            (Self::Ratio, false) => Quantity::FrequencyRatio,
-            (Self::Ratio, true) => Quantity::FrequencyRatioInTime,
+            (Self::Ratio | Self::RatioUnderLoad, false) => Quantity::FrequencyRatio,
+            (Self::Ratio | Self::RatioUnderLoad, true) => Quantity::FrequencyRatioInTime,
             (Self::Hertz, false) => Quantity::Hertz,
             (Self::Hertz, true) => Quantity::HertzInTime,
             (Self::Omega, false) => Quantity::Omega,
@@ -143,6 +168,10 @@ impl Unit {
     fn frequency(self, system: &System, given: f64) -> Frequency {
         match self {
             Self::Ratio => Frequency::of_ratio(given),
+            Self::RatioUnderLoad => Frequency {
+                hertz: Some(system.hertz(given)),
+                ..Frequency::of_ratio(given)
+            },
             Self::Hertz => Frequency {
                 r: system.frequency_ratio_at_hertz(given),
                 hertz: Some(given),
@@ -160,7 +189,7 @@ impl Unit {
     fn names(self) -> &'static [&'static str] {
         match self {
             Self::Ratio => &["r"],
-            Self::Hertz => &["frequency_Hz", "r"],
+            Self::RatioUnderLoad | Self::Hertz => &["frequency_Hz", "r"],
             Self::Omega => &["frequency_Hz", "omega_rad_s", "r"],
         }
     }
@@ -180,7 +209,7 @@ pub struct Frequencies {
 pub struct Frequency {
     /// r.
     pub r: f64,
-    /// In Hz, where it was given in a unit.
+    /// In Hz, where it was given in a unit or the load was.
     hertz: Option<f64>,
     /// In rad/s, where it was given so.
     omega: Option<f64>,
@@ -241,9 +270,15 @@ impl Frequencies {
         self.given.len()
     }
 
+    /// The same under a load: with units, r has its Hz beside it.
+    pub fn under(mut self, measure: &Measure) -> Self {
+        self.unit = self.unit.under(measure);
+        self
+    }
+
     /// Whether they are given in a unit.
     pub fn are_physical(&self) -> bool {
-        self.unit != Unit::Ratio
+        self.unit.is_physical()
     }
 
     /// The frequencies, in the order written.
@@ -255,11 +290,17 @@ impl Frequencies {
         self.unit.frequency(system, given)
     }
 
+    /// Whether Hz stand beside r.
+    pub fn tell_hertz(&self) -> bool {
+        self.unit != Unit::Ratio
+    }
+
     /// The columns of the table.
     pub fn columns(&self) -> Vec<Column> {
         let given = |title: &[&str]| Column::given(title, &self.given);
         match self.unit {
             Unit::Ratio => vec![given(&["r"])],
+            Unit::RatioUnderLoad => vec![Column::computed(&["frequency", "(Hz)"]), given(&["r"])],
             Unit::Hertz => vec![given(&["frequency", "(Hz)"]), Column::computed(&["r"])],
             Unit::Omega => vec![
                 Column::computed(&["frequency", "(Hz)"]),

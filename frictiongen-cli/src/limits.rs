@@ -20,6 +20,7 @@ pub fn run(arguments: &LimitsArguments, out: &mut dyn Write) -> Result<(), Failu
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;
     let measure = Measure::of(&arguments.load, &system)?;
+    let frequencies = frequencies.under(&measure);
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let report = LimitsReport {
         system,

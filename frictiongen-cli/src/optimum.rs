@@ -26,6 +26,7 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
     }
     let part = asked::part(&system, &arguments.of)?;
     let measure = Measure::of(&arguments.load, &system)?;
+    let band = band.under(&measure);
     let request = OptimumRequest {
         of: part.of,
         band: FrequencyBand::Ratio(band.from, band.to),
@@ -97,7 +98,7 @@ impl OptimumReport {
                 "peak at"
             };
             let frequency = self.band.frequency(&self.system, peak.r);
-            if self.band.is_physical() {
+            if self.band.tells_hertz() {
                 add(at.to_owned(), frequency.hertz(&self.system).into(), "Hz");
             }
             add(format!("{at} r"), peak.r.into(), "");

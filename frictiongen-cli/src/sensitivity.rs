@@ -24,6 +24,7 @@ pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), 
     let part = asked::part(&system, &arguments.of)?;
     frequencies.check(&system)?;
     let measure = Measure::of(&arguments.point.load, &system)?;
+    let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let report = SensitivityReport {

@@ -6,14 +6,16 @@ mod common;
 use common::{cells, failure, json, output};
 use std::fmt::Write as _;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A file with this text.
+/// A file with this text, in a folder of its own: tests run side by side.
 fn file(name: &str, text: &str) -> String {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("recorded-{name}"));
-    // Whole or not at all: another test may read it meanwhile.
-    let own = path.with_extension(format!("{:?}", std::thread::current().id()));
-    std::fs::write(&own, text).unwrap();
-    std::fs::rename(&own, &path).unwrap();
+    static COUNT: AtomicUsize = AtomicUsize::new(0);
+    let folder = format!("recorded-{}", COUNT.fetch_add(1, Ordering::Relaxed));
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join(name);
+    std::fs::write(&path, text).unwrap();
     path.to_str().unwrap().to_owned()
 }
 

@@ -106,7 +106,9 @@ fn columns_beside_those_of_the_groups() {
         for name in names {
             let (plain, unit) = match name.as_str() {
                 "friction_N" => ("beta", 0.002 * 1190.0),
-                "regime" | "answer" | "state" | "symmetry" => continue,
+                "frequency_Hz" => ("r", (1190.0_f64 / 3.27).sqrt() / TAU),
+                // In groups there are no seconds: `stops_in_seconds`.
+                "regime" | "answer" | "state" | "symmetry" | "longest_stop_s" => continue,
                 name => match (name.strip_suffix("_m"), name.strip_suffix("_deg")) {
                     (Some(plain), _) => (plain, 0.002),
                     (_, Some(plain)) => (plain, 180.0 / PI),
@@ -129,6 +131,35 @@ fn columns_beside_those_of_the_groups() {
     }
     println!("{compared} values");
     assert!(compared > 500);
+}
+
+/// Sticking intervals in seconds, beside those in the angle of the excitation.
+#[test]
+fn stops_in_seconds() {
+    let arguments = "orbit - --r 0.3 --beta 0.4 --force 10";
+    let arguments: Vec<_> = arguments.split(' ').collect();
+    let found = json(&output(BLOCK, &[&arguments[..], &["--json"]].concat()));
+    let point = &found["points"][0];
+    let pairs = |name: &str| -> Vec<[f64; 2]> {
+        let pairs = point[name].as_array().unwrap().iter();
+        let number = |value: &serde_json::Value| value.as_f64().unwrap();
+        pairs
+            .map(|pair| [number(&pair[0]), number(&pair[1])])
+            .collect()
+    };
+    let omega = 0.3 * (50.0_f64 / 2.0).sqrt();
+    let (angles, seconds) = (pairs("sticking_intervals"), pairs("sticking_intervals_s"));
+    assert_eq!((angles.len(), seconds.len()), (2, 2));
+    for (angles, seconds) in angles.iter().flatten().zip(seconds.iter().flatten()) {
+        assert!(
+            (seconds * omega - angles).abs() < 1e-14,
+            "{seconds} {angles}"
+        );
+    }
+    let text = output(BLOCK, &[&arguments[..], &["--csv"]].concat());
+    let longest = seconds[0][1].max(seconds[1][1]);
+    assert_eq!(column(&text, "longest_stop_s"), [longest]);
+    close(column(&text, "frequency_Hz")[0], omega / TAU);
 }
 
 #[test]

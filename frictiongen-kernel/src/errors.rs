@@ -106,6 +106,9 @@ impl fmt::Display for OutOfDomain {
                 "there must be one force for each mass that may be loaded, and for no other"
             }
             "stiction" => "it must be a finite number, 1 or more",
+            "damping" => {
+                "with so many modes at or beyond critical damping, held and free modes cannot be told apart in this scalar: less than half of the digits would be left"
+            }
             "steps" => "the input at the start is said before the first step",
             "saved" => "it belongs to another scene",
             _ => "it must be a finite number, not negative",

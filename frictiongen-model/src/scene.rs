@@ -263,6 +263,13 @@ impl Scene {
         self.provide.iter().any(|item| *item != Provide::Stepper)
     }
 
+    /// Whether anything is provided that follows the motion in time.
+    #[must_use]
+    pub fn moves_in_time(&self) -> bool {
+        let in_time = [Provide::Simulation, Provide::Orbit, Provide::Stepper];
+        self.provide.iter().any(|item| in_time.contains(item))
+    }
+
     /// What a node is called in the description; `?` for a mass that does not exist.
     #[must_use]
     pub fn node_name(&self, node: Node) -> &str {

@@ -39,6 +39,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     let band = Band::parse(&arguments.point.frequency, &system)?;
     let parts = asked::parts(&system, &arguments.of)?;
     let measure = Measure::of(&arguments.point.load, &system)?;
+    let band = band.under(&measure);
     let frictions = frictions.under(&measure)?;
     let of: Vec<_> = parts.iter().map(|part| part.of).collect();
     let mut request = CurveRequest {

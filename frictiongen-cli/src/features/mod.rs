@@ -59,6 +59,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
     } else {
         Band::parse(&frequency, &system)?
     };
+    let band = band.under(&measure);
     if band.widest.is_some() {
         return Err(Failure::new(
             "a band is a:b, without a step: all features of it are listed",

@@ -53,7 +53,7 @@ impl FeaturesReport<'_> {
             line.detail.as_str().into(),
         ];
         for place in [line.r, line.to] {
-            if self.band.is_physical() {
+            if self.band.tells_hertz() {
                 values.push(place.map(|r| self.system.hertz(r)).into());
             }
             values.push(place.into());
@@ -82,7 +82,7 @@ impl FeaturesReport<'_> {
     fn titles(&self) -> Vec<[String; 2]> {
         let mut titles = Vec::new();
         for (hertz, ratio) in [("at", "r"), ("to", "to r")] {
-            if self.band.is_physical() {
+            if self.band.tells_hertz() {
                 titles.push([hertz.to_owned(), "(Hz)".to_owned()]);
             }
             titles.push([ratio.to_owned(), String::new()]);
@@ -112,7 +112,7 @@ impl Report for FeaturesReport<'_> {
         let [from, to] = [self.band.from, self.band.to];
         let ends = [from, to].map(computed);
         let mut text = format!("r from {} to {}", ends[0], ends[1]);
-        if self.band.is_physical() {
+        if self.band.tells_hertz() {
             let hertz = [from, to].map(|r| computed(self.system.hertz(r)));
             text.push_str(&format!(", {} to {} Hz", hertz[0], hertz[1]));
         }
@@ -156,7 +156,7 @@ impl Report for FeaturesReport<'_> {
     fn names(&self) -> Vec<String> {
         let mut names: Vec<String> = ["feature", "of", "detail"].map(str::to_owned).to_vec();
         for (hertz, ratio) in [("frequency_Hz", "r"), ("to_frequency_Hz", "to_r")] {
-            if self.band.is_physical() {
+            if self.band.tells_hertz() {
                 names.push(hertz.to_owned());
             }
             names.push(ratio.to_owned());

@@ -49,6 +49,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     frequencies.check(&system)?;
     let parts = asked::parts(&system, &arguments.of)?;
     let measure = Measure::of(&arguments.point.load, &system)?;
+    let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let request = MapRequest {
         r: frequencies

@@ -29,6 +29,7 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
     let masses = asked::masses(&system, &arguments.mass)?;
     frequencies.check(&system)?;
     let measure = Measure::of(&arguments.point.load, &system)?;
+    let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let report = OrbitReport {

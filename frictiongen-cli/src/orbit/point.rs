@@ -1,10 +1,10 @@
 //! Computes the steady state at one frequency ratio and one friction ratio.
 
-use crate::asked::{self, Mass};
+use crate::asked::Mass;
 use crate::frequency::Frequency;
 use crate::friction::Friction;
-use frictiongen::study::{SystemAt, SystemOrbit, SystemOrbitMotion, words};
-use frictiongen::{Complex, NoOrbit, OutOfDomain};
+use frictiongen::study::{SystemAt, SystemMotion, SystemOrbit, SystemOrbitMotion, words};
+use frictiongen::{Complex, NoOrbit, NotContinuous, OutOfDomain, Regime};
 
 /// The steady state at one frequency ratio and one friction ratio.
 #[derive(Debug)]
@@ -102,6 +102,12 @@ impl Steady {
         }
     }
 
+    /// How long the contact sticks at most without a break, in τ, if it sticks.
+    pub fn longest_stop(&self) -> Option<f64> {
+        let lengths = self.sticking.iter().map(|(_, length)| *length);
+        lengths.reduce(f64::max)
+    }
+
     /// The largest modulus of a multiplier, if there are any.
     pub fn largest_multiplier(&self) -> Option<f64> {
         let moduli = self
@@ -129,7 +135,7 @@ pub fn answer(
     question: &Question<'_>,
 ) -> Result<Point, OutOfDomain> {
     let beta = friction.beta;
-    let regime = asked::regime(at, &at.motion(beta))?;
+    let regime = regime(at, &at.motion(beta))?;
     let (state, orbit) = match at.orbit_or_last_cycles(beta) {
         Ok(orbit) => {
             let steady = Steady::of(&orbit, question);
@@ -144,5 +150,20 @@ pub fn answer(
         regime,
         state,
         orbit,
+    })
+}
+
+/// The regime in a word.
+fn regime(
+    at: &SystemAt<'_>,
+    motion: &Result<SystemMotion<'_>, NotContinuous>,
+) -> Result<&'static str, OutOfDomain> {
+    Ok(match motion {
+        Ok(_) => words::regime(Regime::Continuous),
+        Err(NotContinuous::StickSlip) => words::regime(Regime::StickSlip),
+        Err(NotContinuous::Stuck) if at.stuck().is_ok() => words::regime(Regime::Stuck),
+        // On an undamped resonance, of the chain or of the chain with its contact stuck.
+        Err(NotContinuous::Stuck | NotContinuous::Unbounded) => "unbounded",
+        Err(_) => return Err(OutOfDomain { argument: "beta" }),
     })
 }

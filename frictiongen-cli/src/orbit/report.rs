@@ -1,7 +1,7 @@
 //! Writes steady states: a table line for each part that moves, a CSV line and a JSON object for
 //! each point.
 
-use super::point::{Movement, Point, Question, answer};
+use super::point::{Movement, Point, Question, Steady, answer};
 use crate::asked::{CONTACT, Mass};
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
@@ -31,7 +31,7 @@ pub struct OrbitReport {
 }
 
 /// What a point says once, beside frequency and friction.
-const ONCE: [&str; 8] = [
+const ONCE: [&str; 7] = [
     "regime",
     "state",
     "symmetry",
@@ -39,7 +39,6 @@ const ONCE: [&str; 8] = [
     "stops",
     "reversals",
     "stuck_fraction",
-    "largest_multiplier",
 ];
 
 fn number(value: f64) -> Json {
@@ -50,29 +49,38 @@ fn pair((first, second): (f64, f64)) -> Json {
     Json::from(vec![number(first), number(second)])
 }
 
-fn once(point: &Point) -> Vec<Value<'_>> {
-    let orbit = point.orbit.as_ref();
-    let period = orbit.and_then(|orbit| orbit.period.as_ref());
-    let symmetry = |symmetric| if symmetric { "symmetric" } else { "asymmetric" };
-    let or_none = |value: Option<Value<'static>>| value.unwrap_or(Value::Missing);
-    let mut values: Vec<Value<'_>> = point.frequency.values();
-    values.extend(point.friction.values());
-    values.extend([
-        point.regime.into(),
-        point.state.into(),
-        or_none(period.map(|period| symmetry(period.symmetric).into())),
-        or_none(period.map(|period| period.cycles.into())),
-        or_none(period.map(|period| period.stops.into())),
-        or_none(period.map(|period| period.reversals.into())),
-        orbit.map(|orbit| orbit.stuck_fraction).into(),
-        orbit
-            .and_then(super::point::Steady::largest_multiplier)
-            .into(),
-    ]);
-    values
-}
-
 impl OrbitReport {
+    /// What a point says once.
+    fn once<'a>(&self, point: &'a Point) -> Vec<Value<'a>> {
+        let orbit = point.orbit.as_ref();
+        let period = orbit.and_then(|orbit| orbit.period.as_ref());
+        let symmetry = |symmetric| if symmetric { "symmetric" } else { "asymmetric" };
+        let or_none = |value: Option<Value<'static>>| value.unwrap_or(Value::Missing);
+        let mut values: Vec<Value<'a>> = point.frequency.values();
+        values.extend(point.friction.values());
+        values.extend([
+            point.regime.into(),
+            point.state.into(),
+            or_none(period.map(|period| symmetry(period.symmetric).into())),
+            or_none(period.map(|period| period.cycles.into())),
+            or_none(period.map(|period| period.stops.into())),
+            or_none(period.map(|period| period.reversals.into())),
+            orbit.map(|orbit| orbit.stuck_fraction).into(),
+        ]);
+        if self.frequencies.tell_hertz() {
+            let longest = orbit.and_then(Steady::longest_stop);
+            let seconds = longest.map(|angle| self.seconds(point, angle));
+            values.push(seconds.into());
+        }
+        values.push(orbit.and_then(Steady::largest_multiplier).into());
+        values
+    }
+
+    /// How long an angle of the excitation lasts.
+    fn seconds(&self, point: &Point, angle: f64) -> f64 {
+        angle / self.system.angular_frequency(point.frequency.r)
+    }
+
     /// The names of the parts that move.
     fn parts(&self) -> impl Iterator<Item = &str> {
         let masses = self.masses.iter().map(|mass| mass.name.as_str());
@@ -108,8 +116,12 @@ impl OrbitReport {
 
     /// The names of what a point says once.
     fn once_names(&self) -> Vec<&'static str> {
-        let groups = [self.frequencies.names(), self.frictions.names()];
-        [&groups.concat()[..], &ONCE].concat()
+        let mut names = [self.frequencies.names(), self.frictions.names(), &ONCE].concat();
+        if self.frequencies.tell_hertz() {
+            names.push("longest_stop_s");
+        }
+        names.push("largest_multiplier");
+        names
     }
 
     fn object(&self, movement: &Movement) -> serde_json::Map<String, Json> {
@@ -159,6 +171,11 @@ impl Report for OrbitReport {
             Column::counts(&["stops"]),
             Column::counts(&["reversals"]),
             Column::computed(&["stuck", "(of period)"]),
+        ]);
+        if self.frequencies.tell_hertz() {
+            columns.push(Column::computed(&["longest", "stop (s)"]));
+        }
+        columns.extend([
             Column::computed(&["multiplier", "(largest)"]),
             Column::words(&["motion"], self.parts()),
             Column::computed(&["amplitude", unit]),
@@ -169,7 +186,7 @@ impl Report for OrbitReport {
     }
 
     fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Value<'a>>> {
-        let first = once(point);
+        let first = self.once(point);
         let Some(orbit) = &point.orbit else {
             return vec![first];
         };
@@ -199,7 +216,7 @@ impl Report for OrbitReport {
     }
 
     fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
-        let mut record = once(point);
+        let mut record = self.once(point);
         let orbit = point.orbit.as_ref();
         for (index, _) in self.parts().enumerate() {
             let movement = orbit.and_then(|orbit| orbit.movements.get(index));
@@ -209,7 +226,7 @@ impl Report for OrbitReport {
     }
 
     fn json(&self, point: &Point) -> Json {
-        let fields = self.once_names().into_iter().zip(once(point));
+        let fields = self.once_names().into_iter().zip(self.once(point));
         let fields = fields.map(|(name, value)| (name.to_owned(), value.json()));
         let mut fields: serde_json::Map<String, Json> = fields.collect();
         let Some(orbit) = &point.orbit else {
@@ -220,6 +237,13 @@ impl Report for OrbitReport {
         fields.insert("multipliers".to_owned(), multipliers.collect());
         let sticking = orbit.sticking.iter().map(|interval| pair(*interval));
         fields.insert("sticking_intervals".to_owned(), sticking.collect());
+        if self.frequencies.tell_hertz() {
+            let in_seconds = |angle| self.seconds(point, angle);
+            let sticking = orbit.sticking.iter();
+            let sticking =
+                sticking.map(|(start, length)| pair((in_seconds(*start), in_seconds(*length))));
+            fields.insert("sticking_intervals_s".to_owned(), sticking.collect());
+        }
         let mut movements = orbit.movements.iter();
         if let Some(contact) = movements.next() {
             fields.insert(CONTACT.to_owned(), Json::Object(self.object(contact)));

@@ -1,13 +1,12 @@
 //! Computes the response at one frequency ratio and one friction ratio.
 
-use crate::asked::{self, Mass};
+use crate::asked::Mass;
 use crate::failure::Failure;
 use crate::frequency::Frequency;
 use crate::friction::{Friction, Frictions};
 use crate::output::Visitor;
-use frictiongen::study::units::{polar, reversed_phase};
-use frictiongen::study::{SystemAt, SystemMotion, SystemOrbitMotion, SystemSteady, words};
-use frictiongen::{Complex, Limits, NotContinuous, OutOfDomain};
+use frictiongen::study::{Swing, SystemAt, SystemResponse, words};
+use frictiongen::{Complex, Limits, Of, OutOfDomain, Regime};
 
 /// The response at one frequency ratio and one friction ratio.
 #[derive(Debug)]
@@ -32,7 +31,7 @@ pub struct Point {
 #[derive(Clone, Debug, Default)]
 pub struct Movement {
     /// Largest displacement, and its lag.
-    pub swing: Option<(f64, f64)>,
+    pub swing: Option<Swing>,
     /// The monoharmonic estimate of the amplitude.
     pub monoharmonic: Option<f64>,
     /// The harmonics asked for, in ascending order.
@@ -40,26 +39,11 @@ pub struct Movement {
 }
 
 impl Movement {
-    fn continuous(motion: &SystemSteady, orders: &[u32]) -> Self {
-        let largest = motion.largest();
-        Self {
-            swing: Some((largest.amplitude, largest.phase)),
-            monoharmonic: Some(motion.amplitude_monoharmonic()),
-            harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
-        }
-    }
-
-    fn orbit(motion: &SystemOrbitMotion<'_, '_>, orders: &[u32]) -> Self {
-        Self {
-            swing: Some(motion.largest()),
-            monoharmonic: None,
-            harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
-        }
-    }
-
     /// The same with the opposite sign, where it has this phase.
-    fn turn(&mut self, phase: f64) {
-        self.swing = self.swing.map(|(size, _)| (size, phase));
+    fn turn(&mut self, phase: Option<f64>) {
+        if let Some(swing) = &mut self.swing {
+            swing.phase = phase;
+        }
         for harmonic in &mut self.harmonics {
             *harmonic = Complex::new(0.0 - harmonic.re, 0.0 - harmonic.im);
         }
@@ -68,17 +52,12 @@ impl Movement {
     /// What is left where nothing has time to move: the formulas are evaluated at a finite r.
     fn at_infinity(&mut self) {
         let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
-        self.swing = self.swing.map(|(size, phase)| (settled(size), phase));
+        if let Some(swing) = &mut self.swing {
+            swing.amplitude = settled(swing.amplitude);
+        }
         self.monoharmonic = self.monoharmonic.map(settled);
         for harmonic in &mut self.harmonics {
             *harmonic = Complex::new(settled(harmonic.re), settled(harmonic.im));
-        }
-    }
-
-    fn stuck(amplitude: Complex<f64>) -> Self {
-        Self {
-            swing: Some(polar(amplitude)),
-            ..Self::default()
         }
     }
 }
@@ -118,36 +97,29 @@ impl Question<'_> {
         frequency: Frequency,
         friction: Friction,
     ) -> Result<Point, OutOfDomain> {
-        let beta = friction.beta;
+        let margin = limits.margin(friction.beta)?;
         let mut point = Point {
             frequency,
             friction,
             regime: "",
-            margin: limits.margin(beta)?,
-            answer: "closed form",
+            margin,
+            answer: "",
             contact: Movement::default(),
             masses: vec![Movement::default(); self.masses.len()],
         };
-        let motion = at.motion(beta);
-        point.regime = asked::regime(at, &motion)?;
-        match motion {
-            Ok(motion) => {
-                point.contact = Movement::continuous(&motion.contact(), self.orders);
-                if let (true, Some((_, phase))) = (self.turn_contact, point.contact.swing) {
-                    point.contact.turn(reversed_phase(phase));
-                }
-                point.masses = self.each(|mass| self.mass(&motion, mass));
+        match at.response(friction.beta) {
+            Ok(response) => {
+                point.regime = words::regime(response.regime());
+                point.answer = words::answer(&response);
+                point.contact = self.contact(&response);
+                let masses = self.masses.iter();
+                let moving = |mass: &Mass| self.movement(&response, Of::Mass(mass.index));
+                point.masses = masses.map(moving).collect();
             }
-            Err(NotContinuous::Stuck) => match at.stuck() {
-                Ok(stuck) => {
-                    point.masses =
-                        self.each(|mass| stuck.mass(&mass.name).ok().map(Movement::stuck));
-                }
-                Err(_) => point.answer = "unbounded",
-            },
-            Err(NotContinuous::StickSlip) => self.orbit(at, &mut point),
-            Err(NotContinuous::Unbounded) => point.answer = "unbounded",
-            Err(_) => return Err(OutOfDomain { argument: "beta" }),
+            Err(error) => {
+                point.regime = words::regime_without(error);
+                point.answer = words::no_answer(error);
+            }
         }
         if frequency.r.is_infinite() {
             point.contact.at_infinity();
@@ -156,32 +128,30 @@ impl Question<'_> {
         Ok(point)
     }
 
-    fn orbit(&self, at: &SystemAt<'_>, point: &mut Point) {
-        match at.orbit_or_last_cycles(point.friction.beta) {
-            Ok(orbit) => {
-                point.answer = words::found(&orbit);
-                point.contact = Movement::orbit(&orbit.contact(), self.orders);
-                if self.turn_contact {
-                    point.contact.turn(orbit.reversed_contact_phase());
-                }
-                point.masses = self.each(|mass| {
-                    let motion = orbit.mass_at(mass.index)?;
-                    Some(Movement::orbit(&motion, self.orders))
-                });
-            }
-            Err(error) => point.answer = words::reason(error),
+    /// How the contact moves: nothing where it never slides.
+    fn contact(&self, response: &SystemResponse<'_>) -> Movement {
+        if response.regime() == Regime::Stuck {
+            return Movement::default();
         }
+        let mut contact = self.movement(response, Of::Contact);
+        if self.turn_contact {
+            contact.turn(response.reversed_contact_phase());
+        }
+        contact
     }
 
-    fn each(&self, movement: impl Fn(&Mass) -> Option<Movement>) -> Vec<Movement> {
-        let masses = self.masses.iter();
-        masses
-            .map(|mass| movement(mass).unwrap_or_default())
-            .collect()
-    }
-
-    fn mass(&self, motion: &SystemMotion<'_>, mass: &Mass) -> Option<Movement> {
-        let motion = motion.mass_at(mass.index)?;
-        Some(Movement::continuous(&motion, self.orders))
+    fn movement(&self, response: &SystemResponse<'_>, of: Of) -> Movement {
+        let orders = self.orders.iter();
+        Movement {
+            swing: response.swing(of),
+            monoharmonic: response.monoharmonic(of),
+            harmonics: match response.regime() {
+                // One harmonic: the motion itself.
+                Regime::Stuck => Vec::new(),
+                _ => orders
+                    .filter_map(|order| response.harmonic(of, *order))
+                    .collect(),
+            },
+        }
     }
 }

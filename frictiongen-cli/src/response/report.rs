@@ -63,8 +63,11 @@ impl ResponseReport {
         let measure = &self.measure;
         let swing = movement.swing;
         [
-            swing.map(|(size, _)| measure.length(size)).into(),
-            swing.map(|(_, phase)| measure.angle(phase)).into(),
+            swing.map(|swing| measure.length(swing.amplitude)).into(),
+            swing
+                .and_then(|swing| swing.phase)
+                .map(|phase| measure.angle(phase))
+                .into(),
             movement
                 .monoharmonic
                 .map(|size| measure.length(size))

@@ -45,6 +45,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let parts = parts(&system, &arguments.of)?;
     frequencies.check(&system)?;
     let measure = Measure::of(&arguments.point.load, &system)?;
+    let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let frequency = frequencies.only(&system)?;
     let friction = frictions.only()?;

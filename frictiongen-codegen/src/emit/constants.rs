@@ -2,7 +2,7 @@
 
 use super::{Emission, Part, limits, rounded};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
-use frictiongen_model::scene::{Beyond, Declared, FrictionLaw, Scene, Stepping};
+use frictiongen_model::scene::{Beyond, Declared, Excitation, FrictionLaw, Scene, Stepping};
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
@@ -23,8 +23,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         env!("CARGO_PKG_VERSION"),
         fingerprint(scene)
     );
-    let at_about =
-        format!(" [`{name}`] at one frequency ratio: limits, regime, and the way to motions.");
+    let source = " Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.";
+    let at_about = format!(" [`{name}`] at one frequency ratio: {}.", answers(emission));
     let at = &emission.at;
     let inner = if emission.is_tabled() {
         code!(table::Compiled)
@@ -47,6 +47,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         #(#attributes)*
         #blank
         #[doc = #header]
+        #[doc = #source]
         #[::core::prelude::v1::derive(
             ::core::clone::Clone,
             ::core::marker::Copy,
@@ -76,17 +77,26 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         code!(omega / #reference)
     };
     let chain = chain(emission);
+    let chain_about = chain_about(emission);
+    let ratio_about = match scene.excitation {
+        Excitation::Base => {
+            " β = F/(k₁Y) of a kinetic friction force F; `load` is k₁Y, Y the amplitude of the base's motion."
+        }
+        Excitation::Force(_) => {
+            " β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force."
+        }
+    };
     let at_frequency = scene.needs_frequency().then(|| at_frequency(emission));
     let items = code! {
         impl #name {
-            /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+            /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
             pub const NATURAL_FREQUENCIES: [#scalar; #masses] = #frequencies;
             /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
             pub const RESONANCES: [#scalar; #masses] = #resonances;
-            /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
+            /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
             pub const MODE_SHAPES: [[#scalar; #masses]; #masses] = [#(#shapes),*];
 
-            /// What the limits need beyond the modes.
+            #(#[doc = #chain_about])*
             const CHAIN: Chain<#scalar> = #chain;
 
             /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
@@ -96,7 +106,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
                 #frequency_ratio
             }
 
-            /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+            #[doc = #ratio_about]
             #[inline]
             #[must_use]
             pub const fn friction_ratio(friction: #scalar, load: #scalar) -> #scalar {
@@ -138,9 +148,12 @@ fn at_frequency(emission: &Emission<'_>) -> TokenStream {
     let constructor = constructor(emission);
     code! {
         impl #name {
-            /// The modes that the load or the contact drives.
+            /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
+            /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
             const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
-            /// All that the steady response rests on.
+            /// All that the steady response rests on.  `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass
+            /// that rubs on a support; `absorbs`: V and H may have zeros in common; `unbounded`: the undamped resonances that
+            /// the load drives, `invisible`: those of them that the contact does not touch.
             const NUMBERS: Numbers<'static, #scalar> = Numbers {
                 modes: &Self::MODES,
                 chain: Self::CHAIN,
@@ -245,6 +258,35 @@ pub(super) fn kind(kind: Kind) -> TokenStream {
         Kind::Critical => code!(Critical),
         Kind::Over => code!(Over),
     }
+}
+
+/// What can be asked at one frequency.
+fn answers(emission: &Emission<'_>) -> String {
+    let wanted = emission.wanted();
+    let mut answers = vec!["limits", "regime"];
+    if wanted.motion.is_some() {
+        answers.push("continuous motion");
+    }
+    if wanted.stuck {
+        answers.push("stuck response");
+    }
+    if wanted.orbit {
+        answers.push("steady states");
+    }
+    answers.join(", ")
+}
+
+fn chain_about(emission: &Emission<'_>) -> Vec<&'static str> {
+    let mut about = vec![
+        " What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static",
+        " over kinetic friction force.",
+    ];
+    if emission.reduced.chain.on_moving_base.is_some() {
+        about.push(
+            " `on_moving_base`: the contact rubs on the moving base; the static relative motion.",
+        );
+    }
+    about
 }
 
 fn chain(emission: &Emission<'_>) -> TokenStream {

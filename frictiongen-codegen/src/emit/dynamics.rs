@@ -2,6 +2,7 @@
 
 use super::constants::{kind, mode_constant, rubbing};
 use super::{Emission, rounded};
+use frictiongen_kernel::oscillator::mode::Mode;
 use frictiongen_kernel::simulation::HeldMode;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Literal, TokenStream};
@@ -25,8 +26,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Constants {
         ..
     } = emission;
     let transient = Transient::<f64>::of(scene, modal, |value| rounded(value, *precision));
-    let modes = transient.modes.iter();
-    let modes = modes.map(|mode| mode_constant(emission, mode));
+    let modes = modes(emission, &transient);
     let held = transient.held.iter().map(|mode| held(emission, mode));
     let shares = transient.shares.iter();
     let shares = shares.map(|pair| emission.list(pair.iter().copied()));
@@ -35,11 +35,13 @@ pub(super) fn emit(emission: &Emission<'_>) -> Constants {
     let rubbing = rubbing(transient.rubbing);
     let items = code! {
         impl #name {
-            /// The motion in time: all modes, those that the contact drives first, and the modes of
-            /// the chain with its contact held.
+            /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
+            /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
+            /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
+            /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
             const DYNAMICS: Dynamics<'static, #scalar> = Dynamics {
                 chain: #name::CHAIN,
-                modes: &[#(#modes),*],
+                modes: #modes,
                 held: &[#(#held),*],
                 shares: &[#(#shares),*],
                 shapes: &#shapes,
@@ -53,6 +55,21 @@ pub(super) fn emit(emission: &Emission<'_>) -> Constants {
         items,
         driven,
         parts: transient.modes.len() + transient.held.len(),
+    }
+}
+
+/// All modes: those of the steady response, if they are the same.
+fn modes(emission: &Emission<'_>, transient: &Transient<f64>) -> TokenStream {
+    let all = |modes: &[Mode<f64>]| {
+        let modes = modes.iter().map(|mode| mode_constant(emission, mode));
+        code!([#(#modes),*])
+    };
+    let modes = all(&transient.modes);
+    let same = all(&emission.reduced.modes).to_string() == modes.to_string();
+    if emission.scene.needs_frequency() && same {
+        code!(&Self::MODES)
+    } else {
+        code!(&#modes)
     }
 }
 

@@ -31,21 +31,35 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     let continuous = formula(limit);
     let sliding = formula(chain.sliding_limit(&contact));
     let without_search = without_search(emission);
+    let reduced = &emission.reduced;
+    let on_contact = reduced.chain.on_moving_base.is_none()
+        && reduced
+            .modes
+            .iter()
+            .all(|mode| mode.residue == mode.inverse_mass);
+    let same = on_contact.then(|| {
+        code! {
+            ///
+            /// The load acts on the mass that rubs: V = H.
+        }
+    });
     code! {
-        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<#scalar>) -> #scalar {
             #break_away
         }
 
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
-        /// maximum.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
+        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// `constraint` is r²E times that maximum.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<#scalar>, constraint: #scalar) -> #scalar {
             #continuous
         }
 
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        #same
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<#scalar>) -> #scalar {
             #sliding
@@ -102,10 +116,10 @@ pub(super) fn slices(emission: &Emission<'_>) -> TokenStream {
         (code!(At), "NaN or negative r")
     };
     let errors = format!(
-        " `OutOfDomain` for a slice of another length, which changes nothing, and at the first {first}."
+        " `OutOfDomain` for slices of unequal lengths, and nothing is written; at the first {first}, and what comes before is."
     );
     code! {
-        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
         /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
         ///
         /// # Errors

@@ -115,6 +115,8 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
         .collect();
     let masses = (!masses.is_empty()).then(|| {
         code! {
+            /// The motion of a mass, in the same coefficients.  Where x < 1/2 the mode is mass-controlled: all of its response is
+            /// in its own part.  Powers of 2 keep products within the scalar's range, and cancel.
             #[allow(unused_variables)]
             fn mass_motion(
                 at: &At<Self>,
@@ -132,6 +134,9 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
         }
     });
     code! {
+        /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
+        /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
+        /// is 1/(r²E).
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<#scalar>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());

@@ -23,9 +23,14 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let about = format!(
         " The steady state of [`{name}`] at one frequency and one friction ratio, in any regime."
     );
+    let sizes_about = format!(
+        " Its sizes: {parts} modes and held modes, room for {room} numbers, {multipliers} Floquet multipliers."
+    );
     let sizes = code!(#parts, #room, #multipliers);
     let types = code! {
         #[doc = #about]
+        ///
+        #[doc = #sizes_about]
         #[allow(deprecated, non_camel_case_types)]
         #visibility struct #orbit(
             #facade::kernel::orbit::FixedOrbit<::core::primitive::#scalar, #sizes>

@@ -95,6 +95,11 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
     } else {
         code!(mass)
     };
+    let about = if shapes.is_empty() {
+        " φ of a mass, by modes: of none here, as no motion of a mass is provided."
+    } else {
+        " φ of a mass, by modes."
+    };
     let body = if shapes.is_empty() {
         code!(None)
     } else {
@@ -105,6 +110,7 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
     let moves = partly.then(|| {
         let moving = moving.into_iter().map(Literal::usize_unsuffixed);
         code! {
+            /// Whether the motion of this mass is provided; others have shapes for the stuck response alone.
             #[inline]
             fn moves(&self, mass: usize) -> bool {
                 match mass { #(#moving)|* => true, _ => false }
@@ -112,7 +118,7 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
         }
     });
     code! {
-        /// φ of a mass, by modes.
+        #[doc = #about]
         #[inline]
         fn shape(&self, #mass: usize) -> Option<&[#scalar]> {
             #body

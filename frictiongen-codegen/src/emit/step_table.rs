@@ -81,7 +81,9 @@ fn table<const D: usize>(
     let channels = channels.iter().map(|channel| write.channel(channel));
     let (scalar, sizes) = (&emission.scalar, sizes.literals());
     Some(code! {
-        /// What each oscillator does over a part of `STEP`.
+        /// What each oscillator does over a part of `STEP`, time s counted in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with
+        /// `angle` Ω.  A row has the weights of the state (y, u) and of the drive's coefficients: `turn` gives what u gains,
+        /// `moments` ∫ sʲy′ ds, `turns` ∫ sʲu′ ds.
         const STEP_TABLES: FixedTables<#scalar, #sizes> = FixedTables {
             pace: #pace,
             modes: [#(#modes),*],

@@ -113,7 +113,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         #facade::kernel::wraps!(#stepper, FixedStepper of #scalar, #literals);
 
         impl #stepper {
-            /// Says what the input is before the first step; none unless said so.
+            /// Says what the input is before the first step; otherwise it is none.
             ///
             /// # Errors
             /// `OutOfDomain` as of `advance`, and after the first step.
@@ -153,14 +153,15 @@ fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
     } else {
         format!("{fastest:.3e}")
     };
-    let mut parts = format!(" A step of dt has ⌈{shown}·dt⌉ parts, at most {MAX_PARTS}");
+    let mut parts = format!(" A step of dt, in s, has ⌈{shown}·dt⌉ parts, at most {MAX_PARTS}");
     if let Some(step) = step {
         parts += &format!(": `STEP` has {}", (fastest * step).ceil().max(1.0));
     }
     vec![
         parts + ".",
         " A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.".to_owned(),
-        format!(" Any other is followed from event to event: at most {MAX_EVENTS} events, in at most {MAX_STRETCHES} stretches."),
+        format!(" Any other is followed from event to event, for at most {MAX_EVENTS} events and, where the friction law bends, {MAX_STRETCHES} stretches;"),
+        " what is left of a part after that passes without creating energy, and `exceeded` tells.".to_owned(),
     ]
 }
 
@@ -170,7 +171,7 @@ fn operations(
     step: Option<f64>,
     coefficients: usize,
     precision: Precision,
-) -> [String; 3] {
+) -> Vec<String> {
     let angle = step.map_or(1.0, |step| scene.fastest().to_f64() * step);
     let parts = angle.ceil().clamp(1.0, f64::from(MAX_PARTS));
     let epsilon = match precision {
@@ -195,14 +196,19 @@ fn operations(
         most,
     } = cost;
     let (each, beside) = (Cost::INSTRUCTIONS, Cost::FIXED);
-    [
+    let processor = match precision {
+        Precision::F32 => format!(
+            "  A Cortex-M4F takes up to {each} instructions for each, and {beside} for a part."
+        ),
+        // It has no registers for doubles.
+        Precision::F64 => String::new(),
+    };
+    vec![
         String::new(),
         format!(
             " A {of} has at most {tables} floating-point operations by the tables, about {one_event} with one event, never"
         ),
-        format!(
-            " more than {most}.  A Cortex-M4F takes up to {each} instructions for each in single precision, and {beside} a part."
-        ),
+        format!(" more than {most}.{processor}"),
     ]
 }
 
@@ -239,7 +245,8 @@ fn step_scene(
     code! {
         #step
 
-        /// What a stepper is told of the scene.
+        /// What a stepper is told of the scene: `units`: k₁, √(k₁/m₁) in rad/s and the springs to the base over k₁;
+        /// `forces`: the loaded masses; `law`: Stribeck's points, speed and kinetic friction over F.
         const STEP_SCENE: StepScene<'static, #scalar> = StepScene {
             dynamics: Self::DYNAMICS,
             units: Units { stiffness: #stiffness, rate: #rate, support: #support },
@@ -291,6 +298,11 @@ fn types(
             pub #field: #scalar,
         }
     });
+    let friction = if steps.law.is_empty() {
+        " The kinetic friction force F, not negative; at rest the contact holds up to μF."
+    } else {
+        " The kinetic friction force F at vanishing speed, not negative; at rest the contact holds up to μF."
+    };
     code! {
         #[doc = #about]
         ///
@@ -310,7 +322,7 @@ fn types(
         #visibility struct #input {
             #base
             #(#forces)*
-            /// The kinetic friction force F at rest, not negative.
+            #[doc = #friction]
             pub friction: #scalar,
         }
     }

@@ -4,6 +4,7 @@ use super::motion::mode_names;
 use super::trace::Tracer;
 use super::{Emission, Part};
 use crate::graph::Graph;
+use frictiongen_model::scene::Excitation;
 use proc_macro2::{Literal, TokenStream};
 
 /// The type of the response, with a method for each mass.
@@ -24,15 +25,23 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         #[allow(deprecated, non_camel_case_types)]
         #visibility struct #stuck(#facade::kernel::response::Stuck<#name>);
     };
+    let unit = match emission.scene.excitation {
+        Excitation::Base => "Y",
+        Excitation::Force(_) => "P/k₁",
+    };
+    let tied = match emission.reduced.chain.on_moving_base {
+        None => " It is 0: the contact holds the mass to a support at rest.",
+        Some(_) => " It is that of the base, to which the contact holds the mass.",
+    };
     let methods = description.mass_names.iter().enumerate();
     let methods = methods.map(|(mass, method)| {
         let about = format!(
-            " x̄* = V_k − H_kV/H, the complex amplitude of mass `{method}` (6.11, 6.27, 6.33)."
+            " x̄* = V_k − H_kV/H, the complex amplitude of mass `{method}` over {unit} (6.11, 6.27, 6.33)."
         );
         let why = (emission.reduced.rubbing == Some(mass)).then(|| {
             code! {
                 ///
-                /// The contact ties it to its support.
+                #[doc = #tied]
             }
         });
         let mass = Literal::usize_unsuffixed(mass);

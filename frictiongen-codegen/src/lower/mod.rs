@@ -12,6 +12,7 @@ use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Precision, Scene};
 use frictiongen_model::stepping::refused_step;
 use frictiongen_model::table::{TableError, Tables};
+use frictiongen_model::transient::excess_loss;
 use frictiongen_model::validate::{MOST_MASSES, may_name};
 use proc_macro2::{Ident, Span, TokenStream};
 
@@ -183,6 +184,21 @@ fn lower(
         let place = fields.step.given().map_or(syntax.place, |step| step.place);
         let message = format!(
             "the fastest oscillator turns by {angle:.1e} rad in this step, and a stepper follows {least:.0e} to {most} rad; write a step within that"
+        );
+        problems.report(place, message);
+    }
+    if let Some(scene) = scene
+        .as_ref()
+        .filter(|_| limits.tables && problems.is_empty())
+        && scene.moves_in_time()
+        && let Some(loss) = excess_loss(scene, &Modal::of(scene))
+    {
+        let place = fields
+            .damping
+            .given()
+            .map_or(syntax.place, |damping| damping.place);
+        let message = format!(
+            "with so many modes at or beyond critical damping a motion in time loses {loss:.0e} of itself; write damping ratios below 1 or, for `f32`, `scalar: f64`; or leave simulation, orbit and stepper out"
         );
         problems.report(place, message);
     }

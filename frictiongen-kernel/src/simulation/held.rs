@@ -110,6 +110,79 @@ impl<S: Float> Setting<'_, S> {
     }
 }
 
+impl<S: Float> Dynamics<'_, S> {
+    /// How much of a motion of the free modes is lost when the contact takes hold and lets go at once: the worst relative
+    /// change of a state in which two modes move and the contact does not.  It is rounding where the held modes are apart;
+    /// where many modes are at or beyond critical damping, held modes crowd, and their parts cancel.
+    ///
+    /// `states` has room for the modes that the contact drives, `held` for the held modes.
+    pub fn held_loss(&self, states: &mut [[S; 2]], held: &mut [[S; 2]]) -> S {
+        let zero = S::constant(0.0);
+        let (receptance, still) = (self.receptance(), (zero, zero));
+        let driven = self.driven();
+        // The mode that the contact drives most balances each of the others.
+        let most = driven
+            .iter()
+            .enumerate()
+            .fold((0, zero), |(at, most), (index, mode)| {
+                let size = mode.contact.abs();
+                if most < size {
+                    (index, size)
+                } else {
+                    (at, most)
+                }
+            });
+        let (balance, weight) = most;
+        let mut worst = zero;
+        for (index, mode) in driven
+            .iter()
+            .enumerate()
+            .filter(|(index, _)| *index != balance)
+        {
+            for velocity in [false, true] {
+                let rate = |of: usize| {
+                    let resonance = driven.get(of).map_or(zero, |mode| mode.resonance);
+                    if velocity {
+                        mode.resonance / resonance
+                    } else {
+                        S::constant(1.0)
+                    }
+                };
+                let state = |of: usize| {
+                    let size = if of == index {
+                        weight
+                    } else if of == balance {
+                        -(mode.contact * rate(of))
+                    } else {
+                        zero
+                    };
+                    if velocity { [zero, size] } else { [size, zero] }
+                };
+                let signed = driven.get(balance).map_or(zero, |mode| mode.contact);
+                let sign = S::constant(1.0).copysign(signed);
+                let start = |of: usize| {
+                    state(of).map(|part| if of == balance { part * sign } else { part })
+                };
+                self.project(
+                    receptance,
+                    (0..driven.len()).map(start),
+                    still,
+                    held.iter_mut().map(|[y, u]| (y, u)),
+                );
+                let parts = held.iter().copied();
+                let back = states.iter_mut().map(|[y, u]| (y, u));
+                self.release(receptance, parts, still, back);
+                for (of, state) in states.iter().enumerate() {
+                    let [y, u] = start(of);
+                    let change = (state[0] - y).abs().max((state[1] - u).abs());
+                    worst = worst.max(change / weight);
+                }
+            }
+        }
+        worst
+    }
+}
+
 /// How a held displacement of the contact lifts a mode.
 pub(crate) fn lift<S: Float>(mode: &Mode<S>, receptance: S) -> S {
     mode.contact / (mode.resonance * mode.resonance * receptance)

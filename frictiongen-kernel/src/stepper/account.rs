@@ -1,5 +1,10 @@
 //! Work and energy.
 
+use super::run::Stepper;
+use super::state::Store;
+use super::table::Tables;
+use crate::number::scalar::Float;
+
 /// What the load has done since the start, and where it went, in the scene's unit of force times its unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -12,4 +17,47 @@ pub struct Work<S> {
     pub damping: S,
     /// By how much more is stored, in motion and in springs, than at the start.
     pub stored: S,
+}
+
+impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
+    /// The work done since the start.
+    #[must_use]
+    pub fn work(&self) -> Work<S> {
+        let stiffness = self.scene.units.stiffness;
+        let stored = self.energy() - self.status.energy;
+        let pulled = self.pull() - self.status.pull;
+        let stored = stored + pulled;
+        let load = self.status.load.value + pulled;
+        let friction = self.status.dissipated.value;
+        Work {
+            load: load * stiffness,
+            friction: friction * stiffness,
+            damping: (load - friction - stored) * stiffness,
+            stored: stored * stiffness,
+        }
+    }
+
+    /// The energy of the chain, over k₁: in motion, in its springs, and in those that the base pulls at.
+    pub(super) fn energy(&self) -> S {
+        let half = S::constant(0.5);
+        let modes = self.scene.dynamics.modes.iter().enumerate();
+        let sum = modes.fold(S::constant(0.0), |sum, (index, mode)| {
+            let [y, rate] = self.mode(index);
+            sum + rate * rate + mode.resonance * mode.resonance * y * y
+        });
+        sum * half
+    }
+
+    /// What the springs to the moving base hold because it is displaced, over k₁.
+    pub(super) fn pull(&self) -> S {
+        let zero = S::constant(0.0);
+        if !self.scene.on_base {
+            return zero;
+        }
+        let modes = self.scene.dynamics.modes;
+        let pulled = self.sum(|mode| modes.get(mode).map_or(zero, |mode| mode.load));
+        let [place, _] = self.status.base;
+        let half = S::constant(0.5) * self.scene.units.support;
+        place * (half * place - pulled.displacement())
+    }
 }

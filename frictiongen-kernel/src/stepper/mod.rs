@@ -14,7 +14,10 @@ mod dot;
 mod drive;
 mod event;
 mod law;
+mod motion;
+mod now;
 mod part;
+mod rows;
 mod run;
 mod scene;
 mod series;
@@ -24,13 +27,12 @@ mod table;
 pub use account::Work;
 pub use cost::{Cost, Extent};
 pub use drive::{Input, Sample};
-pub use run::{ContactNow, FixedStepper, MassNow, Stepped, Stepper};
+pub use now::{ContactNow, MassNow, Stepped};
+pub use rows::{HeldRow, HeldStep, ModeStep, Row};
+pub use run::{FixedStepper, Stepper};
 pub use scene::{StepScene, Units};
 pub use state::{FixedStore, Saved, Store, StoreMut, StoreRef};
-pub use table::{
-    Channel, FixedTables, HeldLoad, HeldRow, HeldStep, ModeStep, Pace, Row, Tables, View, fill,
-    series_terms,
-};
+pub use table::{Channel, FixedTables, HeldLoad, Pace, Tables, View, fill, series_terms};
 
 /// In one part of a step no more events than this are followed.  For what is left of the part the contact is held at rest.
 pub const MAX_EVENTS: u32 = 8;

@@ -3,9 +3,10 @@
 use super::dot::{add, dot, sizes};
 use super::drive::{at, derived, gain};
 use super::law::{self, Line};
+use super::rows::{HeldStep, ModeStep};
 use super::scene::StepScene;
 use super::state::{Status, StoreMut};
-use super::table::{HeldStep, ModeStep, View};
+use super::table::View;
 use crate::number::scalar::Float;
 use crate::simulation::Contact;
 

@@ -1,6 +1,9 @@
 //! Where a stepper stands.
 
+use super::run::Stepper;
 use super::scene::StepScene;
+use super::table::Tables;
+use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Total};
 
@@ -166,4 +169,38 @@ impl<S: Float> Status<S> {
 pub struct Saved<S, V> {
     pub(super) status: Status<S>,
     pub(super) store: V,
+}
+
+impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
+    /// Where it stands: everything that a run goes on from.
+    #[must_use]
+    pub fn save(&self) -> Saved<S, V>
+    where
+        V: Clone,
+    {
+        Saved {
+            status: self.status,
+            store: self.store.clone(),
+        }
+    }
+
+    /// Goes back to where it stood: the same steps lead to the same bits.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] ("saved") for the state of a stepper of another scene, as far as its size tells.
+    pub fn restore(&mut self, saved: &Saved<S, V>) -> Result<(), OutOfDomain>
+    where
+        V: Clone,
+    {
+        let size = |store: &V| {
+            let store = store.read();
+            (store.modes.len(), store.held.len(), store.last.len())
+        };
+        if size(&self.store) != size(&saved.store) {
+            return Err(OutOfDomain { argument: "saved" });
+        }
+        self.status = saved.status;
+        self.store = saved.store.clone();
+        Ok(())
+    }
 }

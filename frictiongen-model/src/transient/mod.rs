@@ -5,7 +5,7 @@ mod held;
 
 use crate::modal::{self, Modal};
 use crate::roots::{self, Driven};
-use crate::scene::Scene;
+use crate::scene::{Precision, Scene};
 use frictiongen_kernel::contact::sums::Chain;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
@@ -17,6 +17,22 @@ use frictiongen_kernel::{Float, Scalar};
 const EQUAL: f64 = 1e-24;
 /// Below this share of the largest that it could be, a component is rounding noise.
 const NOISE: f64 = 1e-26;
+
+/// Below this damping ratio held modes are as far apart as free ones: up to 64 masses lose some roundings.
+const NEAR_CRITICAL: f64 = 0.9;
+
+/// What a motion in time of a scene would lose, as a share, if that is more than half of its scalar's digits
+/// ([`Transient::excess_loss`]).
+#[must_use]
+pub fn excess_loss(scene: &Scene, modal: &Modal) -> Option<f64> {
+    match scene.precision {
+        Precision::F64 => Transient::of(scene, modal, |value| value.hi).excess_loss(),
+        Precision::F32 => {
+            let single = Transient::of(scene, modal, |value| f32::constant(value.to_f64()));
+            single.excess_loss().map(f64::from)
+        }
+    }
+}
 
 /// The modes of a scene for its motion in time, and those of the chain with its contact held.
 #[derive(Clone, Debug)]
@@ -97,6 +113,28 @@ impl<S: Scalar> Transient<S> {
             chain,
             rubbing: modal.rubbing(),
         }
+    }
+
+    /// How much of a motion is lost between the free modes and the held ones
+    /// ([`held_loss`](Dynamics::held_loss)), where that is more than half of the scalar's digits: no answer in time is
+    /// worth anything then.  So it can only be with modes near critical damping or beyond it.
+    #[must_use]
+    pub fn excess_loss(&self) -> Option<S>
+    where
+        S: Float,
+    {
+        let dynamics = self.dynamics();
+        let driven = dynamics.in_contact();
+        let mut modes = self.modes.iter().take(driven);
+        if !modes.any(|mode| S::constant(NEAR_CRITICAL) <= mode.zeta) {
+            return None;
+        }
+        let zero = S::constant(0.0);
+        let (mut states, mut held) = (vec![[zero; 2]; driven], vec![[zero; 2]; self.held.len()]);
+        let loss = dynamics.held_loss(&mut states, &mut held);
+        // NaN is a loss too.
+        let kept = loss * loss <= S::constant(S::EPSILON);
+        (!kept).then_some(loss)
     }
 
     /// The same as the kernel reads it.

@@ -92,3 +92,34 @@ fn many_masses_spread_over_twelve_decades() {
         assert!(worst < 1e-12, "{worst:e}");
     }
 }
+
+/// What goes into the held modes comes back; where it does not, the transient says so.
+#[test]
+fn a_loss_is_seen() {
+    let uneven = |n: u32, zeta: f64| {
+        let masses: Vec<f64> = (0..n).map(|i| 1.0 + 0.3 * f64::from(i * 7 % 5)).collect();
+        let springs: Vec<f64> = (0..n).map(|i| 1.0 - 0.1 * f64::from(i * 3 % 4)).collect();
+        chain(&masses, &springs, (n / 2) as usize, Damping::Uniform(zeta))
+    };
+    let excess = |scene: &Scene| {
+        let double = Transient::of(scene, &Modal::of(scene), |value| value.hi);
+        #[allow(clippy::cast_possible_truncation, reason = "single precision is meant")]
+        let single = Transient::of(scene, &Modal::of(scene), |value| value.hi as f32);
+        (double.excess_loss(), single.excess_loss())
+    };
+    for zeta in [0.0, 0.05, 0.5, 0.9, 0.99] {
+        for n in [2, 8, 32] {
+            assert_eq!(excess(&uneven(n, zeta)), (None, None), "{n} {zeta}");
+        }
+    }
+    // Two overdamped modes keep half of the digits in f64; eight of them not in f32, and 64 critically damped ones nowhere.
+    assert_eq!(excess(&uneven(2, 10.0)).0, None);
+    let (double, single) = excess(&uneven(8, 1.5));
+    assert_eq!(double, None);
+    assert!(single.is_some_and(|loss| 1e-3 < loss), "{single:?}");
+    let (double, single) = excess(&uneven(64, 1.0));
+    assert!(
+        double.is_some() && single.is_some(),
+        "{double:?} {single:?}"
+    );
+}

@@ -93,7 +93,7 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
         if let Some(start) = start {
             system.check_state(start)?;
         }
-        let dynamics = system.dynamics();
+        let dynamics = system.dynamics_in_time()?;
         let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
         let zero = S::constant(0.0);
         let orbit = Orbit::new(

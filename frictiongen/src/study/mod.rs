@@ -15,6 +15,7 @@ mod map;
 mod motion;
 mod optimum;
 mod orbit;
+mod parameter;
 mod physical;
 mod response;
 mod sensitivity;
@@ -49,7 +50,8 @@ pub use optimum::{
     FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumPeak, OptimumRequest, Tolerance,
 };
 pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
-pub use physical::{OperatingPoint, Parameter, ParameterSensitivity, ResponseSensitivities, Slope};
+pub use parameter::{OperatingPoint, Parameter, Slope};
+pub use physical::{ParameterSensitivity, ResponseSensitivities};
 pub use response::{Size, Swing, SystemResponse};
 pub use sensitivity::{Sensitive, Varied};
 pub use simulation::SystemSimulation;

@@ -4,7 +4,7 @@ use super::at::SystemAt;
 use super::motion::{SystemMotion, SystemStuck};
 use super::orbit::SystemOrbit;
 use super::system::System;
-use super::units::polar;
+use super::units::{polar, reversed_phase};
 use crate::{Complex, Error, NotContinuous, Of, OutOfDomain, Regime};
 use frictiongen_kernel::response::Scene as _;
 
@@ -142,6 +142,30 @@ impl SystemResponse<'_> {
                 })
             }
         }
+    }
+
+    /// The phase of the contact's motion with the opposite sign, as
+    /// [`contact_is_reversed`](System::contact_is_reversed) asks for; none for a contact that does not move.
+    #[must_use]
+    pub fn reversed_contact_phase(&self) -> Option<f64> {
+        match self {
+            Self::StickSlip(orbit) => Some(orbit.reversed_contact_phase()),
+            _ => self.swing(Of::Contact)?.phase.map(reversed_phase),
+        }
+    }
+
+    /// The monoharmonic estimate of an amplitude (5.50, 7.33); none in another regime than the continuous one, and if there
+    /// is no such mass.
+    #[must_use]
+    pub fn monoharmonic(&self, of: Of) -> Option<f64> {
+        let Self::Continuous(motion) = self else {
+            return None;
+        };
+        let motion = match of {
+            Of::Contact => motion.contact(),
+            Of::Mass(index) => motion.mass_at(index)?,
+        };
+        Some(motion.amplitude_monoharmonic())
     }
 
     /// The largest displacement, velocity or acceleration of the contact or of a mass; none if there is no such mass.

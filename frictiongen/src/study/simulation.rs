@@ -18,6 +18,16 @@ impl<S: Plain> System<S> {
         self.transient().dynamics()
     }
 
+    /// The same for a motion in time, which a chain with too many modes beyond critical damping refuses.
+    pub(super) fn dynamics_in_time(&self) -> Result<Dynamics<'_, S>, OutOfDomain> {
+        if self.loses_motion() {
+            return Err(OutOfDomain {
+                argument: "damping",
+            });
+        }
+        Ok(self.dynamics())
+    }
+
     /// One part for each mode and each held mode.
     pub(super) fn parts(&self) -> Vec<Part<S>> {
         let dynamics = self.dynamics();
@@ -46,10 +56,11 @@ impl<S: Plain> System<S> {
     /// ```
     ///
     /// # Errors
-    /// [`OutOfDomain`] unless r is positive and finite and β finite and not negative; and for `friction: stribeck`.
+    /// [`OutOfDomain`] unless r is positive and finite and β finite and not negative; for `friction: stribeck`; and
+    /// ("damping") where so many modes are at or beyond critical damping that less than half of the digits would be left.
     pub fn simulation(&self, r: S, beta: S) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
         self.constant_level()?;
-        let run = Simulation::new(self.dynamics(), r, beta, None, self.parts())?;
+        let run = Simulation::new(self.dynamics_in_time()?, r, beta, None, self.parts())?;
         Ok(SystemSimulation { system: self, run })
     }
 
@@ -65,7 +76,7 @@ impl<S: Plain> System<S> {
     ) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
         self.constant_level()?;
         self.check_state(state)?;
-        let run = Simulation::new(self.dynamics(), r, beta, Some(state), self.parts())?;
+        let run = Simulation::new(self.dynamics_in_time()?, r, beta, Some(state), self.parts())?;
         Ok(SystemSimulation { system: self, run })
     }
 

@@ -214,7 +214,8 @@ impl<S: Plain> System<S> {
     ///
     /// # Errors
     /// [`OutOfDomain`] for a step that is not positive and finite, or in which the fastest oscillator turns by more
-    /// than [`MAX_PARTS`](frictiongen_kernel::stepper::MAX_PARTS) radians.
+    /// than [`MAX_PARTS`](frictiongen_kernel::stepper::MAX_PARTS) radians; and ("damping") where so many modes are at or
+    /// beyond critical damping that less than half of the digits would be left.
     pub fn stepper(&self, dt: S) -> Result<SystemStepper<'_, S>, OutOfDomain> {
         self.stepping(dt, None)
     }
@@ -236,7 +237,7 @@ impl<S: Plain> System<S> {
         dt: S,
         state: Option<(&[S], &[S])>,
     ) -> Result<SystemStepper<'_, S>, OutOfDomain> {
-        let scene = self.steps().scene(self.dynamics());
+        let scene = self.steps().scene(self.dynamics_in_time()?);
         let tables = SystemStepTables::new(&scene, dt)?;
         let store = SystemStepStore::new(&scene);
         Ok(SystemStepper {

@@ -48,6 +48,7 @@ pub struct System<S = f64> {
     pub(super) range: (S, S),
     transient: OnceLock<Transient<S>>,
     steps: OnceLock<Steps<S>>,
+    loses_motion: OnceLock<bool>,
 }
 
 impl<S: Float> std::str::FromStr for System<S> {
@@ -113,6 +114,7 @@ impl<S: Float> System<S> {
             reference: to(data.reference),
             transient: OnceLock::new(),
             steps: OnceLock::new(),
+            loses_motion: OnceLock::new(),
         }
     }
 
@@ -130,6 +132,13 @@ impl<S: Float> System<S> {
     pub(super) fn transient(&self) -> &Transient<S> {
         self.transient
             .get_or_init(|| Transient::of(&self.scene, &self.modal, rounded::<S>))
+    }
+
+    /// Whether a motion in time would lose more than half of its digits.
+    pub(super) fn loses_motion(&self) -> bool {
+        *self
+            .loses_motion
+            .get_or_init(|| self.transient().excess_loss().is_some())
     }
 
     /// What a stepper needs besides: every mass may be loaded.

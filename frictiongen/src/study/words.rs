@@ -45,6 +45,7 @@ pub fn no_answer(error: Error) -> &'static str {
 #[must_use]
 pub fn reason(error: NoOrbit) -> &'static str {
     match error {
+        NoOrbit::OutOfDomain(error) if error.argument == "damping" => "no digits",
         NoOrbit::OutOfDomain(_) => "no cycle",
         NoOrbit::TooManyEvents => "crowded",
         NoOrbit::Unbounded => "unbounded",

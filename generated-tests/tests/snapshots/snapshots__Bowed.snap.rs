@@ -1,6 +1,7 @@
 /// Two masses that rub on each other, both loaded, with friction that falls with the speed.
 ///
 /// Emitted by frictiongen 0.1.0 from scene 0a7957a4aa6ba74a.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -13,12 +14,13 @@
 pub struct Bowed;
 /// The motion of [`Bowed`] by steps of one length, under any input; `advance` takes a step.
 ///
-/// A step of dt has ⌈73.54·dt⌉ parts, at most 1024: `STEP` has 1.
+/// A step of dt, in s, has ⌈73.54·dt⌉ parts, at most 1024: `STEP` has 1.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
-/// Any other is followed from event to event: at most 8 events, in at most 64 stretches.
+/// Any other is followed from event to event, for at most 8 events and, where the friction law bends, 64 stretches;
+/// what is left of a part after that passes without creating energy, and `exceeded` tells.
 ///
 /// A step of `STEP` has at most 260 floating-point operations by the tables, about 20148 with one event, never
-/// more than 3732728.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
+/// more than 3732728.
 #[allow(deprecated, non_camel_case_types)]
 pub struct BowedStepper(
     ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f64, 2, 2, 1, 2>,
@@ -37,7 +39,7 @@ pub struct BowedInput {
     pub force: ::core::primitive::f64,
     /// The force on mass `string`.
     pub string: ::core::primitive::f64,
-    /// The kinetic friction force F at rest, not negative.
+    /// The kinetic friction force F at vanishing speed, not negative; at rest the contact holds up to μF.
     pub friction: ::core::primitive::f64,
 }
 #[automatically_derived]
@@ -55,13 +57,14 @@ pub struct BowedInput {
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Bowed {
-        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [8.660254037844386, 70.71067811865476];
         /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
         pub const RESONANCES: [f64; 2] = [0.13693063937629152, 1.118033988749895];
-        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
+        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 2]; 2] = [[0.0, 0.5], [1.0, 0.0]];
-        /// What the limits need beyond the modes.
+        /// What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static
+        /// over kinetic friction force.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
@@ -74,7 +77,7 @@ const _: () = {
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega / 63.245553203367585
         }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        /// β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
@@ -84,8 +87,10 @@ const _: () = {
     ::frictiongen::kernel::not_provided!(Bowed : limits);
     ::frictiongen::kernel::not_provided!(Bowed : simulation);
     impl Bowed {
-        /// The motion in time: all modes, those that the contact drives first, and the modes of
-        /// the chain with its contact held.
+        /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
+        /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
+        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
+        /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
         const DYNAMICS: Dynamics<'static, f64> = Dynamics {
             chain: Bowed::CHAIN,
             modes: &[
@@ -139,7 +144,8 @@ const _: () = {
     impl Bowed {
         /// The step of which the tables are constants, in s.
         pub const STEP: f64 = 0.0005;
-        /// What a stepper is told of the scene.
+        /// What a stepper is told of the scene: `units`: k₁, √(k₁/m₁) in rad/s and the springs to the base over k₁;
+        /// `forces`: the loaded masses; `law`: Stribeck's points, speed and kinetic friction over F.
         const STEP_SCENE: StepScene<'static, f64> = StepScene {
             dynamics: Self::DYNAMICS,
             units: Units {
@@ -152,7 +158,9 @@ const _: () = {
             input: Input::Linear,
             law: &[[0.05, 0.6], [0.5, 0.3]],
         };
-        /// What each oscillator does over a part of `STEP`.
+        /// What each oscillator does over a part of `STEP`, time s counted in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with
+        /// `angle` Ω.  A row has the weights of the state (y, u) and of the drive's coefficients: `turn` gives what u gains,
+        /// `moments` ∫ sʲy′ ds, `turns` ∫ sʲu′ ds.
         const STEP_TABLES: FixedTables<f64, 2, 2, 1, 2> = FixedTables {
             pace: Pace {
                 step: 0.0005,
@@ -303,7 +311,7 @@ const _: () = {
     }
     ::frictiongen::kernel::wraps!(BowedStepper, FixedStepper of f64, 2, 2, 1, 2);
     impl BowedStepper {
-        /// Says what the input is before the first step; none unless said so.
+        /// Says what the input is before the first step; otherwise it is none.
         ///
         /// # Errors
         /// `OutOfDomain` as of `advance`, and after the first step.

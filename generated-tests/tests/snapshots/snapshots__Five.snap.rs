@@ -1,6 +1,7 @@
 /// Five masses, damped: sums over modes are calls, the frequency stage is straight lines.
 ///
 /// Emitted by frictiongen 0.1.0 from scene b9320e7b53704e7d.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -11,7 +12,7 @@
     ::core::hash::Hash
 )]
 pub struct Five;
-/// [`Five`] at one frequency ratio: limits, regime, and the way to motions.
+/// [`Five`] at one frequency ratio: limits, regime, continuous motion, stuck response.
 #[allow(deprecated, non_camel_case_types)]
 pub struct FiveAt(::frictiongen::kernel::response::At<Five>);
 /// The exact continuous motion of [`Five`] at one frequency and one friction ratio.
@@ -35,7 +36,7 @@ pub struct FiveStuck(::frictiongen::kernel::response::Stuck<Five>);
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Five {
-        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 5] = [
             0.2846296765465703,
             0.8308300260037729,
@@ -51,7 +52,7 @@ const _: () = {
             1.6825070656623624,
             1.9189859472289947,
         ];
-        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
+        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 5]; 5] = [
             [
                 0.16989112404918136,
@@ -89,7 +90,8 @@ const _: () = {
                 0.16989112404918136,
             ],
         ];
-        /// What the limits need beyond the modes.
+        /// What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static
+        /// over kinetic friction force.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
@@ -102,7 +104,7 @@ const _: () = {
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega
         }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        /// β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
@@ -110,7 +112,8 @@ const _: () = {
         }
     }
     impl Five {
-        /// The modes that the load or the contact drives.
+        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
+        /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
         const MODES: [Mode<f64>; 5] = [
             Mode {
                 kind: Kind::Light,
@@ -178,7 +181,9 @@ const _: () = {
                 static_residue: 0.028862994030694332,
             },
         ];
-        /// All that the steady response rests on.
+        /// All that the steady response rests on.  `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass
+        /// that rubs on a support; `absorbs`: V and H may have zeros in common; `unbounded`: the undamped resonances that
+        /// the load drives, `invisible`: those of them that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -200,7 +205,7 @@ const _: () = {
         pub fn at(r: f64) -> Result<FiveAt, OutOfDomain> {
             At::new(Self, r).map(From::from)
         }
-        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
         /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
         ///
         /// # Errors
@@ -212,7 +217,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        /// `OutOfDomain` for slices of unequal lengths, and nothing is written; at the first NaN or negative r, and what comes before is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -294,6 +299,7 @@ const _: () = {
                 _ => None,
             }
         }
+        /// Whether the motion of this mass is provided; others have shapes for the stuck response alone.
         #[inline]
         fn moves(&self, mass: usize) -> bool {
             match mass {
@@ -319,13 +325,17 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
-        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
+        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
+        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        /// `frequency` is x = √λ/r, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact drives is E, `scale`.
+        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
         /// `loss` is 2ζx.
-        /// Below critical damping: `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, `half_turns` is qx.  1 + 2e cos πqx + e², by which u and g are divided, is the squared modulus of
-        /// `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `unit_nearness` is that over |re| + |im|, and `pole_weight` `size`
-        /// over the same and the squared modulus of `unit_nearness`.  `swing` is uR times `size`.
+        /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
+        /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
+        /// `cosine` are of πqx/2, formed as the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of
+        /// `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|) of it, `unit_nearness` it times
+        /// that, and `pole_weight` `size` times that over the squared modulus of `unit_nearness`.  `swing` is uR times `size`;
+        /// `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g where its terms cancel.
         ///
         /// Operations: 404: 245 ×, 75 +, 35 ÷, 25 sign, 5 exp_m1, 5 one_minus_sinc_pi, 5 scaled_sinh_defect, 5 sin_cos_pi, 4 compare.
         #[inline]
@@ -599,19 +609,22 @@ const _: () = {
             };
             (contact, modes)
         }
-        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.reversal + contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
-        /// maximum.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
+        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// `constraint` is r²E times that maximum.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
             let excitation = Scalar::hypot(contact.v.re, contact.v.im);
             excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// The load acts on the mass that rubs: V = H.
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
             let excitation = Scalar::hypot(contact.v.re, contact.v.im);
@@ -885,29 +898,29 @@ const _: () = {
     }
     ::frictiongen::kernel::wraps!(FiveStuck, Stuck of Five, Copy);
     impl FiveStuck {
-        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `m1` (6.11, 6.27, 6.33).
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `m1` over P/k₁ (6.11, 6.27, 6.33).
         ///
-        /// The contact ties it to its support.
+        /// It is 0: the contact holds the mass to a support at rest.
         #[must_use]
         pub fn m1(&self) -> Complex<f64> {
             self.mass(0)
         }
-        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `m2` (6.11, 6.27, 6.33).
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `m2` over P/k₁ (6.11, 6.27, 6.33).
         #[must_use]
         pub fn m2(&self) -> Complex<f64> {
             self.mass(1)
         }
-        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `m3` (6.11, 6.27, 6.33).
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `m3` over P/k₁ (6.11, 6.27, 6.33).
         #[must_use]
         pub fn m3(&self) -> Complex<f64> {
             self.mass(2)
         }
-        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `m4` (6.11, 6.27, 6.33).
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `m4` over P/k₁ (6.11, 6.27, 6.33).
         #[must_use]
         pub fn m4(&self) -> Complex<f64> {
             self.mass(3)
         }
-        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `m5` (6.11, 6.27, 6.33).
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `m5` over P/k₁ (6.11, 6.27, 6.33).
         #[must_use]
         pub fn m5(&self) -> Complex<f64> {
             self.mass(4)

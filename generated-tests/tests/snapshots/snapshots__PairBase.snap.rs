@@ -1,6 +1,7 @@
 /// Two masses, the contact on the moving base.
 ///
 /// Emitted by frictiongen 0.1.0 from scene 3b246ecbdfd6bce2.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -11,7 +12,7 @@
     ::core::hash::Hash
 )]
 pub struct PairBase;
-/// [`PairBase`] at one frequency ratio: limits, regime, and the way to motions.
+/// [`PairBase`] at one frequency ratio: limits, regime, continuous motion.
 #[allow(deprecated, non_camel_case_types)]
 pub struct PairBaseAt(::frictiongen::kernel::response::At<PairBase>);
 /// The exact continuous motion of [`PairBase`] at one frequency and one friction ratio.
@@ -32,19 +33,21 @@ pub struct PairBaseMotion(::frictiongen::kernel::response::Continuous<PairBase>)
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl PairBase {
-        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [
             11.980928093791238,
             32.12531422632804,
         ];
         /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
         pub const RESONANCES: [f64; 2] = [0.6280451371556012, 1.6840220742078127];
-        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
+        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 2]; 2] = [
             [0.5446174012864552, 0.8412612267718186],
             [0.8386846166563378, -0.5462905769681745],
         ];
-        /// What the limits need beyond the modes.
+        /// What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static
+        /// over kinetic friction force.
+        /// `on_moving_base`: the contact rubs on the moving base; the static relative motion.
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: Some(0.0),
@@ -57,7 +60,7 @@ const _: () = {
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega / 19.07653986153372
         }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        /// β = F/(k₁Y) of a kinetic friction force F; `load` is k₁Y, Y the amplitude of the base's motion.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
@@ -65,7 +68,8 @@ const _: () = {
         }
     }
     impl PairBase {
-        /// The modes that the load or the contact drives.
+        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
+        /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
         const MODES: [Mode<f64>; 2] = [
             Mode {
                 kind: Kind::Undamped,
@@ -94,7 +98,9 @@ const _: () = {
                 static_residue: 0.2480286185815999,
             },
         ];
-        /// All that the steady response rests on.
+        /// All that the steady response rests on.  `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass
+        /// that rubs on a support; `absorbs`: V and H may have zeros in common; `unbounded`: the undamped resonances that
+        /// the load drives, `invisible`: those of them that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -116,7 +122,7 @@ const _: () = {
         pub fn at(r: f64) -> Result<PairBaseAt, OutOfDomain> {
             At::new(Self, r).map(From::from)
         }
-        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
         /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
         ///
         /// # Errors
@@ -128,7 +134,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        /// `OutOfDomain` for slices of unequal lengths, and nothing is written; at the first NaN or negative r, and what comes before is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -175,9 +181,12 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
-        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
-        /// Undamped: `sine` and `cosine` are of πx/2, and where a divisor is exactly 0 `…_off_pole` has another next to it.
+        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
+        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        /// `frequency` is x = √λ/r, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact drives is E, `scale`.
+        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
+        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0
+        /// where that is exactly 0.
         ///
         /// Operations: 43: 20 ×, 7 +, 5 compare, 5 ÷, 4 sign, 2 sin_cos_pi.
         #[inline]
@@ -240,13 +249,14 @@ const _: () = {
             };
             (contact, modes)
         }
-        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
-        /// maximum.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
+        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// `constraint` is r²E times that maximum.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
             let excitation = Scalar::abs(contact.v.re);
@@ -329,6 +339,9 @@ const _: () = {
     ::frictiongen::kernel::not_provided!(PairBase : simulation);
     impl ProvidesMotion for PairBase {
         type Motion = PairBaseMotion;
+        /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
+        /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
+        /// is 1/(r²E).
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -372,6 +385,8 @@ const _: () = {
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
+        /// The motion of a mass, in the same coefficients.  Where x < 1/2 the mode is mass-controlled: all of its response is
+        /// in its own part.  Powers of 2 keep products within the scalar's range, and cancel.
         #[allow(unused_variables)]
         fn mass_motion(
             at: &At<Self>,

@@ -1,6 +1,7 @@
 /// One mass under a force that is held over a step, in single precision.
 ///
 /// Emitted by frictiongen 0.1.0 from scene 23e5550161844410.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -13,12 +14,13 @@
 pub struct Pushed;
 /// The motion of [`Pushed`] by steps of one length, under any input; `advance` takes a step.
 ///
-/// A step of dt has ⌈20.00·dt⌉ parts, at most 1024.
+/// A step of dt, in s, has ⌈20.00·dt⌉ parts, at most 1024.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
-/// Any other is followed from event to event: at most 8 events, in at most 64 stretches.
+/// Any other is followed from event to event, for at most 8 events and, where the friction law bends, 64 stretches;
+/// what is left of a part after that passes without creating energy, and `exceeded` tells.
 ///
 /// A part has at most 132 floating-point operations by the tables, about 7896 with one event, never
-/// more than 1559192.  A Cortex-M4F takes up to 4 instructions for each in single precision, and 400 a part.
+/// more than 1559192.  A Cortex-M4F takes up to 4 instructions for each, and 400 for a part.
 #[allow(deprecated, non_camel_case_types)]
 pub struct PushedStepper(
     ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f32, 1, 1, 0, 1>,
@@ -35,7 +37,7 @@ pub struct PushedStepper(
 pub struct PushedInput {
     /// The force on mass `block`.
     pub force: ::core::primitive::f32,
-    /// The kinetic friction force F at rest, not negative.
+    /// The kinetic friction force F, not negative; at rest the contact holds up to μF.
     pub friction: ::core::primitive::f32,
 }
 #[automatically_derived]
@@ -53,13 +55,14 @@ pub struct PushedInput {
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Pushed {
-        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f32; 1] = [20.0];
         /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
         pub const RESONANCES: [f32; 1] = [1.0];
-        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
+        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f32; 1]; 1] = [[1.0]];
-        /// What the limits need beyond the modes.
+        /// What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static
+        /// over kinetic friction force.
         const CHAIN: Chain<f32> = Chain {
             damped: false,
             on_moving_base: None,
@@ -72,7 +75,7 @@ const _: () = {
         pub const fn frequency_ratio(omega: f32) -> f32 {
             omega / 20.0
         }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        /// β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
@@ -82,8 +85,10 @@ const _: () = {
     ::frictiongen::kernel::not_provided!(Pushed : limits);
     ::frictiongen::kernel::not_provided!(Pushed : simulation);
     impl Pushed {
-        /// The motion in time: all modes, those that the contact drives first, and the modes of
-        /// the chain with its contact held.
+        /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
+        /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
+        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
+        /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
         const DYNAMICS: Dynamics<'static, f32> = Dynamics {
             chain: Pushed::CHAIN,
             modes: &[
@@ -109,7 +114,8 @@ const _: () = {
         };
     }
     impl Pushed {
-        /// What a stepper is told of the scene.
+        /// What a stepper is told of the scene: `units`: k₁, √(k₁/m₁) in rad/s and the springs to the base over k₁;
+        /// `forces`: the loaded masses; `law`: Stribeck's points, speed and kinetic friction over F.
         const STEP_SCENE: StepScene<'static, f32> = StepScene {
             dynamics: Self::DYNAMICS,
             units: Units {
@@ -153,7 +159,7 @@ const _: () = {
     }
     ::frictiongen::kernel::wraps!(PushedStepper, FixedStepper of f32, 1, 1, 0, 1);
     impl PushedStepper {
-        /// Says what the input is before the first step; none unless said so.
+        /// Says what the input is before the first step; otherwise it is none.
         ///
         /// # Errors
         /// `OutOfDomain` as of `advance`, and after the first step.

@@ -2,6 +2,7 @@
 /// there does not touch: the mode is gone from the emitted code.
 ///
 /// Emitted by frictiongen 0.1.0 from scene 867fafa6755ee914.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -12,7 +13,7 @@
     ::core::hash::Hash
 )]
 pub struct Symmetric;
-/// [`Symmetric`] at one frequency ratio: limits, regime, and the way to motions.
+/// [`Symmetric`] at one frequency ratio: limits, regime, continuous motion, stuck response.
 #[allow(deprecated, non_camel_case_types)]
 pub struct SymmetricAt(::frictiongen::kernel::response::At<Symmetric>);
 /// The exact continuous motion of [`Symmetric`] at one frequency and one friction ratio.
@@ -36,7 +37,7 @@ pub struct SymmetricStuck(::frictiongen::kernel::response::Stuck<Symmetric>);
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Symmetric {
-        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 3] = [
             0.7653668647301796,
             1.4142135623730951,
@@ -48,13 +49,14 @@ const _: () = {
             1.4142135623730951,
             1.8477590650225735,
         ];
-        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
+        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 3]; 3] = [
             [0.5, 0.7071067811865476, 0.5],
             [0.7071067811865476, 0.0, -0.7071067811865476],
             [0.5, -0.7071067811865476, 0.5],
         ];
-        /// What the limits need beyond the modes.
+        /// What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static
+        /// over kinetic friction force.
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: None,
@@ -67,7 +69,7 @@ const _: () = {
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega
         }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        /// β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
@@ -75,7 +77,8 @@ const _: () = {
         }
     }
     impl Symmetric {
-        /// The modes that the load or the contact drives.
+        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
+        /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
         const MODES: [Mode<f64>; 2] = [
             Mode {
                 kind: Kind::Undamped,
@@ -104,7 +107,9 @@ const _: () = {
                 static_residue: 0.14644660940672624,
             },
         ];
-        /// All that the steady response rests on.
+        /// All that the steady response rests on.  `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass
+        /// that rubs on a support; `absorbs`: V and H may have zeros in common; `unbounded`: the undamped resonances that
+        /// the load drives, `invisible`: those of them that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -126,7 +131,7 @@ const _: () = {
         pub fn at(r: f64) -> Result<SymmetricAt, OutOfDomain> {
             At::new(Self, r).map(From::from)
         }
-        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
         /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
         ///
         /// # Errors
@@ -138,7 +143,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        /// `OutOfDomain` for slices of unequal lengths, and nothing is written; at the first NaN or negative r, and what comes before is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -188,9 +193,12 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
-        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
-        /// Undamped: `sine` and `cosine` are of πx/2, and where a divisor is exactly 0 `…_off_pole` has another next to it.
+        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
+        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        /// `frequency` is x = √λ/r, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact drives is E, `scale`.
+        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
+        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0
+        /// where that is exactly 0.
         ///
         /// Operations: 37: 16 ×, 6 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline]
@@ -249,19 +257,22 @@ const _: () = {
             };
             (contact, modes)
         }
-        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
-        /// maximum.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
+        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// `constraint` is r²E times that maximum.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
             let excitation = Scalar::abs(contact.v.re);
             excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// The load acts on the mass that rubs: V = H.
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
             let excitation = Scalar::abs(contact.v.re);
@@ -333,6 +344,9 @@ const _: () = {
     ::frictiongen::kernel::not_provided!(Symmetric : simulation);
     impl ProvidesMotion for Symmetric {
         type Motion = SymmetricMotion;
+        /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
+        /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
+        /// is 1/(r²E).
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -375,6 +389,8 @@ const _: () = {
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
+        /// The motion of a mass, in the same coefficients.  Where x < 1/2 the mode is mass-controlled: all of its response is
+        /// in its own part.  Powers of 2 keep products within the scalar's range, and cancel.
         #[allow(unused_variables)]
         fn mass_motion(
             at: &At<Self>,
@@ -569,19 +585,19 @@ const _: () = {
     }
     ::frictiongen::kernel::wraps!(SymmetricStuck, Stuck of Symmetric, Copy);
     impl SymmetricStuck {
-        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `left` (6.11, 6.27, 6.33).
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `left` over P/k₁ (6.11, 6.27, 6.33).
         #[must_use]
         pub fn left(&self) -> Complex<f64> {
             self.mass(0)
         }
-        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `middle` (6.11, 6.27, 6.33).
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `middle` over P/k₁ (6.11, 6.27, 6.33).
         ///
-        /// The contact ties it to its support.
+        /// It is 0: the contact holds the mass to a support at rest.
         #[must_use]
         pub fn middle(&self) -> Complex<f64> {
             self.mass(1)
         }
-        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `right` (6.11, 6.27, 6.33).
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `right` over P/k₁ (6.11, 6.27, 6.33).
         #[must_use]
         pub fn right(&self) -> Complex<f64> {
             self.mass(2)

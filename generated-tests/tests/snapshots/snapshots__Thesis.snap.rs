@@ -1,6 +1,7 @@
 /// The thesis's three masses (figure 6.1).
 ///
 /// Emitted by frictiongen 0.1.0 from scene 88abb9d9db2471d6.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -11,7 +12,7 @@
     ::core::hash::Hash
 )]
 pub struct Thesis;
-/// [`Thesis`] at one frequency ratio: limits, regime, and the way to motions.
+/// [`Thesis`] at one frequency ratio: limits, regime, continuous motion.
 #[allow(deprecated, non_camel_case_types)]
 pub struct ThesisAt(::frictiongen::kernel::response::At<Thesis>);
 /// The exact continuous motion of [`Thesis`] at one frequency and one friction ratio.
@@ -32,7 +33,7 @@ pub struct ThesisMotion(::frictiongen::kernel::response::Continuous<Thesis>);
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Thesis {
-        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 3] = [
             0.4450418679126288,
             1.246979603717467,
@@ -44,13 +45,14 @@ const _: () = {
             1.246979603717467,
             1.8019377358048383,
         ];
-        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
+        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 3]; 3] = [
             [0.32798527760568175, 0.5910090485061035, 0.7369762290995783],
             [0.7369762290995783, 0.32798527760568175, -0.5910090485061035],
             [0.5910090485061035, -0.7369762290995783, 0.32798527760568175],
         ];
-        /// What the limits need beyond the modes.
+        /// What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static
+        /// over kinetic friction force.
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: None,
@@ -63,7 +65,7 @@ const _: () = {
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega
         }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        /// β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
@@ -71,7 +73,8 @@ const _: () = {
         }
     }
     impl Thesis {
-        /// The modes that the load or the contact drives.
+        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
+        /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
         const MODES: [Mode<f64>; 3] = [
             Mode {
                 kind: Kind::Undamped,
@@ -113,7 +116,9 @@ const _: () = {
                 static_residue: -0.13414301076393756,
             },
         ];
-        /// All that the steady response rests on.
+        /// All that the steady response rests on.  `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass
+        /// that rubs on a support; `absorbs`: V and H may have zeros in common; `unbounded`: the undamped resonances that
+        /// the load drives, `invisible`: those of them that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -135,7 +140,7 @@ const _: () = {
         pub fn at(r: f64) -> Result<ThesisAt, OutOfDomain> {
             At::new(Self, r).map(From::from)
         }
-        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
         /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
         ///
         /// # Errors
@@ -147,7 +152,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        /// `OutOfDomain` for slices of unequal lengths, and nothing is written; at the first NaN or negative r, and what comes before is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -199,9 +204,12 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
-        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
-        /// Undamped: `sine` and `cosine` are of πx/2, and where a divisor is exactly 0 `…_off_pole` has another next to it.
+        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
+        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        /// `frequency` is x = √λ/r, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact drives is E, `scale`.
+        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
+        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0
+        /// where that is exactly 0.
         ///
         /// Operations: 62: 27 ×, 12 +, 8 compare, 6 sign, 6 ÷, 3 sin_cos_pi.
         #[inline]
@@ -285,13 +293,14 @@ const _: () = {
             };
             (contact, modes)
         }
-        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
-        /// maximum.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
+        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// `constraint` is r²E times that maximum.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
             let excitation = Scalar::abs(contact.v.re);

@@ -4,8 +4,11 @@
 use crate::both::Both;
 use crate::independent::loads;
 use crate::rig::{Kind, LINEAR, advance, begin, rig};
+use frictiongen::{NoOrbit, OutOfDomain};
 use frictiongen_kernel::stepper::Input;
-use frictiongen_model::scene::{Excitation, Node, Scene};
+use frictiongen_model::modal::Modal;
+use frictiongen_model::scene::{Excitation, Node, Precision, Scene};
+use frictiongen_model::transient::excess_loss;
 use fuzzing::Random;
 
 /// A chain, a contact, a damping, by chance; many masses are damped less than critically.
@@ -96,6 +99,17 @@ struct Seen {
     otherwise: u32,
     worst: f64,
     single: f64,
+    /// How many are refused in single precision.
+    lost: u32,
+}
+
+/// Whether too many modes are beyond critical damping for a motion in time, so that a scene is refused.
+fn lost(scene: &Scene, precision: Precision) -> bool {
+    let scene = Scene {
+        precision,
+        ..scene.clone()
+    };
+    excess_loss(&scene, &Modal::of(&scene)).is_some()
 }
 
 fn all(sizes: &[usize], rounds: usize, steps: u32) -> Seen {
@@ -116,6 +130,11 @@ fn all(sizes: &[usize], rounds: usize, steps: u32) -> Seen {
         let kind = Kind { input, law };
         let omega = (scene.springs[0].stiffness / scene.masses[0].value).sqrt();
         let dt = random.log_uniform(0.02, 1.0) / omega;
+        let single_too = !lost(&scene, Precision::F32);
+        seen.lost += u32::from(!single_too);
+        if lost(&scene, Precision::F64) {
+            continue;
+        }
         let mut next = loads(&scene, round as u64, dt);
         let start = next();
         let mut both = Both::new(&scene, kind, dt, &start);
@@ -126,6 +145,9 @@ fn all(sizes: &[usize], rounds: usize, steps: u32) -> Seen {
         for _ in 0..steps {
             let load = next();
             both.advance(&load);
+            if !single_too {
+                continue;
+            }
             advance(&mut single, &load);
             for mass in 0..scene.masses.len() {
                 let [narrow, wide] = [
@@ -182,10 +204,11 @@ fn more_scenes_at_random() {
     check(&all(&[16, 33, 64], 60, 300), 1e-12);
 }
 
-/// Many masses, every mode at its critical damping: the poles of the held chain crowd between double roots.
+/// Many masses, every mode at its critical damping: the poles of the held chain crowd between double roots.  What would
+/// lose half of its digits is refused, by the same name in every motion in time; what is not, keeps them.
 #[test]
-#[ignore = "fails: with 32 masses 2e-7 is lost, with 64 everything"]
 fn critical_damping_of_many_masses() {
+    let mut refused = Vec::new();
     for n in [8, 16, 32, 64] {
         let masses: Vec<String> = (0..n)
             .map(|i| format!("m{i}: {:?}", 1.0 + 0.3 * f64::from(i * 7 % 5)))
@@ -202,6 +225,19 @@ fn critical_damping_of_many_masses() {
         );
         let scene = parsed(&text).expect("a scene");
         let dt = 0.02;
+        if lost(&scene, Precision::F64) {
+            let system = frictiongen::System::try_from(scene).expect("a system");
+            let argument = Some(OutOfDomain {
+                argument: "damping",
+            });
+            assert_eq!(system.stepper(dt).err(), argument);
+            assert_eq!(system.simulation(0.5, 0.1).err(), argument);
+            let at = system.at(0.5).expect("within the domain");
+            let between = 0.5 * (at.continuous_limit() + at.sliding_limit());
+            assert_eq!(at.orbit(between).err(), argument.map(NoOrbit::OutOfDomain));
+            refused.push(n);
+            continue;
+        }
         let mut next = loads(&scene, 3, dt);
         let mut both = Both::new(&scene, LINEAR, dt, &next());
         for _ in 0..60 {
@@ -210,4 +246,5 @@ fn critical_damping_of_many_masses() {
         println!("{n}: {:.1e}", both.error());
         assert!(both.error() < 1e-8, "{n}: {:e}", both.error());
     }
+    assert_eq!(refused, [32, 64]);
 }

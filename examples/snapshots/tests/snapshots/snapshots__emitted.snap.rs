@@ -1,6 +1,7 @@
 /// A machine on a mount whose damper rubs on the frame.
 ///
 /// Emitted by frictiongen 0.1.0 from scene 405b5e1bd797e81d.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -11,13 +12,15 @@
     ::core::hash::Hash
 )]
 pub struct Mount;
-/// [`Mount`] at one frequency ratio: limits, regime, and the way to motions.
+/// [`Mount`] at one frequency ratio: limits, regime, continuous motion, steady states.
 #[allow(deprecated, non_camel_case_types)]
 pub struct MountAt(::frictiongen::kernel::response::At<Mount>);
 /// The exact continuous motion of [`Mount`] at one frequency and one friction ratio.
 #[allow(deprecated, non_camel_case_types)]
 pub struct MountMotion(::frictiongen::kernel::response::Continuous<Mount>);
 /// The steady state of [`Mount`] at one frequency and one friction ratio, in any regime.
+///
+/// Its sizes: 3 modes and held modes, room for 280 numbers, 4 Floquet multipliers.
 #[allow(deprecated, non_camel_case_types)]
 pub struct MountOrbit(
     ::frictiongen::kernel::orbit::FixedOrbit<::core::primitive::f64, 3, 280, 4>,
@@ -37,16 +40,17 @@ pub struct MountOrbit(
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Mount {
-        /// ω_i, the natural frequencies, rad/s in the units given, ascending.
+        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [44.43313233000368, 79.25084700711017];
         /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
         pub const RESONANCES: [f64; 2] = [0.6283793835980964, 1.120776226670104];
-        /// φ, [mode][mass], with φᵀΓφ = 1; of each mode the first component that counts is positive.
+        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 2]; 2] = [
             [0.3426795800926145, 1.6805434410452347],
             [0.9394523433296388, -0.6130038684705358],
         ];
-        /// What the limits need beyond the modes.
+        /// What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static
+        /// over kinetic friction force.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
@@ -59,7 +63,7 @@ const _: () = {
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega / 70.71067811865476
         }
-        /// A friction force F and a load amplitude P, for base motion k₁Y, as friction ratio β = F/P.
+        /// β = F/(k₁Y) of a kinetic friction force F; `load` is k₁Y, Y the amplitude of the base's motion.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
@@ -67,7 +71,8 @@ const _: () = {
         }
     }
     impl Mount {
-        /// The modes that the load or the contact drives.
+        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
+        /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
         const MODES: [Mode<f64>; 2] = [
             Mode {
                 kind: Kind::Light,
@@ -96,7 +101,9 @@ const _: () = {
                 static_residue: -1.1610643562596341,
             },
         ];
-        /// All that the steady response rests on.
+        /// All that the steady response rests on.  `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass
+        /// that rubs on a support; `absorbs`: V and H may have zeros in common; `unbounded`: the undamped resonances that
+        /// the load drives, `invisible`: those of them that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -118,7 +125,7 @@ const _: () = {
         pub fn at(r: f64) -> Result<MountAt, OutOfDomain> {
             At::new(Self, r).map(From::from)
         }
-        /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and
+        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
         /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
         ///
         /// # Errors
@@ -130,7 +137,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for a slice of another length, which changes nothing, and at the first NaN or negative r.
+        /// `OutOfDomain` for slices of unequal lengths, and nothing is written; at the first NaN or negative r, and what comes before is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -176,13 +183,17 @@ const _: () = {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         ///
-        /// `frequency` is x = √λ/r = 1/R of a mode, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` is E, `scale`.
-        /// `u` is uR² and `reversal` g + 2ζRu; both and `g` come times `size`, then times E, as does `response`, 1/(x² − 1 + 2iζx).
+        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
+        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        /// `frequency` is x = √λ/r, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact drives is E, `scale`.
+        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
         /// `loss` is 2ζx.
-        /// Below critical damping: `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, `half_turns` is qx.  1 + 2e cos πqx + e², by which u and g are divided, is the squared modulus of
-        /// `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `unit_nearness` is that over |re| + |im|, and `pole_weight` `size`
-        /// over the same and the squared modulus of `unit_nearness`.  `swing` is uR times `size`.
+        /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
+        /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
+        /// `cosine` are of πqx/2, formed as the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of
+        /// `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|) of it, `unit_nearness` it times
+        /// that, and `pole_weight` `size` times that over the squared modulus of `unit_nearness`.  `swing` is uR times `size`;
+        /// `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g where its terms cancel.
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline]
@@ -304,13 +315,14 @@ const _: () = {
             };
             (contact, modes)
         }
-        /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.reversal + 4.83 * contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49); `constraint` is r²E times that
-        /// maximum.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
+        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// `constraint` is r²E times that maximum.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
             let excitation = Scalar::hypot(contact.v.re, contact.v.im);
@@ -442,38 +454,13 @@ const _: () = {
     ::frictiongen::kernel::not_provided!(Mount : simulation);
     ::frictiongen::kernel::left_out!(MountMotion : frame);
     impl Mount {
-        /// The motion in time: all modes, those that the contact drives first, and the modes of
-        /// the chain with its contact held.
+        /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
+        /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
+        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
+        /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
         const DYNAMICS: Dynamics<'static, f64> = Dynamics {
             chain: Mount::CHAIN,
-            modes: &[
-                Mode {
-                    kind: Kind::Light,
-                    in_contact: true,
-                    resonance: 0.6283793835980964,
-                    zeta: 0.01,
-                    q: 0.9999499987499375,
-                    q_defect: 5.000125006250391e-5,
-                    load: 0.3426795800926145,
-                    contact: 1.33786386095262,
-                    residue: 0.45845862609232785,
-                    inverse_mass: 1.7898797104430517,
-                    static_residue: 1.1610643562596341,
-                },
-                Mode {
-                    kind: Kind::Light,
-                    in_contact: true,
-                    resonance: 1.120776226670104,
-                    zeta: 0.02,
-                    q: 0.999799979995999,
-                    q_defect: 0.0002000200040010003,
-                    load: 0.9394523433296388,
-                    contact: -1.5524562118001746,
-                    residue: -1.4584586260923278,
-                    inverse_mass: 2.4101202895569482,
-                    static_residue: -1.1610643562596341,
-                },
-            ],
+            modes: &Self::MODES,
             held: &[
                 HeldMode {
                     kind: Kind::Light,
@@ -509,6 +496,9 @@ const _: () = {
     }
     impl ProvidesMotion for Mount {
         type Motion = MountMotion;
+        /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
+        /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
+        /// is 1/(r²E).
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -554,6 +544,8 @@ const _: () = {
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
+        /// The motion of a mass, in the same coefficients.  Where x < 1/2 the mode is mass-controlled: all of its response is
+        /// in its own part.  Powers of 2 keep products within the scalar's range, and cancel.
         #[allow(unused_variables)]
         fn mass_motion(
             at: &At<Self>,

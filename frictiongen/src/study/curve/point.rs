@@ -2,7 +2,6 @@
 
 use super::CurveRequest;
 use crate::study::response::{Size, Swing, SystemResponse};
-use crate::study::units::reversed_phase;
 use crate::{Complex, Of, Regime};
 
 /// The response at one frequency ratio.
@@ -89,10 +88,7 @@ impl Movement {
 
     /// The contact's motion with the opposite sign.
     fn turned(mut self, response: &SystemResponse<'_>) -> Self {
-        self.swing.phase = self.swing.phase.map(|phase| match response {
-            SystemResponse::StickSlip(orbit) => orbit.reversed_contact_phase(),
-            _ => reversed_phase(phase),
-        });
+        self.swing.phase = response.reversed_contact_phase();
         for harmonic in &mut self.harmonics {
             *harmonic = Complex::new(0.0 - harmonic.re, 0.0 - harmonic.im);
         }

@@ -1,7 +1,7 @@
 //! How a feature moves with every parameter: implicit derivatives of zeros, and those of closed forms.
 
 use super::isolate::{Function, Zero};
-use crate::study::physical::{OperatingPoint, Parameter, parameters_of};
+use crate::study::parameter::{OperatingPoint, Parameter, parameters_of};
 use crate::study::sensitivity::{Sensitive, Varied};
 use crate::study::system::System;
 use crate::study::units::{Load, LoadError, LoadScale};

@@ -7,7 +7,7 @@ pub(in crate::study) mod peaks;
 mod search;
 
 use super::error::UnknownMass;
-use super::physical::{OperatingPoint, Parameter};
+use super::parameter::{OperatingPoint, Parameter};
 use super::system::System;
 use super::units::{Load, angular_frequency};
 use crate::{Of, Regime};

@@ -785,4 +785,20 @@ struct Frame {
 }
 }
 
+mod case_768_modes_beyond_critical_damping {
+frictiongen::friction_system! {
+struct Tower {
+    masses: { a: 1.0, b: 1.6, c: 2.2, d: 1.3, e: 1.9, f: 1.0, g: 1.6, h: 2.2 },
+    springs: {
+        base - a: 1.0, a - b: 0.7, b - c: 0.8, c - d: 0.9, d - e: 1.0, e - f: 0.7, f - g: 0.8, g - h: 0.9,
+    },
+    contact: e - wall,
+    excitation: h,
+    damping: modal(1.5),
+    scalar: f32,
+    provide: [simulation],
+}
+}
+}
+
 fn main() {}

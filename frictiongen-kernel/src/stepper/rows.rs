@@ -1,0 +1,227 @@
+//! What an oscillator does over a part of a step, as products of constants with its state and its drive.
+
+use super::TERMS;
+use super::dot::dot;
+use crate::number::scalar::Float;
+
+/// Weights of a mode's state, y and u, and of the coefficients of its drive.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<S, const D: usize> {
+    /// Of y and u at the start.
+    pub state: [S; 2],
+    /// Of the drive's coefficients.
+    pub drive: [S; D],
+}
+
+/// Weights of a held mode's state, and of the coefficients of what drives y′ and u′.
+#[derive(Clone, Copy, Debug)]
+pub struct HeldRow<S, const D: usize> {
+    /// Of y and u at the start.
+    pub state: [S; 2],
+    /// Of the coefficients of what drives y and of what drives u.
+    pub drive: [[S; D]; 2],
+}
+
+/// A mode over a part of a step: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with the part's length as the unit of time.
+#[derive(Clone, Copy, Debug)]
+pub struct ModeStep<S, const D: usize> {
+    /// Ω, the angle by which it would turn undamped.
+    pub angle: S,
+    /// ζ.
+    pub zeta: S,
+    /// What a force on the mode adds to u′: Ω/σ².
+    pub gain: S,
+    /// φᵀw: its displacement in the contact's.
+    pub contact: S,
+    /// Over the part, what u gains.
+    pub turn: Row<S, D>,
+    /// Over the part, ∫ sʲ y′ ds for j = 0, 1, …: the first is what y gains, all of them are the drive's work.
+    pub moments: [Row<S, D>; D],
+}
+
+/// A mode of the chain with its contact held, over a part of a step: y′ = Ωu + drive, u′ = −Ω(y + 2ζu) + drive.
+#[derive(Clone, Copy, Debug)]
+pub struct HeldStep<S, const D: usize> {
+    /// Ω.
+    pub angle: S,
+    /// ζ.
+    pub zeta: S,
+    /// −(contact force)/y.
+    pub force: S,
+    /// What the velocity and the acceleration of a moving base, on which the contact is held, add to y′ and u′.
+    pub lift: [[S; 2]; 2],
+    /// Over the part, ∫ sʲ y′ ds.
+    pub moments: [HeldRow<S, D>; D],
+    /// Over the part, ∫ sʲ u′ ds.
+    pub turns: [HeldRow<S, D>; D],
+}
+
+/// The next coefficients of an oscillator's power series times their order, from those before and those of what
+/// drives y′ and u′.
+#[inline]
+pub(super) fn next<S: Float>(
+    (angle, zeta): (S, S),
+    [y, u]: [S; 2],
+    [first, second]: [S; 2],
+) -> [S; 2] {
+    let rise = angle * u + first;
+    let turn = second - angle * (y + (zeta + zeta) * u);
+    [rise, turn]
+}
+
+/// An oscillator from a state under a drive, up to a place: ∫ sʲ y′ ds and ∫ sʲ u′ ds.
+pub(super) fn moments<S: Float, const D: usize>(
+    of: (S, S),
+    mut state: [S; 2],
+    drive: impl Fn(usize) -> [S; 2],
+    terms: usize,
+    place: S,
+) -> [[S; D]; 2] {
+    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    let mut sums = [[zero; D]; 2];
+    let (mut order, mut power) = (one, place);
+    for index in 0..terms {
+        state = next(of, state, drive(index)).map(|term| term / order);
+        let (mut beyond, mut factor) = (order, power);
+        let [of_y, of_u] = &mut sums;
+        for (place_of, (of_y, of_u)) in of_y.iter_mut().zip(of_u).enumerate() {
+            let mut weight = factor;
+            if place_of != 0 {
+                weight = factor * (order / beyond);
+            }
+            let [y, u] = state.map(|term| term * weight);
+            (*of_y, *of_u) = (*of_y + y, *of_u + u);
+            (beyond, factor) = (beyond + one, factor * place);
+        }
+        (order, power) = (order + one, power * place);
+    }
+    sums
+}
+
+impl<S: Float, const D: usize> ModeStep<S, D> {
+    pub(super) fn new(angle: S, zeta: S, gain: S, contact: S) -> Self {
+        let mut step = Self::zero();
+        (step.angle, step.zeta, step.gain, step.contact) = (angle, zeta, gain, contact);
+        let rows = HeldStep::rows((angle, zeta));
+        for (to, from) in step.moments.iter_mut().zip(rows[0]) {
+            *to = Row {
+                state: from.state,
+                drive: from.drive[1],
+            };
+        }
+        if let Some(from) = rows[1].first() {
+            step.turn = Row {
+                state: from.state,
+                drive: from.drive[1],
+            };
+        }
+        step
+    }
+
+    /// What an array of them starts from.
+    #[must_use]
+    pub fn zero() -> Self {
+        let zero = S::constant(0.0);
+        let row = Row {
+            state: [zero; 2],
+            drive: [zero; D],
+        };
+        Self {
+            angle: zero,
+            zeta: zero,
+            gain: zero,
+            contact: zero,
+            turn: row,
+            moments: [row; D],
+        }
+    }
+}
+
+impl<S: Float, const D: usize> HeldStep<S, D> {
+    pub(super) fn new(angle: S, zeta: S, force: S) -> Self {
+        let mut step = Self::zero();
+        (step.angle, step.zeta, step.force) = (angle, zeta, force);
+        [step.moments, step.turns] = Self::rows((angle, zeta));
+        step
+    }
+
+    /// The weights of all moments, from the motions that a unit of each state and drive causes.
+    fn rows(of: (S, S)) -> [[HeldRow<S, D>; D]; 2] {
+        let (zero, one) = (S::constant(0.0), S::constant(1.0));
+        let mut rows = [[HeldRow::zero(); D]; 2];
+        for (place, start) in [[one, zero], [zero, one]].into_iter().enumerate() {
+            let values: [[S; D]; 2] = moments(of, start, |_| [zero; 2], TERMS, one);
+            for (rows, values) in rows.iter_mut().zip(values) {
+                for (row, value) in rows.iter_mut().zip(values) {
+                    if let Some(weight) = row.state.get_mut(place) {
+                        *weight = value;
+                    }
+                }
+            }
+        }
+        for channel in 0..2 {
+            for place in 0..D {
+                let drive = |order: usize| {
+                    let term = if order == place { one } else { zero };
+                    if channel == 0 {
+                        [term, zero]
+                    } else {
+                        [zero, term]
+                    }
+                };
+                let values: [[S; D]; 2] = moments(of, [zero; 2], drive, TERMS, one);
+                for (rows, values) in rows.iter_mut().zip(values) {
+                    for (row, value) in rows.iter_mut().zip(values) {
+                        let weights = row.drive.get_mut(channel);
+                        if let Some(weight) = weights.and_then(|row| row.get_mut(place)) {
+                            *weight = value;
+                        }
+                    }
+                }
+            }
+        }
+        rows
+    }
+
+    /// What an array of them starts from.
+    #[must_use]
+    pub fn zero() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            angle: zero,
+            zeta: zero,
+            force: zero,
+            lift: [[zero; 2]; 2],
+            moments: [HeldRow::zero(); D],
+            turns: [HeldRow::zero(); D],
+        }
+    }
+}
+
+impl<S: Float, const D: usize> HeldRow<S, D> {
+    fn zero() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            state: [zero; 2],
+            drive: [[zero; D]; 2],
+        }
+    }
+
+    /// The sum over state and drive.
+    #[inline]
+    pub(super) fn times(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> S {
+        let [first, second] = &self.drive;
+        let [of_y, of_u] = drive;
+        let sum = self.state[0] * y + self.state[1] * u;
+        dot(dot(sum, first, of_y), second, of_u)
+    }
+}
+
+impl<S: Float, const D: usize> Row<S, D> {
+    /// The sum over state and drive.
+    #[inline]
+    pub(super) fn times(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
+        let sum = self.state[0] * y + self.state[1] * u;
+        dot(sum, &self.drive, drive)
+    }
+}

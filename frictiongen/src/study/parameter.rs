@@ -1,0 +1,166 @@
+//! What a response depends on: the numbers of a description and of an operating point, with their symbols and units.
+
+use super::sensitivity::quantities;
+use super::system::System;
+use super::units::Load;
+use frictiongen_model::scene::{Damping, Scene};
+use frictiongen_model::sensitivity::Quantity;
+
+/// Where a response is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OperatingPoint {
+    /// In dimensionless groups: r and β.
+    Groups {
+        /// r = ω√(m₁/k₁).
+        r: f64,
+        /// β = F/P, for base motion F/(k₁Y).
+        beta: f64,
+    },
+    /// In physical units.
+    Physical {
+        /// The frequency of the excitation, Hz.
+        hertz: f64,
+        /// The kinetic friction force F, N.
+        friction: f64,
+        /// The load.
+        load: Load,
+    },
+}
+
+/// What a response depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Parameter {
+    /// A number of the description, in its own unit.
+    Quantity(Quantity),
+    /// The friction force F in N; in groups β.
+    Friction,
+    /// The load, P in N or Y in m; none in groups.
+    Load,
+    /// The frequency in Hz; in groups r.
+    Frequency,
+}
+
+/// A value and its derivative with respect to one parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slope {
+    /// X.
+    pub value: f64,
+    /// dX/dp.
+    pub derivative: f64,
+}
+
+impl Slope {
+    /// (p/X)·dX/dp for a parameter of this value; none where X is 0.
+    #[must_use]
+    pub fn relative(&self, parameter: f64) -> Option<f64> {
+        let relative = parameter / self.value * self.derivative;
+        relative.is_finite().then_some(relative)
+    }
+}
+
+impl Parameter {
+    /// Its symbol, with the names of the description: `m upper`, `k base - lower`, `zeta 1`, `F`.
+    #[must_use]
+    pub fn symbol(&self, scene: &Scene, point: &OperatingPoint) -> String {
+        let physical = matches!(point, OperatingPoint::Physical { .. });
+        let short = match self {
+            Self::Quantity(quantity) => return symbol(*quantity, scene),
+            Self::Friction if physical => "F",
+            Self::Friction => "beta",
+            Self::Load => match point {
+                OperatingPoint::Physical {
+                    load: Load::Base(_),
+                    ..
+                } => "Y",
+                _ => "P",
+            },
+            Self::Frequency if physical => "f",
+            Self::Frequency => "r",
+        };
+        short.to_owned()
+    }
+
+    /// Its unit in SI; empty for a ratio.
+    #[must_use]
+    pub fn unit(&self, point: &OperatingPoint) -> &'static str {
+        let physical = matches!(point, OperatingPoint::Physical { .. });
+        match self {
+            Self::Quantity(Quantity::Mass(_)) => "kg",
+            Self::Quantity(Quantity::Stiffness(_)) => "N/m",
+            Self::Quantity(Quantity::MassDamping) => "1/s",
+            Self::Quantity(Quantity::StiffnessDamping) => "s",
+            Self::Load => match point {
+                OperatingPoint::Physical {
+                    load: Load::Base(_),
+                    ..
+                } => "m",
+                _ => "N",
+            },
+            Self::Friction if physical => "N",
+            Self::Frequency if physical => "Hz",
+            _ => "",
+        }
+    }
+}
+
+fn symbol(quantity: Quantity, scene: &Scene) -> String {
+    let mass = |place: usize| scene.masses.get(place).map_or("?", |mass| &mass.name);
+    match quantity {
+        Quantity::Mass(place) => format!("m {}", mass(place)),
+        Quantity::Stiffness(place) => match scene.springs.get(place) {
+            Some(spring) => format!(
+                "k {} - {}",
+                scene.node_name(spring.from),
+                scene.node_name(spring.to)
+            ),
+            None => "k ?".to_owned(),
+        },
+        Quantity::MassDamping => "a".to_owned(),
+        Quantity::StiffnessDamping => "b".to_owned(),
+        Quantity::DampingRatio(mode) => format!("zeta {}", mode + 1),
+        Quantity::Stiction => "mu".to_owned(),
+        other => format!("{other:?}"),
+    }
+}
+
+/// What the response depends on, with its values.
+pub(super) fn parameters_of(
+    scene: &Scene,
+    point: OperatingPoint,
+    system: &System,
+) -> Vec<(Parameter, f64)> {
+    let value = |quantity: Quantity| match (quantity, &scene.damping) {
+        (Quantity::Mass(place), _) => scene.masses.get(place).map(|mass| mass.value),
+        (Quantity::Stiffness(place), _) => scene.springs.get(place).map(|spring| spring.stiffness),
+        (Quantity::MassDamping, Damping::Rayleigh { mass, .. }) => Some(*mass),
+        (Quantity::StiffnessDamping, Damping::Rayleigh { stiffness, .. }) => Some(*stiffness),
+        (Quantity::DampingRatio(mode), _) => {
+            let ratios = &system.modal().damping_ratios;
+            ratios.get(mode).map(|ratio| ratio.to_f64())
+        }
+        (Quantity::Stiction, _) => Some(scene.stiction),
+        _ => None,
+    };
+    let quantities = quantities(scene).into_iter();
+    let mut all: Vec<(Parameter, f64)> = quantities
+        .filter_map(|quantity| Some((Parameter::Quantity(quantity), value(quantity)?)))
+        .collect();
+    match point {
+        OperatingPoint::Groups { r, beta } => {
+            all.extend([(Parameter::Friction, beta), (Parameter::Frequency, r)]);
+        }
+        OperatingPoint::Physical {
+            hertz,
+            friction,
+            load,
+        } => {
+            let (Load::Force(amplitude) | Load::Base(amplitude)) = load;
+            all.extend([
+                (Parameter::Friction, friction),
+                (Parameter::Load, amplitude),
+                (Parameter::Frequency, hertz),
+            ]);
+        }
+    }
+    all
+}
