@@ -103,6 +103,21 @@ def test_orbit(command, scene, load, option, at):
     hold(ours, theirs)
 
 
+def test_ratios_under_a_load_have_their_hertz_beside_them(command):
+    one = system("frame.friction")
+    point, options = {"r": 0.4, "beta": 0.3, "base": 0.001}, ("--r", 0.4, "--beta", 0.3, "--base", 0.001)
+    orbit = one.orbit(**point)
+    hold(orbit.to_frame(), command("orbit", "frame.friction", *options))
+    hold_response(one.response(**point).to_frame(), command("response", "frame.friction", *options))
+    hold(one.map(**point).to_frame(), command("map", "frame.friction", *options))
+    ours = one.limits(r=[0.4, 1.0], estimates=True, base=0.001).to_frame()
+    hold(ours, command("limits", "frame.friction", "--r", "0.4,1", "--base", 0.001))
+    # Seconds are the angle of the excitation over its angular frequency.
+    seconds = orbit.sticking_intervals / (2 * math.pi * orbit.frequency_Hz)
+    np.testing.assert_allclose(orbit.sticking_intervals_s, seconds, rtol=1e-14)
+    assert orbit.longest_stop_s == orbit.sticking_intervals_s[:, 1].max() > 0
+
+
 @pytest.mark.parametrize(("scene", "load", "option"), [FRAME, BETWEEN])
 def test_curve(command, scene, load, option):
     one = system(scene)

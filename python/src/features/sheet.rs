@@ -33,7 +33,7 @@ impl Counted<'_> {
     }
 
     fn has_hertz(&self) -> bool {
-        self.band.is_physical() || self.measure.load().is_some()
+        self.band.tells_hertz(self.measure)
     }
 }
 

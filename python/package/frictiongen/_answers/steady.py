@@ -128,7 +128,8 @@ class Orbit(Table):
     """The steady state at one point.
 
     `state` is stable, marginal, unstable or unsettled, or says why there is none; then numbers are NaN and counts -1.
-    `multipliers` are its Floquet multipliers, `sticking_intervals` start and length in tau of each stop, a line for each.
+    `multipliers` are its Floquet multipliers, `sticking_intervals` start and length in tau of each stop, a line for each.  With a load, or a frequency in a unit, also
+    `longest_stop_s` and `sticking_intervals_s` in seconds.
     """
 
     regime: str
@@ -141,13 +142,15 @@ class Orbit(Table):
     largest_multiplier: float
     multipliers: NDArray[np.complex128]
     sticking_intervals: Floats
+    longest_stop_s: float
+    sticking_intervals_s: Floats
 
     def to_frame(self) -> DataFrame:
         """One line with what the orbit says once.
 
         :raises ImportError: if pandas is not installed.
         """
-        beside = ("multipliers", "sticking_intervals")
+        beside = ("multipliers", "sticking_intervals", "sticking_intervals_s")
         return frame({name: value for name, value in self._columns.items() if name not in beside})
 
     def __repr__(self) -> str:
