@@ -19,12 +19,6 @@ enum Unit {
     Omega,
 }
 
-/// The band about the resonances: from this share of the lowest, to this multiple of the highest, and no more below that than
-/// this.
-const BELOW: f64 = 0.55;
-const ABOVE: f64 = 1.5;
-const FAR_BELOW: f64 = 0.02;
-
 /// A range of frequencies, all of them.
 #[derive(Clone, Debug)]
 pub struct Band {
@@ -59,15 +53,12 @@ impl Band {
         }
     }
 
-    /// From below the lowest resonance to above the highest: where nothing else is asked for.  Far below the highest,
-    /// where its sub-harmonics crowd, it begins later.
+    /// From below the lowest resonance to above the highest: where nothing else is asked for.
     pub fn about_resonances(system: &System, in_hertz: bool) -> Self {
-        let all = system.resonances();
-        let lowest = all.first().copied().unwrap_or(1.0);
-        let highest = all.last().copied().unwrap_or(1.0);
+        let [from, to] = system.about_resonances();
         Self {
-            from: (BELOW * lowest).max(FAR_BELOW * highest),
-            to: ABOVE * highest,
+            from,
+            to,
             widest: None,
             unit: if in_hertz { Unit::Hertz } else { Unit::Ratio },
         }

@@ -107,8 +107,8 @@ pub fn curve<'py>(
     let places: Vec<usize> = found.iter().map(|line| line.friction).collect();
     frictions.put_places(&mut columns, &places)?;
     band.put(
-        system,
         &mut columns,
+        (system, &measure),
         found.iter().map(|line| line.r).collect(),
     )?;
     columns.counts(

@@ -1,5 +1,6 @@
 //! The exceptions.
 
+use frictiongen::measure::MeasureError as Untold;
 use frictiongen::study::Diagnostics;
 use pyo3::exceptions::{PyException, PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -20,6 +21,44 @@ pyo3::create_exception!(
     "A question that cannot be asked, or that has no answer: a number outside its domain, a name that is not there, a \
      load that does not fit the scene."
 );
+
+pyo3::create_exception!(
+    frictiongen,
+    MeasureError,
+    DomainError,
+    "A measurement that cannot be read or that tells nothing.  `line` is the line of the file, counted from 1, where one is \
+     wrong, and otherwise None."
+);
+
+/// What a measurement says of itself, after the name of the recording if there is one.
+pub fn measurement(py: Python<'_>, source: Option<&str>, error: &Untold) -> PyErr {
+    let text = match error {
+        // What the library says for a command line.
+        Untold::NoUnit(channel) => format!(
+            "the channel `{channel}` has no unit: give one, as in {{{channel:?}: (samples, \"mm\")}}, or of a column of a \
+             file {{{channel:?}: (\"COLUMN\", \"mm\")}}"
+        ),
+        Untold::NoRate => {
+            "nothing says how many samples a second has: give rate, in Hz, or the times of the samples".to_owned()
+        }
+        other => other.to_string(),
+    };
+    let text = match source {
+        Some(source) => format!("{source}: {text}"),
+        None => text,
+    };
+    let line = match error {
+        Untold::NotANumber { line, .. }
+        | Untold::Format { line, .. }
+        | Untold::Sweep { line, .. } => Some(*line),
+        _ => None,
+    };
+    let error = MeasureError::new_err(text);
+    match error.value(py).setattr("line", line) {
+        Ok(()) => error,
+        Err(failure) => failure,
+    }
+}
 
 /// What is outside the domain.
 pub fn domain(message: impl Display) -> PyErr {

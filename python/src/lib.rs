@@ -9,8 +9,11 @@ mod asked;
 mod columns;
 mod curve;
 mod errors;
+mod features;
+mod follow;
 mod limits;
 mod map;
+mod measure;
 mod motion;
 mod optimum;
 mod orbit;
@@ -27,11 +30,27 @@ mod _native {
     #[pymodule_export]
     use crate::curve::curve;
     #[pymodule_export]
-    use crate::errors::{DomainError, SceneError};
+    use crate::errors::{DomainError, MeasureError, SceneError};
+    #[pymodule_export]
+    use crate::features::features;
+    #[pymodule_export]
+    use crate::follow::NativeStepState;
     #[pymodule_export]
     use crate::limits::limits;
     #[pymodule_export]
     use crate::map::map;
+    #[pymodule_export]
+    use crate::measure::decay::free_decay;
+    #[pymodule_export]
+    use crate::measure::drive::drive;
+    #[pymodule_export]
+    use crate::measure::fit::{fit, fit_text};
+    #[pymodule_export]
+    use crate::measure::identify::identify;
+    #[pymodule_export]
+    use crate::measure::recording::NativeRecording;
+    #[pymodule_export]
+    use crate::measure::transmissibility::transmissibility;
     #[pymodule_export]
     use crate::optimum::optimum;
     #[pymodule_export]

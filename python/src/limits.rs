@@ -106,7 +106,7 @@ pub fn limits<'py>(
     let found =
         without_lock(py, |stop| all(system, &frequencies.r, kind, stop))?.map_err(domain)?;
     let mut columns = Columns::new(py, &frequencies.shape());
-    frequencies.put(&mut columns)?;
+    frequencies.put(&mut columns, system, &measure)?;
     let column = |place: usize, convert: &dyn Fn(f64) -> f64| -> Vec<f64> {
         let values = found.iter().filter_map(|limits| limits.get(place));
         values.map(|limit| cell(Some(convert(*limit)))).collect()

@@ -46,7 +46,7 @@ pub fn map<'py>(
     let map = without_lock(py, |stop| system.map(&request, |_| stop.goes_on()))?.map_err(domain)?;
 
     let mut columns = Columns::new(py, &frequencies.shape());
-    frequencies.put(&mut columns)?;
+    frequencies.put(&mut columns, system, &measure)?;
     let limit = |name: &str, read: fn(&Limits<f64>) -> f64, columns: &mut Columns<'_>| {
         let limits = map.columns.iter().map(|column| read(&column.limits));
         let limits = limits.map(|limit| cell(Some(measure.force(limit))));

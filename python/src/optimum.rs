@@ -57,7 +57,11 @@ pub fn optimum<'py>(
 
     let mut peaks = Columns::new(py, &[optimum.peaks.len()]);
     let all = || optimum.peaks.iter();
-    band.put(system, &mut peaks, all().map(|peak| peak.r).collect())?;
+    band.put(
+        &mut peaks,
+        (system, &measure),
+        all().map(|peak| peak.r).collect(),
+    )?;
     peaks.numbers(
         length("amplitude"),
         all().map(|peak| measure.length(peak.amplitude)).collect(),

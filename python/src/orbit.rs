@@ -97,7 +97,7 @@ pub fn orbit<'py>(
     .map_err(domain)?;
 
     let mut columns = Columns::new(py, &[]);
-    frequencies.put(&mut columns)?;
+    frequencies.put(&mut columns, system, &measure)?;
     frictions.put(&mut columns)?;
     columns.words("regime", Words::from_iter([regime]))?;
     let state = found
@@ -122,6 +122,13 @@ pub fn orbit<'py>(
         "stuck_fraction",
         vec![cell(steady.map(|steady| steady.stuck_fraction))],
     )?;
+    let tells = frequencies.tell_hertz(&measure);
+    let seconds = |angle: f64| angle / system.angular_frequency(r);
+    if tells {
+        let lengths = steady.map(|steady| steady.sticking.iter().map(|(_, length)| *length));
+        let longest = lengths.and_then(|lengths| lengths.reduce(f64::max));
+        columns.numbers("longest_stop_s", vec![cell(longest.map(seconds))])?;
+    }
     let moduli = steady.map(|steady| {
         steady
             .multipliers
@@ -152,6 +159,11 @@ pub fn orbit<'py>(
     let ends = sticking
         .into_iter()
         .flat_map(|(start, length)| [start, length]);
-    columns.numbers("sticking_intervals", ends.collect())?;
+    let ends: Vec<f64> = ends.collect();
+    if tells {
+        let ends = ends.iter().map(|angle| seconds(*angle));
+        columns.numbers("sticking_intervals_s", ends.collect())?;
+    }
+    columns.numbers("sticking_intervals", ends)?;
     Ok(columns.done())
 }

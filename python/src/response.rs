@@ -113,7 +113,7 @@ pub fn response<'py>(
     let mut found: Vec<Point> = found.into_iter().flatten().collect();
 
     let mut columns = Columns::new(py, &frequencies.shape());
-    frequencies.put(&mut columns)?;
+    frequencies.put(&mut columns, system, &measure)?;
     columns.reshape(&frictions.shape());
     frictions.put(&mut columns)?;
     columns.reshape(&[frequencies.shape(), frictions.shape()].concat());

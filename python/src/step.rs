@@ -1,22 +1,20 @@
 //! The motion under any load, sample by sample.
 
-use crate::asked::{Optional, Part, check_size, numbers, one, parts};
-use crate::columns::{Columns, Words, cell};
+use crate::asked::{Optional, numbers, one, parts};
 use crate::errors::domain;
+use crate::follow::{Course, Start, follow};
 use crate::system::NativeSystem;
-use crate::work::without_lock;
-use frictiongen::kernel::simulation::Contact;
+use frictiongen::study::SystemInput;
 use frictiongen::study::scene::Excitation;
-use frictiongen::study::{StudyError, SystemInput, SystemStepper, words};
 use frictiongen::{Of, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// How many steps are taken between two looks whether to go on.
-const PORTION: usize = 4096;
-
 /// `force`, `base` and `base_velocity`, one number for each sample.
 type Acting<'py> = (Optional<'py>, Optional<'py>, Optional<'py>);
+
+/// Where it begins, and with which μ.
+pub type Beginning<'py> = (Optional<'py>, Optional<'py>);
 
 /// The load over time.
 struct Recording {
@@ -131,98 +129,27 @@ impl Recording {
     }
 }
 
-/// What has come of the steps.
-#[derive(Default)]
-struct Followed {
-    /// Displacements and velocities, one motion after the other.
-    motions: Vec<[Vec<f64>; 2]>,
-    force: Vec<f64>,
-    state: Vec<Contact>,
-    events: Vec<i64>,
-    time: Vec<f64>,
-}
-
-impl Followed {
-    fn note(&mut self, stepper: &SystemStepper<'_>, parts: &[Part], turned: bool, events: u32) {
-        let signed = |value: f64| if turned { 0.0 - value } else { value };
-        let contact = stepper.contact();
-        for (part, [displacement, velocity]) in parts.iter().zip(&mut self.motions) {
-            let (x, v) = match part.of {
-                Of::Contact => (signed(contact.displacement()), signed(contact.velocity())),
-                Of::Mass(index) => {
-                    // By place: the method of this name takes names.
-                    let mass = frictiongen::Stepping::mass(stepper, index);
-                    (mass.displacement(), mass.velocity())
-                }
-            };
-            displacement.push(cell(Some(x)));
-            velocity.push(cell(Some(v)));
-        }
-        self.force.push(cell(Some(signed(contact.force()))));
-        let state = contact.contact();
-        self.state
-            .push(if turned { state.reversed() } else { state });
-        self.events.push(events.into());
-        self.time.push(stepper.time());
-    }
-}
-
 /// The motion under a load that is known sample by sample.
 #[pyfunction]
 pub fn step<'py>(
-    py: Python<'py>,
-    system: &NativeSystem,
+    system: &Bound<'py, NativeSystem>,
     dt: Bound<'py, PyAny>,
     acting: Acting<'py>,
-    friction: Bound<'py, PyAny>,
-    on: Option<Bound<'py, PyDict>>,
+    friction: (Bound<'py, PyAny>, Option<Bound<'py, PyDict>>),
     of: Optional<'py>,
+    beginning: Beginning<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let system = &system.system;
+    let (friction, on) = friction;
+    let (start, stiction) = beginning;
+    let of_system = &system.get().system;
     let dt = one("dt", &dt)?;
-    let recording = Recording::of(system, &acting, &friction, on.as_ref())?;
-    let parts = parts(system, "of", of.as_ref())?;
-    let samples = recording.friction.len();
-    check_size(samples, 4 + 2 * parts.len())?;
-    let turned = system.contact_is_reversed();
-    let (followed, work) = without_lock(py, |stop| {
-        let mut stepper = system.stepper(dt)?;
-        let mut followed = Followed {
-            motions: vec![Default::default(); parts.len()],
-            ..Followed::default()
-        };
-        for index in 0..samples {
-            if index % PORTION == 0 && !stop.goes_on() {
-                break;
-            }
-            let input = recording.at(index);
-            let events = match index {
-                0 => stepper.begin(input).map(|()| 0)?,
-                _ => stepper.advance(input)?.events,
-            };
-            followed.note(&stepper, &parts, turned, events);
-        }
-        let work = stepper.work();
-        Ok::<_, StudyError>((followed, work))
-    })?
-    .map_err(|error| domain(format_args!("dt = {dt:?}: {error}")))?;
-
-    let mut columns = Columns::new(py, &[samples]);
-    columns.numbers("time_s", followed.time)?;
-    for (part, [displacement, velocity]) in parts.iter().zip(followed.motions) {
-        columns.numbers(format!("{}.displacement_m", part.name), displacement)?;
-        columns.numbers(format!("{}.velocity_m_s", part.name), velocity)?;
-    }
-    columns.numbers("contact.friction_N", followed.force)?;
-    let states = followed
-        .state
-        .iter()
-        .map(|contact| words::contact(*contact));
-    columns.words("contact.state", states.collect::<Words>())?;
-    columns.counts("events", followed.events)?;
-    columns.other(
-        "work",
-        (work.load, work.friction, work.damping, work.stored),
-    )?;
-    Ok(columns.done())
+    let recording = Recording::of(of_system, &acting, &friction, on.as_ref())?;
+    let course = Course {
+        dt,
+        samples: recording.friction.len(),
+        parts: parts(of_system, "of", of.as_ref())?,
+        start: Start::of(start.as_ref())?,
+        stiction: stiction.map(|mu| one("stiction", &mu)).transpose()?,
+    };
+    follow(system, course, &|index| recording.at(index))
 }

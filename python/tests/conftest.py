@@ -6,13 +6,17 @@ import subprocess
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 import pytest
 
 import frictiongen
 
 matplotlib.use("Agg")
 
-SCENES = Path(__file__).resolve().parents[2] / "frictiongen-cli" / "scenes"
+ROOT = Path(__file__).resolve().parents[2]
+SCENES = ROOT / "frictiongen-cli" / "scenes"
+#: The recordings of docs/measure.md.
+PAGES = ROOT / "docs" / "measure"
 
 
 @pytest.fixture
@@ -39,6 +43,23 @@ def numbers(texts):
         return texts.map(float, na_action="ignore").astype(float)
     except ValueError:
         return texts
+
+
+def hold(ours, theirs, but=()):
+    """Every column of theirs is in ours, in the same order, with the same bits."""
+    names = [name for name in theirs.columns if name not in but]
+    assert [name for name in ours.columns if name not in but] == names
+    assert len(ours) == len(theirs)
+    compared = 0
+    for name in names:
+        left, right = ours[name], theirs[name]
+        if left.dtype.kind in "fi":
+            # What is missing is NaN on both sides; 0 == -0, and neither side has the latter.
+            np.testing.assert_array_equal(left.to_numpy(float), right.to_numpy(float), err_msg=name)
+        else:
+            assert left.fillna("").tolist() == right.fillna("").tolist(), name
+        compared += len(left)
+    return compared
 
 
 @pytest.fixture(scope="session")

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from conftest import SCENES
+from conftest import SCENES, hold
 
 import frictiongen
 
@@ -21,23 +21,6 @@ def system(scene):
 
 def listed(values):
     return ",".join(repr(float(value)) for value in values)
-
-
-def hold(ours, theirs, but=()):
-    """Every column of theirs is in ours, in the same order, with the same bits."""
-    names = [name for name in theirs.columns if name not in but]
-    assert [name for name in ours.columns if name not in but] == names
-    assert len(ours) == len(theirs)
-    compared = 0
-    for name in names:
-        left, right = ours[name], theirs[name]
-        if left.dtype.kind in "fi":
-            # What is missing is NaN on both sides; 0 == -0, and neither side has the latter.
-            np.testing.assert_array_equal(left.to_numpy(float), right.to_numpy(float), err_msg=name)
-        else:
-            assert left.fillna("").tolist() == right.fillna("").tolist(), name
-        compared += len(left)
-    return compared
 
 
 @pytest.mark.parametrize(("scene", "load", "option"), SCENES_AND_LOADS)
@@ -118,6 +101,21 @@ def test_orbit(command, scene, load, option, at):
     ours = system(scene).orbit(hz=hz, beta=beta, harmonics=3, **load).to_frame()
     theirs = command("orbit", scene, "--hz", repr(hz), "--beta", beta, "--harmonics", 3, *option)
     hold(ours, theirs)
+
+
+def test_ratios_under_a_load_have_their_hertz_beside_them(command):
+    one = system("frame.friction")
+    point, options = {"r": 0.4, "beta": 0.3, "base": 0.001}, ("--r", 0.4, "--beta", 0.3, "--base", 0.001)
+    orbit = one.orbit(**point)
+    hold(orbit.to_frame(), command("orbit", "frame.friction", *options))
+    hold_response(one.response(**point).to_frame(), command("response", "frame.friction", *options))
+    hold(one.map(**point).to_frame(), command("map", "frame.friction", *options))
+    ours = one.limits(r=[0.4, 1.0], estimates=True, base=0.001).to_frame()
+    hold(ours, command("limits", "frame.friction", "--r", "0.4,1", "--base", 0.001))
+    # Seconds are the angle of the excitation over its angular frequency.
+    seconds = orbit.sticking_intervals / (2 * math.pi * orbit.frequency_Hz)
+    np.testing.assert_allclose(orbit.sticking_intervals_s, seconds, rtol=1e-14)
+    assert orbit.longest_stop_s == orbit.sticking_intervals_s[:, 1].max() > 0
 
 
 @pytest.mark.parametrize(("scene", "load", "option"), [FRAME, BETWEEN])

@@ -5,8 +5,10 @@ import re
 
 import numpy as np
 import pytest
+from conftest import hold
 
-from frictiongen import DomainError, System
+import frictiongen
+from frictiongen import DomainError, Recording, System
 
 
 @pytest.mark.parametrize("friction", [0.0, 3.0])
@@ -80,3 +82,102 @@ def test_the_contact_of_two_masses_is_that_of_the_description():
             steps["contact"].velocity_m_s, steps["b"].velocity_m_s - steps["a"].velocity_m_s, atol=1e-12
         )
     np.testing.assert_allclose(one["contact"].displacement_m, other["contact"].displacement_m, atol=1e-12)
+
+
+def halves(asked, at):
+    """The same in two parts."""
+    parts = {}
+    for name, values in asked.items():
+        parts[name] = (values[:at], values[at:]) if np.ndim(values) else (values, values)
+    return [{name: both[place] for name, both in parts.items()} for place in (0, 1)]
+
+
+@pytest.mark.parametrize("law", ["linear", "hold"])
+@pytest.mark.parametrize("at", [1, 700, 1999])
+def test_a_run_in_two_parts_is_the_run(law, at):
+    """To the last bit, with friction that changes and a force on another mass, whatever the input does between samples."""
+    text = frictiongen.FRAME.replace("excitation: base", "excitation: lower").replace("stiction: 1.2", f"stiction: 1.2, provide: [stepper], input: {law}")
+    frame = System(text)
+    t = 1e-3 * np.arange(2000)
+    asked = {"force": 3 * np.sin(12 * t), "friction": 0.3 + 0.2 * np.cos(7 * t)}
+    whole = frame.step(1e-3, **asked, on={"upper": np.cos(31 * t)})
+    assert whole.events.sum() > 3 and whole.exceeded == 0
+    first, rest = halves(asked, at)
+    one = frame.step(1e-3, **first, on={"upper": np.cos(31 * t[:at])})
+    other = frame.step(1e-3, **rest, on={"upper": np.cos(31 * t[at:])}, start=one)
+    for name in whole:
+        np.testing.assert_array_equal(np.concatenate([one[name], other[name]]), whole[name], err_msg=name)
+    assert other.work == whole.work
+    # What was saved can be gone on from again.
+    again = frame.step(1e-3, **rest, on={"upper": np.cos(31 * t[at:])}, start=one)
+    assert (again["upper"].velocity_m_s == other["upper"].velocity_m_s).all()
+
+
+def test_from_a_state_without_a_load_energy_goes_into_friction(block):
+    """Pulled by 0.5 m and released: amplitudes fall by 2F/k a half cycle, exactly (thesis 4.2)."""
+    k, m, friction = 50.0, 2.0, 3.0
+    dt = math.pi * math.sqrt(m / k) / 500
+    steps = block.step(dt, force=np.zeros(1501), friction=friction, start=([0.5], [0.0]))
+    ends = steps["block"].displacement_m[::500]
+    np.testing.assert_allclose(np.abs(ends), 0.5 - 2 * friction / k * np.arange(4), rtol=1e-12)
+    assert steps.work.friction == pytest.approx(k / 2 * (ends[0] ** 2 - ends[-1] ** 2), rel=1e-12)
+
+
+def test_another_stiction_holds_longer(block):
+    """A force that grows: the contact departs at mu F."""
+    force = np.linspace(0.0, 10.0, 1001)
+    for mu in (None, 1.0, 1.5, 3.0):
+        steps = block.step(1e-3, force=force, friction=2.0, stiction=mu)
+        departed = force[np.argmax(steps["contact"].state != "stuck")]
+        assert departed == pytest.approx(2.0 * (mu or 1.0), abs=0.011)
+    held = block.step(1e-3, force=force[:300], friction=2.0, stiction=3.0)
+    later = block.step(1e-3, force=force[300:], friction=2.0, start=held)
+    assert force[300:][np.argmax(later["contact"].state != "stuck")] == pytest.approx(6.0, abs=0.011)
+
+
+def test_a_recording_drives_as_steps_do(frame, block, command, tmp_path):
+    t = np.arange(1000) / 500
+    force = 10 * np.cos(7 * t)
+    recording = Recording({"force": (force, "N"), "friction": (np.full(1000, 2e3), "mN")}, rate=500, drives=True)
+    driven, steps = block.drive(recording), block.step(1 / 500, force=force, friction=2.0)
+    for name in steps:
+        np.testing.assert_array_equal(driven[name], steps[name])
+    path, scene = tmp_path / "quake.csv", tmp_path / "frame.friction"
+    scene.write_text(frictiongen.FRAME, encoding="utf-8")
+    path.write_text("time_s,base_m_s2\n" + "".join(f"{a!r},{b!r}\n" for a, b in zip(t.tolist(), np.sin(9 * t).tolist(), strict=True)))
+    ours = frame.drive(Recording.from_file(path, drives=True), friction=0.4).to_frame()
+    theirs = command("drive", scene, path, "--friction", 0.4)
+    ours.columns = [name.replace("_m_s", "_m_per_s") for name in ours.columns]
+    # The contact comes first here, and last there.
+    assert sorted(ours.columns) == sorted(theirs.columns)
+    hold(ours[theirs.columns], theirs, but=("time_s",))
+    np.testing.assert_allclose(ours.time_s, theirs.time_s, rtol=1e-12)
+
+
+def test_what_cannot_be_gone_on_from(block, frame):
+    first = block.step(0.01, force=[0.0, 1.0], friction=1.0)
+    other = System("struct B { masses: { block: 2.0 }, springs: { base - block: 50.0 }, contact: block - wall, excitation: block }")
+    for system, asked, said in [
+        (block, {"dt": 0.02, "start": first}, "dt = 0.02: the steps to go on from are 0.01 s long"),
+        (other, {"start": first}, "start: these steps are of another system"),
+        (block, {"start": ([0.0, 1.0], [0.0])}, "start: 1 finite numbers are needed"),
+        (block, {"start": ([math.nan], [0.0])}, "start: 1 finite numbers are needed"),
+        (block, {"start": 3}, "start: two rows are needed"),
+        (block, {"stiction": 0.9}, "stiction is 0.9: static over kinetic friction is 1 or above"),
+        (block, {"stiction": math.nan}, "stiction is NaN"),
+    ]:
+        with pytest.raises(DomainError, match=re.escape(said)):
+            system.step(**({"dt": 0.01, "friction": 1.0, "force": [1.0, 2.0]} | asked))
+    for wrong in [{"start": ("0", "0")}, {"stiction": "1.2"}]:
+        with pytest.raises(TypeError):
+            block.step(0.01, force=[1.0], friction=1.0, **wrong)
+    forces = Recording({"force": ([0.0, 1.0, 2.0], "N")}, rate=100, drives=True)
+    for system, recording, asked, said in [
+        (block, forces, {}, "no friction force is given"),
+        (block, forces, {"friction": -1.0}, "friction is -1.0"),
+        (frame, forces, {"friction": 1.0}, "the channel `force` is nothing of this scene"),
+        (block, Recording({"force": ([0.0, 1.0], "mm")}, rate=100, drives=True), {"friction": 1.0}, "`force` cannot be in mm"),
+        (block, Recording({"force": ([0.0, 1.0], "N")}, rate=1e-9, drives=True), {"friction": 1.0}, "dt = "),
+    ]:
+        with pytest.raises(DomainError, match=re.escape(said)):
+            system.drive(recording, **asked)

@@ -47,8 +47,16 @@ def test_many_threads_ask_one_system(frame):
     assert len(found) == 16 and all((amplitude == expected).all() for amplitude in found)
 
 
+@pytest.fixture
+def ctrl_c():
+    """Ctrl-C as in a terminal: a process in the background begins with it ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="there are no signals to threads here")
-def test_an_interrupt_ends_a_long_map(frame):
+def test_an_interrupt_ends_a_long_map(frame, ctrl_c):
     """A map of a million points would take many seconds."""
     threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
     start = time.perf_counter()

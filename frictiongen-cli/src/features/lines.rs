@@ -5,9 +5,7 @@ use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::measure::Measure;
 use frictiongen::System;
-use frictiongen::study::{
-    Certainty, Condition, Edge, FeatureError, Features, Measured, RegimeEnd, Sensed, words,
-};
+use frictiongen::study::{Certainty, FeatureError, Features, Measured, RegimeEnd, Sensed, words};
 
 /// What stands behind a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,8 +23,8 @@ impl Ground {
     pub fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact",
-            Self::All => "all",
-            Self::Sampled => "sampled",
+            Self::All => words::certainty(Certainty::Proven),
+            Self::Sampled => words::certainty(Certainty::SAMPLED),
         }
     }
 }
@@ -203,15 +201,6 @@ fn ends(features: &Features<'_>, lines: &mut Vec<Line>) {
     }
 }
 
-fn edge(edge: Edge) -> &'static str {
-    match edge {
-        Edge::Range => "end of the range",
-        Edge::Invariant => "invariant point",
-        Edge::Pole => "pole",
-        Edge::Still => "contact still",
-    }
-}
-
 fn undamped(
     features: &Features<'_>,
     part: &Part,
@@ -221,18 +210,10 @@ fn undamped(
     for zero in features.antiresonances(part.of, range)? {
         lines.push(Line::new("antiresonance", &part.name, Ground::All).at(zero.r, zero.frequency));
     }
-    for (measured, name) in [
-        (Measured::Amplitude, "amplitude"),
-        (Measured::Fundamental, "fundamental"),
-    ] {
+    for measured in [Measured::Amplitude, Measured::Fundamental] {
+        let name = words::measured(measured);
         for point in features.invariant_points(part.of, measured, range)? {
-            let condition = match point.condition {
-                Condition::Quadrature if point.phase_too => "U = 0 and phase too",
-                Condition::Quadrature => "estimate: U_k = 0",
-                Condition::Estimate => "estimate",
-                Condition::Receptance => "H_k = 0",
-                Condition::Balance => "balance",
-            };
+            let condition = words::condition(&point);
             let mut line = Line::new("invariant point", &part.name, Ground::All)
                 .at(point.r, point.frequency)
                 .saying(format!("{name}: {condition}"));
@@ -241,7 +222,7 @@ fn undamped(
             lines.push(line);
         }
         for found in features.inversions(part.of, measured, range)? {
-            let (from, to) = (edge(found.from_edge), edge(found.to_edge));
+            let [from, to] = [found.from_edge, found.to_edge].map(words::edge);
             let mut line = Line::new("grows with friction", &part.name, Ground::All)
                 .saying(format!("{name}: {from} to {to}"));
             (line.r, line.to) = (Some(found.from), Some(found.to));

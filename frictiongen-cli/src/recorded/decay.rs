@@ -5,7 +5,6 @@ use super::read;
 use crate::args::IdentifyArguments;
 use crate::failure::Failure;
 use frictiongen::System;
-use frictiongen::study::scene::Damping;
 
 /// What the only recording says.
 pub fn lines(arguments: &IdentifyArguments, system: &System) -> Result<Lines, Failure> {
@@ -17,11 +16,8 @@ pub fn lines(arguments: &IdentifyArguments, system: &System) -> Result<Lines, Fa
         ));
     };
     // Damping that the description has is known, unless it is asked for.
-    let known = match (&system.scene().damping, arguments.also.is_empty()) {
-        (Damping::Uniform(ratio), true) => Some(*ratio),
-        (Damping::Modal(ratios), true) => ratios.first().copied(),
-        _ => None,
-    };
+    let described = system.described_damping();
+    let known = described.filter(|_| arguments.also.is_empty());
     let found = system
         .free_decay(recording, known)
         .map_err(|error| read::told(path, &error))?;

@@ -90,17 +90,6 @@ fn between(text: &str) -> Result<(f64, f64), Failure> {
     })
 }
 
-/// One word for a verdict.
-fn word(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Told => "told",
-        Verdict::SeveralLevels => "several levels",
-        Verdict::Stuck => "stuck",
-        Verdict::NotTold => "not told",
-        Verdict::AllButStuck => "all but stuck",
-    }
-}
-
 fn lines(system: &System, observations: &[Observation], found: &Identified) -> Lines {
     let mut lines = Lines::default();
     lines.said.push(("verdict", found.verdict.to_string()));
@@ -108,7 +97,7 @@ fn lines(system: &System, observations: &[Observation], found: &Identified) -> L
         let note = "the scene moves otherwise than the rig by more than noise: see the residuals; the intervals are as much wider";
         lines.said.push(("note", note.to_owned()));
     }
-    lines.word("friction force is", word(found.verdict));
+    lines.word("friction force is", found.verdict.word());
     if found.verdict == Verdict::SeveralLevels {
         for (index, level) in found.levels.iter().enumerate() {
             lines.estimate(format!("friction force {}", index + 1), *level, 1.0, "N");

@@ -59,17 +59,7 @@ impl RecordingArguments {
         let request = self.request()?;
         let read = |path: &std::path::PathBuf| {
             let text = text(path)?;
-            // A universal file begins with the mark of a data set.
-            let universal = text
-                .lines()
-                .find(|line| !line.trim().is_empty())
-                .is_some_and(|line| line.trim() == "-1");
-            let recording = if universal {
-                Recording::from_uff58(&text, &request)
-            } else {
-                Recording::from_csv(&text, &request)
-            };
-            recording.map_err(|error| told(path, &error))
+            Recording::from_text(&text, &request).map_err(|error| told(path, &error))
         };
         self.recordings.iter().map(read).collect()
     }

@@ -11,6 +11,7 @@ use super::recording::Dimension;
 use super::statistics::student;
 use super::{MeasureError, Recording};
 use crate::study::System;
+use crate::study::scene::Damping;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
@@ -20,6 +21,8 @@ const FEWEST: usize = 4;
 const TURN: f64 = 8.0;
 /// … and by this part of the whole range.
 const PART: f64 = 0.02;
+/// What falls by less in a half cycle, of a swing, does not fall.
+const ROUNDING: f64 = 1e-9;
 /// The step of a difference, of a parameter's scale.
 const DIFFERENCE: f64 = 1e-6;
 
@@ -51,6 +54,16 @@ impl FreeDecay {
 }
 
 impl System {
+    /// ζ of the first mode, if the description gives ratios: what [`free_decay`](Self::free_decay) may take as known.
+    #[must_use]
+    pub fn described_damping(&self) -> Option<f64> {
+        match &self.scene().damping {
+            Damping::Uniform(ratio) => Some(*ratio),
+            Damping::Modal(ratios) => ratios.first().copied(),
+            _ => None,
+        }
+    }
+
     /// Friction, damping and natural frequency from a free vibration of the only mass.
     ///
     /// `damping` is ζ where it is known; otherwise it is found with the rest.
@@ -202,7 +215,7 @@ fn of(
         .filter_map(|pair| Some(pair.first()? - pair.last()?));
     let falls: Vec<f64> = falls.collect();
     let linear_decrement = falls.iter().sum::<f64>() / (4.0 * falls.len().max(1) as f64);
-    if !(0.0 < linear_decrement) {
+    if !(ROUNDING * (range.1 - range.0) < linear_decrement) {
         return Err(MeasureError::NoDecay);
     }
     let count = last.0 - first.0 + 1;
@@ -296,10 +309,18 @@ fn of(
     };
     let ((length, reach), (decrement, wide), (half, slow)) =
         (estimate(5), estimate(4), estimate(3));
+    // Sampled extremes may seem to fall where the motion between them does not.
+    if !(ROUNDING < length / size + decrement) {
+        return Err(MeasureError::NoDecay);
+    }
     let ratio = |decrement: f64| decrement / PI.hypot(decrement);
     let undamped = |half: f64| rate / (2.0 * half) / (1.0 - ratio(decrement).powi(2)).sqrt();
     let between = |value: f64, reach: f64, of: &dyn Fn(f64) -> f64| {
-        let (a, b) = (of(value - reach), of(value + reach));
+        let (a, b) = if reach.is_finite() {
+            (of(value - reach), of(value + reach))
+        } else {
+            (f64::NEG_INFINITY, f64::INFINITY)
+        };
         Estimate {
             value: of(value),
             from: a.min(b),

@@ -125,6 +125,15 @@ pub enum MeasureError {
         /// The nearest of the scene.
         nearest: f64,
     },
+    /// No friction gives the motion of the scene such a phase.
+    PhaseNotExplained {
+        /// The mass.
+        mass: String,
+        /// The measured lag behind the excitation, degrees.
+        measured: f64,
+        /// The lag of the scene where it fits best.
+        nearest: f64,
+    },
     /// There are fewer data than unknowns.
     TooFewData {
         /// How many numbers were measured.
@@ -264,6 +273,14 @@ impl std::fmt::Display for MeasureError {
             } => write!(
                 f,
                 "no friction explains the motion of `{mass}`: {measured:.4} of the excitation was measured, and the nearest that the scene has is {nearest:.4}; is the column another one, or the scene?"
+            ),
+            Self::PhaseNotExplained {
+                mass,
+                measured,
+                nearest,
+            } => write!(
+                f,
+                "no friction explains the phase of `{mass}`: a lag of {measured:.1} degrees was measured, and the nearest that the scene has is {nearest:.1}; is its sign turned round, or is it another mass, or another scene?"
             ),
             Self::TooFewData { data, unknowns } => write!(
                 f,

@@ -143,12 +143,15 @@ fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
         .get(values.len() - values.len().div_ceil(3)..)
         .unwrap_or(&[]);
     let middle = mean(last);
-    // Of neighbours: a trend counts as none.
+    // Of neighbours, about what they have in common: a trend counts as none.
     let pairs = last
         .windows(2)
         .filter_map(|pair| Some(pair.last()? - pair.first()?));
-    let squares: f64 = pairs.map(|step| step.norm_sqr()).sum();
-    let scatter = (0.5 * squares / (last.len() - 1).max(1) as f64).sqrt();
+    let steps: Vec<Complex<f64>> = pairs.collect();
+    let common = mean(&steps);
+    let squares: f64 = steps.iter().map(|step| (step - common).norm_sqr()).sum();
+    let freedom = steps.len().saturating_sub(1).max(1);
+    let scatter = (0.5 * squares / freedom as f64).sqrt();
     let noise = blocks.deviation * std::f64::consts::SQRT_2;
     // What does not move more than its noise is steady.
     if SCATTER * middle.norm() < scatter && SURE * noise < scatter {

@@ -1,8 +1,11 @@
-//! What regimes, answers and events are called: one word for each, in tables, files and every language.
+//! What regimes, answers, events and features are called: one word for each, in tables, files and every language.
 
+use super::{
+    Certainty, Condition, Edge, InvariantPoint, Measured, NoDerivative, OptimumKind, StudyError,
+    SystemOrbit, SystemResponse,
+};
 #[cfg(feature = "desk")]
 use super::{CurvePoint, Pattern};
-use super::{NoDerivative, OptimumKind, StudyError, SystemOrbit, SystemResponse};
 use crate::{Error, NoOrbit, Regime};
 use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
@@ -160,4 +163,45 @@ pub fn no_derivative(error: &StudyError) -> Option<&'static str> {
         StudyError::Solver(error) => no_answer(*error),
         _ => return None,
     })
+}
+
+/// What an invariant point is of.
+#[must_use]
+pub fn measured(measured: Measured) -> &'static str {
+    match measured {
+        Measured::Amplitude => "amplitude",
+        Measured::Fundamental => "fundamental",
+    }
+}
+
+/// What makes a point invariant.
+#[must_use]
+pub fn condition(point: &InvariantPoint) -> &'static str {
+    match point.condition {
+        Condition::Quadrature if point.phase_too => "U = 0 and phase too",
+        Condition::Quadrature => "estimate: U_k = 0",
+        Condition::Estimate => "estimate",
+        Condition::Receptance => "H_k = 0",
+        Condition::Balance => "balance",
+    }
+}
+
+/// What is at an end of a range in which friction enlarges a motion.
+#[must_use]
+pub fn edge(edge: Edge) -> &'static str {
+    match edge {
+        Edge::Range => "end of the range",
+        Edge::Invariant => "invariant point",
+        Edge::Pole => "pole",
+        Edge::Still => "contact still",
+    }
+}
+
+/// What stands behind a list of features.
+#[must_use]
+pub fn certainty(certainty: Certainty) -> &'static str {
+    match certainty {
+        Certainty::Proven => "all",
+        Certainty::Sampled { .. } => "sampled",
+    }
 }

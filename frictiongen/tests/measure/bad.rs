@@ -234,6 +234,18 @@ fn never_steady() {
     told(measured(channels(swelling)), "`plate` goes on changing");
 }
 
+/// The same in a few blocks, where a trend must not pass for scatter.
+#[test]
+fn never_steady_in_a_short_time() {
+    for seconds in [5, 10] {
+        let mut all = channels(|place, t| good(place, t) * (1.0 + 0.05 * t * place as f64));
+        for channel in &mut all {
+            channel.samples.truncate(seconds * RATE as usize);
+        }
+        told(measured(all), "`plate` goes on changing");
+    }
+}
+
 #[test]
 fn too_slow() {
     let mut all = channels(good);

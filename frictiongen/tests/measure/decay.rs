@@ -142,6 +142,10 @@ fn no_decay_to_read() {
         |i: i32| 1e-3 * (1.0 + f64::from(i) / 1000.0) * (TAU * 3.0 * f64::from(i) / 1000.0).cos();
     let error = told((0..4000).map(growing).collect());
     assert!(matches!(error, MeasureError::NoDecay), "{error}");
+    // Steady but for rounding.
+    let steady = |i: i32| 3.5e-3 * (25.0 * f64::from(i) / 500.0 - 0.3).cos();
+    let error = told((0..5000).map(steady).collect());
+    assert!(matches!(error, MeasureError::NoDecay), "{error}");
     let noise = {
         let mut samples = vec![0.0; 3000];
         Noise::new(1).add(&mut samples, 1e-4);

@@ -135,3 +135,45 @@ fn a_universal_file_of_another_program() {
     let cut = &text[..text.len() / 2];
     assert!(Recording::from_uff58(cut, &CsvRequest::default()).is_err());
 }
+
+/// A universal file is told from a CSV by its first mark.
+#[test]
+fn either_is_read_as_what_it_is() {
+    let recording = some();
+    let request = CsvRequest::default();
+    let csv = Recording::from_text(&recording.to_csv(), &request).unwrap();
+    let universal = Recording::from_text(&recording.to_uff58(), &request).unwrap();
+    assert_eq!(csv.channels(), recording.channels());
+    assert_eq!(
+        universal,
+        Recording::from_uff58(&recording.to_uff58(), &request).unwrap()
+    );
+    assert_eq!(universal.channels().len(), 4);
+    assert!(Recording::from_text("", &request).is_err());
+}
+
+#[test]
+fn a_rate_of_times() {
+    let times = |step: f64| {
+        (0..100)
+            .map(|i| 3.0 + step * f64::from(i))
+            .collect::<Vec<_>>()
+    };
+    // Times near 3 are rounded to 4e-16, over 99 steps of 0.01.
+    assert!((Recording::rate_of(&times(0.01)).unwrap() - 100.0).abs() < 1e-10);
+    for (wrong, told) in [
+        (vec![], "too short: 0 times"),
+        (vec![1.0], "too short: 1 times"),
+        (
+            vec![0.0, 1.0, 3.0],
+            "not evenly spaced: from 1.000000e0 s to 2.000000e0 s at sample 2",
+        ),
+        (vec![0.0, f64::NAN, 1.0], "at sample 1"),
+        (vec![1.0, 0.0], "at sample 1"),
+        (vec![0.0, 0.0], "at sample 1"),
+        (vec![0.0, f64::INFINITY], "at sample 1"),
+    ] {
+        let error = Recording::rate_of(&wrong).unwrap_err().to_string();
+        assert!(error.contains(told), "{wrong:?}: {error}");
+    }
+}

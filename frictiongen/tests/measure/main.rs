@@ -15,6 +15,7 @@ mod force;
 mod fuzz;
 mod intervals;
 mod made;
+mod phase;
 mod recordings;
 mod sweeps;
 mod units;

@@ -15,11 +15,16 @@ a load, answers are in N, m and degrees, and the names of their attributes end i
 the groups: forces over P (over k1 Y for base motion), displacements over P/k1 (over Y), phases in rad.
 """
 
-from ._native import DomainError, SceneError
-from ._results import (
+from ._answers import (
     Curve,
+    Estimate,
     Events,
+    Features,
+    FeatureTable,
+    Fit,
+    FreeDecay,
     History,
+    Identification,
     Limits,
     Map,
     Motion,
@@ -29,27 +34,41 @@ from ._results import (
     Sensitivities,
     Steps,
     Table,
+    Transmissibilities,
     Work,
 )
+from ._native import DomainError, MeasureError, SceneError
+from ._observation import Observation
+from ._recording import Recording
 from ._system import FRAME, Mistake, System
 
 __all__ = [
     "FRAME",
     "Curve",
     "DomainError",
+    "Estimate",
     "Events",
+    "FeatureTable",
+    "Features",
+    "Fit",
+    "FreeDecay",
     "History",
+    "Identification",
     "Limits",
     "Map",
+    "MeasureError",
     "Mistake",
     "Motion",
+    "Observation",
     "Optimum",
     "Orbit",
+    "Recording",
     "Response",
     "SceneError",
     "Sensitivities",
     "Steps",
     "System",
     "Table",
+    "Transmissibilities",
     "Work",
 ]

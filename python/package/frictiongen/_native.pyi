@@ -9,12 +9,22 @@ _Frequency = tuple[Any | None, Any | None, Any | None]
 _Friction = tuple[Any | None, Any | None]
 _Load = tuple[Any | None, Any | None]
 _Columns = dict[str, Any]
+_Beginning = tuple[Any | None, Any | None]
 
 __all__ = [
     "DomainError",
+    "MeasureError",
+    "Recording",
     "SceneError",
+    "StepState",
     "System",
     "curve",
+    "drive",
+    "features",
+    "fit",
+    "fit_text",
+    "free_decay",
+    "identify",
     "limits",
     "map",
     "optimum",
@@ -23,12 +33,37 @@ __all__ = [
     "sensitivities",
     "simulate",
     "step",
+    "transmissibility",
 ]
 
 class SceneError(Exception):
     errors: list[Any]
 
 class DomainError(ValueError): ...
+
+class MeasureError(DomainError):
+    line: int | None
+
+@final
+class StepState: ...
+
+@final
+class Recording:
+    def __new__(
+        cls, channels: list[tuple[str, Any, str | None]], rate: Any | None, times: Any | None, drives: bool
+    ) -> Recording: ...
+    @staticmethod
+    def read(
+        text: str, source: str | None, channels: list[tuple[str, str, str | None]], rate: Any | None, drives: bool
+    ) -> Recording: ...
+    @property
+    def rate(self) -> float: ...
+    @property
+    def channels(self) -> list[tuple[str, str]]: ...
+    def samples(self, name: str) -> NDArray[float64]: ...
+    def to_csv(self) -> str: ...
+    def to_uff58(self) -> str: ...
+    def __len__(self) -> int: ...
 
 @final
 class System:
@@ -84,11 +119,29 @@ def step(
     system: System,
     dt: Any,
     acting: tuple[Any | None, Any | None, Any | None],
-    friction: Any,
-    on: dict[Any, Any] | None,
+    friction: tuple[Any, dict[Any, Any] | None],
     of: Any | None,
+    beginning: _Beginning,
 ) -> _Columns: ...
+def drive(system: System, recording: Recording, friction: Any | None, of: Any | None, beginning: _Beginning) -> _Columns: ...
 def optimum(system: System, of: Any, frequency: _Frequency, load: _Load) -> list[_Columns]: ...
 def sensitivities(
     system: System, of: Any, frequency: _Frequency, friction: _Friction, load: _Load
 ) -> tuple[str, _Columns]: ...
+def features(
+    system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None
+) -> dict[str, tuple[_Columns, dict[str, Any]]]: ...
+def transmissibility(system: System, recordings: list[Recording]) -> _Columns: ...
+def identify(
+    system: System,
+    items: list[Any],
+    of: Any | None,
+    asked: tuple[str | None, Any | None, Any | None, Any | None],
+) -> tuple[_Columns, _Columns, System]: ...
+def fit(
+    system: System, hertz: Any, masses: list[tuple[str, Any, Any | None]], gaps: bool, damping: bool
+) -> tuple[_Columns, _Columns, System]: ...
+def fit_text(system: System, text: str, source: str | None, damping: bool) -> tuple[_Columns, _Columns, System]: ...
+def free_decay(
+    system: System, recording: Recording, damping: Any | None, find_damping: bool
+) -> tuple[_Columns, _Columns]: ...

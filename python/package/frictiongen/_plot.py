@@ -9,7 +9,8 @@ import numpy as np
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from . import _results
+    from . import _answers as answers
+    from ._recording import Recording
 
 #: The stroke of each regime.
 STROKES = {"continuous": "-", "stick-slip": "--", "stuck": ":"}
@@ -53,7 +54,7 @@ def _first(answer: Any, of: str | None) -> str:
     return next((name for name in answer.motions if name != "contact"), "contact")
 
 
-def limits(answer: _results.Limits, ax: Axes | None) -> Axes:
+def limits(answer: answers.Limits, ax: Axes | None) -> Axes:
     ax = _axes(ax)
     along, label = _frequency(answer)
     for name in ("continuous_limit", "continuous_limit_without_search", "continuous_limit_per_mode", "sliding_limit"):
@@ -67,7 +68,7 @@ def limits(answer: _results.Limits, ax: Axes | None) -> Axes:
     return ax
 
 
-def response(answer: _results.Response, ax: Axes | None, of: str | None) -> Axes:
+def response(answer: answers.Response, ax: Axes | None, of: str | None) -> Axes:
     ax = _axes(ax)
     along, label = _frequency(answer)
     friction, _ = _friction(answer)
@@ -83,7 +84,7 @@ def response(answer: _results.Response, ax: Axes | None, of: str | None) -> Axes
     return ax
 
 
-def curve(answer: _results.Curve, ax: Axes | None, of: str | None) -> Axes:
+def curve(answer: answers.Curve, ax: Axes | None, of: str | None) -> Axes:
     ax = _axes(ax)
     along, label = _frequency(answer)
     friction, _ = _friction(answer)
@@ -123,7 +124,7 @@ def _places(regions: Any, known: list[str]) -> Any:
     return codes
 
 
-def map(answer: _results.Map, ax: Axes | None, shade: str) -> Axes:
+def map(answer: answers.Map, ax: Axes | None, shade: str) -> Axes:
     along, label = _frequency(answer)
     friction, name = _friction(answer)
     if answer.r.ndim != 1 or answer.beta.ndim != 1 or min(answer.shape) < 2:
@@ -159,7 +160,7 @@ def map(answer: _results.Map, ax: Axes | None, shade: str) -> Axes:
     return ax
 
 
-def history(answer: _results.History | _results.Steps, ax: Axes | None) -> Axes:
+def history(answer: answers.History | answers.Steps, ax: Axes | None) -> Axes:
     ax = _axes(ax)
     unit = ""
     for motion in answer.motions:
@@ -179,10 +180,90 @@ def history(answer: _results.History | _results.Steps, ax: Axes | None) -> Axes:
     return ax
 
 
-def sensitivities(answer: _results.Sensitivities, ax: Axes | None) -> Axes:
+def sensitivities(answer: answers.Sensitivities, ax: Axes | None) -> Axes:
     ax = _axes(ax)
     name = "amplitude_m" if "amplitude_m" in answer else "amplitude"
     ax.barh(answer.parameter[::-1], answer[name].relative[::-1])
     ax.axvline(0.0, color="black", linewidth=0.8)
     ax.set_xlabel("per cent of the amplitude for one per cent of the parameter")
+    return ax
+
+
+def features(answer: answers.Features, ax: Axes | None) -> Axes:
+    ax = _axes(ax)
+    # With a load in Hz and N, otherwise in groups.
+    load = "continuous_limit_N" in answer.ends
+    along = "frequency_Hz" if load else "r"
+    unit = "_N" if load else ""
+    bound = answer.resonances
+    ax.plot(bound[along], bound[f"threshold{unit}"], "^", color="C0", label="threshold of a resonance")
+    for held in answer.held_resonances[along]:
+        ax.axvline(held, color="0.6", linestyle=":", label="resonance if stuck")
+    points = answer.invariant_points
+    ax.plot(points[along], points[f"continuous_limit{unit}"], "o", color="C3", label="invariant point, up to its limit")
+    ranges = answer.regimes
+    friction = ranges["friction_N" if load else "beta"]
+    for place, regime in enumerate(ranges.regime):
+        ends = [ranges[along][place], ranges[f"to_{along}"][place]]
+        stroke = STROKES.get(str(regime), "-")
+        ax.plot(ends, [friction[place]] * 2, stroke, color="black", label=str(regime))
+    handles, labels = ax.get_legend_handles_labels()
+    once = dict(zip(labels, handles, strict=True))
+    ax.legend(once.values(), once.keys())
+    ax.set_xlabel("frequency (Hz)" if load else "frequency ratio r")
+    ax.set_ylabel("friction (N)" if load else "friction ratio β")
+    return ax
+
+
+def recording(answer: Recording, ax: Axes | None) -> Axes:
+    ax = _axes(ax)
+    for name, unit in answer.units.items():
+        ax.plot(answer.time_s, answer[name], label=f"{name} ({unit})")
+    ax.set_xlabel("time (s)")
+    ax.legend()
+    return ax
+
+
+def transmissibilities(answer: answers.Transmissibilities, ax: Axes | None) -> Axes:
+    ax = _axes(ax)
+    for name in answer.motions:
+        motion = answer[name]
+        if "transmissibility" in motion:
+            ax.errorbar(
+                answer.frequency_Hz, motion.transmissibility, 2 * motion.deviation, fmt="o", capsize=3, label=name
+            )
+    ax.set_xlabel("frequency (Hz)")
+    ax.set_ylabel("transmissibility")
+    ax.legend()
+    return ax
+
+
+def residuals(answer: answers.Identification, ax: Axes | None) -> Axes:
+    ax = _axes(ax)
+    if np.isnan(answer.residual_real).any():
+        ax.plot(answer.frequency_Hz, answer.residual_over_deviation, "o", color="black", label="size")
+    else:
+        ax.plot(answer.frequency_Hz, answer.residual_real, "o", color="black", label="real part")
+        ax.plot(answer.frequency_Hz, answer.residual_imaginary, "o", color="black", fillstyle="none", label="imaginary part")
+    for level in (-2.0, 0.0, 2.0):
+        ax.axhline(level, color="0.6", linewidth=0.8)
+    ax.set_xlabel("frequency (Hz)")
+    ax.set_ylabel("residual over deviation")
+    ax.legend()
+    return ax
+
+
+def fit(answer: answers.Fit, ax: Axes | None) -> Axes:
+    ax = _axes(ax)
+    low, high = answer.frequency_Hz.min(), answer.frequency_Hz.max()
+    hz = np.linspace(0.9 * low, 1.05 * high, 400)
+    computed = answer.system.response(hz=hz, friction=0.0, base=1.0)
+    for place, name in enumerate(dict.fromkeys(answer.of.tolist())):
+        of_mass = answer.of == name
+        ax.plot(answer.frequency_Hz[of_mass], answer.transmissibility[of_mass], "o", color=f"C{place}", label=name)
+        ax.plot(hz, computed[name].amplitude_m, color=f"C{place}", label=f"{name}, fitted")
+    ax.set_yscale("log")
+    ax.set_xlabel("frequency (Hz)")
+    ax.set_ylabel("transmissibility")
+    ax.legend()
     return ax

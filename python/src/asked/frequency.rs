@@ -1,5 +1,6 @@
 //! The frequencies asked for: ratios r, Hz or rad/s.
 
+use super::measure::Measure;
 use super::numbers::{Given, numbers, one};
 use crate::columns::{Columns, cell};
 use crate::errors::domain;
@@ -130,22 +131,26 @@ impl Frequencies {
         }
     }
 
+    /// Whether Hz stand beside r: where they were given in a unit, or the load was.
+    pub fn tell_hertz(&self, measure: &Measure) -> bool {
+        self.unit != Unit::Ratio || measure.scale().is_some()
+    }
+
     /// Their columns.
-    pub fn put(&self, columns: &mut Columns<'_>) -> PyResult<()> {
-        let all = |value: fn(f64) -> f64| {
-            self.given
-                .values
-                .iter()
-                .map(|given| cell(Some(value(*given))))
-                .collect()
-        };
-        match self.unit {
-            Unit::Ratio => {}
-            Unit::Hertz => columns.numbers("frequency_Hz", all(|hertz| hertz))?,
-            Unit::Omega => {
-                columns.numbers("frequency_Hz", all(units::hertz))?;
-                columns.numbers("omega_rad_s", all(|omega| omega))?;
-            }
+    pub fn put(
+        &self,
+        columns: &mut Columns<'_>,
+        system: &System,
+        measure: &Measure,
+    ) -> PyResult<()> {
+        if self.tell_hertz(measure) {
+            let hertz = (0..self.r.len()).map(|index| cell(Some(self.hertz(system, index))));
+            columns.numbers("frequency_Hz", hertz.collect())?;
+        }
+        if self.unit == Unit::Omega {
+            let given = self.given.values.iter();
+            let omega = given.map(|omega| cell(Some(*omega)));
+            columns.numbers("omega_rad_s", omega.collect())?;
         }
         columns.numbers("r", self.r.iter().map(|r| cell(Some(*r))).collect())
     }
@@ -161,6 +166,28 @@ pub struct Band {
 }
 
 impl Band {
+    /// The two ends given, or, if none are, the range about the resonances: in Hz with a load.
+    pub fn of_or_usual(
+        system: &System,
+        arguments: &FrequencyArguments<'_>,
+        measure: &Measure,
+    ) -> PyResult<Self> {
+        if !matches!(arguments, (None, None, None)) {
+            return Self::of(system, arguments);
+        }
+        let [from, to] = system.about_resonances();
+        let unit = match measure.load() {
+            Some(_) => Unit::Hertz,
+            None => Unit::Ratio,
+        };
+        Ok(Self { from, to, unit })
+    }
+
+    /// Whether Hz stand beside r: where it was given in a unit, or the load was.
+    pub fn tells_hertz(&self, measure: &Measure) -> bool {
+        self.unit != Unit::Ratio || measure.scale().is_some()
+    }
+
     /// The two ends given.
     pub fn of(system: &System, arguments: &FrequencyArguments<'_>) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;
@@ -209,9 +236,14 @@ impl Band {
     }
 
     /// The columns of frequencies of it.
-    pub fn put(&self, system: &System, columns: &mut Columns<'_>, r: Vec<f64>) -> PyResult<()> {
+    pub fn put(
+        &self,
+        columns: &mut Columns<'_>,
+        (system, measure): (&System, &Measure),
+        r: Vec<f64>,
+    ) -> PyResult<()> {
         let omega = || r.iter().map(|r| system.angular_frequency(*r));
-        if self.unit != Unit::Ratio {
+        if self.tells_hertz(measure) {
             columns.numbers("frequency_Hz", omega().map(units::hertz).collect())?;
         }
         if self.unit == Unit::Omega {

@@ -34,7 +34,7 @@ fn seen_change(using: Using, value: Complex<f64>, change: Complex<f64>) -> Vec<f
     match using {
         Using::Complex => vec![change.re, change.im],
         Using::Amplitude => vec![inner(value, change) / size],
-        Using::Phase => vec![inner(turned(value), change) / (size * size)],
+        Using::Phase | Using::PhaseAlone => vec![inner(turned(value), change) / (size * size)],
     }
 }
 
@@ -50,7 +50,7 @@ impl<'o> Weighed<'o> {
         let (Load::Base(amplitude) | Load::Force(amplitude)) = seen.load;
         let relative = seen.load_deviation / amplitude;
         let certain =
-            |datum: &Datum| using != Using::Phase || datum.deviation < VAGUE * datum.value.norm();
+            |datum: &Datum| !using.is_phase() || datum.deviation < VAGUE * datum.value.norm();
         let kept: Vec<usize> = (0..seen.motions.len())
             .filter(|place| seen.motions.get(*place).is_some_and(certain))
             .collect();
@@ -63,9 +63,10 @@ impl<'o> Weighed<'o> {
                 .and_then(|all| all.get(*place))
                 .copied()
                 .unwrap_or(zero);
-            let unit = match using {
-                Using::Phase => datum.deviation / value.norm(),
-                _ => datum.deviation,
+            let unit = if using.is_phase() {
+                datum.deviation / value.norm()
+            } else {
+                datum.deviation
             };
             let size = seen_change(using, value, (by_friction - value) * relative);
             own.extend(std::iter::repeat_n(unit * unit, size.len()));
@@ -102,7 +103,7 @@ impl<'o> Weighed<'o> {
             match self.using {
                 Using::Complex => all.extend([seen.re - model.re, seen.im - model.im]),
                 Using::Amplitude => all.push(seen.norm() - model.norm()),
-                Using::Phase => {
+                Using::Phase | Using::PhaseAlone => {
                     let turn = seen * model.conj();
                     // What does not move has no phase: as far off as can be.
                     let still = model.norm() < f64::MIN_POSITIVE.sqrt();

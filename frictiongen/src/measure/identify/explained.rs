@@ -5,6 +5,8 @@ use super::model;
 use super::{Explained, Using};
 use crate::measure::MeasureError;
 use crate::study::System;
+use crate::study::units::polar;
+use std::f64::consts::PI;
 
 /// The root of the mean square of what is not explained, over that of the motion, from which on nothing is explained.
 const GROSS: f64 = 0.5;
@@ -12,6 +14,8 @@ const GROSS: f64 = 0.5;
 const MENDED: f64 = 0.2;
 /// A motion below this part of the largest that the scene has there, at any friction, may be one in another unit.
 const TINY: f64 = 0.01;
+/// The root of the mean square of how far phases are from the scene's, rad, from which on they are not explained: 15°.
+const TURNED: f64 = PI / 12.0;
 
 impl Problem<'_> {
     /// The part of the motion that is not explained at this friction force, and the mass and motion of which most is not.
@@ -46,6 +50,9 @@ impl Problem<'_> {
 
     /// Nothing, if the scene explains the measurement at this friction force somehow.
     pub(super) fn explains(&self, friction: f64) -> Result<(), MeasureError> {
+        if self.using == Using::PhaseAlone {
+            return self.turns_alike(friction);
+        }
         // A phase alone does not ask for the right amplitude, only for a likely one.
         let gross = if self.using == Using::Phase {
             0.9
@@ -105,6 +112,37 @@ impl Problem<'_> {
             pairs.all(|(datum, largest)| datum.value.norm() < TINY * largest)
         });
         is_tiny && [1e-3, 1e-6].into_iter().any(|factor| self.mends(factor))
+    }
+
+    /// The same of phases: nothing, if the root of the mean square of what is not explained is below [`TURNED`].
+    fn turns_alike(&self, friction: f64) -> Result<(), MeasureError> {
+        let (mut squares, mut count) = (0.0, 0.0);
+        let mut worst = (0.0, 0, 0.0, 0.0);
+        for seen in self.observations {
+            let answer = model::answer(self.system, seen, friction).ok_or(MeasureError::NoFit)?;
+            for (datum, value) in seen.motions.iter().zip(&answer.values) {
+                // What does not move has no phase, and explains none.
+                let (size, lag) = polar(value * datum.value.conj());
+                let apart = if 0.0 < size { lag.abs() } else { PI };
+                // What is no more than noise is explained.
+                let noise = 5.0 * datum.deviation / datum.value.norm();
+                let apart = (apart - noise).max(0.0);
+                squares += apart * apart;
+                count += 1.0;
+                if worst.0 <= apart {
+                    worst = (apart, datum.mass, polar(datum.value).1, polar(*value).1);
+                }
+            }
+        }
+        if squares < TURNED * TURNED * count {
+            return Ok(());
+        }
+        let name = self.system.scene().masses.get(worst.1);
+        Err(MeasureError::PhaseNotExplained {
+            mass: name.map_or_else(String::new, |mass| mass.name.clone()),
+            measured: worst.2.to_degrees(),
+            nearest: worst.3.to_degrees(),
+        })
     }
 
     /// Each observation beside what a scene does.

@@ -88,10 +88,11 @@ impl<'a> Problem<'a> {
         let weighed = self.observations.iter().map(|seen| {
             let slopes = friction.zip(along.as_ref()).and_then(|(friction, along)| {
                 let slopes = along.slopes(seen, friction)?;
+                let sizes = self.sizes(system, seen, friction)?;
+                let slopes = slopes.into_iter().zip(sizes);
                 Some(
                     slopes
-                        .into_iter()
-                        .map(|slope| slope * friction)
+                        .map(|(slope, size)| slope * (friction * size))
                         .collect::<Vec<_>>(),
                 )
             });
@@ -100,6 +101,22 @@ impl<'a> Problem<'a> {
         weighed
             .collect::<Option<Vec<_>>>()
             .ok_or(MeasureError::NoFit)
+    }
+
+    /// What a slope of the scene is multiplied by beside a measured value: 1 where its size was measured, and otherwise that
+    /// size over the scene's.
+    fn sizes(&self, system: &System, seen: &Observation, friction: f64) -> Option<Vec<f64>> {
+        if self.using != Using::PhaseAlone {
+            return Some(vec![1.0; seen.motions.len()]);
+        }
+        let answer = model::answer(system, seen, friction)?;
+        let pairs = seen.motions.iter().zip(&answer.values);
+        let sizes = pairs.map(|(datum, value)| datum.value.norm() / value.norm());
+        Some(
+            sizes
+                .map(|size| if size.is_finite() { size } else { 0.0 })
+                .collect(),
+        )
     }
 
     /// The sum of squares; infinite where there is no response.

@@ -75,8 +75,17 @@ pub enum Using {
     Complex,
     /// The amplitude alone.
     Amplitude,
-    /// The phase alone.
+    /// The phase alone, of motions of a likely size.
     Phase,
+    /// The phase alone, of motions whose size was not measured: of [`Datum::value`] only the direction counts.
+    PhaseAlone,
+}
+
+impl Using {
+    /// Whether phases are compared, and nothing else.
+    pub(super) fn is_phase(self) -> bool {
+        matches!(self, Self::Phase | Self::PhaseAlone)
+    }
 }
 
 /// What is looked for beside the friction force.
@@ -153,6 +162,20 @@ pub enum Verdict {
     /// Of amplitudes without phases: friction all but holds the contact, or a unit is wrong by 1000 or a million, as a motion
     /// that many times as large is explained as well.
     AllButStuck,
+}
+
+impl Verdict {
+    /// In a word or two.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Told => "told",
+            Self::SeveralLevels => "several levels",
+            Self::Stuck => "stuck",
+            Self::NotTold => "not told",
+            Self::AllButStuck => "all but stuck",
+        }
+    }
 }
 
 impl std::fmt::Display for Verdict {

@@ -1,5 +1,6 @@
 //! Recordings and sweeps as text: a line of names with units, then numbers.
 
+use super::rate::even_rate;
 use super::{Channel, Dimension, Recording, Unit};
 use crate::measure::MeasureError;
 use std::fmt::Write as _;
@@ -23,9 +24,6 @@ pub struct Column {
     /// Its unit; as its name in the file says if this is none.
     pub unit: Option<Unit>,
 }
-
-/// How far apart two steps of a time column may be, of the mean step: what a clock of six digits rounds.
-const EVEN: f64 = 1e-2;
 
 /// A table of numbers with names, as it stands in a file.
 #[derive(Debug)]
@@ -257,49 +255,11 @@ fn read(text: &str, request: &CsvRequest) -> Result<(f64, Vec<Channel>), Measure
         }
     }
     let rate = match (time, request.rate) {
-        (Some(time), None) => even_rate(&time, &table.lines)?,
+        (Some(time), None) => even_rate(&time, |index| {
+            format!("line {}", table.lines.get(index).copied().unwrap_or(0))
+        })?,
         (_, Some(rate)) => rate,
         (None, None) => return Err(MeasureError::NoRate),
     };
     Ok((rate, channels))
-}
-
-/// The rate of a column of times, if they are evenly spaced.
-fn even_rate(time: &[f64], lines: &[usize]) -> Result<f64, MeasureError> {
-    let (Some(first), Some(last)) = (time.first(), time.last()) else {
-        return Err(MeasureError::TooShort {
-            found: "it has no samples".to_owned(),
-            needed: "16",
-        });
-    };
-    let steps = time.len().saturating_sub(1).max(1) as f64;
-    // Of the first two: what a mean over mixed steps hides.
-    let usual = time.get(1).map_or(0.0, |second| second - first);
-    let mean = (last - first) / steps;
-    let apart = |step: f64, other: f64| !((step - other).abs() <= EVEN * other.abs());
-    for (pair, line) in time.windows(2).zip(lines.iter().skip(1)) {
-        let &[a, b] = pair else { continue };
-        if !(a < b) || (apart(b - a, usual) && apart(b - a, mean)) {
-            return Err(MeasureError::MixedRates {
-                place: format!("line {line}"),
-                before: usual,
-                after: b - a,
-            });
-        }
-    }
-    if apart(mean, usual) {
-        // Rounded times may differ step by step, but not in the end.
-        let ten = time.len().min(11) - 1;
-        let early = time
-            .get(ten)
-            .map_or(usual, |t| (t - first) / ten.max(1) as f64);
-        if apart(mean, early) {
-            return Err(MeasureError::MixedRates {
-                place: "its end".to_owned(),
-                before: early,
-                after: mean,
-            });
-        }
-    }
-    Ok(1.0 / mean)
 }

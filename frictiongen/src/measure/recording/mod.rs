@@ -2,6 +2,7 @@
 
 mod check;
 mod csv;
+mod rate;
 mod uff58;
 mod unit;
 
@@ -63,6 +64,43 @@ impl Recording {
             return Err(MeasureError::NoRate);
         }
         Ok(Self { rate, channels })
+    }
+
+    /// Reads a CSV or a universal file, whichever it is: see [`from_csv`](Self::from_csv) and
+    /// [`from_uff58`](Self::from_uff58).
+    ///
+    /// # Errors
+    /// As of these.
+    pub fn from_text(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
+        // A universal file begins with the mark of a data set.
+        let first = text.lines().find(|line| !line.trim().is_empty());
+        if first.is_some_and(|line| line.trim() == "-1") {
+            Self::from_uff58(text, request)
+        } else {
+            Self::from_csv(text, request)
+        }
+    }
+
+    /// How many samples a second there are in a row of times, in s, which are evenly spaced but for what a clock rounds.
+    ///
+    /// ```
+    /// use frictiongen::measure::Recording;
+    ///
+    /// assert_eq!(Recording::rate_of(&[0.0, 0.25, 0.5])?, 4.0);
+    /// assert!(Recording::rate_of(&[0.0, 0.25, 0.75]).is_err());
+    /// # Ok::<(), frictiongen::measure::MeasureError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MeasureError::MixedRates`]; [`MeasureError::TooShort`] for fewer than two.
+    pub fn rate_of(times: &[f64]) -> Result<f64, MeasureError> {
+        if times.len() < 2 {
+            return Err(MeasureError::TooShort {
+                found: format!("{} times", times.len()),
+                needed: "2",
+            });
+        }
+        rate::even_rate(times, |index| format!("sample {index}"))
     }
 
     /// How many samples a second has.

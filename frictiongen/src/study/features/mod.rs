@@ -45,7 +45,8 @@ impl Certainty {
     /// The parts of a range that is sampled.
     pub const STEPS: u32 = 8192;
 
-    const SAMPLED: Self = Self::Sampled { steps: Self::STEPS };
+    /// What stands behind a list that is sampled.
+    pub const SAMPLED: Self = Self::Sampled { steps: Self::STEPS };
 }
 
 /// Why there are no features.
@@ -126,7 +127,23 @@ pub struct LimitsAtEnd {
     pub sliding: Sensed,
 }
 
+/// The range about the resonances: from this share of the lowest, to this multiple of the highest, and no more below that than
+/// this.
+const BELOW: f64 = 0.55;
+const ABOVE: f64 = 1.5;
+const FAR_BELOW: f64 = 0.02;
+
 impl System {
+    /// The range of r from below the lowest resonance to above the highest: where nothing else is asked for.  Far below the
+    /// highest, where its sub-harmonics crowd, it begins later.
+    #[must_use]
+    pub fn about_resonances(&self) -> [f64; 2] {
+        let all = self.resonances();
+        let lowest = all.first().copied().unwrap_or(1.0);
+        let highest = all.last().copied().unwrap_or(1.0);
+        [(BELOW * lowest).max(FAR_BELOW * highest), ABOVE * highest]
+    }
+
     /// The features of the response, under a load with their numbers in Hz, N and m.
     ///
     /// ```

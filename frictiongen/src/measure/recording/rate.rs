@@ -1,0 +1,49 @@
+//! How many samples a second has, from the times of the samples.
+
+use crate::measure::MeasureError;
+
+/// How far apart two steps of a time column may be, of the mean step: what a clock of six digits rounds.
+const EVEN: f64 = 1e-2;
+
+/// The rate of times in s, if they are evenly spaced; `place` names a sample.
+pub(super) fn even_rate(
+    time: &[f64],
+    place: impl Fn(usize) -> String,
+) -> Result<f64, MeasureError> {
+    let (Some(first), Some(last)) = (time.first(), time.last()) else {
+        return Err(MeasureError::TooShort {
+            found: "it has no samples".to_owned(),
+            needed: "16",
+        });
+    };
+    let steps = time.len().saturating_sub(1).max(1) as f64;
+    // Of the first two: what a mean over mixed steps hides.
+    let usual = time.get(1).map_or(0.0, |second| second - first);
+    let mean = (last - first) / steps;
+    let apart = |step: f64, other: f64| !((step - other).abs() <= EVEN * other.abs());
+    for (index, pair) in (1..).zip(time.windows(2)) {
+        let &[a, b] = pair else { continue };
+        if !(a < b) || (apart(b - a, usual) && apart(b - a, mean)) {
+            return Err(MeasureError::MixedRates {
+                place: place(index),
+                before: usual,
+                after: b - a,
+            });
+        }
+    }
+    if apart(mean, usual) {
+        // Rounded times may differ step by step, but not in the end.
+        let ten = time.len().min(11) - 1;
+        let early = time
+            .get(ten)
+            .map_or(usual, |t| (t - first) / ten.max(1) as f64);
+        if apart(mean, early) {
+            return Err(MeasureError::MixedRates {
+                place: "its end".to_owned(),
+                before: early,
+                after: mean,
+            });
+        }
+    }
+    Ok(1.0 / mean)
+}

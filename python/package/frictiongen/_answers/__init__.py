@@ -1,0 +1,32 @@
+"""What a system answers: numpy arrays by the names that the command line gives to its columns."""
+
+from .design import Optimum, Sensitivities
+from .features import Features, FeatureTable
+from .in_time import Events, History, Steps, Work
+from .measuring import Estimate, Fit, FreeDecay, Identification, Transmissibilities
+from .steady import Curve, Limits, Map, Orbit, Response
+from .table import Columns, Motion, Table
+
+__all__ = [
+    "Columns",
+    "Curve",
+    "Estimate",
+    "Events",
+    "FeatureTable",
+    "Features",
+    "Fit",
+    "FreeDecay",
+    "History",
+    "Identification",
+    "Limits",
+    "Map",
+    "Motion",
+    "Optimum",
+    "Orbit",
+    "Response",
+    "Sensitivities",
+    "Steps",
+    "Table",
+    "Transmissibilities",
+    "Work",
+]

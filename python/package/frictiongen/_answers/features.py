@@ -1,0 +1,112 @@
+"""What a response is made of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import _plot
+from .table import Columns, Floats, Table, joined
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+
+_Moved = dict[str, list[tuple[str, Floats, Floats]]]
+
+
+class FeatureTable(Table):
+    """One list of features, and how its numbers move with every parameter.
+
+    >>> import frictiongen
+    >>> frame = frictiongen.System(frictiongen.FRAME)
+    >>> held = frame.features(base=0.001).held_resonances
+    >>> held.sensed
+    ['frequency_Hz']
+    >>> held.relative("frequency_Hz")["k lower - upper"].round(3).tolist()  # per cent for one per cent
+    [0.263]
+    """
+
+    def __init__(self, columns: dict[str, Any], moved: _Moved) -> None:
+        super().__init__(columns)
+        self._moved = moved
+
+    @property
+    def sensed(self) -> list[str]:
+        """The columns whose numbers have derivatives."""
+        return list(self._moved)
+
+    def derivatives(self, name: str) -> Columns:
+        """How a column moves with each parameter, by the parameter's name: derivatives, one for each line, NaN where there
+        is none."""
+        return Columns(name, {parameter: slope for parameter, slope, _ in self._found(name)})
+
+    def relative(self, name: str) -> Columns:
+        """The same as per cent of the number for one per cent of the parameter."""
+        return Columns(name, {parameter: share for parameter, _, share in self._found(name)})
+
+    def _found(self, name: str) -> list[tuple[str, Floats, Floats]]:
+        try:
+            return self._moved[name]
+        except KeyError:
+            known = ", ".join(self._moved) or "nothing"
+            raise KeyError(f"there are no derivatives of {name!r}; there are of {known}") from None
+
+
+class Features:
+    """Lists of features, each a :class:`FeatureTable`; with a load in Hz, N and m, otherwise in groups.
+
+    Whatever the friction: `resonances` with the `threshold` below which an undamped one is unbounded and the limit of
+    continuous motion there; `held_resonances` of the chain with its contact stuck, of which `new` ones differ from the
+    chain's; `ends`, both limits for r -> 0 and r -> inf; `antiresonances`, `invariant_points` and `inversions` (where friction
+    enlarges a motion), which are empty with damping.
+
+    For each friction: `starts`, the amplitudes for r -> 0; `sliding_ranges`; `regimes`, `found` all of them or by samples;
+    `peaks` beside their estimates; `crossings`, where one friction and the next one give the same amplitude.
+    """
+
+    resonances: FeatureTable
+    held_resonances: FeatureTable
+    ends: FeatureTable
+    antiresonances: FeatureTable
+    invariant_points: FeatureTable
+    inversions: FeatureTable
+    starts: FeatureTable
+    sliding_ranges: FeatureTable
+    regimes: FeatureTable
+    peaks: FeatureTable
+    crossings: FeatureTable
+
+    def __init__(self, tables: dict[str, tuple[dict[str, Any], _Moved]]) -> None:
+        self._tables = {name: FeatureTable(*table) for name, table in tables.items()}
+        self.__dict__.update(self._tables)
+
+    def keys(self) -> list[str]:
+        """The names of the lists."""
+        return list(self._tables)
+
+    def __getitem__(self, name: str) -> FeatureTable:
+        return self._tables[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._tables)
+
+    def __repr__(self) -> str:
+        counts = (f"{np.size(next(iter(table._columns.values())))} {name}" for name, table in self._tables.items())
+        return f"Features: {', '.join(counts)}"
+
+    def to_frame(self) -> DataFrame:
+        """All lists below each other, with the name of its list in each line.
+
+        :raises ImportError: if pandas is not installed.
+        """
+        return joined({name: table._columns for name, table in self._tables.items()}, "feature")
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws them over frequency and friction: a line for each regime at each friction, resonances, invariant points.
+
+        :raises ImportError: if matplotlib is not installed.
+        """
+        return _plot.features(self, ax)

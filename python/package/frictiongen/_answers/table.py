@@ -1,0 +1,178 @@
+"""What all answers have in common: numpy arrays by the names that the command line gives to its columns."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
+Floats = NDArray[np.float64]
+Counts = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+Words = NDArray[np.str_]
+
+#: The columns that belong to a frequency alone.
+_FREQUENCY = ("frequency_Hz", "omega_rad_s", "r")
+
+
+def frame(columns: dict[str, Any]) -> DataFrame:
+    """Columns as a pandas frame."""
+    try:
+        import pandas
+    except ImportError as error:
+        raise ImportError("to_frame() needs pandas, which is not installed: pip install pandas") from error
+    return pandas.DataFrame({name: _cells(values) for name, values in columns.items()})
+
+
+def joined(tables: dict[str, dict[str, Any]], title: str) -> DataFrame:
+    """Several tables below each other, with their names in a column."""
+    frames = {name: frame(columns) for name, columns in tables.items()}
+    import pandas
+
+    # Of a table without lines only the columns count.
+    kept = [whole.assign(**{title: name}) for name, whole in frames.items() if len(whole)]
+    known = [title, *dict.fromkeys(name for columns in tables.values() for name in columns)]
+    return pandas.concat(kept, ignore_index=True).reindex(columns=known)
+
+
+def _cells(values: Any) -> Any:
+    """Counts that are not there, -1, as pandas marks them."""
+    values = np.ravel(values)
+    if values.dtype.kind == "i" and (values < 0).any():
+        return np.where(values < 0, np.nan, values)
+    return values
+
+
+class Columns:
+    """Arrays by name, as attributes and as items."""
+
+    def __init__(self, name: str, columns: dict[str, Any]) -> None:
+        self._name = name
+        self._columns = columns
+
+    def keys(self) -> list[str]:
+        """The names of what there is."""
+        return list(self._columns)
+
+    def __getattr__(self, name: str) -> Any:
+        columns = self.__dict__.get("_columns", {})
+        if name in columns:
+            return columns[name]
+        raise AttributeError(_missing(self, name, columns))
+
+    def __getitem__(self, name: str) -> Any:
+        """An array by its name; `["X3"]` is the third harmonic."""
+        return item(self, name, self._columns)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.keys())
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *(name for name in self._columns if "." not in name)]
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__} {self._name!r}: {', '.join(self._columns)}"
+
+
+class Motion(Columns):
+    """How the contact or a mass moves: the part of an answer that bears its name.
+
+    >>> import frictiongen
+    >>> frame = frictiongen.System(frictiongen.FRAME)
+    >>> lower = frame.response(r=0.9, beta=0.3, harmonics=3)["lower"]
+    >>> lower.keys()
+    ['amplitude', 'phase', 'amplitude_monoharmonic', 'X1.amplitude', 'X1.phase', 'X3.amplitude', 'X3.phase']
+    >>> bool(lower["X3"].amplitude < lower.amplitude)
+    True
+    """
+
+    amplitude: Floats
+    amplitude_m: Floats
+    phase: Floats
+    phase_deg: Floats
+
+
+def _missing(answer: object, name: str, columns: dict[str, Any]) -> str:
+    message = f"{type(answer).__name__} has no {name!r}"
+    units = [known for known in columns if known.rsplit("_", 1)[0] == name]
+    groups = [known for known in columns if name.rsplit("_", 1)[0] == known]
+    if units:
+        return f"{message}: with a load it is {units[0]!r}"
+    if groups:
+        return f"{message}: without a load (`force` or `base`) it is {groups[0]!r}"
+    return f"{message}; it has {', '.join(columns)}"
+
+
+def item(answer: object, name: str, columns: dict[str, Any]) -> Any:
+    if name in columns:
+        return columns[name]
+    inner = {known[len(name) + 1 :]: value for known, value in columns.items() if known.startswith(f"{name}.")}
+    if not inner:
+        raise KeyError(_missing(answer, name, columns))
+    return Motion(name, inner)
+
+
+class Table(Columns):
+    """Columns of one length, or single values: what every answer has in common."""
+
+    def __init__(self, columns: dict[str, Any]) -> None:
+        super().__init__("", columns)
+
+    def to_frame(self) -> DataFrame:
+        """The same as a pandas frame, a line for each point, with the command line's columns.
+
+        :raises ImportError: if pandas is not installed.
+        """
+        return frame(self._columns)
+
+    @property
+    def motions(self) -> list[str]:
+        """The contact and the masses that it has: the names that `answer[name]` takes."""
+        return list(dict.fromkeys(name.split(".")[0] for name in self._columns if "." in name))
+
+    def _repr_size(self) -> str:
+        first = next(iter(self._columns.values()), np.empty(0))
+        return f"{np.size(first)} lines"
+
+    def __repr__(self) -> str:
+        names = [name for name in self._columns if "." not in name]
+        return f"{type(self).__name__} of {self._repr_size()}: {', '.join([*names, *self.motions])}"
+
+
+class Grid(Table):
+    """Frequencies by frictions: what belongs to both has the shape of the frequencies, then that of the frictions."""
+
+    r: Floats
+    frequency_Hz: Floats
+    omega_rad_s: Floats
+    beta: Floats
+    friction_N: Floats
+
+    #: Columns along frequency that the frame leaves out.
+    _beside: tuple[str, ...] = ()
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape of the frequencies, followed by that of the frictions."""
+        return np.shape(self.r) + np.shape(self.beta)
+
+    def to_frame(self) -> DataFrame:
+        """The same as a pandas frame, a line for each point, all frictions of the first frequency first.
+
+        :raises ImportError: if pandas is not installed.
+        """
+        frequency = np.shape(self.r) + (1,) * np.ndim(self.beta)
+        columns = {}
+        for name, values in self._columns.items():
+            if name not in self._beside:
+                values = np.reshape(values, frequency) if name in _FREQUENCY else values
+                columns[name] = np.broadcast_to(values, self.shape)
+        return frame(columns)
+
+    def _repr_size(self) -> str:
+        return f"shape {self.shape}"

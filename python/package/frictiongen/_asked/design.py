@@ -1,0 +1,100 @@
+"""Questions of design."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from .. import _native
+from .._answers.design import Optimum, Sensitivities
+from .._answers.features import Features
+from .base import Base, names
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+class Design(Base):
+    """The best friction, what matters most, and what a response is made of."""
+
+    __slots__ = ()
+
+    def optimum(
+        self,
+        of: str,
+        *,
+        r: tuple[float, float] | ArrayLike | None = None,
+        hz: tuple[float, float] | ArrayLike | None = None,
+        omega: tuple[float, float] | ArrayLike | None = None,
+        force: float | None = None,
+        base: float | None = None,
+    ) -> Optimum:
+        """The friction that keeps the largest amplitude of a motion over a band of frequencies smallest.
+
+        :param of: a mass, or `contact`.
+
+        >>> import frictiongen
+        >>> frame = frictiongen.System(frictiongen.FRAME)
+        >>> best = frame.optimum("lower", hz=(1, 7), base=0.001)
+        >>> round(float(best.friction_N), 2), round(1e3 * float(best.amplitude_m), 2)  # N, mm
+        (1.54, 2.26)
+        """
+        return Optimum(*_native.optimum(self._native, of, (r, hz, omega), (force, base)))
+
+    def sensitivities(
+        self,
+        of: str,
+        *,
+        r: float | None = None,
+        hz: float | None = None,
+        omega: float | None = None,
+        beta: float | None = None,
+        friction: float | None = None,
+        force: float | None = None,
+        base: float | None = None,
+    ) -> Sensitivities:
+        """The exact derivatives of amplitude, phase and both limits with respect to every parameter, in any regime.
+
+        :param of: a mass, or `contact`.
+
+        >>> import frictiongen
+        >>> frame = frictiongen.System(frictiongen.FRAME)
+        >>> all = frame.sensitivities("lower", hz=1.7, friction=0.4, base=0.001)
+        >>> all.parameter.tolist()[:4]
+        ['m lower', 'm upper', 'k base - lower', 'k lower - upper']
+        >>> all["amplitude_m"].relative.shape
+        (10,)
+        """
+        return Sensitivities(*_native.sensitivities(self._native, of, (r, hz, omega), (beta, friction), (force, base)))
+
+    def features(
+        self,
+        *,
+        r: tuple[float, float] | ArrayLike | None = None,
+        hz: tuple[float, float] | ArrayLike | None = None,
+        omega: tuple[float, float] | ArrayLike | None = None,
+        beta: ArrayLike | None = None,
+        friction: ArrayLike | None = None,
+        force: float | None = None,
+        base: float | None = None,
+        of: str | Iterable[str] | None = None,
+    ) -> Features:
+        """What the response over a band is made of, without a sweep: thresholds, antiresonances, invariant points, ranges in
+        which friction enlarges a motion, resonances of the stuck chain; and for each friction where the contact slides, the
+        regimes and the peaks.  Each number with its derivatives where it has some.
+
+        Without a band it is the one about the resonances.
+
+        >>> import frictiongen
+        >>> frame = frictiongen.System(frictiongen.FRAME)
+        >>> features = frame.features(hz=(1, 7), friction=0.4, base=0.001)
+        >>> features.held_resonances.frequency_Hz.round(3).tolist()
+        [4.412]
+        >>> features.regimes.regime.tolist()
+        ['stick-slip', 'continuous', 'stick-slip', 'continuous', 'stick-slip', 'stuck']
+        >>> features.regimes.relative("to_frequency_Hz")["F"].round(2).tolist()[:2]  # per cent for one per cent
+        [0.45, -0.09]
+        """
+        return Features(
+            _native.features(self._native, (r, hz, omega), (beta, friction), (force, base), names(of))
+        )

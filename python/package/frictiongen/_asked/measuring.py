@@ -1,0 +1,169 @@
+"""Questions to measurements."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import _native
+from .._answers.measuring import Fit, FreeDecay, Identification, Transmissibilities
+from .._files import File, name_of, text_of
+from .._observation import Observation
+from .._recording import Recording
+from .base import Base, names
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+class Measuring(Base):
+    """What recordings, amplitudes and phases tell of the system."""
+
+    __slots__ = ()
+
+    def transmissibility(self, recordings: Recording | Iterable[Recording]) -> Transmissibilities:
+        """Driving frequency, transmissibility and phase of recordings, each at one frequency.
+
+        :raises MeasureError: for a recording that tells nothing: no excitation or no mass, a drive that drifts, a motion
+            that never gets steady, fewer than 8 cycles.
+
+        >>> import frictiongen, numpy
+        >>> frame = frictiongen.System(frictiongen.FRAME)
+        >>> t = numpy.arange(5000) / 500
+        >>> base, lower = 1.75 * numpy.cos(25 * t), 3.5 * numpy.cos(25 * t - 0.3)
+        >>> recording = frictiongen.Recording({"base": (base, "mm"), "lower": (lower, "mm")}, rate=500)
+        >>> found = frame.transmissibility(recording)
+        >>> round(float(found["lower"].transmissibility[0]), 6), round(float(found.frequency_Hz[0]), 6)
+        (2.0, 3.978874)
+        """
+        return Transmissibilities(
+            _native.transmissibility(self._native, [item._native for item in _listed(recordings, Recording)])
+        )
+
+    def identify(
+        self,
+        measured: Recording | Observation | Iterable[Recording | Observation],
+        *,
+        by: str | None = None,
+        of: str | Iterable[str] | None = None,
+        also: str | Iterable[str] | None = None,
+        between: tuple[float, float] | None = None,
+        harmonics: int | None = None,
+    ) -> Identification:
+        """The friction force that explains what was measured, with its interval, or why it cannot be told.
+
+        In whatever regime the contact is, from one frequency or several together.
+
+        :param measured: recordings, or amplitudes and phases as an :class:`Observation`.
+        :param by: compare "both", "amplitude" or "phase"; what there is if left out.
+        :param of: only these masses.
+        :param also: look also for "damping", "frequency" (a factor on all natural frequencies) or "stiction".
+        :param between: friction forces to look between, N; from 0 to where the contact is stuck if left out.
+        :param harmonics: of recordings also the odd harmonics up to this one.
+        :raises MeasureError: for recordings that tell nothing, a unit that is wrong by a power of 1000, and motions that no
+            friction explains.
+        """
+        items = [item._told if isinstance(item, Observation) else item._native for item in _listed(measured)]
+        once, columns, system = _native.identify(
+            self._native, items, names(of), (by, names(also, "also"), between, harmonics)
+        )
+        return Identification(once, columns, type(self)._of(system))
+
+    def fit(
+        self,
+        sweep: Transmissibilities | File | None = None,
+        *,
+        hz: ArrayLike | None = None,
+        transmissibility: Mapping[str, ArrayLike] | None = None,
+        deviation: Mapping[str, ArrayLike] | None = None,
+        damping: bool = False,
+    ) -> Fit:
+        """Frequencies, masses and springs from a sweep without friction, of a system that is driven by its base.
+
+        :param sweep: what :meth:`transmissibility` answered, or a CSV with `frequency_Hz`, `NAME.transmissibility` and
+            `NAME.deviation`: a path, or a file opened for reading text.
+        :param hz: or frequencies, Hz,
+        :param transmissibility: and the amplitude of each mass over that of the base, by its name,
+        :param deviation: and the standard deviations of those; without them errors count as equal parts of amplitudes.
+        :param damping: look also for one damping ratio of all modes.
+
+        >>> import frictiongen, numpy
+        >>> frame = frictiongen.System(frictiongen.FRAME)
+        >>> hz = numpy.linspace(0.5, 8, 30)
+        >>> swept = frame.response(hz=hz, friction=0, base=0.001)["lower"].amplitude_m / 0.001
+        >>> softer = frictiongen.System(frictiongen.FRAME.replace("1323.0", "1200.0"))
+        >>> round(1190 * softer.fit(hz=hz, transmissibility={"lower": swept}).stiffness_ratios["lower - upper"].value, 3)
+        1323.0
+        """
+        if sweep is None:
+            if hz is None or transmissibility is None:
+                raise _native.DomainError("a sweep is needed, or hz and transmissibility")
+            return self._fit_arrays(hz, _masses(transmissibility, deviation), False, damping)
+        if hz is not None or transmissibility is not None or deviation is not None:
+            raise _native.DomainError("sweep, or hz and transmissibility: one of them says it, give one")
+        if isinstance(sweep, Transmissibilities):
+            motions = {name: sweep[name] for name in sweep.motions if name in self._native.masses}
+            amplitudes = {name: motion.transmissibility for name, motion in motions.items()}
+            deviations = {name: motion.deviation for name, motion in motions.items()}
+            return self._fit_arrays(sweep.frequency_Hz, _masses(amplitudes, deviations), True, damping)
+        return self._fitted(_native.fit_text(self._native, text_of(sweep), name_of(sweep), bool(damping)))
+
+    def _fit_arrays(self, hz: ArrayLike, masses: list[tuple[str, Any, Any]], gaps: bool, damping: bool) -> Fit:
+        return self._fitted(_native.fit(self._native, np.atleast_1d(hz), masses, gaps, bool(damping)))
+
+    def _fitted(self, found: tuple[dict[str, Any], dict[str, Any], _native.System]) -> Fit:
+        once, columns, system = found
+        return Fit(once, columns, type(self)._of(system))
+
+    def free_decay(
+        self, recording: Recording, *, damping: float | None = None, find_damping: bool = False
+    ) -> FreeDecay:
+        """Friction, natural frequency and damping from a free vibration of the only mass: pulled and released.
+
+        :param damping: the damping ratio, if it is another than the description's.
+        :param find_damping: look for it, also where the description has one.
+
+        >>> import frictiongen, numpy
+        >>> plate = frictiongen.System('''struct Plate {
+        ...     masses: { plate: 2.0 }, springs: { base - plate: 752.0 }, contact: plate - wall, excitation: base,
+        ... }''')
+        >>> half, side = divmod(numpy.arange(2500) * 0.006, 1)  # at 3 Hz, about 0.5 mm to either side
+        >>> x = (-1) ** half * (0.5 + (19.5 - half) * numpy.cos(numpy.pi * side))
+        >>> found = plate.free_decay(frictiongen.Recording({"plate": (x, "mm")}, rate=1000))
+        >>> round(found.friction_N.value, 6), round(found.frequency_Hz.value, 6)
+        (0.376, 3.0)
+        """
+        if not isinstance(recording, Recording):
+            raise TypeError(f"a Recording is needed, not {type(recording).__name__}")
+        return FreeDecay(*_native.free_decay(self._native, recording._native, damping, bool(find_damping)))
+
+
+def _listed(given: Any, *kinds: type) -> list[Any]:
+    """One, or several, of the right kind."""
+    kinds = kinds or (Recording, Observation)
+    needed = " or ".join(kind.__name__ for kind in kinds)
+    if isinstance(given, kinds):
+        return [given]
+    try:
+        listed = list(given)
+    except TypeError:
+        raise TypeError(f"a {needed} is needed, or a list of such, not {type(given).__name__}") from None
+    for item in listed:
+        if not isinstance(item, kinds):
+            raise TypeError(f"a {needed} is needed, not {type(item).__name__}")
+    if not listed:
+        raise _native.DomainError(f"at least one {needed} is needed")
+    return listed
+
+
+def _masses(amplitudes: Any, deviations: Any) -> list[tuple[str, Any, Any]]:
+    for argument, given in (("transmissibility", amplitudes), ("deviation", deviations)):
+        if given is not None and not (isinstance(given, Mapping) and all(isinstance(name, str) for name in given)):
+            raise TypeError(f"{argument}: numbers by the names of masses are needed, {{name: numbers}}")
+    deviations = deviations or {}
+    for name in deviations:
+        if name not in amplitudes:
+            raise _native.DomainError(f"deviation: there is no transmissibility of {name!r}")
+    return [(name, given, deviations.get(name)) for name, given in amplitudes.items()]

@@ -1,0 +1,181 @@
+"""Recordings: evenly spaced samples of several channels, each with its unit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _native, _plot
+from ._answers.table import Floats, frame
+from ._files import File, name_of, text_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike
+    from pandas import DataFrame
+
+
+class Recording:
+    """Samples of the excitation and of masses, each channel with its unit.
+
+    :param channels: samples and unit of each channel by what it is of: `base`, `force` or the name of a mass.  Units are m,
+        cm, mm, um, m/s, mm/s, m/s2, mm/s2, g, N, mN, kN; displacements, velocities and accelerations may be mixed.
+    :param rate: samples a second.
+    :param time_s: or the time of each sample, s, evenly spaced.
+    :param drives: of the inputs of :meth:`System.drive`; one channel will do, and a constant one too.
+    :raises MeasureError: for a channel without a unit, and for what cannot tell anything: too few samples, numbers that are
+        not finite, a channel that is constant or clipped, uneven times.
+
+    >>> import frictiongen, numpy
+    >>> t = numpy.arange(5000) / 500
+    >>> base, plate = 1.75 * numpy.cos(25 * t), 3.5 * numpy.cos(25 * t - 0.3)
+    >>> frictiongen.Recording({"base": (base, "mm"), "plate": (plate, "mm")}, time_s=t)
+    Recording of 5000 samples at 500 Hz: base (mm), plate (mm)
+    >>> try:
+    ...     frictiongen.Recording({"base": base}, rate=500)
+    ... except frictiongen.MeasureError as error:
+    ...     print(error)
+    the channel `base` has no unit: give one, as in {"base": (samples, "mm")}, or of a column of a file {"base": ("COLUMN", "mm")}
+    """
+
+    __slots__ = ("_native",)
+
+    _native: _native.Recording
+
+    def __init__(
+        self,
+        channels: Mapping[str, tuple[ArrayLike, str]],
+        *,
+        rate: float | None = None,
+        time_s: ArrayLike | None = None,
+        drives: bool = False,
+    ) -> None:
+        if not isinstance(channels, Mapping):
+            raise TypeError(
+                f"channels by their names are needed, {{name: (samples, unit)}}, not {type(channels).__name__}"
+            )
+        listed = [(_name(name), *_with_unit(given)) for name, given in channels.items()]
+        self._native = _native.Recording(listed, rate, time_s, bool(drives))
+
+    @classmethod
+    def from_file(
+        cls,
+        file: File,
+        *,
+        channels: Mapping[str, str | int | tuple[str | int, str]] | None = None,
+        rate: float | None = None,
+        drives: bool = False,
+    ) -> Recording:
+        """A recording as CSV, or as universal file (UFF58, text): a path, or a file opened for reading text.
+
+        A CSV has one line of names with their units, `time_s,base_mm,upper_m_s2`, or a second line with the units.
+
+        :param channels: which columns are read: by what a column is of, its name or its number from 1, and its unit where
+            the file does not say it, `{"upper": ("AI1", "mm")}`.  All by their own names if left out.
+        :param rate: samples a second, where no column has the time.
+        :raises OSError: if it cannot be read.
+        :raises MeasureError: with `line` where a line is wrong.
+        """
+        return cls.from_text(text_of(file), channels=channels, rate=rate, drives=drives, source=name_of(file))
+
+    @classmethod
+    def from_text(
+        cls,
+        text: str,
+        *,
+        channels: Mapping[str, str | int | tuple[str | int, str]] | None = None,
+        rate: float | None = None,
+        drives: bool = False,
+        source: str | None = None,
+    ) -> Recording:
+        """The same of the text of a file; `source` is what messages call it.
+
+        >>> import frictiongen
+        >>> text = "t;AI1;AI2\\n" + "".join(f"{n};{n % 7};{n % 5}\\n" for n in range(40))
+        >>> columns = {"time": ("t", "ms"), "base": ("AI1", "mm"), "upper": (3, "m/s2")}
+        >>> frictiongen.Recording.from_text(text, channels=columns)
+        Recording of 40 samples at 1000 Hz: base (mm), upper (m/s2)
+        """
+        if not isinstance(text, str):
+            raise TypeError(f"a text is needed, not {type(text).__name__}; a file is read by Recording.from_file(path)")
+        if channels is not None and not isinstance(channels, Mapping):
+            raise TypeError("channels: columns by the names of channels are needed, {name: (column, unit)}")
+        columns = []
+        for name, given in (channels or {}).items():
+            column, unit = _with_unit(given)
+            if not isinstance(column, (str, int)) or isinstance(column, bool):
+                raise TypeError(f"channels[{name!r}]: the name or the number of a column is needed")
+            columns.append((_name(name), str(column), unit))
+        recording = cls.__new__(cls)
+        recording._native = _native.Recording.read(text, source, columns, rate, bool(drives))
+        return recording
+
+    @property
+    def rate(self) -> float:
+        """Samples a second."""
+        return self._native.rate
+
+    @property
+    def time_s(self) -> Floats:
+        """The time of each sample, from 0."""
+        return np.arange(len(self)) / self.rate
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The unit of each channel, by its name."""
+        return dict(self._native.channels)
+
+    def keys(self) -> list[str]:
+        """The names of the channels."""
+        return list(self.units)
+
+    def __getitem__(self, name: str) -> Floats:
+        """The samples of a channel, in its unit."""
+        if name not in self.units:
+            raise KeyError(f"there is no channel {name!r}; there are {', '.join(self.units)}")
+        return self._native.samples(name)
+
+    def __len__(self) -> int:
+        return len(self._native)
+
+    def __repr__(self) -> str:
+        channels = ", ".join(f"{name} ({unit})" for name, unit in self.units.items())
+        return f"Recording of {len(self)} samples at {self.rate:.6g} Hz: {channels}"
+
+    def to_csv(self) -> str:
+        """As a CSV that :meth:`from_text` reads back, every number with all its digits."""
+        return self._native.to_csv()
+
+    def to_uff58(self) -> str:
+        """As a universal file, with 13 digits of each number."""
+        return self._native.to_uff58()
+
+    def to_frame(self) -> DataFrame:
+        """As a pandas frame, with the units in the names.
+
+        :raises ImportError: if pandas is not installed.
+        """
+        columns = {f"{name} ({unit})": self[name] for name, unit in self.units.items()}
+        return frame({"time_s": self.time_s, **columns})
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws all channels over time, each in its unit.
+
+        :raises ImportError: if matplotlib is not installed.
+        """
+        return _plot.recording(self, ax)
+
+
+def _name(name: Any) -> str:
+    if not isinstance(name, str):
+        raise TypeError(f"the name of a channel is a text, not {type(name).__name__}")
+    return name
+
+
+def _with_unit(given: Any) -> tuple[Any, str | None]:
+    """What is given with a unit, or without one."""
+    if isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], str):
+        return given
+    return given, None

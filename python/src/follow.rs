@@ -1,0 +1,209 @@
+//! Goes along with a load step by step, from rest, from a state, or from where an earlier run ended.
+
+use crate::asked::{Part, check_size, numbers};
+use crate::columns::{Columns, Words, cell};
+use crate::errors::{domain, wrong_type};
+use crate::system::NativeSystem;
+use crate::work::without_lock;
+use frictiongen::kernel::simulation::Contact;
+use frictiongen::study::{SystemInput, SystemStepSaved, SystemStepper, words};
+use frictiongen::{Of, Stepping, System};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// How many steps are taken between two looks whether to go on.
+const PORTION: usize = 4096;
+
+/// Where a run has ended: everything that another goes on from.
+#[pyclass(frozen, module = "frictiongen._native", name = "StepState")]
+pub struct NativeStepState {
+    saved: SystemStepSaved,
+    dt: f64,
+    system: Py<NativeSystem>,
+}
+
+/// Where a run begins.
+pub enum Start {
+    /// At rest.
+    Rest,
+    /// With displacements and velocities of all masses.
+    Moving(Vec<f64>, Vec<f64>),
+    /// Where another ended.
+    After(Py<NativeStepState>),
+}
+
+impl Start {
+    /// As given: nothing, a state, or two rows of numbers.
+    pub fn of(given: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        let Some(given) = given else {
+            return Ok(Self::Rest);
+        };
+        if let Ok(state) = given.cast::<NativeStepState>() {
+            return Ok(Self::After(state.clone().unbind()));
+        }
+        let (displacements, velocities): (Bound<'_, PyAny>, Bound<'_, PyAny>) =
+            given.extract().map_err(|_| {
+                wrong_type("start: an answer of steps, or displacements and velocities, are needed")
+            })?;
+        Ok(Self::Moving(
+            numbers("start", &displacements)?.values,
+            numbers("start", &velocities)?.values,
+        ))
+    }
+}
+
+/// What is asked.
+pub struct Course {
+    /// From one sample to the next, s.
+    pub dt: f64,
+    /// How many there are.
+    pub samples: usize,
+    /// Whose motion is kept.
+    pub parts: Vec<Part>,
+    /// Where it begins.
+    pub start: Start,
+    /// μ from the start on, if it is another.
+    pub stiction: Option<f64>,
+}
+
+/// What has come of the steps.
+#[derive(Default)]
+struct Followed {
+    /// Displacements and velocities, one motion after the other.
+    motions: Vec<[Vec<f64>; 2]>,
+    force: Vec<f64>,
+    state: Vec<Contact>,
+    events: Vec<i64>,
+    time: Vec<f64>,
+}
+
+impl Followed {
+    fn note(&mut self, stepper: &SystemStepper<'_>, parts: &[Part], turned: bool, events: u32) {
+        let signed = |value: f64| if turned { 0.0 - value } else { value };
+        let contact = stepper.contact();
+        for (part, [displacement, velocity]) in parts.iter().zip(&mut self.motions) {
+            let (x, v) = match part.of {
+                Of::Contact => (signed(contact.displacement()), signed(contact.velocity())),
+                Of::Mass(index) => {
+                    let mass = stepper.mass_at(index);
+                    (mass.displacement(), mass.velocity())
+                }
+            };
+            displacement.push(cell(Some(x)));
+            velocity.push(cell(Some(v)));
+        }
+        self.force.push(cell(Some(signed(contact.force()))));
+        let state = contact.contact();
+        self.state
+            .push(if turned { state.reversed() } else { state });
+        self.events.push(events.into());
+        self.time.push(stepper.time());
+    }
+}
+
+/// A stepper where the course begins, and whether its first sample is a step's end rather than the start.
+fn ready<'s>(
+    py: Python<'_>,
+    system: &'s Bound<'_, NativeSystem>,
+    course: &Course,
+) -> PyResult<(SystemStepper<'s>, bool)> {
+    let dt = course.dt;
+    let of_dt = |error| domain(format_args!("dt = {dt:?}: {error}"));
+    let of_system: &System = &system.get().system;
+    let (mut stepper, goes_on) = match &course.start {
+        Start::Rest => (of_system.stepper(dt).map_err(of_dt)?, false),
+        Start::Moving(displacements, velocities) => {
+            let masses = of_system.scene().masses.len();
+            for row in [displacements, velocities] {
+                if row.len() != masses || row.iter().any(|value| !value.is_finite()) {
+                    return Err(domain(format_args!(
+                        "start: {masses} finite numbers are needed, one for each mass, and these are {row:?}"
+                    )));
+                }
+            }
+            let state = (displacements.as_slice(), velocities.as_slice());
+            (of_system.stepper_from(dt, state).map_err(of_dt)?, false)
+        }
+        Start::After(state) => {
+            let state = state.get();
+            if !state.system.bind(py).is(system) {
+                return Err(domain("start: these steps are of another system"));
+            }
+            if state.dt != dt {
+                return Err(domain(format_args!(
+                    "dt = {dt:?}: the steps to go on from are {:?} s long",
+                    state.dt
+                )));
+            }
+            let mut stepper = of_system.stepper(dt).map_err(of_dt)?;
+            stepper.restore(&state.saved).map_err(domain)?;
+            (stepper, true)
+        }
+    };
+    if let Some(mu) = course.stiction {
+        stepper.set_stiction(mu).map_err(|_| {
+            domain(format_args!(
+                "stiction is {mu:?}: static over kinetic friction is 1 or above and finite"
+            ))
+        })?;
+    }
+    Ok((stepper, goes_on))
+}
+
+/// The motion at every sample, the work, and where it ends.
+pub fn follow<'py, 'r>(
+    system: &Bound<'py, NativeSystem>,
+    course: Course,
+    input: &(dyn Fn(usize) -> SystemInput<'r> + Sync),
+) -> PyResult<Bound<'py, PyDict>> {
+    let py = system.py();
+    let (samples, parts) = (course.samples, &course.parts);
+    check_size(samples, 4 + 2 * parts.len())?;
+    let turned = system.get().system.contact_is_reversed();
+    let (mut stepper, goes_on) = ready(py, system, &course)?;
+    let (followed, stepper) = without_lock(py, |stop| {
+        let mut followed = Followed {
+            motions: vec![Default::default(); parts.len()],
+            ..Followed::default()
+        };
+        for index in 0..samples {
+            if index % PORTION == 0 && !stop.goes_on() {
+                break;
+            }
+            let stepped = if index == 0 && !goes_on {
+                stepper.begin(input(index)).map(|()| 0)
+            } else {
+                stepper.advance(input(index)).map(|stepped| stepped.events)
+            };
+            let events =
+                stepped.map_err(|error| domain(format_args!("sample {index}: {error}")))?;
+            followed.note(&stepper, parts, turned, events);
+        }
+        Ok::<_, PyErr>((followed, stepper))
+    })??;
+
+    let mut columns = Columns::new(py, &[samples]);
+    columns.numbers("time_s", followed.time)?;
+    for (part, [displacement, velocity]) in parts.iter().zip(followed.motions) {
+        columns.numbers(format!("{}.displacement_m", part.name), displacement)?;
+        columns.numbers(format!("{}.velocity_m_s", part.name), velocity)?;
+    }
+    columns.numbers("contact.friction_N", followed.force)?;
+    let states = followed.state.iter();
+    let states = states.map(|contact| words::contact(*contact));
+    columns.words("contact.state", states.collect::<Words>())?;
+    columns.counts("events", followed.events)?;
+    let work = Stepping::work(&stepper);
+    columns.other(
+        "work",
+        (work.load, work.friction, work.damping, work.stored),
+    )?;
+    columns.other("exceeded", stepper.exceeded())?;
+    let end = NativeStepState {
+        saved: stepper.save(),
+        dt: course.dt,
+        system: system.clone().unbind(),
+    };
+    columns.other("end", end)?;
+    Ok(columns.done())
+}

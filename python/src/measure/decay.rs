@@ -1,0 +1,58 @@
+//! Friction and damping from a free vibration.
+
+use super::estimate::interval;
+use super::recording::NativeRecording;
+use crate::asked::{Optional, one};
+use crate::columns::Columns;
+use crate::errors::{domain, measurement};
+use crate::system::NativeSystem;
+use crate::work::without_lock;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// What is said once, and the extremes.
+#[pyfunction]
+pub fn free_decay<'py>(
+    py: Python<'py>,
+    system: &NativeSystem,
+    recording: &NativeRecording,
+    damping: Optional<'py>,
+    find_damping: bool,
+) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+    let system = &system.system;
+    let damping = damping.map(|given| one("damping", &given)).transpose()?;
+    let known = match (damping, find_damping) {
+        (Some(_), true) => {
+            return Err(domain(
+                "damping and find_damping: what is known is not looked for, give one",
+            ));
+        }
+        (Some(ratio), false) if !(0.0..1.0).contains(&ratio) => {
+            return Err(domain(format_args!(
+                "damping is {ratio:?}: a damping ratio is 0 or above and below 1"
+            )));
+        }
+        (Some(ratio), false) => Some(ratio),
+        (None, true) => None,
+        // Damping that the description has is known.
+        (None, false) => system.described_damping(),
+    };
+    let found = without_lock(py, |_| system.free_decay(&recording.recording, known))?;
+    let found = found.map_err(|error| measurement(py, recording.source.as_deref(), &error))?;
+    let once = PyDict::new(py);
+    for (name, estimate) in [
+        ("friction_N", found.friction),
+        ("length_m", found.length),
+        ("frequency_Hz", found.hertz),
+        ("damping", found.damping),
+    ] {
+        once.set_item(name, interval(estimate))?;
+    }
+    once.set_item("linear_decrement_m", found.linear_decrement)?;
+    once.set_item("misfit", found.misfit)?;
+    let mut extremes = Columns::new(py, &[found.extremes.len()]);
+    let (times, places) = found.extremes.into_iter().unzip();
+    extremes.numbers("time_s", times)?;
+    extremes.numbers("displacement_m", places)?;
+    Ok((once, extremes.done()))
+}

@@ -1,0 +1,44 @@
+//! A scene under a recorded input.
+
+use super::recording::NativeRecording;
+use crate::asked::{Optional, one, parts};
+use crate::errors::{domain, measurement};
+use crate::follow::{Course, Start, follow};
+use crate::step::Beginning;
+use crate::system::NativeSystem;
+use frictiongen::measure::Inputs;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// The motion under a recording of the base or of forces.
+#[pyfunction]
+pub fn drive<'py>(
+    system: &Bound<'py, NativeSystem>,
+    recording: &Bound<'py, NativeRecording>,
+    friction: Optional<'py>,
+    of: Optional<'py>,
+    beginning: Beginning<'py>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let py = system.py();
+    let (start, stiction) = beginning;
+    let of_system = &system.get().system;
+    let friction = friction.map(|given| one("friction", &given)).transpose()?;
+    if let Some(force) = friction
+        && !(0.0 <= force && force.is_finite())
+    {
+        return Err(domain(format_args!(
+            "friction is {force:?}: friction is a finite number, 0 or above"
+        )));
+    }
+    let recording = recording.get();
+    let inputs = Inputs::of(&recording.recording, of_system, friction);
+    let inputs = inputs.map_err(|error| measurement(py, recording.source.as_deref(), &error))?;
+    let course = Course {
+        dt: inputs.dt(),
+        samples: inputs.len(),
+        parts: parts(of_system, "of", of.as_ref())?,
+        start: Start::of(start.as_ref())?,
+        stiction: stiction.map(|mu| one("stiction", &mu)).transpose()?,
+    };
+    follow(system, course, &|sample| inputs.at(sample))
+}

@@ -1,0 +1,124 @@
+//! The friction force from measurements.
+
+use super::estimate::{Interval, interval, scaled};
+use super::observed::Observed;
+use super::residuals;
+use crate::asked::{Optional, harmonics, names, numbers};
+use crate::errors::{domain, measurement};
+use crate::system::NativeSystem;
+use crate::work::without_lock;
+use frictiongen::measure::{IdentifyRequest, Unknown};
+use frictiongen::study::units::hertz;
+use frictiongen::{Of, System};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// How it is asked: by, also, between, harmonics.
+type Asked<'py> = (Option<String>, Optional<'py>, Optional<'py>, Optional<'py>);
+
+/// What was found once, the motions, and the system with what was found.
+type Answer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
+
+fn unknowns(given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Unknown>> {
+    let each = names("also", given)?
+        .into_iter()
+        .map(|name| match name.as_str() {
+            "damping" => Ok(Unknown::Damping),
+            "frequency" => Ok(Unknown::Frequencies),
+            "stiction" => Ok(Unknown::Stiction),
+            _ => Err(domain(format_args!(
+                "also: {name:?} cannot be looked for: damping, frequency and stiction can"
+            ))),
+        });
+    each.collect()
+}
+
+fn range(given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<(f64, f64)>> {
+    let Some(given) = given else { return Ok(None) };
+    match *numbers("between", given)?.values.as_slice() {
+        [from, to] => Ok(Some((from, to))),
+        _ => Err(domain(
+            "between: two friction forces in N are needed, (from, to)",
+        )),
+    }
+}
+
+/// The names of what else was found, each with its unit.
+fn named(
+    system: &System,
+    found: &[(Unknown, frictiongen::measure::Estimate)],
+) -> Vec<(String, Interval)> {
+    let mut all = Vec::new();
+    for (unknown, estimate) in found {
+        match unknown {
+            Unknown::Frequencies => {
+                let natural = system.natural_frequencies().into_iter();
+                all.extend((1..).zip(natural).map(|(mode, omega): (u32, f64)| {
+                    (
+                        format!("natural_frequency_{mode}_Hz"),
+                        scaled(*estimate, hertz(omega)),
+                    )
+                }));
+            }
+            Unknown::Damping => all.push(("damping".to_owned(), interval(*estimate))),
+            Unknown::Stiction => all.push(("stiction".to_owned(), interval(*estimate))),
+            _ => all.push((unknown.symbol(system), interval(*estimate))),
+        }
+    }
+    all
+}
+
+/// The friction force that explains what was measured, in any regime, with its interval.
+#[pyfunction]
+pub fn identify<'py>(
+    py: Python<'py>,
+    system: &NativeSystem,
+    items: Vec<Bound<'py, PyAny>>,
+    of: Optional<'py>,
+    asked: Asked<'py>,
+) -> PyResult<Answer<'py>> {
+    let system = &system.system;
+    let (by, also, between, highest) = asked;
+    let highest = harmonics(highest.as_ref())?;
+    let mut observed = Observed::of(py, system, items, highest)?;
+    if of.is_some() {
+        let mut kept = Vec::new();
+        for name in names("of", of.as_ref())? {
+            match system.motion_named(&name) {
+                Ok(Of::Mass(mass)) => kept.push(mass),
+                Ok(Of::Contact) => {
+                    return Err(domain(
+                        "of: a motion that was measured is of a mass, not of the contact",
+                    ));
+                }
+                Err(error) => return Err(domain(format_args!("of: {error}"))),
+            }
+        }
+        for seen in &mut observed.all {
+            seen.motions.retain(|datum| kept.contains(&datum.mass));
+        }
+    }
+    let request = IdentifyRequest {
+        using: observed.using(by.as_deref())?,
+        unknowns: unknowns(also.as_ref())?,
+        range: range(between.as_ref())?,
+    };
+    let found = without_lock(py, |_| system.identify(&observed.all, &request))?;
+    let found = found.map_err(|error| measurement(py, None, &error))?;
+    let once = PyDict::new(py);
+    once.set_item("friction_N", interval(found.friction))?;
+    let levels = found.levels.iter().copied().map(interval);
+    once.set_item("levels", levels.collect::<Vec<_>>())?;
+    once.set_item("verdict", found.verdict.word())?;
+    once.set_item("says", found.verdict.to_string())?;
+    once.set_item("unknowns", named(system, &found.unknowns))?;
+    once.set_item("condition", found.condition)?;
+    once.set_item("misfit", found.misfit)?;
+    once.set_item("freedom", found.freedom)?;
+    once.set_item("is_explained", found.is_explained())?;
+    let columns = residuals::table(py, system, &observed, &found)?;
+    let fitted = NativeSystem {
+        system: found.system,
+    };
+    Ok((once, columns, fitted))
+}

@@ -1,0 +1,175 @@
+//! Samples of several channels, from arrays and from files.
+
+use crate::asked::{Optional, numbers, one};
+use crate::errors::{domain, measurement, wrong_type};
+use frictiongen::measure::{Channel, Column, CsvRequest, MeasureError, Recording, Unit};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+
+/// A recording, and what it is called in messages.
+#[pyclass(frozen, module = "frictiongen._native", name = "Recording")]
+pub struct NativeRecording {
+    /// The same in Rust.
+    pub recording: Recording,
+    /// The file that it is from.
+    pub source: Option<String>,
+}
+
+impl NativeRecording {
+    /// What it is called among several.
+    pub fn called(&self, place: usize, of: usize) -> Option<String> {
+        let number = || (1 < of).then(|| format!("recording {}", place + 1));
+        self.source.clone().or_else(number)
+    }
+}
+
+/// A rate that is given.
+fn rate_of(given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<f64>> {
+    let rate = given.map(|given| one("rate", given)).transpose()?;
+    match rate {
+        Some(rate) if !(0.0 < rate && rate.is_finite()) => Err(domain(format_args!(
+            "rate is {rate:?}: samples a second are above 0 and finite"
+        ))),
+        rate => Ok(rate),
+    }
+}
+
+fn unit_of(name: &str, unit: &str) -> PyResult<Unit> {
+    unit.parse()
+        .map_err(|error| domain(format_args!("the channel `{name}`: {error}")))
+}
+
+#[pymethods]
+impl NativeRecording {
+    /// Of arrays: name, samples and unit of each channel.
+    #[new]
+    fn new<'py>(
+        py: Python<'py>,
+        channels: Vec<(String, Bound<'py, PyAny>, Option<String>)>,
+        rate: Optional<'py>,
+        times: Optional<'py>,
+        drives: bool,
+    ) -> PyResult<Self> {
+        let told = |error: MeasureError| measurement(py, None, &error);
+        let mut listed = Vec::new();
+        for (name, samples, unit) in channels {
+            let argument = format!("the channel `{name}`");
+            let Some(unit) = unit else {
+                return Err(told(MeasureError::NoUnit(name)));
+            };
+            let given = numbers(&argument, &samples)?;
+            if given.is_one {
+                return Err(domain(format_args!(
+                    "{argument}: a row of samples is needed, not one number"
+                )));
+            }
+            listed.push(Channel {
+                unit: unit_of(&name, &unit)?,
+                name,
+                samples: given.values,
+            });
+        }
+        let rate = match (rate_of(rate.as_ref())?, times) {
+            (Some(_), Some(_)) => {
+                return Err(domain("rate and time_s: one of them says it, give one"));
+            }
+            (None, None) => return Err(told(MeasureError::NoRate)),
+            (Some(rate), None) => rate,
+            (None, Some(times)) => {
+                let times = numbers("time_s", &times)?;
+                if let Some(channel) = listed.first()
+                    && channel.samples.len() != times.values.len()
+                {
+                    return Err(domain(format_args!(
+                        "time_s: {} times are given, and `{}` has {} samples",
+                        times.values.len(),
+                        channel.name,
+                        channel.samples.len()
+                    )));
+                }
+                Recording::rate_of(&times.values)
+                    .map_err(|error| measurement(py, Some("time_s"), &error))?
+            }
+        };
+        let recording = py.detach(|| {
+            if drives {
+                Recording::inputs(rate, listed)
+            } else {
+                Recording::new(rate, listed)
+            }
+        });
+        Ok(Self {
+            recording: recording.map_err(told)?,
+            source: None,
+        })
+    }
+
+    /// Of a text: which channels are read from which columns, in which units.
+    #[staticmethod]
+    fn read<'py>(
+        py: Python<'py>,
+        text: &str,
+        source: Option<String>,
+        channels: Vec<(String, String, Option<String>)>,
+        rate: Optional<'py>,
+        drives: bool,
+    ) -> PyResult<Self> {
+        let mut columns = Vec::new();
+        for (name, column, unit) in channels {
+            let unit = unit.map(|unit| unit_of(&name, &unit)).transpose()?;
+            columns.push(Column { name, column, unit });
+        }
+        let request = CsvRequest {
+            rate: rate_of(rate.as_ref())?,
+            columns,
+        };
+        let recording = py.detach(|| {
+            if drives {
+                Recording::inputs_from_csv(text, &request)
+            } else {
+                Recording::from_text(text, &request)
+            }
+        });
+        Ok(Self {
+            recording: recording.map_err(|error| measurement(py, source.as_deref(), &error))?,
+            source,
+        })
+    }
+
+    /// Samples a second.
+    #[getter]
+    fn rate(&self) -> f64 {
+        self.recording.rate()
+    }
+
+    /// Name and unit of each channel.
+    #[getter]
+    fn channels(&self) -> Vec<(String, &'static str)> {
+        let channels = self.recording.channels().iter();
+        channels
+            .map(|channel| (channel.name.clone(), channel.unit.name()))
+            .collect()
+    }
+
+    /// The samples of a channel, in its unit.
+    fn samples<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        match self.recording.channel(name) {
+            Some(channel) => Ok(PyArray1::from_slice(py, &channel.samples)),
+            None => Err(wrong_type(format_args!("there is no channel `{name}`"))),
+        }
+    }
+
+    /// As a CSV that is read back.
+    fn to_csv(&self, py: Python<'_>) -> String {
+        py.detach(|| self.recording.to_csv())
+    }
+
+    /// As a universal file.
+    fn to_uff58(&self, py: Python<'_>) -> String {
+        py.detach(|| self.recording.to_uff58())
+    }
+
+    fn __len__(&self) -> usize {
+        self.recording.len()
+    }
+}
