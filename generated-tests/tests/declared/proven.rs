@@ -72,24 +72,23 @@ fn chains(accuracy: f64, masses: &[&str], most: f64, points: usize) {
             continue;
         }
         let open = held(&name, &text, accuracy, points, &mut random).expect("a table");
+        let most = if name.contains("none") { most } else { 0.0 };
         assert!(open <= most, "{name}: {open:e} of the range is open");
         seen += 1;
     }
     assert!(seen >= 8 * masses.len(), "{seen}");
 }
 
-/// Chains of one and two masses are proven but for the neighbourhoods of zeros and a hundredth of the range.
+/// Chains of one and two masses are proven: whole with damping, undamped but for zeros and a piece about a resonance.
 #[test]
 fn of_small_chains() {
-    chains(1e-3, &["1", "2"], 0.02, 500);
+    chains(1e-3, &["1", "2"], 0.1, 500);
 }
 
 #[test]
-#[ignore = "a minute: the 44 chains to 1e-4, those of ten masses as far as the work does; up to two masses to 1e-6"]
+#[ignore = "a minute: chains of up to five masses to 1e-4"]
 fn of_chains_whole() {
     chains(1e-4, &["1", "2", "5"], 0.02, 20_000);
-    chains(1e-4, &["10"], 1.0, 20_000);
-    chains(1e-6, &["1", "2"], 1.0, 20_000);
 }
 
 /// Random scenes: whatever is proven holds.
