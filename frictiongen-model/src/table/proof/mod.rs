@@ -7,9 +7,11 @@
 //! with outward rounding.  A part that cannot be decided is halved, and in the end left open: there the table is
 //! checked, not proven.
 
+mod asked;
 mod certify;
 mod compare;
 mod early;
+mod ends;
 mod evidence;
 mod force;
 mod ridge;
@@ -44,7 +46,9 @@ const NODES: usize = 5;
 /// Instants farther apart than this, in half-turns, are not of one witness.
 const JUMP: f64 = 0.05;
 /// A witness so near to the start of the half period, in radians of the fastest mode, is looked at by series in τ.
-const EARLY: f64 = 0.6;
+const EARLY: f64 = 1.2;
+/// And nearer than this only so.
+const SURELY: f64 = 0.3;
 /// One so near may as well be the start itself.
 const START: f64 = 0.05;
 /// A piece may take so many times its share of the work.
@@ -327,7 +331,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let mut places = Vec::with_capacity(NODES);
         let mut instants = Vec::with_capacity(NODES);
-        let (mut early, mut starts) = (true, false);
+        let (mut early, mut starts, mut latest) = (true, false, 0.0_f64);
         let modes = over.modes.iter();
         let fastest = modes
             .map(|mode| PI * mode.x.value().high)
@@ -345,6 +349,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             };
             let mut t = tau / PI;
             early &= t * fastest < EARLY;
+            latest = latest.max(t * fastest);
             starts |= t * fastest < START;
             if self.chain.all_undamped {
                 let own = Stage::<1>::over(&self.chain, Interval::point(r), singular);
@@ -368,11 +373,13 @@ impl<'a, 'm> Prover<'a, 'm> {
                 *coefficient /= power;
                 power *= half;
             }
-            witnesses.push(if early {
-                Witness::Early(path)
-            } else {
-                Witness::Instant(path)
-            });
+            if early {
+                witnesses.push(Witness::Early(path.clone()));
+            }
+            // Either way in between.
+            if !(early && latest < SURELY) {
+                witnesses.push(Witness::Instant(path));
+            }
         }
         if starts {
             witnesses.push(Witness::BreakAway);
