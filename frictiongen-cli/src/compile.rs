@@ -7,7 +7,7 @@ use frictiongen::System;
 use frictiongen::kernel::table::Factor;
 use frictiongen::study::InvalidScene;
 use frictiongen::study::scene::{Accuracy, Range, Scene, Side};
-use frictiongen::study::table::{Product, Tables};
+use frictiongen::study::table::{Product, Tables, Work};
 use frictiongen_codegen::standalone::{c_header, c_source, rust_source};
 use frictiongen_codegen::{Limits, SceneTables};
 use serde_json::{Value, json};
@@ -24,7 +24,8 @@ const LIMITS: Limits = Limits {
 pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let mut scene = arguments.file.constant_level(&LIMITS)?.scene;
     declare(&mut scene, arguments)?;
-    match SceneTables::of(&scene).map_err(Failure::new)? {
+    let tables = SceneTables::of(&scene).map_err(Failure::new)?;
+    match tables.map(|tables| tables.proven(&scene, Work::WHOLE)) {
         Some(SceneTables::Double(tables)) => write(&scene, &tables, arguments, out),
         Some(SceneTables::Single(tables)) => write(&scene, &tables, arguments, out),
         None => Err(Failure::new(
@@ -147,6 +148,7 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
          table           {functions}: {} pieces of degree {}, {} buckets\n\
          bytes           {}\n\
          largest error   {:.2e} at r = {}, checked at {} points that the fit did not see\n\
+         beta_lim        {}\n\
          lookup          {} comparisons, then {} additions and multiplications a function\n\
          sliding limit   {sliding}\n\
          built from      {} exact values\n",
@@ -159,6 +161,7 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
         report.worst.error,
         report.worst.at,
         report.points,
+        tables.proof.told(),
         tables.index.halvings,
         tables.additions_and_multiplications(),
         report.evaluations,
@@ -217,5 +220,11 @@ fn data<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> Val
         "bytes": tables.report.bytes,
         "largest_error": { "value": tables.report.worst.error, "r": tables.report.worst.at },
         "checked_points": tables.report.points,
+        "proof": {
+            "evidence": tables.proof.evidence.word(),
+            "bound": { "value": tables.proof.bound.error, "r": tables.proof.bound.at },
+            "open": tables.proof.open,
+            "work": tables.proof.work.0,
+        },
     })
 }

@@ -110,6 +110,16 @@ fn the_data() {
     let exact = json(&output("", &["limits", FRAME, "--r", "0.9", "--json"]));
     let exact = exact["points"][0]["continuous_limit"].as_f64().unwrap();
     assert!((limit / exact - 1.0).abs() < 1e-3, "{limit} for {exact}");
+    // Two damped masses are proven whole.
+    let proof = &data["proof"];
+    assert_eq!(proof["evidence"], "proven", "{proof}");
+    assert_eq!(proof["open"], serde_json::json!([]));
+    let bound = proof["bound"]["value"].as_f64().unwrap();
+    let seen = data["largest_error"]["value"].as_f64().unwrap();
+    assert!(
+        0.5 * seen < bound && bound <= 1e-3,
+        "{bound:e}, seen {seen:e}"
+    );
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Scenes of mass-spring chains with one Coulomb contact: what they say, whether it makes sense,
 //! and their modal analysis in double-double.
 
+pub mod interval;
 pub mod jacobi;
 pub mod modal;
 pub mod reduced;

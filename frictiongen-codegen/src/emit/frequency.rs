@@ -171,7 +171,7 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
 
     let first = symbolic.response(graph.input("inverse_r"), 0);
     let first_count = Count::of(&graph, &mode::outputs(&first));
-    let function = mode::function_of(kind);
+    let function = mode::function_of(kind, true);
     let every_mode = emission.reduced.modes.iter().all(|mode| mode.in_contact);
     let smallest = code!(scale = Scalar::min(scale, response.size););
     let smallest = if every_mode {

@@ -6,7 +6,7 @@ use crate::graph::count::Count;
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream, TokenTree};
 
 /// The functions of a mode, free of their pole: one function for each kind of damping, which several modes share.
 pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
@@ -24,14 +24,18 @@ pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
         let response = symbolic(&graph, *kind).response(graph.input("inverse_r"), 0);
         let outputs = outputs(&response);
         let (printed, _) = tracer.print(&outputs, emission.precision, &["inverse_r", "mode"]);
-        let (statements, structure) = (&printed.statements, structure(&printed.outputs));
+        let (mut statements, structure) = (printed.statements, structure(&printed.outputs));
         let (function, legend) = (local(function), legend::mode(*kind));
+        let choice = has_g(*kind).then(|| {
+            statements = with_choice(&statements);
+            code!(<const WITH_G: bool>)
+        });
         Some(code! {
             #[doc = #about]
             ///
             #(#[doc = #legend])*
             #[inline(always)]
-            fn #function(mode: &Mode<#scalar>, inverse_r: #scalar) -> ModeResponse<#scalar> {
+            fn #function #choice (mode: &Mode<#scalar>, inverse_r: #scalar) -> ModeResponse<#scalar> {
                 #statements
                 #structure
             }
@@ -43,6 +47,29 @@ pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
             #functions
         }
     }
+}
+
+/// Whether g is not 0.
+fn has_g(kind: Kind) -> bool {
+    kind != Kind::Undamped
+}
+
+/// The statements with g only where it is asked for: limits without search know nothing of it, and the compiler does not
+/// leave out what calls a loop.
+fn with_choice(statements: &TokenStream) -> TokenStream {
+    let tokens: Vec<TokenTree> = statements.clone().into_iter().collect();
+    let is_end =
+        |token: &TokenTree| matches!(token, TokenTree::Punct(sign) if sign.as_char() == ';');
+    let chosen = tokens.split_inclusive(is_end).map(|statement| {
+        let statement = statement.iter();
+        match statement.as_slice() {
+            [keyword, name, equals, value @ .., end] if name.to_string() == "g" => {
+                code!(#keyword #name #equals if WITH_G { #(#value)* } else { 0.0 } #end)
+            }
+            statement => code!(#(#statement)*),
+        }
+    });
+    chosen.collect()
 }
 
 /// Each kind of damping: the function of its modes, and what that says of itself.
@@ -74,10 +101,15 @@ const KINDS: [(Kind, &str, &str); 5] = [
     ),
 ];
 
-/// The name of the function of such a mode.
-pub(super) fn function_of(kind: Kind) -> Ident {
+/// The function of such a mode, with g or without.
+pub(super) fn function_of(kind: Kind, with_g: bool) -> TokenStream {
     let function = KINDS.iter().find(|(of, ..)| *of == kind);
-    local(function.map_or("", |(_, function, _)| function))
+    let function = local(function.map_or("", |(_, function, _)| function));
+    if has_g(kind) {
+        code!(#function::<#with_g>)
+    } else {
+        code!(#function)
+    }
 }
 
 /// The call of a mode's function, and how many operations that is.
@@ -96,7 +128,7 @@ pub(super) fn call(emission: &Emission<'_>, index: usize, with_g: bool) -> (Toke
         response.g = Expr::constant(0.0);
     }
     let count = Count::of(&graph, &outputs(&response));
-    let function = function_of(mode.kind);
+    let function = function_of(mode.kind, with_g);
     let place = Literal::usize_unsuffixed(index);
     (
         code!(Self::#function(&Self::MODES[#place], inverse_r)),

@@ -125,7 +125,7 @@ fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream
     let most = FRICTION_SHARES.iter().copied().fold(0.0, f64::max);
     let accuracy = tables.request.accuracy;
     let about = format!(
-        " To {accuracy:e} up to β = {most}·β_lim; nearer to it the error grows as 1/(1 − (β/β_lim)²)."
+        " Checked to {accuracy:e} up to β = {most}·β_lim; nearer to it the error grows as 1/(1 − (β/β_lim)²)."
     );
     code! {
         impl TabledMotion for #name {
@@ -246,6 +246,8 @@ fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     vec![
         " β_lim (5.65, 5.80, 5.96, 7.49) from the table.".to_owned(),
         String::new(),
+        format!(" {}", tables.proof.told()),
+        String::new(),
         format!(
             " Operations at every r: a lookup of {}, {} additions and multiplications.",
             comparisons(tables.index.halvings),
@@ -266,7 +268,7 @@ fn sliding_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
             let (plain, divisions, roots) = product.operations();
             about.push(String::new());
             about.push(format!(
-                " Largest error {:.1e}.  Operations: {plain} additions and multiplications, {divisions} divisions, {roots} roots.",
+                " Checked: largest error {:.1e}.  Operations: {plain} additions and multiplications, {divisions} divisions, {roots} roots.",
                 tables.report.sliding.error,
             ));
         }

@@ -11,7 +11,7 @@ use std::collections::HashSet;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Precision, Scene};
 use frictiongen_model::stepping::refused_step;
-use frictiongen_model::table::{TableError, Tables};
+use frictiongen_model::table::{TableError, Tables, Work};
 use frictiongen_model::transient::excess_loss;
 use frictiongen_model::validate::{MOST_MASSES, may_name};
 use proc_macro2::{Ident, Span, TokenStream};
@@ -99,6 +99,25 @@ impl SceneTables {
             Precision::F32 => Tables::of(scene)?.map(Self::Single),
         })
     }
+
+    /// The same with what is proven of them.
+    #[must_use]
+    pub fn proven(self, scene: &Scene, work: Work) -> Self {
+        let modal = Modal::of(scene);
+        match self {
+            Self::Double(tables) => Self::Double(tables.proven(&modal, work)),
+            Self::Single(tables) => Self::Single(tables.proven(&modal, work)),
+        }
+    }
+
+    /// The same where the work is likely to do.
+    fn proven_if_small(self, scene: &Scene, work: Work) -> Self {
+        let modal = Modal::of(scene);
+        match self {
+            Self::Double(tables) => Self::Double(tables.proven_if_small(&modal, work)),
+            Self::Single(tables) => Self::Single(tables.proven_if_small(&modal, work)),
+        }
+    }
 }
 
 impl fmt::Debug for Description {
@@ -165,7 +184,9 @@ fn lower(
         .filter(|_| limits.tables && problems.is_empty())
     {
         match SceneTables::of(scene) {
-            Ok(built) => tables = built,
+            Ok(built) => {
+                tables = built.map(|built| built.proven_if_small(scene, Work::AT_EXPANSION));
+            }
             Err(error) => {
                 let number = match fields.accuracy.given() {
                     Some(AccuracyEntry::Relative(number)) => Some(number.place),

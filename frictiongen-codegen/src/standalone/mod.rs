@@ -80,6 +80,7 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
             "Largest error {:.1e}, at r = {}: checked at {} points that the fit did not see.",
             report.worst.error, report.worst.at, report.points,
         ),
+        format!("beta_lim: {}", tables.proof.told()),
     ]
 }
 

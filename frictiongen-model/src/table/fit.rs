@@ -129,7 +129,7 @@ fn unwrap(angles: &mut [f64]) {
 }
 
 /// The coefficients of the polynomial through values at places, by divided differences.
-fn interpolated(places: &[f64], values: &[f64]) -> Vec<f64> {
+pub(super) fn interpolated(places: &[f64], values: &[f64]) -> Vec<f64> {
     let mut differences = values.to_vec();
     let count = places.len();
     for order in 1..count {

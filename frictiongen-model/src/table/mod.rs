@@ -2,7 +2,7 @@
 //!
 //! β_lim is fitted by pieces that are as long as the accuracy allows; beside its zeros, which are known, by what it is over
 //! the distance from them.  β*_lim and |V| are products over their zeros and poles.  What is built is compared with the
-//! exact values in the arithmetic of the table, at points that the fit did not see.
+//! exact values in the arithmetic of the table, at points that the fit did not see; of β_lim it can be proven between them.
 
 mod check;
 mod cover;
@@ -12,6 +12,7 @@ mod exact;
 mod fit;
 mod index;
 mod kinks;
+mod proof;
 mod quotients;
 mod request;
 mod split;
@@ -21,6 +22,7 @@ mod zeros;
 pub use errors::FRICTION_SHARES;
 pub use fit::Fitted;
 pub use index::Index;
+pub use proof::{Evidence, Proof, Work};
 pub use quotients::Product;
 pub use request::{COARSEST, FINEST, FINEST_SINGLE, Request, TableError};
 pub use tables::{Report, Tables, Worst};

@@ -6,6 +6,7 @@ use super::exact::Exact;
 use super::fit::{Fitted, Form};
 use super::index::Index;
 use super::kinks;
+use super::proof::Proof;
 use super::quotients::{Product, Products};
 use super::request::{COARSEST, Request, TableError};
 use super::split::Landmarks;
@@ -70,6 +71,10 @@ pub struct Tables<S> {
     pub excitation: Option<Product<S>>,
     /// What was built.
     pub report: Report,
+    /// What is proven of β_lim.
+    pub proof: Proof,
+    /// Where β_lim bends, ascending.
+    pub(super) kinks: Vec<f64>,
 }
 
 /// A number rounded to one digit, as people write accuracies.
@@ -231,7 +236,7 @@ impl<S: Float> Tables<S> {
             (functions, terms),
             quotient,
         );
-        cover.kinks = kinks;
+        cover.kinks = kinks.clone();
         cover.last = (high - low) / 16.0;
         let not_met = |Stuck { at }| TableError::NotMet {
             accuracy: request.accuracy,
@@ -262,6 +267,8 @@ impl<S: Float> Tables<S> {
                 evaluations: exact.looked_at(),
                 bytes,
             },
+            proof: Proof::none((low, high)),
+            kinks,
         })
     }
 

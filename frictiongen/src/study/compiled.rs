@@ -11,7 +11,7 @@ use frictiongen_kernel::table::{
     Compiled, ContactTable, Domain, Moving, Piece, SteadyContact, Table, Tabled, TabledMotion,
 };
 use frictiongen_model::scene::Side;
-use frictiongen_model::table::{Fitted, Request, TableError, Tables};
+use frictiongen_model::table::{Fitted, Proof, Request, TableError, Tables, Work};
 use std::ops::{Deref, Range};
 
 /// The functions that share pieces: β_lim, a, g and arg V.
@@ -131,6 +131,21 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
     #[must_use]
     pub fn tables(&self) -> &Tables<S> {
         &self.tables
+    }
+
+    /// The same with as much proven of β_lim as the work does for: [`Work::WHOLE`] is some seconds.
+    #[must_use]
+    pub fn proven(mut self, work: Work) -> Self {
+        self.tables = self.tables.proven(self.system.modal(), work);
+        self
+    }
+
+    /// What is proven of β_lim: nothing before [`proven`](Self::proven), its tables are then checked.
+    ///
+    /// β*_lim, amplitude and phase are checked.
+    #[must_use]
+    pub fn proof(&self) -> &Proof {
+        &self.tables.proof
     }
 
     /// The system at the frequency ratio r.

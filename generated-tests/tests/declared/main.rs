@@ -3,6 +3,7 @@
 mod accuracy;
 mod bad_input;
 mod emitted;
+mod proven;
 mod random;
 mod scenes;
 mod standalone;

@@ -177,7 +177,10 @@ const _: () = {
         /// that, and `pole_weight` `size` times that over the squared modulus of `unit_nearness`.  `swing` is uR times `size`;
         /// `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g where its terms cancel.
         #[inline(always)]
-        fn damped_mode(mode: &Mode<f64>, inverse_r: f64) -> ModeResponse<f64> {
+        fn damped_mode<const WITH_G: bool>(
+            mode: &Mode<f64>,
+            inverse_r: f64,
+        ) -> ModeResponse<f64> {
             let frequency = mode.resonance * inverse_r;
             let detuning = (frequency - 1.0) * (frequency + 1.0);
             let loss = 2.0 * mode.zeta * frequency;
@@ -205,10 +208,14 @@ const _: () = {
             let swing = 4.0 / mode.q * sine * decay_factor * (cosine * inverse_nearness)
                 * pole_weight;
             let u = swing / frequency;
-            let g = (Scalar::scaled_sinh_defect(decay_exponent)
-                + 2.0 * decay_factor * decay_exponent
-                    * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
-                * pole_weight;
+            let g = if WITH_G {
+                (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight
+            } else {
+                0.0
+            };
             let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                 * pole_weight + mode.zeta * swing;
             ModeResponse {
@@ -264,9 +271,9 @@ const _: () = {
         /// Operations: 250: 153 ×, 47 +, 21 ÷, 15 sign, 3 exp_m1, 3 one_minus_sinc_pi, 3 scaled_sinh_defect, 3 sin_cos_pi, 2 compare.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 3]) {
-            let mode_1 = Self::damped_mode(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::damped_mode(&Self::MODES[1], inverse_r);
-            let mode_3 = Self::damped_mode(&Self::MODES[2], inverse_r);
+            let mode_1 = Self::damped_mode::<true>(&Self::MODES[0], inverse_r);
+            let mode_2 = Self::damped_mode::<true>(&Self::MODES[1], inverse_r);
+            let mode_3 = Self::damped_mode::<true>(&Self::MODES[2], inverse_r);
             let scale = Scalar::min(Scalar::min(mode_1.size, mode_2.size), mode_3.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
@@ -330,9 +337,9 @@ const _: () = {
         /// Operations: 220: 130 ×, 44 +, 20 ÷, 15 sign, 3 exp_m1, 3 sin_cos_pi, 2 compare, 2 hypot, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
-            let mode_1 = Self::damped_mode(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::damped_mode(&Self::MODES[1], inverse_r);
-            let mode_3 = Self::damped_mode(&Self::MODES[2], inverse_r);
+            let mode_1 = Self::damped_mode::<false>(&Self::MODES[0], inverse_r);
+            let mode_2 = Self::damped_mode::<false>(&Self::MODES[1], inverse_r);
+            let mode_3 = Self::damped_mode::<false>(&Self::MODES[2], inverse_r);
             let scale = Scalar::min(Scalar::min(mode_1.size, mode_2.size), mode_3.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),

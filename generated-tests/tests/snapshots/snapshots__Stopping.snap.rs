@@ -167,7 +167,10 @@ const _: () = {
         /// that, and `pole_weight` `size` times that over the squared modulus of `unit_nearness`.  `swing` is uR times `size`;
         /// `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g where its terms cancel.
         #[inline(always)]
-        fn damped_mode(mode: &Mode<f64>, inverse_r: f64) -> ModeResponse<f64> {
+        fn damped_mode<const WITH_G: bool>(
+            mode: &Mode<f64>,
+            inverse_r: f64,
+        ) -> ModeResponse<f64> {
             let frequency = mode.resonance * inverse_r;
             let detuning = (frequency - 1.0) * (frequency + 1.0);
             let loss = 2.0 * mode.zeta * frequency;
@@ -195,10 +198,14 @@ const _: () = {
             let swing = 4.0 / mode.q * sine * decay_factor * (cosine * inverse_nearness)
                 * pole_weight;
             let u = swing / frequency;
-            let g = (Scalar::scaled_sinh_defect(decay_exponent)
-                + 2.0 * decay_factor * decay_exponent
-                    * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
-                * pole_weight;
+            let g = if WITH_G {
+                (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight
+            } else {
+                0.0
+            };
             let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                 * pole_weight + mode.zeta * swing;
             ModeResponse {
@@ -244,8 +251,8 @@ const _: () = {
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            let mode_1 = Self::damped_mode(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::damped_mode(&Self::MODES[1], inverse_r);
+            let mode_1 = Self::damped_mode::<true>(&Self::MODES[0], inverse_r);
+            let mode_2 = Self::damped_mode::<true>(&Self::MODES[1], inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
@@ -301,8 +308,8 @@ const _: () = {
         /// Operations: 148: 88 ×, 28 +, 14 ÷, 10 sign, 2 exp_m1, 2 hypot, 2 sin_cos_pi, 1 compare, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
-            let mode_1 = Self::damped_mode(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::damped_mode(&Self::MODES[1], inverse_r);
+            let mode_1 = Self::damped_mode::<false>(&Self::MODES[0], inverse_r);
+            let mode_2 = Self::damped_mode::<false>(&Self::MODES[1], inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),

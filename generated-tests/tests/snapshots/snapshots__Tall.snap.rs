@@ -710,7 +710,10 @@ const _: () = {
         /// that, and `pole_weight` `size` times that over the squared modulus of `unit_nearness`.  `swing` is uR times `size`;
         /// `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g where its terms cancel.
         #[inline(always)]
-        fn damped_mode(mode: &Mode<f64>, inverse_r: f64) -> ModeResponse<f64> {
+        fn damped_mode<const WITH_G: bool>(
+            mode: &Mode<f64>,
+            inverse_r: f64,
+        ) -> ModeResponse<f64> {
             let frequency = mode.resonance * inverse_r;
             let detuning = (frequency - 1.0) * (frequency + 1.0);
             let loss = 2.0 * mode.zeta * frequency;
@@ -738,10 +741,14 @@ const _: () = {
             let swing = 4.0 / mode.q * sine * decay_factor * (cosine * inverse_nearness)
                 * pole_weight;
             let u = swing / frequency;
-            let g = (Scalar::scaled_sinh_defect(decay_exponent)
-                + 2.0 * decay_factor * decay_exponent
-                    * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
-                * pole_weight;
+            let g = if WITH_G {
+                (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight
+            } else {
+                0.0
+            };
             let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                 * pole_weight + mode.zeta * swing;
             ModeResponse {
@@ -825,7 +832,7 @@ const _: () = {
             for (mode, response) in IntoIterator::into_iter(&Self::MODES)
                 .zip(&mut responses)
             {
-                *response = Self::damped_mode(mode, inverse_r);
+                *response = Self::damped_mode::<true>(mode, inverse_r);
                 scale = Scalar::min(scale, response.size);
             }
             let mut sum = ContactAt::<f64>::zero(scale);

@@ -3,9 +3,9 @@
 //! Every sum here is the thesis's over y² = 1/r², which takes away what all terms share: V = y² Σ wp/d with
 //! d = x² − 1 + 2iζx and x = √λ y, H likewise, U = y² Σ w² tan(πx/2)/x without damping.
 
-use super::interval::{Interval, Number};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
+use frictiongen_model::interval::{Interval, Number};
 use frictiongen_model::modal::Modal;
 
 /// What is asked of a mode.

@@ -5,9 +5,9 @@
 //! enclosed, which is finite.  What is undecided is cut.  So every zero lies in an interval that was kept.
 
 use super::functions::{Numbers, Pole, Target};
-use super::interval::{Interval, Jet};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
+use frictiongen_model::interval::{Interval, Jet};
 use frictiongen_model::modal::Modal;
 
 /// No more poles than this in a range, and no more intervals than twenty times as many.

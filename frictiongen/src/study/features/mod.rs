@@ -5,7 +5,6 @@
 //! period, or on steady states with stops, is sampled in steps of a stated length and refined ([`Certainty::Sampled`]).
 
 mod functions;
-mod interval;
 mod invariant;
 mod isolate;
 mod peaks;

@@ -1,0 +1,295 @@
+//! Intervals that hold every value that a function takes, with outward rounding, and such intervals with a slope or as Taylor series.
+
+mod jet;
+mod series;
+
+pub use jet::{Jet, Number};
+pub use series::Series;
+
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::number::dd::Dd;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// All numbers from `low` to `high`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// The least of them.
+    pub low: f64,
+    /// The largest.
+    pub high: f64,
+}
+
+/// The kernel's sine and cosine are within 1.1 units in the last place: within this of theirs.
+const SINE: f64 = 1e-15;
+/// libm's exponential is within one unit in the last place; this is relative and more than two.
+const EXPONENTIAL: f64 = 5e-16;
+
+impl Interval {
+    /// Every number.
+    pub const ALL: Self = Self {
+        low: f64::NEG_INFINITY,
+        high: f64::INFINITY,
+    };
+    /// 0 alone.
+    pub const ZERO: Self = Self {
+        low: 0.0,
+        high: 0.0,
+    };
+    /// 1 alone.
+    pub const ONE: Self = Self {
+        low: 1.0,
+        high: 1.0,
+    };
+
+    /// From `low` to `high`, which is not less.
+    #[inline]
+    #[must_use]
+    pub fn new(low: f64, high: f64) -> Self {
+        Self { low, high }
+    }
+
+    /// One number.
+    #[inline]
+    #[must_use]
+    pub fn point(value: f64) -> Self {
+        Self::new(value, value)
+    }
+
+    /// A number of which `value` is the nearest double, or next to it.
+    #[must_use]
+    pub fn rounded(value: f64) -> Self {
+        Self::outward(value, value)
+    }
+
+    /// A number in double-double.
+    #[must_use]
+    pub fn of(value: Dd) -> Self {
+        if value.lo == 0.0 && value.hi.is_finite() {
+            Self::point(value.hi)
+        } else {
+            Self::rounded(value.to_f64())
+        }
+    }
+
+    /// From −`size` to `size`.
+    #[must_use]
+    pub fn within(size: f64) -> Self {
+        Self::new(-size, size)
+    }
+
+    /// π.
+    #[must_use]
+    pub fn pi() -> Self {
+        Self::rounded(std::f64::consts::PI)
+    }
+
+    /// The same with room for a rounding of either end; everything where an end is not known.
+    #[inline]
+    fn outward(low: f64, high: f64) -> Self {
+        if low.is_nan() || high.is_nan() {
+            return Self::ALL;
+        }
+        Self::new(low.next_down(), high.next_up())
+    }
+
+    /// Whether 0 is in it.
+    #[inline]
+    #[must_use]
+    pub fn holds_zero(&self) -> bool {
+        !(0.0 < self.low || self.high < 0.0)
+    }
+
+    /// 1, −1, or 0 where the interval does not tell.
+    #[must_use]
+    pub fn sign(&self) -> i8 {
+        if 0.0 < self.low {
+            1
+        } else if self.high < 0.0 {
+            -1
+        } else {
+            0
+        }
+    }
+
+    /// A number in the middle of it.
+    #[must_use]
+    pub fn middle(&self) -> f64 {
+        0.5 * self.low + 0.5 * self.high
+    }
+
+    /// The largest size of a number in it.
+    #[inline]
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.low.abs().max(self.high.abs())
+    }
+
+    /// What is in both of two intervals that hold the same number.
+    #[must_use]
+    pub fn both(self, other: Self) -> Self {
+        Self::new(self.low.max(other.low), self.high.min(other.high))
+    }
+
+    /// What is in either, and between them.
+    #[must_use]
+    pub fn hull(self, other: Self) -> Self {
+        Self::new(self.low.min(other.low), self.high.max(other.high))
+    }
+
+    /// z cot z on |z| < 1, between 1 − 0.36z² and 1.
+    #[must_use]
+    pub fn cotangent_times(self) -> Self {
+        let most = self.size();
+        if most < 1.0 {
+            Self::outward(1.0 - 0.36 * most * most, 1.0)
+        } else {
+            Self::ALL
+        }
+    }
+
+    /// The squares of all of it.
+    #[inline]
+    #[must_use]
+    pub fn squared(self) -> Self {
+        let (a, b) = (self.low.abs(), self.high.abs());
+        let least = if self.holds_zero() { 0.0 } else { a.min(b) };
+        let most = a.max(b);
+        let square = Self::outward(least * least, most * most);
+        Self::new(square.low.max(0.0), square.high)
+    }
+
+    /// The roots of what is not negative in it; everything where all is negative.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        if !(0.0 <= self.high) {
+            return Self::ALL;
+        }
+        let root = Self::outward(self.low.max(0.0).sqrt(), self.high.sqrt());
+        Self::new(root.low.max(0.0), root.high)
+    }
+
+    /// e to all of it.
+    #[must_use]
+    pub fn exp(self) -> Self {
+        let low = Scalar::exp(self.low) * (1.0 - EXPONENTIAL);
+        let high = Scalar::exp(self.high) * (1.0 + EXPONENTIAL);
+        let held = Self::outward(low, high);
+        Self::new(held.low.max(0.0), held.high)
+    }
+
+    /// (sin πh, cos πh) of all h in it.
+    #[must_use]
+    pub fn sine_cosine(self) -> (Self, Self) {
+        let (low, high) = (self.low.sin_cos_pi(), self.high.sin_cos_pi());
+        if !(self.high - self.low < 2.0) {
+            let all = Self::new(-1.0, 1.0);
+            return (all, all);
+        }
+        // Of the sine the extremes lie half a half-turn farther.
+        let sine = Self::wave([low.0, high.0], [self.low - 0.5, self.high - 0.5]);
+        let cosine = Self::wave([low.1, high.1], [self.low, self.high]);
+        (sine, cosine)
+    }
+
+    /// A cosine of π times what lies between two ends, from its values there.
+    #[inline]
+    fn wave([first, last]: [f64; 2], [from, to]: [f64; 2]) -> Self {
+        let mut low = first.min(last) - SINE;
+        let mut high = first.max(last) + SINE;
+        // A whole number as close to an end as its rounding counts as inside.
+        let slack = 2.0 * f64::EPSILON * (1.0 + from.abs() + to.abs());
+        let (least, most) = ((from - slack).ceil(), (to + slack).floor());
+        if least <= most {
+            let is_even = (0.5 * least).floor() * 2.0 == least;
+            let several = 1.0 <= most - least;
+            if several || is_even {
+                high = 1.0;
+            }
+            if several || !is_even {
+                low = -1.0;
+            }
+        }
+        Self::new(low.max(-1.0), high.min(1.0))
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self::outward(self.low + other.low, self.high + other.high)
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self::outward(self.low - other.high, self.high - other.low)
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self::new(-self.high, -self.low)
+    }
+}
+
+/// A product of ends: nothing, whatever it is multiplied by.
+#[inline]
+fn product(a: f64, b: f64) -> f64 {
+    let product = a * b;
+    if product.is_nan() && (a == 0.0 || b == 0.0) {
+        0.0
+    } else {
+        product
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let Self { low: a, high: b } = self;
+        let Self { low: c, high: d } = other;
+        // By signs: two products for most.
+        if 0.0 <= a {
+            let low = product(if 0.0 <= c { a } else { b }, c);
+            let high = product(if 0.0 <= d { b } else { a }, d);
+            return Self::outward(low, high);
+        }
+        if b <= 0.0 {
+            let low = product(if 0.0 <= d { a } else { b }, d);
+            let high = product(if 0.0 <= c { b } else { a }, c);
+            return Self::outward(low, high);
+        }
+        if 0.0 <= c {
+            return Self::outward(product(a, d), product(b, d));
+        }
+        if d <= 0.0 {
+            return Self::outward(product(b, c), product(a, c));
+        }
+        let (ad, bc) = (product(a, d), product(b, c));
+        let (ac, bd) = (product(a, c), product(b, d));
+        if ad.is_nan() || bc.is_nan() || ac.is_nan() || bd.is_nan() {
+            return Self::ALL;
+        }
+        Self::outward(ad.min(bc), ac.max(bd))
+    }
+}
+
+impl Div for Interval {
+    type Output = Self;
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        if other.holds_zero() {
+            return Self::ALL;
+        }
+        self * Self::outward(1.0 / other.high, 1.0 / other.low)
+    }
+}
+
+#[cfg(test)]
+mod tests;

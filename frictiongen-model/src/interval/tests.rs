@@ -1,0 +1,190 @@
+//! Intervals and their series against double-double.
+
+use super::{Interval, Series};
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::number::dd::Dd;
+
+/// Random numbers.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+    /// Any sign, sizes over ten decades, now and then 0.
+    fn end(&mut self) -> f64 {
+        let size = 10_f64.powf(10.0 * self.next() - 5.0);
+        match (16.0 * self.next()) as u32 {
+            0 => 0.0,
+            even if even % 2 == 0 => size,
+            _ => -size,
+        }
+    }
+    fn interval(&mut self) -> Interval {
+        let (a, b) = (self.end(), self.end());
+        // Narrow ones as well.
+        if self.next() < 0.4 {
+            Interval::new(a, a + a.abs() * 1e-12 * self.next())
+        } else {
+            Interval::new(a.min(b), a.max(b))
+        }
+    }
+    fn within(&mut self, held: Interval) -> f64 {
+        match (4.0 * self.next()) as u32 {
+            0 => held.low,
+            1 => held.high,
+            _ => (held.low + (held.high - held.low) * self.next()).clamp(held.low, held.high),
+        }
+    }
+}
+
+/// Whether an interval holds a number to about its 31 digits: not one rounding of a double is given away.
+fn holds(held: Interval, value: Dd) -> bool {
+    let slack = value.abs() * Dd::from(1e-28);
+    !(value + slack < Dd::from(held.low)) && !(Dd::from(held.high) < value - slack)
+}
+
+#[test]
+fn arithmetic() {
+    let mut numbers = Numbers(3);
+    let mut seen = 0;
+    for _ in 0..100_000 {
+        let (a, b) = (numbers.interval(), numbers.interval());
+        let (x, y) = (numbers.within(a), numbers.within(b));
+        let (dx, dy) = (Dd::from(x), Dd::from(y));
+        assert!(holds(a + b, dx + dy), "{a:?} + {b:?}");
+        assert!(holds(a - b, dx - dy), "{a:?} - {b:?}");
+        assert!(holds(a * b, dx * dy), "{a:?} {b:?} at {x} {y}");
+        assert!(holds(a.squared(), dx * dx), "{a:?} squared");
+        if !b.holds_zero() {
+            assert!(holds(a / b, dx / dy), "{a:?} / {b:?}");
+            seen += 1;
+        }
+        if 0.0 <= a.low {
+            assert!(holds(a.sqrt(), Scalar::sqrt(dx)), "root of {a:?}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 50_000, "{seen}");
+    assert_eq!(Interval::ONE / Interval::new(-1.0, 2.0), Interval::ALL);
+    let nothing = Interval::ZERO * Interval::ALL;
+    assert!(nothing.low <= 0.0 && 0.0 <= nothing.high && nothing.size() < 1e-300);
+}
+
+#[test]
+fn functions() {
+    let mut numbers = Numbers(5);
+    for _ in 0..50_000 {
+        let low = 40.0 * numbers.next() - 30.0;
+        let width = if numbers.next() < 0.5 { 1e-9 } else { 2.5 };
+        let held = Interval::new(low, low + width * numbers.next());
+        let x = numbers.within(held);
+        let (sine, cosine) = held.sine_cosine();
+        let (own_sine, own_cosine) = Dd::from(x).sin_cos_pi();
+        assert!(holds(sine, own_sine), "sine over {held:?} at {x}");
+        assert!(holds(cosine, own_cosine), "cosine over {held:?} at {x}");
+        assert!(sine.size() <= 1.0 && cosine.size() <= 1.0);
+        assert!(
+            holds(held.exp(), Scalar::exp(Dd::from(x))),
+            "e^{held:?} at {x}"
+        );
+    }
+    // The next extreme lies on an end, or a rounding beside it.
+    for whole in [-3.0, -1.0, 0.0, 2.0, 5.0_f64] {
+        for end in [whole - 0.5, whole, whole + 0.5] {
+            let held = Interval::new(end.next_down(), end.next_down());
+            let x = Dd::from(end.next_down());
+            assert!(holds(held.sine_cosine().0, x.sin_cos_pi().0));
+            assert!(holds(held.sine_cosine().1, x.sin_cos_pi().1));
+        }
+    }
+}
+
+/// A function with every operation, as a series and in double-double.
+fn formula(h: Series<6>) -> Series<6> {
+    let one = Series::fixed(Interval::ONE);
+    let (sine, cosine) = h.sine_cosine();
+    let root = (h.squared() + one).sqrt();
+    (sine * h - cosine.squared()) / root + (-(h * h)).exp() - h.times(Interval::point(3.0)).sinc()
+}
+
+fn formula_at(h: Dd) -> Dd {
+    let one = Dd::ONE;
+    let (sine, cosine) = h.sin_cos_pi();
+    let angle = Dd::PI * Dd::from(3.0) * h;
+    let (turned, _) = (Dd::from(3.0) * h).sin_cos_pi();
+    (sine * h - cosine * cosine) / Scalar::sqrt(h * h + one) + Scalar::exp(-(h * h))
+        - turned / angle
+}
+
+/// By Taylor's formula a joined series holds the function everywhere in its interval.
+#[test]
+fn series_hold_what_they_should() {
+    let mut numbers = Numbers(7);
+    let mut widest = 0.0_f64;
+    for _ in 0..3_000 {
+        let centre = 0.2 * numbers.next() + 0.05;
+        let half = 0.03 * numbers.next();
+        let all = Interval::new(centre - half, centre + half);
+        let at = formula(Series::variable(Interval::point(centre)));
+        let over = formula(Series::variable(all));
+        let joined = Series::joined(&at, &over);
+        let range = joined.range(all - Interval::point(centre));
+        for _ in 0..8 {
+            let x = numbers.within(all);
+            let value = formula_at(Dd::from(x));
+            let t = Interval::point(x) - Interval::point(centre);
+            assert!(holds(joined.range(t), value), "at {x} about {centre}");
+            assert!(holds(range, value), "{range:?} at {x}");
+            assert!(holds(over.value(), value));
+            widest = widest.max(joined.range(t).high - joined.range(t).low);
+        }
+    }
+    // What holds everything would hold these as well.
+    assert!(widest < 1e-2, "{widest:e}");
+}
+
+/// Every coefficient over an interval holds the divided differences of the function.
+#[test]
+fn coefficients() {
+    let mut numbers = Numbers(9);
+    for _ in 0..500 {
+        let low = 0.2 * numbers.next() + 0.05;
+        let step = 0.01;
+        let all = Interval::new(low, low + 5.0 * step);
+        let over = formula(Series::variable(all));
+        let mut differences: Vec<Dd> = (0..6)
+            .map(|k| formula_at(Dd::from(low + step * f64::from(k))))
+            .collect();
+        for order in 0..6 {
+            // f[x_0, …, x_k] is f⁽ᵏ⁾/k! somewhere between.
+            let held = over.term(order);
+            let slack = 1e-12 * 100_f64.powi(order as i32);
+            for difference in &differences {
+                let value = difference.to_f64();
+                assert!(
+                    held.low - slack <= value && value <= held.high + slack,
+                    "{order}"
+                );
+            }
+            differences = differences
+                .windows(2)
+                .map(|pair| (pair[1] - pair[0]) / Dd::from(step * (order + 1) as f64))
+                .collect();
+        }
+    }
+}
+
+#[test]
+fn cotangent() {
+    for i in 1..100 {
+        let z = 0.01 * f64::from(i);
+        let held = Interval::new(-z, z).cotangent_times();
+        assert!(held.low <= z / z.tan() && z / z.tan() <= held.high);
+    }
+    assert!(Interval::new(-1.0, 0.1).cotangent_times().low.is_infinite());
+}

@@ -1,0 +1,211 @@
+//! The polynomial of a piece beside β_lim by a witness, over a part of the range.
+
+use super::super::fit::Fitted;
+use super::super::request::Request;
+use super::super::tables::Worst;
+use super::ORDER;
+use super::stage::Stage;
+use super::witness::{Seen, polynomial};
+use crate::interval::{Interval, Series};
+use crate::scene::Side;
+use frictiongen_kernel::Float;
+
+/// One term less: beside a zero everything is divided by the distance from it.
+const SHORT: usize = ORDER - 1;
+/// Parts of a part in which the range of a polynomial is taken.
+const CELLS: usize = 8;
+/// Beside a zero of β_lim what its place is uncertain by may take this share of the accuracy.
+const UNCERTAIN: f64 = 0.01;
+
+/// What is proven of a part.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Compared {
+    /// The largest error that is possible, and where.
+    pub worst: Worst,
+    /// Beside a zero the neighbourhood that is left out.
+    pub gap: Option<(f64, f64)>,
+}
+
+/// What the emitted evaluation rounds off at most, as a share of each term: `counts` roundings of c_k tᵏ.
+///
+/// A pair c_2j + c_2j+1·t has a rounding for its sum, and its second term one more; the sum with what is higher has one; and
+/// each of the j products with t², of which every one brings the rounding of t² with it, is summed once more.  The difference r − origin is exact where they are within a factor
+/// of two, or has a rounding for each power.
+fn counts(power: usize, exact_difference: bool) -> f64 {
+    let of_difference = if exact_difference { 0 } else { power };
+    (power % 2 + 2 + 3 * (power / 2) + of_difference) as f64
+}
+
+/// What is left after a division by the distance from the centre, but for the value there.
+fn divided(series: &Series<ORDER>) -> Series<SHORT> {
+    let mut terms = [Interval::ZERO; SHORT];
+    for (term, own) in terms.iter_mut().zip(series.terms.iter().skip(1)) {
+        *term = *own;
+    }
+    Series { terms }
+}
+
+/// Whether the emitted polynomial is within the accuracy of β_lim, which is that of the witness or less by `share`.
+pub(super) fn compared<S: Float>(
+    piece: &Fitted<S>,
+    request: &Request,
+    (from, to): (f64, f64),
+    zero: Option<f64>,
+    [at, over]: [&Stage<ORDER>; 2],
+    [seen_at, seen_over]: [&Seen<ORDER>; 2],
+    share: f64,
+) -> Option<Compared> {
+    let coefficients: Vec<f64> = piece
+        .coefficients
+        .first()?
+        .iter()
+        .map(|coefficient| coefficient.to_f64())
+        .collect();
+    let origin = piece.origin.to_f64();
+    let centre = zero.unwrap_or(0.5 * (from + to));
+    let r = Interval::new(from.min(centre), to.max(centre));
+    let table = |r: Interval| {
+        let t = Series::<ORDER>::variable(r) - Series::fixed(Interval::point(origin));
+        polynomial(&coefficients, t)
+    };
+    let (own_at, own_over) = (table(Interval::point(centre)), table(r));
+    let accuracy = request.accuracy;
+    // How near to the zero it is proven.
+    let (mut nearest, mut gap) = (0.0, None);
+    if zero.is_some() {
+        let size = |place: usize| {
+            let [re, im] = at.excitation.map(|part| part.term(place));
+            re.size().hypot(im.size())
+        };
+        let table = own_at.value().size() / own_at.term(1).size();
+        let place = (size(0) / size(1)).max(table);
+        let rounded = (origin - centre).abs();
+        nearest = (place / (UNCERTAIN * accuracy))
+            .max(1e-13 * centre)
+            .max(rounded);
+        if !(nearest < 0.5 * (to - from)) {
+            return None;
+        }
+        gap = if centre < 0.5 * (from + to) {
+            (from < centre + nearest).then_some((from, centre + nearest))
+        } else {
+            (centre - nearest < to).then_some((centre - nearest, to))
+        };
+    }
+    let away = {
+        let all = Interval::new(from, to) - Interval::point(centre);
+        match zero {
+            None => all,
+            Some(_) if centre < 0.5 * (from + to) => Interval::new(nearest.max(all.low), all.high),
+            Some(_) => Interval::new(all.low, (-nearest).min(all.high)),
+        }
+    };
+    let ratio = |own: &Series<ORDER>, stage: &Stage<ORDER>, seen: &Seen<ORDER>| {
+        if zero.is_some() {
+            let part = |series: &Series<ORDER>, first: Interval| {
+                divided(series) + Series::fixed(first / away)
+            };
+            let [re, im] = [0, 1].map(|place| {
+                let of = |stage: &Stage<ORDER>| stage.excitation.get(place).copied();
+                let zero = Series::fixed(Interval::ZERO);
+                let (own, first) = (of(stage).unwrap_or(zero), of(at).unwrap_or(zero));
+                part(&own, first.value())
+            });
+            let own = part(own, own_at.value());
+            own.squared() * seen.size.truncated() / (re.squared() + im.squared())
+        } else {
+            let [re, im] = stage.excitation.map(|part| part.truncated());
+            let own = own.truncated::<SHORT>();
+            own.squared() * seen.size.truncated() / (re.squared() + im.squared())
+        }
+    };
+    let joined = Series::joined(
+        &ratio(&own_at, at, seen_at),
+        &ratio(&own_over, over, seen_over),
+    );
+    // The least that the polynomial is, over the distance from the zero beside one; and what its evaluation rounds off.
+    let own = match zero {
+        None => Series::joined(&own_at, &own_over).range(away),
+        Some(_) => {
+            let own = Series::joined(&divided(&own_at), &divided(&own_over)).range(away);
+            own + own_at.value() / away
+        }
+    };
+    let sign = if zero.is_some() { away.sign() } else { 1 };
+    if own.sign() != sign {
+        return None;
+    }
+    let least = own.low.abs().min(own.high.abs());
+    let rounding = rounding::<S>(&coefficients, origin, (from, to), zero.map(|_| away)) / least;
+    if !(rounding < 0.1) {
+        return None;
+    }
+    let (up, down) = (
+        (Interval::ONE + Interval::point(share)) * (Interval::ONE + Interval::point(rounding)),
+        Interval::ONE - Interval::point(rounding),
+    );
+    let mut worst = Worst {
+        error: 0.0,
+        at: from,
+    };
+    let step = (away.high - away.low) / CELLS as f64;
+    for cell in 0..CELLS {
+        let low = away.low + step * cell as f64;
+        let high = if cell + 1 < CELLS {
+            away.low + step * (cell + 1) as f64
+        } else {
+            away.high
+        };
+        let cell = Interval::new(low, high);
+        let square = joined.range(cell);
+        if !(0.0 < square.low && square.high.is_finite()) {
+            return None;
+        }
+        let ratio = square.sqrt();
+        let (most, least) = ((ratio * up).high, (ratio * down).low);
+        let above = match request.side {
+            Side::Near => 1.0 + accuracy,
+            Side::Safe => 1.0,
+        };
+        if !(most <= above && 1.0 - accuracy <= least) {
+            return None;
+        }
+        let error = (most - 1.0).max(1.0 - least);
+        if error > worst.error {
+            worst = Worst {
+                error,
+                at: centre + cell.middle(),
+            };
+        }
+    }
+    Some(Compared { worst, gap })
+}
+
+/// What the evaluation in the table's scalar rounds off at most; beside a zero, over the distance from it.
+fn rounding<S: Float>(
+    coefficients: &[f64],
+    origin: f64,
+    (from, to): (f64, f64),
+    away: Option<Interval>,
+) -> f64 {
+    let unit = 0.5 * S::EPSILON;
+    let t = (from - origin).abs().max((to - origin).abs());
+    let exact = 0.5 * origin <= from && to <= 2.0 * origin;
+    let nearest = away.map(|away| away.low.abs().min(away.high.abs()));
+    let mut sum = 0.0;
+    let mut power = 1.0;
+    for (k, coefficient) in coefficients.iter().enumerate() {
+        let term = coefficient.abs() * counts(k, exact) * unit;
+        sum += match nearest {
+            None => term * power,
+            // tᵏ over the distance, which grows with it for k > 0, but for the place of the origin.
+            Some(nearest) if k == 0 => term / nearest,
+            Some(_) => term * power / t * 2.0,
+        };
+        power *= t;
+    }
+    // Products that underflow, and the roundings of these lines.
+    let smallest = if S::EPSILON > 1e-10 { 1e-43 } else { 1e-321 };
+    let lost = smallest / nearest.unwrap_or(1.0);
+    1.001 * sum + lost
+}

@@ -1,0 +1,96 @@
+//! The velocity constraint F/sin τ beside the start of the half period, where both vanish: by the Taylor series of F/τ in τ.
+
+use super::force;
+use super::stage::Stage;
+use crate::interval::{Interval, Series};
+
+/// Terms of F/τ.
+const TERMS: usize = 13;
+
+/// sin τ/τ and its slope for |τ| ≤ 1.3, by their series: the terms that are left out are below 20·1.3¹⁹/21!.
+pub(super) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
+    const PAIRS: usize = 10;
+    let square = tau.squared();
+    let zero = Series::fixed(Interval::ZERO);
+    let (mut value, mut slope) = (zero, zero);
+    // From the highest power down: (−1)^j/(2j + 1)! of τ^{2j}, and 2j times that of τ^{2j−1}.
+    for j in (0..PAIRS).rev() {
+        let mut weight = Interval::ONE;
+        for factor in 2..=(2 * j + 1) {
+            weight = weight / Interval::point(factor as f64);
+        }
+        let weight = if j % 2 == 0 { weight } else { -weight };
+        value = value * square + Series::fixed(weight);
+        if j > 0 {
+            slope = slope * square + Series::fixed(weight * Interval::point(2.0 * j as f64));
+        }
+    }
+    let rest = Series::fixed(Interval::within(1e-16));
+    (value + rest, slope * *tau + rest)
+}
+
+/// F/τ and its slope at τ = πt, but for what [`rest`] says.
+pub(super) fn over_tau<const N: usize>(
+    stage: &Stage<N>,
+    tau: &Series<N>,
+) -> (Series<N>, Series<N>) {
+    let zero = Series::fixed(Interval::ZERO);
+    let mut coefficients = [zero; TERMS + 1];
+    for mode in &stage.modes {
+        let two_zeta = mode.oscillator.zeta + mode.oscillator.zeta;
+        let (loss, square) = (mode.x.times(two_zeta), mode.x.squared());
+        // Derivatives of p and of the cosine at τ = 0.
+        let (mut p, mut next) = (zero, Series::fixed(Interval::ONE));
+        for (n, coefficient) in coefficients.iter_mut().enumerate() {
+            let cosine = [1.0, 0.0, -1.0, 0.0].get(n % 4).copied().unwrap_or(0.0);
+            let swing = Series::fixed(Interval::point(cosine)) - next;
+            *coefficient = *coefficient + mode.free * p + mode.swing * swing;
+            let following = -(loss * next) - square * p;
+            (p, next) = (next, following);
+        }
+    }
+    let mut factorial = 1.0;
+    let (mut value, mut slope) = (zero, zero);
+    let mut scaled = Vec::with_capacity(TERMS);
+    for (n, coefficient) in coefficients.iter().enumerate().skip(1) {
+        factorial *= n as f64;
+        scaled.push(coefficient.times(Interval::ONE / Interval::point(factorial)));
+    }
+    for (power, coefficient) in scaled.iter().enumerate().rev() {
+        value = value * *tau + *coefficient;
+        if power > 0 {
+            slope = slope * *tau + coefficient.times(Interval::point(power as f64));
+        }
+    }
+    (value, slope)
+}
+
+/// By how much F/τ and its slope may differ from [`over_tau`] for τ from 0 to πt.
+pub(super) fn rest<const N: usize>(stage: &Stage<N>, t: f64) -> [Interval; 2] {
+    let stage = stage.truncated::<1>();
+    let all = Interval::new(0.0, t);
+    let motions = force::motions(&stage, &Series::fixed(all));
+    let mut most = 0.0;
+    for (mode, (p, slope)) in stage.modes.iter().zip(&motions) {
+        let x = mode.x.value();
+        let loss = x * (mode.oscillator.zeta + mode.oscillator.zeta);
+        let (mut p, mut next) = (p.value(), slope.value());
+        for _ in 0..=TERMS {
+            let following = -(loss * next) - x.squared() * p;
+            (p, next) = (next, following);
+        }
+        // Now p⁽ᵀ⁺¹⁾ and p⁽ᵀ⁺²⁾; a derivative of the cosine is at most 1.
+        let of_swing = mode.swing.value() * (Interval::within(1.0) - next);
+        most += (mode.free.value() * p + of_swing).size() * (1.0 + 1e-15);
+    }
+    let tau = std::f64::consts::PI * t * (1.0 + 1e-14);
+    let mut share = most;
+    for n in 1..=(TERMS - 1) {
+        share *= tau / n as f64 * (1.0 + 1e-15);
+    }
+    // share is sup|F⁽ᵀ⁺¹⁾| τᵀ⁻¹/(T − 1)!.
+    let terms = TERMS as f64;
+    let of_slope = share / (terms + 1.0) * (1.0 + 1e-14);
+    let of_value = share * tau / (terms * (terms + 1.0)) * (1.0 + 1e-14);
+    [Interval::within(of_value), Interval::within(of_slope)]
+}

@@ -1,0 +1,97 @@
+//! The cells at the ends of the half period, where D vanishes.
+
+use super::certify::{Cells, Flank};
+use super::witness::{Seen, Witness};
+use super::{Budget, ORDER, force};
+use crate::interval::{Interval, Series};
+
+impl Cells<'_> {
+    /// Whether D/τ is positive from the start of the half period on, with D = D′(0)τ + D″(0)τ²/2 + D‴τ³/6.
+    pub fn first(&self, share: f64, budget: &mut Budget) -> bool {
+        budget.spend(4 * self.wide.modes.len());
+        let part = self.part;
+        let (t, _, _) = self.instant(Flank::Before, Interval::new(0.0, share));
+        let t = Interval::new(0.0, t.high);
+        let (_, [_, second, third], (sine, cosine)) = self.boxed(t);
+        let level = self.level_over.value();
+        let (at, over) = if matches!(part.witness, Witness::BreakAway) {
+            // N − μm* − H_c, and (μ − 1)m*.
+            let more = Interval::point(part.share);
+            let more = more + more + more * more;
+            let above = |seen: &Seen<ORDER>, level: &Series<ORDER>| {
+                seen.size.times(more) / (*level + seen.constraint)
+            };
+            (
+                above(part.seen_at, &self.full_at) + part.at.break_away - part.at.start,
+                above(part.seen_over, &self.full_over) + part.over.break_away - part.over.start,
+            )
+        } else {
+            (
+                self.full_at - part.at.start,
+                self.full_over - part.over.start,
+            )
+        };
+        let away = part.away;
+        let start = Series::joined(&at, &over).range(away);
+        if !(0.0 < start.low) {
+            return false;
+        }
+        // D″ ≥ 0, or a plain parabola.
+        let bend = -(level * sine) - second;
+        let reach = t * Interval::pi();
+        if 0.0 <= bend.low {
+            return true;
+        }
+        let half = Interval::point(0.5);
+        if 0.0 < (start + Interval::point(bend.low) * Interval::point(reach.high) * half).low {
+            return true;
+        }
+        let third = -(level * cosine) - third;
+        let curve = Interval::point(third.low) / Interval::point(6.0);
+        if !(0.0 < curve.low) {
+            return false;
+        }
+        // The parabola D′(0) + D″(0)τ/2 + curve·τ² as a function of r: where it is lowest, or where the cell ends.
+        let bends = [part.at, part.over].map(|stage| force::bend_at_start(stage).times(-half));
+        let [bend_at, bend_over] = bends;
+        let bend = Series::joined(&bend_at, &bend_over).range(away);
+        if 0.0 <= bend.low {
+            return true;
+        }
+        let four = Interval::point(4.0);
+        let lowest = |start: &Series<ORDER>, bend: &Series<ORDER>| {
+            *start - bend.squared().times(Interval::ONE / (four * curve))
+        };
+        let (low_at, low_over) = (lowest(&at, &bend_at), lowest(&over, &bend_over));
+        if 0.0 < Series::joined(&low_at, &low_over).range(away).low {
+            return true;
+        }
+        let turn = Interval::pi() * Interval::point(share);
+        let at_end = |start: &Series<ORDER>, bend: &Series<ORDER>, path: &Series<ORDER>| {
+            let end = path.times(turn);
+            (
+                *start + *bend * end + end.squared().times(curve),
+                *bend + end.times(curve + curve),
+            )
+        };
+        let (value_at, slope_at) = at_end(&at, &bend_at, &part.seen_at.t);
+        let (value_over, slope_over) = at_end(&over, &bend_over, &part.seen_over.t);
+        Series::joined(&slope_at, &slope_over).range(away).high <= 0.0
+            && 0.0 < Series::joined(&value_at, &value_over).range(away).low
+    }
+
+    /// Whether D/(π − τ) is positive up to the end of the half period.
+    pub fn last(&self, share: f64, budget: &mut Budget) -> bool {
+        budget.spend(2 * self.wide.modes.len());
+        let level = self.level_over.value();
+        let (_, [slope, _, _], _) = self.boxed(Interval::ONE);
+        let start = level + slope;
+        let (t, _, _) = self.instant(Flank::After, Interval::new(0.0, share));
+        let (_, [_, second, _], (sine, _)) = self.boxed(Interval::new(t.low, 1.0));
+        let bend = -(level * sine) - second;
+        let reach = (Interval::ONE - Interval::point(t.low)) * Interval::pi();
+        let half = Interval::point(0.5);
+        let spare = start + Interval::point(bend.low.min(0.0)) * reach * half;
+        0.0 < start.low && 0.0 < spare.low
+    }
+}

@@ -1,0 +1,109 @@
+//! The velocity constraint's sum F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)] and its derivatives, τ = πt.
+
+use super::stage::{Kind, ModeStage, Stage};
+use crate::interval::{Interval, Series};
+
+/// A mode's free displacement p and its slope p′.
+fn free<const N: usize>(mode: &ModeStage<N>, t: &Series<N>) -> (Series<N>, Series<N>) {
+    let own = &mode.oscillator;
+    let turns = mode.x * *t;
+    match own.kind {
+        Kind::Undamped => {
+            let (s, c) = turns.sine_cosine();
+            (s / mode.x, c)
+        }
+        Kind::Under => {
+            let kept = turns.times(-(Interval::pi() * own.zeta)).exp();
+            let (s, c) = turns.times(own.q).sine_cosine();
+            let (s, c) = (kept * s, kept * c);
+            let p = (s / mode.x).times(Interval::ONE / own.q);
+            (p, c - s.times(own.share))
+        }
+        Kind::Critical => {
+            let kept = turns.times(-Interval::pi()).exp();
+            let p = (kept * *t).times(Interval::pi());
+            (p, kept - p * mode.x)
+        }
+        Kind::Over => {
+            let rates = [Interval::ONE / own.fast, own.fast];
+            let [slow, fast] = rates.map(|rate| turns.times(-(Interval::pi() * rate)).exp());
+            let half = Interval::ONE / (own.q + own.q);
+            let p = ((slow - fast) / mode.x).times(half);
+            let [slow_rate, fast_rate] = rates;
+            let slope = (fast.times(fast_rate) - slow.times(slow_rate)).times(half);
+            (p, slope)
+        }
+    }
+}
+
+/// p and p′ of all modes at an instant.
+pub(super) fn motions<const N: usize>(
+    stage: &Stage<N>,
+    t: &Series<N>,
+) -> Vec<(Series<N>, Series<N>)> {
+    stage.modes.iter().map(|mode| free(mode, t)).collect()
+}
+
+/// F at an instant, which may move with r.
+pub(super) fn value<const N: usize>(
+    stage: &Stage<N>,
+    motions: &[(Series<N>, Series<N>)],
+    cosine: &Series<N>,
+) -> Series<N> {
+    let zero = Series::fixed(Interval::ZERO);
+    let modes = stage.modes.iter().zip(motions);
+    modes.fold(zero, |sum, (mode, (p, slope))| {
+        sum + mode.free * *p + mode.swing * (*cosine - *slope)
+    })
+}
+
+/// F′ at an instant.
+pub(super) fn slope<const N: usize>(
+    stage: &Stage<N>,
+    motions: &[(Series<N>, Series<N>)],
+    sine: &Series<N>,
+) -> Series<N> {
+    let zero = Series::fixed(Interval::ZERO);
+    let modes = stage.modes.iter().zip(motions);
+    modes.fold(zero, |sum, (mode, (p, slope))| {
+        // −p″ = x(2ζp′ + xp).
+        let two_zeta = mode.oscillator.zeta + mode.oscillator.zeta;
+        let bent = mode.x * (slope.times(two_zeta) + mode.x * *p);
+        sum + mode.free * *slope + mode.swing * (bent - *sine)
+    })
+}
+
+/// F′, F″ and F‴ over a box of r and τ.
+pub(super) fn derivatives<const N: usize>(
+    stage: &Stage<N>,
+    motions: &[(Series<N>, Series<N>)],
+    (sine, cosine): (Interval, Interval),
+) -> [Interval; 3] {
+    let mut sums = [Interval::ZERO; 3];
+    for (mode, (p, slope)) in stage.modes.iter().zip(motions) {
+        let x = mode.x.value();
+        let (two_zeta, square) = (mode.oscillator.zeta + mode.oscillator.zeta, x.squared());
+        let (p, p1) = (p.value(), slope.value());
+        let p2 = -(x * (p1 * two_zeta + x * p));
+        let p3 = -(x * (p2 * two_zeta + x * p1));
+        let p4 = -(x * p3 * two_zeta + square * p2);
+        let (a, b) = (mode.free.value(), mode.swing.value());
+        let [first, second, third] = &mut sums;
+        *first = *first + a * p1 + b * (-sine - p2);
+        *second = *second + a * p2 + b * (-cosine - p3);
+        *third = *third + a * p3 + b * (sine - p4);
+    }
+    sums
+}
+
+/// F″ at τ = 0 by what p is there: p′ = 1, p″ = −2ζx, p‴ = x²(4ζ² − 1).
+pub(super) fn bend_at_start<const N: usize>(stage: &Stage<N>) -> Series<N> {
+    let one = Series::fixed(Interval::ONE);
+    let zero = Series::fixed(Interval::ZERO);
+    stage.modes.iter().fold(zero, |sum, mode| {
+        let two_zeta = mode.oscillator.zeta + mode.oscillator.zeta;
+        let curve = mode.x.times(two_zeta);
+        let third = mode.x.squared() - curve.squared();
+        sum - mode.free * curve + mode.swing * (third - one)
+    })
+}

@@ -1,0 +1,389 @@
+//! A proof that a table of β_lim is within its accuracy at every r, not only where it was looked at.
+//!
+//! The range is gone through in parts.  In each a *witness* is chosen, an instant that is about where the velocity
+//! constraint is largest, as a polynomial in r; [`certify`] shows that no other instant has a constraint larger by more
+//! than a small share, so that β_lim is known from both sides as a smooth function; [`compare`] shows that the
+//! polynomial of the table, with all roundings of its evaluation, is near that function.  Both are done in intervals
+//! with outward rounding.  A part that cannot be decided is halved, and in the end left open: there the table is
+//! checked, not proven.
+
+mod asked;
+mod certify;
+mod compare;
+mod early;
+mod ends;
+mod evidence;
+mod force;
+mod ridge;
+mod stage;
+mod witness;
+
+#[cfg(test)]
+mod tests;
+
+use super::exact::Exact;
+use super::fit::{Fitted, interpolated};
+use super::request::Request;
+use super::split::Edge;
+use super::tables::Worst;
+use crate::interval::{Interval, Series};
+use certify::Part;
+use compare::Compared;
+pub use evidence::{Evidence, Proof, Work};
+use frictiongen_kernel::Float;
+use stage::{Chain, Stage, singular};
+use std::f64::consts::PI;
+use witness::{Seen, Witness};
+
+/// Terms of the Taylor series in r.
+pub(super) const ORDER: usize = 8;
+/// Of the accuracy the share that a larger constraint elsewhere may take.
+const ELSEWHERE: f64 = 1.0 / 32.0;
+/// The finest accuracy that a proof is tried for: below it a table is checked.
+const FINEST: f64 = 1e-6;
+/// Instants through which a witness goes.
+const NODES: usize = 5;
+/// Instants farther apart than this, in half-turns, are not of one witness.
+const JUMP: f64 = 0.05;
+/// A witness so near to the start of the half period, in radians of the fastest mode, is looked at by series in τ.
+const EARLY: f64 = 1.2;
+/// And nearer than this only so.
+const SURELY: f64 = 0.3;
+/// One so near may as well be the start itself.
+const START: f64 = 0.05;
+/// A piece may take so many times its share of the work.
+const FAIR: usize = 8;
+/// A part is not halved below this share of r.
+const SHORTEST: f64 = 1e-7;
+
+/// Work that may still be done, in evaluations of one mode.
+pub(super) struct Budget {
+    most: usize,
+    /// How far a piece may go.
+    of_piece: usize,
+    spent: usize,
+}
+
+impl Budget {
+    fn of(work: usize) -> Self {
+        Self {
+            most: work,
+            of_piece: work,
+            spent: 0,
+        }
+    }
+    fn spend(&mut self, work: usize) {
+        self.spent += work;
+    }
+    fn is_spent(&self) -> bool {
+        self.of_piece.min(self.most) <= self.spent
+    }
+}
+
+/// A table about to be proven.
+pub(super) struct Prover<'a, 'm> {
+    exact: &'a mut Exact<'m>,
+    chain: Chain,
+    request: Request,
+    budget: Budget,
+    /// The work that one piece may take.
+    share: usize,
+    /// The length of the last part.
+    last: f64,
+    bound: Worst,
+    open: Vec<(f64, f64)>,
+    looked: bool,
+}
+
+impl<'a, 'm> Prover<'a, 'm> {
+    pub fn new(
+        exact: &'a mut Exact<'m>,
+        request: Request,
+        Work(work): Work,
+        pieces: usize,
+    ) -> Self {
+        let chain = Chain::of(exact.modal);
+        let (low, high) = request.r;
+        Self {
+            exact,
+            chain,
+            request,
+            share: FAIR * work / pieces.max(1),
+            budget: Budget::of(work),
+            last: (high - low) / 32.0,
+            bound: Worst {
+                error: 0.0,
+                at: low,
+            },
+            open: Vec::new(),
+            looked: false,
+        }
+    }
+
+    /// What was proven.
+    pub fn finished(mut self) -> Proof {
+        self.open.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut open: Vec<(f64, f64)> = Vec::new();
+        for (from, to) in self.open {
+            match open.last_mut() {
+                Some(last) if from <= last.1 => last.1 = last.1.max(to),
+                _ => open.push((from, to)),
+            }
+        }
+        let evidence = match (self.looked, open.is_empty()) {
+            (false, _) => Evidence::Checked,
+            (true, true) => Evidence::Proven,
+            (true, false) => Evidence::Partly,
+        };
+        Proof {
+            evidence,
+            bound: self.bound,
+            open,
+            work: Work(self.budget.spent),
+        }
+    }
+
+    /// One piece from an r to another, with the kinks of β_lim within and the zero that it counts from.
+    pub fn piece<S: Float>(
+        &mut self,
+        piece: &Fitted<S>,
+        (from, to): (f64, f64),
+        kinks: &[f64],
+        zero: Option<Edge>,
+    ) {
+        if self.request.accuracy < FINEST || !(from < to) {
+            if from < to {
+                self.open.push((from, to));
+            }
+            return;
+        }
+        self.budget.of_piece = self.budget.spent + self.share;
+        let mut ends = vec![from];
+        ends.extend(
+            kinks
+                .iter()
+                .copied()
+                .filter(|kink| from < *kink && *kink < to),
+        );
+        ends.push(to);
+        let beside = zero.map(|zero| if zero.at <= from { from } else { to });
+        for pair in ends.windows(2) {
+            let [low, high] = pair else { continue };
+            // From the zero away.
+            if beside == Some(*high) {
+                self.walk(piece, *high, *low, zero);
+            } else {
+                let zero = zero.filter(|_| beside == Some(*low));
+                self.walk(piece, *low, *high, zero);
+            }
+        }
+    }
+
+    /// From one r to another, by parts.
+    fn walk<S: Float>(&mut self, piece: &Fitted<S>, start: f64, end: f64, zero: Option<Edge>) {
+        let forwards = start < end;
+        let mut place = start;
+        let mut zero = zero;
+        let mut length = self.last;
+        let shortest = SHORTEST * start.max(end);
+        while place != end {
+            if self.budget.is_spent() {
+                self.open.push((place.min(end), place.max(end)));
+                return;
+            }
+            let rest = (end - place).abs();
+            // No short last part.
+            let step = if rest < 1.2 * length { rest } else { length };
+            let next = match (step >= rest, forwards) {
+                (true, _) => end,
+                (false, true) => place + step,
+                (false, false) => place - step,
+            };
+            let part = (place.min(next), place.max(next));
+            let proven = self.part(piece, part, zero);
+            match proven {
+                Some(proven) => {
+                    self.looked = true;
+                    if let Some(gap) = proven.gap {
+                        self.open.push(gap);
+                    }
+                    if proven.worst.error > self.bound.error {
+                        self.bound = proven.worst;
+                    }
+                    place = next;
+                    zero = None;
+                    self.last = step;
+                    length = 1.5 * step;
+                }
+                None if step <= shortest => {
+                    self.open.push(part);
+                    place = next;
+                    zero = None;
+                    length = 2.0 * step;
+                }
+                None => length = 0.5 * step,
+            }
+        }
+    }
+
+    /// A part, if the table is proven there.
+    fn part<S: Float>(
+        &mut self,
+        piece: &Fitted<S>,
+        (from, to): (f64, f64),
+        zero: Option<Edge>,
+    ) -> Option<Compared> {
+        let middle = 0.5 * (from + to);
+        let centre = zero.map_or(middle, |zero| zero.at);
+        let r = Interval::new(from.min(centre), to.max(centre));
+        let away = Interval::point(from).hull(Interval::point(to)) - Interval::point(centre);
+        let singular = singular(&self.chain, middle);
+        self.budget.spend(20 * self.chain.modes.len());
+        let at = Stage::<ORDER>::over(&self.chain, Interval::point(centre), &singular);
+        let over = Stage::<ORDER>::over(&self.chain, r, &singular);
+        let (at, over) = self.oriented(at, over, away, zero)?;
+        for witness in self.witnesses((from, to), centre, &over, &singular) {
+            let all = r - Interval::point(centre);
+            let rest = if matches!(witness, Witness::Early(_)) {
+                early::rest(&over, witness.path::<1>(all).value().high)
+            } else {
+                [Interval::ZERO; 2]
+            };
+            let seen_at = Seen::of(&witness, &at, Interval::ZERO, rest);
+            let seen_over = Seen::of(&witness, &over, all, rest);
+            self.budget.spend(20 * self.chain.modes.len());
+            // A constraint is no witness where it is negative; undamped its size is one.
+            let is_one = self.chain.all_undamped || 0.0 <= seen_over.constraint.value().low;
+            if !is_one {
+                continue;
+            }
+            let share = ELSEWHERE * self.request.accuracy;
+            let compared = compare::compared(
+                piece,
+                &self.request,
+                (from, to),
+                zero.map(|_| centre),
+                [&at, &over],
+                [&seen_at, &seen_over],
+                share,
+            );
+            let Some(compared) = compared else { continue };
+            let part = Part {
+                chain: &self.chain,
+                witness: &witness,
+                away: r - Interval::point(centre),
+                at: &at,
+                over: &over,
+                seen_at: &seen_at,
+                seen_over: &seen_over,
+                share,
+            };
+            if certify::certified(&part, &mut self.budget) {
+                return Some(compared);
+            }
+        }
+        None
+    }
+
+    /// Both with κ > 0; of a wholly undamped chain either sign will do, as F(π − τ) = −F(τ).
+    fn oriented(
+        &self,
+        at: Stage<ORDER>,
+        over: Stage<ORDER>,
+        away: Interval,
+        zero: Option<Edge>,
+    ) -> Option<(Stage<ORDER>, Stage<ORDER>)> {
+        let (Some(own), Some(all)) = (at.kappa, over.kappa) else {
+            return Some((at, over));
+        };
+        let held = if zero.is_some() {
+            // κ vanishes with β_lim, or does not; beside the zero it has the sign of its slope.
+            let beside = all.value();
+            let vanishes = own.value().size() < 1e-14;
+            if beside.holds_zero() && !vanishes {
+                return self.chain.all_undamped.then_some((at, over));
+            }
+            let slope = all.term(1);
+            let side = Interval::point(away.middle());
+            if beside.holds_zero() {
+                (slope * side).sign()
+            } else {
+                beside.sign()
+            }
+        } else {
+            Series::joined(&own, &all).range(away).sign()
+        };
+        match held {
+            1 => Some((at, over)),
+            -1 => Some((at.turned(), over.turned())),
+            _ => self.chain.all_undamped.then_some((at, over)),
+        }
+    }
+
+    /// What may be the largest constraint, by the exact search at some r.
+    fn witnesses(
+        &mut self,
+        (from, to): (f64, f64),
+        centre: f64,
+        over: &Stage<ORDER>,
+        singular: &[bool],
+    ) -> Vec<Witness> {
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let mut places = Vec::with_capacity(NODES);
+        let mut instants = Vec::with_capacity(NODES);
+        let (mut early, mut starts, mut latest) = (true, false, 0.0_f64);
+        let modes = over.modes.iter();
+        let fastest = modes
+            .map(|mode| PI * mode.x.value().high)
+            .fold(PI, f64::max);
+        let turned = over.kappa.is_some_and(|kappa| {
+            let own = Stage::<1>::over(&self.chain, Interval::point(middle), singular);
+            let own = own.kappa.map_or(1.0, |kappa| kappa.value().middle());
+            own * kappa.value().middle() < 0.0
+        });
+        for k in 0..NODES {
+            let r = middle - half * (PI * (k as f64 + 0.5) / NODES as f64).cos();
+            let Some(tau) = self.exact.at(r).and_then(|sample| sample.tau) else {
+                starts = true;
+                continue;
+            };
+            let mut t = tau / PI;
+            early &= t * fastest < EARLY;
+            latest = latest.max(t * fastest);
+            starts |= t * fastest < START;
+            if self.chain.all_undamped {
+                let own = Stage::<1>::over(&self.chain, Interval::point(r), singular);
+                let own = if turned { own.turned() } else { own };
+                let at = Series::fixed(Interval::point(t));
+                let motions = force::motions(&own, &at);
+                let force = force::value(&own, &motions, &at.sine_cosine().1);
+                if force.value().middle() < 0.0 {
+                    t = 1.0 - t;
+                }
+            }
+            places.push((r - centre) / half);
+            instants.push(t);
+        }
+        let mut witnesses = Vec::new();
+        let apart = |pair: &[f64]| matches!(pair, [a, b] if (a - b).abs() > JUMP);
+        if places.len() == NODES && !instants.windows(2).any(apart) {
+            let mut power = 1.0;
+            let mut path = interpolated(&places, &instants);
+            for coefficient in &mut path {
+                *coefficient /= power;
+                power *= half;
+            }
+            if early {
+                witnesses.push(Witness::Early(path.clone()));
+            }
+            // Either way in between.
+            if !(early && latest < SURELY) {
+                witnesses.push(Witness::Instant(path));
+            }
+        }
+        if starts {
+            witnesses.push(Witness::BreakAway);
+        }
+        witnesses
+    }
+}

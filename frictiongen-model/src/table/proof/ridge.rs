@@ -1,0 +1,169 @@
+//! Other instants whose velocity constraint comes close to that of the witness: beside a kink of β_lim there are two.
+
+use super::certify::{Cells, Flank};
+use super::stage::Stage;
+use super::witness::polynomial;
+use super::{Budget, ORDER, force};
+use crate::interval::{Interval, Series};
+use frictiongen_kernel::Scalar;
+use std::f64::consts::PI;
+
+/// Steps of Newton's method towards one.
+const STEPS: usize = 8;
+/// Parts of a part in which D is bounded there.
+const PARTS: usize = 6;
+
+/// The instants about a local least of D where D is positive for all r of a part.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Region {
+    from: f64,
+    to: f64,
+}
+
+impl Region {
+    /// Up to which share of a side it holds, if it does from a share on.
+    pub fn reach(&self, side: Flank, share: f64, path: Interval) -> Option<f64> {
+        let rounding = 1e-12;
+        let (begins, end) = match side {
+            Flank::Before => (
+                self.from <= share * path.low * (1.0 - rounding),
+                self.to / path.high,
+            ),
+            Flank::After => (
+                1.0 - (1.0 - path.high) * share * (1.0 - rounding) <= self.to,
+                (1.0 - self.from) / (1.0 - path.low),
+            ),
+        };
+        let end = end * (1.0 - rounding);
+        (begins && share < end).then_some(end)
+    }
+}
+
+impl Cells<'_> {
+    /// About the local least of D that is near an instant; none where there is none, or D is not shown to be positive.
+    pub fn region(&self, t: f64, budget: &mut Budget) -> Option<Region> {
+        let part = self.part;
+        let (low, high) = (part.away.low, part.away.high);
+        let places = [0.0, if high > -low { high } else { low }];
+        let places = [places[0], 0.5 * places[1], places[1]];
+        // The instant at three r, from the centre on.
+        let mut own = t;
+        let mut instants = [0.0; 3];
+        for (place, instant) in places.iter().zip(&mut instants) {
+            budget.spend(STEPS * part.chain.modes.len());
+            let stage = self.shifted(*place);
+            let level = self.level_at_away(*place);
+            own = least(&stage, level, own)?;
+            *instant = own;
+        }
+        let jump = (instants[0] - t)
+            .abs()
+            .max((instants[2] - instants[0]).abs());
+        if jump > 0.1 {
+            return None;
+        }
+        // The parabola through them.
+        let [a, b, c] = instants;
+        let step = places[1];
+        let slope = (4.0 * b - 3.0 * a - c) / (2.0 * step);
+        let bend = (a - 2.0 * b + c) / (2.0 * step * step);
+        let coefficients = [a, slope, bend];
+        let path = |away: Interval| polynomial::<ORDER>(&coefficients, Series::variable(away));
+        let (path_at, path_over) = (path(Interval::ZERO), path(part.away));
+        let t = path_over.value();
+        if !(0.0 < t.low && t.high < 1.0) {
+            return None;
+        }
+        budget.spend(20 * part.chain.modes.len());
+        let (value_at, rise_at) = seen(part.at, &self.full_at, &path_at);
+        let (value_over, rise_over) = seen(part.over, &self.full_over, &path_over);
+        let curve = self.bend(t, budget);
+        if !(0.0 < curve.low) {
+            return None;
+        }
+        let (reach, bent) = self.widened(t, curve, budget);
+        let value = Series::joined(&value_at, &value_over);
+        let rise = Series::joined(&rise_at, &rise_over);
+        let twice = Interval::point(bent) + Interval::point(bent);
+        for k in 0..PARTS {
+            let share = |k: usize| low + (high - low) * (k as f64 / PARTS as f64);
+            let end = if k + 1 < PARTS { share(k + 1) } else { high };
+            let away = Interval::new(share(k), end);
+            let spare = value.range(away) - rise.range(away).squared() / twice;
+            if !(0.0 < spare.low) {
+                return None;
+            }
+        }
+        let [before, after] = reach;
+        let rounding = 1e-12;
+        let (from, to) = (
+            t.high - before * (1.0 - rounding),
+            t.low + after * (1.0 - rounding),
+        );
+        (from < to).then_some(Region { from, to })
+    }
+
+    /// The level at an r in a part, about.
+    fn level_at_away(&self, away: f64) -> f64 {
+        value_at(&self.full_at, away)
+    }
+
+    /// The chain at an r in a part, about: by its series.
+    fn shifted(&self, away: f64) -> Stage<1> {
+        let mut stage = self.part.at.truncated::<1>();
+        for (mode, full) in stage.modes.iter_mut().zip(&self.part.at.modes) {
+            let of =
+                |series: &Series<ORDER>| Series::fixed(Interval::point(value_at(series, away)));
+            (mode.x, mode.free, mode.swing) = (of(&full.x), of(&full.free), of(&full.swing));
+        }
+        stage
+    }
+}
+
+/// D and its slope in τ at an instant that moves with r.
+fn seen(
+    stage: &Stage<ORDER>,
+    level: &Series<ORDER>,
+    t: &Series<ORDER>,
+) -> (Series<ORDER>, Series<ORDER>) {
+    let (sine, cosine) = t.sine_cosine();
+    let motions = force::motions(stage, t);
+    (
+        *level * sine - force::value(stage, &motions, &cosine),
+        *level * cosine - force::slope(stage, &motions, &sine),
+    )
+}
+
+/// A series at a distance, about.
+fn value_at<const N: usize>(series: &Series<N>, away: f64) -> f64 {
+    let terms = series.terms.iter().rev();
+    terms.fold(0.0, |sum, term| sum * away + term.middle())
+}
+
+/// The local least of D near an instant, by Newton's method.
+fn least(stage: &Stage<1>, level: f64, mut t: f64) -> Option<f64> {
+    for _ in 0..STEPS {
+        let at = Series::<1>::fixed(Interval::point(t));
+        let (sine, cosine) = t.sin_cos_pi();
+        let motions = force::motions(stage, &at);
+        let [first, second, _] = force::derivatives(
+            stage,
+            &motions,
+            (Interval::point(sine), Interval::point(cosine)),
+        );
+        let slope = level * cosine - first.middle();
+        let bend = -level * sine - second.middle();
+        if !(bend > 0.0) {
+            return None;
+        }
+        let step = slope / bend / PI;
+        t -= step;
+        if !(0.0 < t && t < 1.0) {
+            return None;
+        }
+        if step.abs() < 1e-9 {
+            break;
+        }
+    }
+    Some(t)
+}

@@ -1,0 +1,311 @@
+//! What the limits depend on, as Taylor series in r of intervals (section 3 of `docs/derivation.md`).
+//!
+//! Everything is r² times what the thesis calls so.  Where undamped modes have a pole of U, all of it is times the
+//! product κ of their cosines besides: the limits are quotients, in which κ cancels.
+
+use super::super::zeros::shares;
+use crate::interval::{Interval, Series};
+use crate::modal::Modal;
+use frictiongen_kernel::number::dd::Dd;
+
+/// How a mode decays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Undamped,
+    Under,
+    Critical,
+    Over,
+}
+
+/// The constants of a mode.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Oscillator {
+    pub kind: Kind,
+    pub sigma: Interval,
+    pub zeta: Interval,
+    /// √|1 − ζ²|.
+    pub q: Interval,
+    /// ζ/q.
+    pub share: Interval,
+    /// ζ + q.
+    pub fast: Interval,
+    /// (φᵀw)².
+    pub inverse_mass: Interval,
+    /// (φᵀw)(φᵀp).
+    pub residue: Interval,
+}
+
+/// The chain in intervals, each of which holds a number of the modal analysis in double-double.
+#[derive(Clone, Debug)]
+pub(super) struct Chain {
+    pub modes: Vec<Oscillator>,
+    pub all_undamped: bool,
+    /// −1 where the contact rubs on a moving base.
+    pub direct: Interval,
+    /// m*.
+    pub inverse_mass: Interval,
+    /// μ.
+    pub stiction: Interval,
+}
+
+impl Chain {
+    pub fn of(modal: &Modal) -> Self {
+        let one = Dd::ONE;
+        let mut inverse_mass = Dd::ZERO;
+        let modes: Vec<Oscillator> = shares(modal)
+            .into_iter()
+            .map(|share| {
+                let zeta = share.driven.zeta;
+                let q = ((one - zeta) * (one + zeta)).abs().sqrt();
+                inverse_mass = inverse_mass + share.driven.inverse_mass;
+                let kind = if zeta.is_zero() {
+                    Kind::Undamped
+                } else if zeta < one {
+                    Kind::Under
+                } else if zeta == one {
+                    Kind::Critical
+                } else {
+                    Kind::Over
+                };
+                Oscillator {
+                    kind,
+                    sigma: Interval::of(share.driven.sigma),
+                    zeta: Interval::of(zeta),
+                    q: Interval::of(q),
+                    share: Interval::of(zeta / q),
+                    fast: Interval::of(zeta + q),
+                    inverse_mass: Interval::of(share.driven.inverse_mass),
+                    residue: Interval::of(share.residue),
+                }
+            })
+            .collect();
+        let undamped = |mode: &Oscillator| mode.kind == Kind::Undamped;
+        Self {
+            all_undamped: modes.iter().all(undamped),
+            modes,
+            direct: Interval::point(if modal.on_moving_base { -1.0 } else { 0.0 }),
+            inverse_mass: Interval::of(inverse_mass),
+            stiction: Interval::of(modal.stiction),
+        }
+    }
+}
+
+/// A mode at a frequency.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ModeStage<const N: usize> {
+    pub oscillator: Oscillator,
+    /// √λ/r.
+    pub x: Series<N>,
+    /// Of p in the velocity constraint: κc(1 + g).
+    pub free: Series<N>,
+    /// Of cos τ − p′: κcu/x².
+    pub swing: Series<N>,
+}
+
+/// The chain at a frequency.
+#[derive(Clone, Debug)]
+pub(super) struct Stage<const N: usize> {
+    pub modes: Vec<ModeStage<N>>,
+    /// κ, where it is not 1.
+    pub kappa: Option<Series<N>>,
+    /// κV, real and imaginary part.
+    pub excitation: [Series<N>; 2],
+    /// κU.
+    pub quadrature: Series<N>,
+    /// κ(m* + H_c): the velocity constraint for τ → 0.
+    pub start: Series<N>,
+    /// κ(μm* + H_c).
+    pub break_away: Series<N>,
+}
+
+/// Below this an undamped mode's cosine is multiplied out.
+const SINGULAR: f64 = 0.2;
+/// So near to x = 1 the pole of V is divided out with the cosine.
+const RESONANT: f64 = 0.5;
+
+/// Which modes' cosines are multiplied out about an r.
+pub(super) fn singular(chain: &Chain, r: f64) -> Vec<bool> {
+    let modes = chain.modes.iter();
+    let cosine = |mode: &Oscillator| {
+        let x = mode.sigma.middle() / r;
+        Interval::point(0.5 * x).sine_cosine().1.size()
+    };
+    modes
+        .map(|mode| mode.kind == Kind::Undamped && cosine(mode) < SINGULAR)
+        .collect()
+}
+
+impl<const N: usize> Stage<N> {
+    /// At the frequencies of an interval.
+    pub fn over(chain: &Chain, r: Interval, singular: &[bool]) -> Self {
+        let one = Series::fixed(Interval::ONE);
+        let two = Interval::point(2.0);
+        let (ratio, inverse) = (Series::<N>::variable(r), Series::<N>::inverse(r));
+        let square = ratio.squared();
+        let half = Interval::point(0.5);
+        // Sine and cosine of πx/2 of the undamped modes.
+        let waves: Vec<(Series<N>, Series<N>)> = chain
+            .modes
+            .iter()
+            .map(|mode| inverse.times(mode.sigma * half).sine_cosine())
+            .collect();
+        let cosines: Vec<Series<N>> = waves
+            .iter()
+            .zip(singular)
+            .filter(|(_, singular)| **singular)
+            .map(|((_, cosine), _)| *cosine)
+            .collect();
+        let kappa = cosines.iter().copied().reduce(|a, b| a * b);
+        let scaled = |value: Series<N>| kappa.map_or(value, |kappa| kappa * value);
+        // The product of the other cosines, for a mode whose own is one of them.
+        let mut seen = 0;
+        let mut others = || {
+            let own = seen;
+            seen += 1;
+            let rest = cosines
+                .iter()
+                .enumerate()
+                .filter(|(place, _)| *place != own);
+            rest.map(|(_, cosine)| *cosine).reduce(|a, b| a * b)
+        };
+        let mut modes = Vec::with_capacity(chain.modes.len());
+        let mut excitation = [
+            scaled(Series::fixed(chain.direct) * square),
+            Series::fixed(Interval::ZERO),
+        ];
+        let mut quadrature = Series::fixed(Interval::ZERO);
+        let mut reversal = Series::fixed(Interval::ZERO);
+        for ((mode, (sine, cosine)), singular) in chain.modes.iter().zip(&waves).zip(singular) {
+            let x = inverse.times(mode.sigma);
+            let detuning = square - Series::fixed(mode.sigma * mode.sigma);
+            let c = mode.inverse_mass;
+            let (free, swing);
+            if *singular {
+                let rest = others();
+                let with = |value: Series<N>| rest.map_or(value, |rest| rest * value);
+                free = scaled(Series::fixed(c));
+                swing = with(*sine * ratio).times(c / mode.sigma);
+                let beside = x.value() - Interval::ONE;
+                let term = if beside.size() < RESONANT {
+                    // cos(πx/2)/(x² − 1) = −(π/2) sinc(π(x − 1)/2)/(x + 1).
+                    let sinc = (x - one).times(half).sinc();
+                    -(sinc / (x + one)).times(Interval::pi() * half)
+                } else {
+                    -(*cosine * square / detuning)
+                };
+                let [re, _] = &mut excitation;
+                *re = *re + with(term).times(mode.residue);
+            } else {
+                let (rise, over_swing) = functions(mode, &x, &ratio, (sine, cosine));
+                swing = scaled(over_swing.times(c));
+                free = scaled(rise.times(c));
+                let [re, im] = &mut excitation;
+                if mode.kind == Kind::Undamped {
+                    *re = *re - scaled(square / detuning).times(mode.residue);
+                } else {
+                    let loss = ratio.times(two * mode.zeta * mode.sigma);
+                    let size = detuning.squared() + loss.squared();
+                    let share = scaled(square / size).times(mode.residue);
+                    *re = *re - share * detuning;
+                    *im = *im - share * loss;
+                }
+                if mode.kind != Kind::Undamped {
+                    // c(g + 2ζx·u/x²).
+                    let carried = x.times(two * mode.zeta) * swing;
+                    reversal = reversal + (free - scaled(Series::fixed(c))) + carried;
+                }
+            }
+            quadrature = quadrature + swing;
+            modes.push(ModeStage {
+                oscillator: *mode,
+                x,
+                free,
+                swing,
+            });
+        }
+        let mass = scaled(Series::fixed(chain.inverse_mass));
+        Self {
+            modes,
+            kappa,
+            excitation,
+            quadrature,
+            start: reversal + mass,
+            break_away: reversal + mass.times(chain.stiction),
+        }
+    }
+
+    /// The same for −κ.
+    pub fn turned(mut self) -> Self {
+        for mode in &mut self.modes {
+            (mode.free, mode.swing) = (-mode.free, -mode.swing);
+        }
+        self.kappa = self.kappa.map(|kappa| -kappa);
+        self.excitation = self.excitation.map(|part| -part);
+        self.quadrature = -self.quadrature;
+        (self.start, self.break_away) = (-self.start, -self.break_away);
+        self
+    }
+
+    /// The first `M` terms.
+    pub fn truncated<const M: usize>(&self) -> Stage<M> {
+        let modes = self.modes.iter().map(|mode| ModeStage {
+            oscillator: mode.oscillator,
+            x: mode.x.truncated(),
+            free: mode.free.truncated(),
+            swing: mode.swing.truncated(),
+        });
+        Stage {
+            modes: modes.collect(),
+            kappa: self.kappa.map(|kappa| kappa.truncated()),
+            excitation: self.excitation.map(|part| part.truncated()),
+            quadrature: self.quadrature.truncated(),
+            start: self.start.truncated(),
+            break_away: self.break_away.truncated(),
+        }
+    }
+}
+
+/// 1 + g and u/x² of a mode whose cosine is not multiplied out.
+fn functions<const N: usize>(
+    mode: &Oscillator,
+    x: &Series<N>,
+    ratio: &Series<N>,
+    (half_sine, half_cosine): (&Series<N>, &Series<N>),
+) -> (Series<N>, Series<N>) {
+    let one = Series::fixed(Interval::ONE);
+    let (two, four) = (Interval::point(2.0), Interval::point(4.0));
+    let half = Interval::point(0.5);
+    // 1/x.
+    let slow = ratio.times(Interval::ONE / mode.sigma);
+    match mode.kind {
+        Kind::Undamped => (one, *half_sine / *half_cosine * slow),
+        Kind::Under => {
+            let e = x.times(-(Interval::pi() * mode.zeta)).exp();
+            let (s, c) = x.times(mode.q * half).sine_cosine();
+            let ec = e * c;
+            // 1 + e² + 2e cos θ, in which nothing cancels.
+            let near = (one - e).squared() + (ec * c).times(four);
+            let both = ec * s;
+            let g = (one - e.squared() - both.times(four * mode.share)) / near;
+            let u = (both / near * slow).times(four / mode.q);
+            (one + g, u)
+        }
+        Kind::Critical => {
+            let e = x.times(-Interval::pi()).exp();
+            let near = (one + e).squared();
+            let turned = e.times(two * Interval::pi());
+            let g = (one - e.squared() - turned * *x) / near;
+            (one + g, turned / near)
+        }
+        Kind::Over => {
+            let (slow_rate, fast_rate) = (Interval::ONE / mode.fast, mode.fast);
+            let e_slow = x.times(-(Interval::pi() * slow_rate)).exp();
+            let e_fast = x.times(-(Interval::pi() * fast_rate)).exp();
+            let near = (one + e_slow) * (one + e_fast);
+            let apart = e_slow - e_fast;
+            let g = (one - e_slow * e_fast - apart.times(mode.share)) / near;
+            let u = (apart / near * slow).times(Interval::ONE / mode.q);
+            (one + g, u)
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! What is proven, held to the exact search, and faults that the proof has to find.
+
+use super::super::exact::Exact;
+use super::super::{Evidence, Request, Tables, Work};
+use super::certify::{Part, certified};
+use super::stage::{Chain, Stage, singular};
+use super::witness::{Seen, Witness};
+use super::{Budget, ORDER};
+use crate::interval::Interval;
+use crate::modal::Modal;
+use crate::scene::{
+    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
+    Side, Spring, Stepping,
+};
+
+/// Equal masses and springs: the last mass on a wall, the first on a moving base, or the first two on each other.
+fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
+    let mass = |place: usize| Mass {
+        name: format!("m{place}"),
+        value: 1.0,
+    };
+    let spring = |place: usize| Spring {
+        from: place.checked_sub(1).map_or(Node::Base, Node::Mass),
+        to: Node::Mass(place),
+        stiffness: 1.0,
+    };
+    let (from, to, excitation) = match kind {
+        "Wall" => (Node::Mass(count - 1), Node::Wall, Excitation::Force(0)),
+        "Base" => (Node::Mass(0), Node::Base, Excitation::Base),
+        _ => (Node::Mass(0), Node::Mass(1), Excitation::Force(count - 1)),
+    };
+    Modal::of(&Scene {
+        name: kind.to_owned(),
+        masses: (0..count).map(mass).collect(),
+        springs: (0..count).map(spring).collect(),
+        contact: Contact { from, to },
+        excitation,
+        damping: if zeta > 0.0 {
+            Damping::Uniform(zeta)
+        } else {
+            Damping::None
+        },
+        stiction,
+        precision: Precision::F64,
+        provide: vec![Provide::Limits],
+        declared: Declared::default(),
+        friction: FrictionLaw::default(),
+        stepping: Stepping::default(),
+    })
+}
+
+fn request(accuracy: f64, side: Side) -> Request {
+    Request {
+        r: (0.2, 2.5),
+        accuracy,
+        side,
+        motion: false,
+    }
+}
+
+/// Random numbers from 0 to 1.
+fn random(state: &mut u64) -> f64 {
+    *state = state
+        .wrapping_mul(6_364_136_223_846_793_005)
+        .wrapping_add(1_442_695_040_888_963_407);
+    (*state >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// At random r outside what is open the table is within the proven bound of what the search finds.
+#[test]
+fn the_bound_holds() {
+    let mut points = 0;
+    for (kind, count, zeta, stiction) in [
+        ("Wall", 1, 0.0, 1.0),
+        ("Base", 1, 0.02, 1.0),
+        ("Wall", 2, 0.0, 1.2),
+        ("Pair", 2, 0.02, 1.2),
+        ("Base", 2, 1.7, 1.0),
+        ("Wall", 2, 1.0, 1.1),
+        ("Wall", 3, 0.3, 1.0),
+    ] {
+        let modal = scene(kind, count, zeta, stiction);
+        for (accuracy, side) in [(1e-3, Side::Near), (1e-3, Side::Safe), (1e-4, Side::Near)] {
+            let tables = Tables::<f64>::build(&modal, request(accuracy, side)).unwrap();
+            let proof = tables.prove(&modal, Work(1_000_000));
+            let name = format!(
+                "{kind}{count}, {zeta}, {stiction}, {accuracy:e}, {side:?}: {}",
+                proof.told()
+            );
+            assert!(proof.evidence != Evidence::Checked, "{name}");
+            assert!(proof.open_length() < 0.05, "{name}");
+            assert!(proof.bound.error <= accuracy, "{name}");
+            let mut exact = Exact::new(&modal);
+            let mut state = 77 + count as u64;
+            for _ in 0..2000 {
+                let r = 0.2 + 2.3 * random(&mut state);
+                if proof.open.iter().any(|(from, to)| *from <= r && r <= *to) {
+                    continue;
+                }
+                let piece = tables.pieces.iter().rev().find(|piece| piece.from <= r);
+                let value = piece.unwrap_or(&tables.pieces[0]).value(0, r);
+                let limit = exact.at(r).unwrap().limit;
+                // The search and the sums in double precision have roundings of their own.
+                let error = value / limit - 1.0;
+                assert!(
+                    error.abs() <= proof.bound.error + 1e-9,
+                    "{name} at {r}: {error:e}"
+                );
+                assert!(
+                    side == Side::Near || error <= 1e-9,
+                    "{name} at {r}: {error:e}"
+                );
+                points += 1;
+            }
+        }
+    }
+    assert!(points > 7 * 3 * 1800, "{points}");
+}
+
+/// One coefficient off by ten accuracies: the piece is not proven where it counts.
+#[test]
+fn a_wrong_coefficient_is_not_proven() {
+    let mut found = 0;
+    for (kind, count, zeta, accuracy) in [
+        ("Wall", 1, 0.0, 1e-2),
+        ("Base", 1, 0.02, 1e-4),
+        ("Pair", 2, 0.02, 1e-4),
+        ("Wall", 1, 0.02, 1e-6),
+    ] {
+        let modal = scene(kind, count, zeta, 1.2);
+        let mut tables = Tables::<f64>::build(&modal, request(accuracy, Side::Near)).unwrap();
+        for place in [1, tables.pieces.len() / 2, tables.pieces.len() - 1] {
+            let work = Work(300_000);
+            let sound = tables.prove_piece(&modal, place, work);
+            let next = tables.pieces.get(place + 1).map_or(2.5, |next| next.from);
+            let piece = &tables.pieces[place];
+            let (from, middle) = (piece.from, 0.5 * (piece.from + next));
+            let far = (next - piece.origin).abs().max((from - piece.origin).abs());
+            let limit = piece.value(0, middle).abs();
+            assert!(
+                sound.open_length() < 1e-3 * (next - from),
+                "{}",
+                sound.told()
+            );
+            for power in 0..tables.terms {
+                let coefficient = tables.pieces[place].coefficients[0][power];
+                let wrong = 10.0 * accuracy * limit / far.powi(power as i32);
+                tables.pieces[place].coefficients[0][power] = coefficient + wrong;
+                let open = tables
+                    .prove_piece(&modal, place, Work(50_000))
+                    .open_length();
+                // What is off by ten accuracies at its far end is off by more than one over a good part.
+                assert!(
+                    open > 0.05 * (next - from),
+                    "{kind}{count} {accuracy:e}: coefficient {power} of piece {place} passes but for {open:e}"
+                );
+                tables.pieces[place].coefficients[0][power] = coefficient;
+                found += 1;
+            }
+        }
+    }
+    assert_eq!(found, 3 * (4 + 6 + 6 + 6));
+}
+
+/// In single precision the roundings of the evaluation count.
+#[test]
+fn single_precision() {
+    let modal = scene("Wall", 1, 0.02, 1.2);
+    let tables = Tables::<f32>::build(&modal, request(1e-4, Side::Near)).unwrap();
+    let proof = tables.prove(&modal, Work(1_000_000));
+    assert_eq!(proof.evidence, Evidence::Proven, "{}", proof.told());
+    let mut exact = Exact::new(&modal);
+    let mut state = 5;
+    for _ in 0..5000 {
+        let r = (0.2 + 2.3 * random(&mut state)) as f32;
+        let piece = tables.pieces.iter().rev().find(|piece| piece.from <= r);
+        let value = f64::from(piece.unwrap_or(&tables.pieces[0]).value(0, r));
+        let limit = exact.at(f64::from(r)).unwrap().limit;
+        assert!((value / limit - 1.0).abs() <= proof.bound.error, "r = {r}");
+    }
+}
+
+/// Without work, and below 1e-6, a table says of itself that it is checked.
+#[test]
+fn what_is_not_proven_says_so() {
+    let modal = scene("Wall", 1, 0.02, 1.2);
+    let tables = Tables::<f64>::build(&modal, request(1e-4, Side::Near)).unwrap();
+    assert_eq!(tables.proof.evidence, Evidence::Checked);
+    assert_eq!(tables.prove(&modal, Work(0)).evidence, Evidence::Checked);
+    let little = tables.prove(&modal, Work(20_000));
+    assert_eq!(little.evidence, Evidence::Partly);
+    assert!(little.open_length() > 0.1 && little.work.0 < 30_000);
+    assert!(
+        little.told().contains("Only checked in"),
+        "{}",
+        little.told()
+    );
+    let fine = Tables::<f64>::build(&modal, request(1e-7, Side::Near)).unwrap();
+    let fine = fine.proven(&modal, Work::WHOLE);
+    assert_eq!(fine.proof.evidence, Evidence::Checked);
+    assert!(fine.proof.told().starts_with("Checked, not proven"));
+}
+
+/// A witness that is not about the largest constraint is refused, wherever it lies; a largest one mostly is not.
+#[test]
+fn witnesses_that_are_none() {
+    let (mut refused, mut accepted, mut largest) = (0, 0, 0);
+    for (kind, count, zeta, stiction) in [
+        ("Wall", 1, 0.02, 1.0),
+        ("Pair", 2, 0.0, 1.0),
+        ("Wall", 3, 0.05, 1.2),
+        ("Base", 2, 1.5, 1.0),
+    ] {
+        let modal = scene(kind, count, zeta, stiction);
+        let (chain, mut exact) = (Chain::of(&modal), Exact::new(&modal));
+        let mut state = 11;
+        for turn in 0..400 {
+            let r = 0.2 + 1.5 * random(&mut state);
+            let all = Interval::new(r * (1.0 - 2e-5), r * (1.0 + 2e-5));
+            let tau = exact.at(r).unwrap().tau;
+            // Where the largest is, a little beside it, anywhere, and the start.
+            let t = match (turn % 4, tau) {
+                (0, Some(tau)) => Some(tau / std::f64::consts::PI),
+                (1, Some(tau)) => {
+                    Some(tau / std::f64::consts::PI * (0.8 + 0.4 * random(&mut state)))
+                }
+                (2, _) => Some(random(&mut state)),
+                _ => None,
+            };
+            let witness = t.map_or(Witness::BreakAway, |t| Witness::Instant(vec![t]));
+            let singular = singular(&chain, r);
+            let at = Stage::<ORDER>::over(&chain, Interval::point(r), &singular);
+            let over = Stage::<ORDER>::over(&chain, all, &singular);
+            let away = all - Interval::point(r);
+            let none = [Interval::ZERO; 2];
+            let seen_at = Seen::of(&witness, &at, Interval::ZERO, none);
+            let seen_over = Seen::of(&witness, &over, away, none);
+            let share = 1e-3;
+            let part = Part {
+                chain: &chain,
+                witness: &witness,
+                away,
+                at: &at,
+                over: &over,
+                seen_at: &seen_at,
+                seen_over: &seen_over,
+                share,
+            };
+            let mut budget = Budget::of(1_000_000);
+            let held = certified(&part, &mut budget);
+            // β_lim by the witness beside the exact one.
+            let [re, im] = at.excitation.map(|part| part.value().middle());
+            let own = re.hypot(im) / seen_at.size.value().middle().sqrt();
+            let missed = own / exact.at(r).unwrap().limit - 1.0;
+            if missed > share * 1.01 {
+                assert!(
+                    !held,
+                    "{kind}{count}, {zeta}: {t:?} at r = {r} misses {missed:e}"
+                );
+                refused += 1;
+            } else if missed.abs() < 1e-6 {
+                largest += 1;
+                accepted += usize::from(held);
+            }
+        }
+    }
+    assert!(refused > 400, "{refused}");
+    assert!(
+        accepted * 10 > largest * 8 && largest > 200,
+        "{accepted} of {largest}"
+    );
+}

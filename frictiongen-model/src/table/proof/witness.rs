@@ -1,0 +1,92 @@
+//! An instant, as a polynomial in r, at which the velocity constraint is about largest; and β_lim as if it were.
+
+use super::stage::Stage;
+use super::{early, force};
+use crate::interval::{Interval, Series};
+
+/// What is taken for the largest velocity constraint over an interval of r.
+#[derive(Clone, Debug)]
+pub(super) enum Witness {
+    /// The break-away term, or with μ = 1 the start of the half period.
+    BreakAway,
+    /// The sum at τ = πt, t a polynomial in r − r₀.
+    Instant(Vec<f64>),
+    /// The same beside the start of the half period.
+    Early(Vec<f64>),
+}
+
+impl Witness {
+    /// t at r₀ + `t`.
+    pub fn path<const N: usize>(&self, away: Interval) -> Series<N> {
+        let coefficients: &[f64] = match self {
+            Self::BreakAway => &[0.5],
+            Self::Instant(coefficients) | Self::Early(coefficients) => coefficients,
+        };
+        polynomial(coefficients, Series::variable(away))
+    }
+}
+
+/// Σ c_k tᵏ.
+pub(super) fn polynomial<const N: usize>(coefficients: &[f64], t: Series<N>) -> Series<N> {
+    let zero = Series::fixed(Interval::ZERO);
+    coefficients.iter().rev().fold(zero, |sum, coefficient| {
+        sum * t + Series::fixed(Interval::point(*coefficient))
+    })
+}
+
+/// The witness at a frequency.
+///
+/// D = N sin τ − F, with N a little above the constraint, is to be positive elsewhere: of a witness beside the start
+/// D/τ is what counts.
+#[derive(Clone, Debug)]
+pub(super) struct Seen<const N: usize> {
+    /// Its instant over π.
+    pub t: Series<N>,
+    /// sin τ, or sin τ/τ.
+    pub weight: Series<N>,
+    /// The slope of that.
+    pub turn: Series<N>,
+    /// κ times the velocity constraint that it has: the largest one is not below.
+    pub constraint: Series<N>,
+    /// (κU)² + (κ times the constraint)².
+    pub size: Series<N>,
+    /// The slope in τ of D, or of D/τ, were N the constraint.
+    pub rise: Series<N>,
+}
+
+impl<const N: usize> Seen<N> {
+    /// With what [`early::rest`] says of a witness beside the start.
+    pub fn of(witness: &Witness, stage: &Stage<N>, away: Interval, rest: [Interval; 2]) -> Self {
+        let t = witness.path::<N>(away);
+        let zero = Series::fixed(Interval::ZERO);
+        let (weight, turn, constraint, rise);
+        match witness {
+            Witness::BreakAway => {
+                (weight, turn, constraint, rise) = (zero, zero, stage.break_away, zero);
+            }
+            Witness::Instant(_) => {
+                (weight, turn) = t.sine_cosine();
+                let motions = force::motions(stage, &t);
+                constraint = force::value(stage, &motions, &turn) / weight;
+                rise = constraint * turn - force::slope(stage, &motions, &weight);
+            }
+            Witness::Early(_) => {
+                let tau = t.times(Interval::pi());
+                (weight, turn) = early::sinc(&tau);
+                let (value, slope) = early::over_tau(stage, &tau);
+                let [of_value, of_slope] = rest.map(Series::fixed);
+                constraint = (value + of_value) / weight;
+                rise = constraint * turn - (slope + of_slope);
+            }
+        }
+        let size = stage.quadrature.squared() + constraint.squared();
+        Self {
+            t,
+            weight,
+            turn,
+            constraint,
+            size,
+            rise,
+        }
+    }
+}
