@@ -151,9 +151,8 @@ fn at_frequency(emission: &Emission<'_>) -> TokenStream {
             /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
             /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
             const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
-            /// All that the steady response rests on.  `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass
-            /// that rubs on a support; `absorbs`: V and H may have zeros in common; `unbounded`: the undamped resonances that
-            /// the load drives, `invisible`: those of them that the contact does not touch.
+            /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass on a support; `absorbs`: V and H may share
+            /// zeros; `unbounded`: undamped resonances that the load drives, `invisible`: those that the contact does not touch.
             const NUMBERS: Numbers<'static, #scalar> = Numbers {
                 modes: &Self::MODES,
                 chain: Self::CHAIN,
@@ -278,8 +277,7 @@ fn answers(emission: &Emission<'_>) -> String {
 
 fn chain_about(emission: &Emission<'_>) -> Vec<&'static str> {
     let mut about = vec![
-        " What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static",
-        " over kinetic friction force.",
+        " Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.",
     ];
     if emission.reduced.chain.on_moving_base.is_some() {
         about.push(

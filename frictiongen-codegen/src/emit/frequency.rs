@@ -28,7 +28,6 @@ pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
     code! {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        ///
         #(#[doc = #legend])*
         ///
         #[doc = #operations]

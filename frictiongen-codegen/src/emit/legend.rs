@@ -6,24 +6,21 @@ const SUMS: [&str; 2] = [
     " Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of",
     " (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).",
 ];
-const EVERY: [&str; 2] = [
-    " `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact",
-    " drives is E, `scale`.",
-];
+const EVERY: &str = " `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.";
 const ALONE: &str = " `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.";
 const PARTS: &str = " `u` is uR²; it, `g` and `reversal` come times `size`, then times E.";
 const UNDAMPED: [&str; 2] = [
     " Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0",
     " where that is exactly 0.",
 ];
-const DAMPED: &str = " `loss` is 2ζx.";
-const LIGHT: [&str; 6] = [
+const PARTS_DAMPED: &str =
+    " `u` is uR²; it, `g` and `reversal` come times `size`, then times E.  `loss` is 2ζx.";
+const LIGHT: [&str; 5] = [
     " Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².",
     " `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and",
-    " `cosine` are of πqx/2, formed as the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of",
-    " `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|) of it, `unit_nearness` it times",
-    " that, and `pole_weight` `size` times that over the squared modulus of `unit_nearness`.  `swing` is uR times `size`;",
-    " `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g where its terms cancel.",
+    " `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,",
+    " (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over",
+    " |`unit_nearness`|².  `swing` is uR times `size`; `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g.",
 ];
 const CRITICAL: [&str; 2] = [
     " Critically damped: u = 2πx²e/D, g = (1 − e² − 2πxe)/D, D = (1 + e)², e = exp(−πx).  `decay_exponent` is πx, `pole_weight`",
@@ -42,7 +39,7 @@ pub(super) fn sums() -> Vec<&'static str> {
 
 /// Of the function of a mode with this damping.
 pub(super) fn mode(kind: Kind) -> Vec<&'static str> {
-    let mut lines = [&EVERY[..], &[PARTS]].concat();
+    let mut lines = vec![EVERY];
     lines.extend(of(kind));
     lines
 }
@@ -53,19 +50,18 @@ pub(super) fn single(mode: &Mode<f64>) -> Vec<&'static str> {
     if mode.resonance == 1.0 {
         lines.push(ALONE);
     } else {
-        lines.extend(EVERY);
+        lines.push(EVERY);
     }
-    lines.push(PARTS);
     lines.extend(of(mode.kind));
     lines
 }
 
 fn of(kind: Kind) -> Vec<&'static str> {
     let lines: &[&[&str]] = match kind {
-        Kind::Undamped => &[&UNDAMPED],
-        Kind::Light | Kind::Heavy => &[&[DAMPED], &LIGHT],
-        Kind::Critical => &[&[DAMPED], &CRITICAL],
-        Kind::Over => &[&[DAMPED], &OVER],
+        Kind::Undamped => &[&[PARTS], &UNDAMPED],
+        Kind::Light | Kind::Heavy => &[&[PARTS_DAMPED], &LIGHT],
+        Kind::Critical => &[&[PARTS_DAMPED], &CRITICAL],
+        Kind::Over => &[&[PARTS_DAMPED], &OVER],
     };
     lines.concat()
 }

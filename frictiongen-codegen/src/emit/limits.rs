@@ -94,8 +94,7 @@ fn without_search(emission: &Emission<'_>) -> TokenStream {
     let (continuous, sliding) = (field("continuous", continuous), field("sliding", sliding));
     let operations = format!(" Operations: {count}.");
     code! {
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
-        /// those of `frequency_stage`.
+        /// Both limits (5.64; 6.11, 6.27, 6.33) and Re H, without what only a motion needs; names as in `frequency_stage`.
         ///
         #[doc = #operations]
         #[inline]

@@ -32,7 +32,6 @@ pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
         });
         Some(code! {
             #[doc = #about]
-            ///
             #(#[doc = #legend])*
             #[inline(always)]
             fn #function #choice (mode: &Mode<#scalar>, inverse_r: #scalar) -> ModeResponse<#scalar> {

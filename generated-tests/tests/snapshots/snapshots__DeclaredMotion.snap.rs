@@ -39,8 +39,7 @@ const _: () = {
         pub const RESONANCES: [f64; 1] = [1.0];
         /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
-        /// What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static
-        /// over kinetic friction force.
+        /// Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
         /// `on_moving_base`: the contact rubs on the moving base; the static relative motion.
         const CHAIN: Chain<f64> = Chain {
             damped: false,
@@ -79,9 +78,8 @@ const _: () = {
                 static_residue: 1.0,
             },
         ];
-        /// All that the steady response rests on.  `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass
-        /// that rubs on a support; `absorbs`: V and H may have zeros in common; `unbounded`: the undamped resonances that
-        /// the load drives, `invisible`: those of them that the contact does not touch.
+        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass on a support; `absorbs`: V and H may share
+        /// zeros; `unbounded`: undamped resonances that the load drives, `invisible`: those that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -162,7 +160,6 @@ const _: () = {
         }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        ///
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
         /// `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.
@@ -220,8 +217,7 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / (1.2 * receptance)
         }
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
-        /// those of `frequency_stage`.
+        /// Both limits (5.64; 6.11, 6.27, 6.33) and Re H, without what only a motion needs; names as in `frequency_stage`.
         ///
         /// Operations: 25: 10 ×, 4 sign, 4 ÷, 3 +, 2 compare, 1 sin_cos_pi, 1 √.
         #[inline]

@@ -90,8 +90,7 @@ const _: () = {
                 0.16989112404918136,
             ],
         ];
-        /// What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static
-        /// over kinetic friction force.
+        /// Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
@@ -181,9 +180,8 @@ const _: () = {
                 static_residue: 0.028862994030694332,
             },
         ];
-        /// All that the steady response rests on.  `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass
-        /// that rubs on a support; `absorbs`: V and H may have zeros in common; `unbounded`: the undamped resonances that
-        /// the load drives, `invisible`: those of them that the contact does not touch.
+        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass on a support; `absorbs`: V and H may share
+        /// zeros; `unbounded`: undamped resonances that the load drives, `invisible`: those that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -230,17 +228,13 @@ const _: () = {
     ::frictiongen::kernel::wraps!(FiveAt, At of Five, Copy);
     impl Five {
         /// The functions of a lightly damped mode, ζ < 1/2.
-        ///
-        /// `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact
-        /// drives is E, `scale`.
-        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
-        /// `loss` is 2ζx.
+        /// `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
+        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.  `loss` is 2ζx.
         /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
         /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, formed as the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of
-        /// `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|) of it, `unit_nearness` it times
-        /// that, and `pole_weight` `size` times that over the squared modulus of `unit_nearness`.  `swing` is uR times `size`;
-        /// `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g where its terms cancel.
+        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,
+        /// (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over
+        /// |`unit_nearness`|².  `swing` is uR times `size`; `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g.
         #[inline(always)]
         fn damped_mode<const WITH_G: bool>(
             mode: &Mode<f64>,
@@ -389,7 +383,6 @@ const _: () = {
         }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        ///
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
         ///
@@ -472,8 +465,7 @@ const _: () = {
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / receptance
         }
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
-        /// those of `frequency_stage`.
+        /// Both limits (5.64; 6.11, 6.27, 6.33) and Re H, without what only a motion needs; names as in `frequency_stage`.
         ///
         /// Operations: 343: 202 ×, 68 +, 32 ÷, 25 sign, 5 exp_m1, 5 sin_cos_pi, 4 compare, 1 hypot, 1 √.
         #[inline]

@@ -39,8 +39,7 @@ const _: () = {
         pub const RESONANCES: [f64; 1] = [1.0];
         /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
-        /// What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static
-        /// over kinetic friction force.
+        /// Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
@@ -78,9 +77,8 @@ const _: () = {
                 static_residue: 1.0,
             },
         ];
-        /// All that the steady response rests on.  `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass
-        /// that rubs on a support; `absorbs`: V and H may have zeros in common; `unbounded`: the undamped resonances that
-        /// the load drives, `invisible`: those of them that the contact does not touch.
+        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass on a support; `absorbs`: V and H may share
+        /// zeros; `unbounded`: undamped resonances that the load drives, `invisible`: those that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -159,18 +157,15 @@ const _: () = {
         }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        ///
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
         /// `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.
-        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
-        /// `loss` is 2ζx.
+        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.  `loss` is 2ζx.
         /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
         /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, formed as the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of
-        /// `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|) of it, `unit_nearness` it times
-        /// that, and `pole_weight` `size` times that over the squared modulus of `unit_nearness`.  `swing` is uR times `size`;
-        /// `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g where its terms cancel.
+        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,
+        /// (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over
+        /// |`unit_nearness`|².  `swing` is uR times `size`; `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g.
         ///
         /// Operations: 63: 37 ×, 11 +, 6 ÷, 5 sign, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline]
@@ -263,8 +258,7 @@ const _: () = {
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / receptance
         }
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
-        /// those of `frequency_stage`.
+        /// Both limits (5.64; 6.11, 6.27, 6.33) and Re H, without what only a motion needs; names as in `frequency_stage`.
         ///
         /// Operations: 60: 32 ×, 12 +, 7 ÷, 5 sign, 1 exp_m1, 1 hypot, 1 sin_cos_pi, 1 √.
         #[inline]

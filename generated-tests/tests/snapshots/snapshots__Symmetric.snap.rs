@@ -55,8 +55,7 @@ const _: () = {
             [0.7071067811865476, 0.0, -0.7071067811865476],
             [0.5, -0.7071067811865476, 0.5],
         ];
-        /// What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static
-        /// over kinetic friction force.
+        /// Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: None,
@@ -107,9 +106,8 @@ const _: () = {
                 static_residue: 0.14644660940672624,
             },
         ];
-        /// All that the steady response rests on.  `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass
-        /// that rubs on a support; `absorbs`: V and H may have zeros in common; `unbounded`: the undamped resonances that
-        /// the load drives, `invisible`: those of them that the contact does not touch.
+        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass on a support; `absorbs`: V and H may share
+        /// zeros; `unbounded`: undamped resonances that the load drives, `invisible`: those that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -158,9 +156,7 @@ const _: () = {
     ::frictiongen::kernel::wraps!(SymmetricAt, At of Symmetric, Copy);
     impl Symmetric {
         /// The functions of an undamped mode.
-        ///
-        /// `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact
-        /// drives is E, `scale`.
+        /// `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
         /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0
         /// where that is exactly 0.
@@ -220,7 +216,6 @@ const _: () = {
         }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        ///
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
         ///
@@ -269,8 +264,7 @@ const _: () = {
             let receptance = Scalar::abs(contact.h.re);
             excitation / receptance
         }
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
-        /// those of `frequency_stage`.
+        /// Both limits (5.64; 6.11, 6.27, 6.33) and Re H, without what only a motion needs; names as in `frequency_stage`.
         ///
         /// Operations: 44: 18 ×, 7 +, 6 ÷, 5 compare, 5 sign, 2 sin_cos_pi, 1 √.
         #[inline]
