@@ -164,8 +164,7 @@ fn names(cell: &str) -> Vec<&str> {
 fn which_names_what_there_is() {
     let page = page("which.md");
     let commands = output("", &["--help"]);
-    let python = std::fs::read_to_string(format!("{ROOT}/python/package/frictiongen/_system.py"));
-    let python = python.unwrap();
+    let python = sources(Path::new(&format!("{ROOT}/python/package/frictiongen")));
     let rust = sources(Path::new(&format!("{ROOT}/frictiongen/src")))
         + &sources(Path::new(&format!("{ROOT}/frictiongen-kernel/src")));
     let (mut heads, mut counts) = (Vec::new(), [0; 3]);
@@ -187,7 +186,7 @@ fn which_names_what_there_is() {
                     counts[0] += 1;
                 }
                 ("Python", Some(name)) => {
-                    assert!(python.contains(&format!("    def {name}(")), "{name}");
+                    assert!(python.contains(&format!("def {name}(")), "{name}");
                     counts[1] += 1;
                 }
                 (head, Some(_)) if head.starts_with("Rust") => {
@@ -227,7 +226,7 @@ fn which_names_what_there_is() {
     assert!(links > 20, "{links}");
 }
 
-/// All Rust below a folder.
+/// All texts below a folder.
 fn sources(folder: &Path) -> String {
     let entries = std::fs::read_dir(folder).unwrap().map(Result::unwrap);
     let texts = entries.map(|entry| {

@@ -3,7 +3,7 @@
 use crate::asked::{Measure, Part};
 use crate::columns::{Columns, cell};
 use frictiongen::Complex;
-use frictiongen::study::units::{polar, reversed_phase};
+use frictiongen::study::units::polar;
 use frictiongen::study::{Swing, SystemOrbitMotion, SystemResponse};
 use pyo3::prelude::*;
 
@@ -33,23 +33,12 @@ impl Movement {
             .map(|order| response.harmonic(part.of, *order));
         let mut movement = Self {
             swing: response.swing(part.of),
-            monoharmonic: match response {
-                SystemResponse::Continuous(motion) => match part.of {
-                    frictiongen::Of::Contact => Some(motion.contact().amplitude_monoharmonic()),
-                    frictiongen::Of::Mass(index) => motion
-                        .mass_at(index)
-                        .map(|motion| motion.amplitude_monoharmonic()),
-                },
-                _ => None,
-            },
+            monoharmonic: response.monoharmonic(part.of),
             rates: None,
             harmonics: harmonics.collect::<Option<_>>().unwrap_or_default(),
         };
         if measure.turns(part.of) {
-            movement.turn(|phase| match response {
-                SystemResponse::StickSlip(orbit) => orbit.reversed_contact_phase(),
-                _ => reversed_phase(phase),
-            });
+            movement.turn(response.reversed_contact_phase());
         }
         movement
     }
@@ -67,10 +56,10 @@ impl Movement {
         }
     }
 
-    /// The same with the opposite sign, where its phase is this of the phase before.
-    pub fn turn(&mut self, phase: impl Fn(f64) -> f64) {
+    /// The same with the opposite sign, where it has this phase.
+    pub fn turn(&mut self, phase: Option<f64>) {
         if let Some(swing) = &mut self.swing {
-            swing.phase = swing.phase.map(phase);
+            swing.phase = phase;
         }
         for harmonic in &mut self.harmonics {
             *harmonic = Complex::new(0.0 - harmonic.re, 0.0 - harmonic.im);

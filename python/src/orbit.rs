@@ -63,7 +63,7 @@ pub fn orbit<'py>(
             Of::Contact => {
                 let mut movement = Movement::of_orbit(&orbit.contact(), &orders);
                 if measure.turns(part.of) {
-                    movement.turn(|_| orbit.reversed_contact_phase());
+                    movement.turn(Some(orbit.reversed_contact_phase()));
                 }
                 movement
             }

@@ -43,14 +43,20 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -
     let sliding = tables.sliding.as_ref().map(|product| {
         let quotient = quotient(product);
         code! {
-            /// β*_lim by its zeros and poles.
+            /// β*_lim as a product over its zeros and poles: `Zero` is (r − at − rest)(r + at), `Pair`
+            /// (that + off)² + least, `Real` r² + off.
             const SLIDING_LIMIT: Quotient<'static, #scalar> = #quotient;
         }
     });
+    let excitation_about = if tables.functions == 2 {
+        " V, with its sign, in the same way."
+    } else {
+        " |V| in the same way."
+    };
     let excitation = tables.excitation.as_ref().map(|product| {
         let quotient = quotient(product);
         code! {
-            /// |V| by its zeros and poles.
+            #[doc = #excitation_about]
             const EXCITATION: Quotient<'static, #scalar> = #quotient;
         }
     });
@@ -125,7 +131,7 @@ fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream
     let most = FRICTION_SHARES.iter().copied().fold(0.0, f64::max);
     let accuracy = tables.request.accuracy;
     let about = format!(
-        " Checked to {accuracy:e} up to β = {most}·β_lim; nearer to it the error grows as 1/(1 − (β/β_lim)²)."
+        " Checked to {accuracy:e} up to β = {most}·β_lim; nearer to it the error grows at most as 1/(1 − (β/β_lim)²)."
     );
     code! {
         impl TabledMotion for #name {
@@ -230,7 +236,7 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     vec![
         format!(" {functions} over r from {low} to {high}, to {accuracy:e}{side}:"),
         format!(
-            " {} pieces of degree {} and {} buckets, with β*_lim {bytes} bytes.",
+            " {} pieces of degree {}, each Σ coefficients[j]·(r − origin)^j, and {} buckets of 1/density; with β*_lim {bytes} bytes.",
             tables.pieces.len(),
             tables.terms - 1,
             tables.index.buckets.len(),

@@ -246,7 +246,7 @@ const _: () = {
     }
     impl DeclaredMotion {
         /// β_lim and a·sgn V = β_lim·U/V over r from 0.5 to 2, to 1e-3:
-        /// 4 pieces of degree 5 and 8 buckets, with β*_lim 504 bytes.
+        /// 4 pieces of degree 5, each Σ coefficients[j]·(r − origin)^j, and 8 buckets of 1/density; with β*_lim 504 bytes.
         /// Largest error 7.0e-4, at r = 0.9948819864394244: checked at 720 points that the fit did not see.
         const TABLE: Table<'static, f64, ::core::primitive::u8, 2, 6> = Table {
             low: 0.5,
@@ -288,14 +288,15 @@ const _: () = {
                 },
             ],
         };
-        /// β*_lim by its zeros and poles.
+        /// β*_lim as a product over its zeros and poles: `Zero` is (r − at − rest)(r + at), `Pair`
+        /// (that + off)² + least, `Real` r² + off.
         const SLIDING_LIMIT: Quotient<'static, f64> = Quotient {
             gain: 0.8333333333333334,
             squared: false,
             numerator: &[Factor::Real { off: 0.0 }],
             denominator: &[],
         };
-        /// |V| by its zeros and poles.
+        /// V, with its sign, in the same way.
         const EXCITATION: Quotient<'static, f64> = Quotient {
             gain: -1.0,
             squared: false,
@@ -333,7 +334,7 @@ const _: () = {
         type Moving = DeclaredMotionMotion;
         /// What amplitude and phase of the contact follow from (2.21, 5.35, 5.38, 7.20, 7.21).
         ///
-        /// Checked to 1e-3 up to β = 0.98·β_lim; nearer to it the error grows as 1/(1 − (β/β_lim)²).
+        /// Checked to 1e-3 up to β = 0.98·β_lim; nearer to it the error grows at most as 1/(1 − (β/β_lim)²).
         #[inline]
         fn tabled_contact(&self, r: f64) -> Option<ContactTable<f64>> {
             Some(
