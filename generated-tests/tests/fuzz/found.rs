@@ -1,7 +1,9 @@
 //! What the long form has found, each as a test of its own.
 
 use crate::text::expanded;
-use frictiongen::{FrictionSystem, MotionAt, NoOrbit, Regime, System, friction_system};
+use frictiongen::{
+    FrictionSystem, MotionAt, NoOrbit, OutOfDomain, Regime, System, friction_system,
+};
 
 /// Was taken as a visibility, and emitted, which is no Rust.
 #[test]
@@ -341,7 +343,7 @@ fn a_sweep_too_slow_for_two_searches() {
 }
 
 /// Two decays of different modes were one pair, whose shares were nearly dependent: in `f32` the held
-/// contact moved.
+/// contact moved.  Two overdamped held modes lie so near to each other that `f32` loses a sixth of a motion: refused now.
 #[test]
 fn decays_of_two_modes() {
     let text = "struct R { masses: { a: 5.967731750865764, b: 0.30315412918747936,
@@ -349,11 +351,19 @@ fn decays_of_two_modes() {
         a - b: 5.860394190591326, b - c: 0.182431950610341, c - d: 0.15523094275287846,
         d - wall: 2976.711845219491 }, contact: c - d, excitation: base,
         damping: rayleigh(0.1778467665420973, 0.09091268639795028), stiction: 1 }";
-    let system: System<f32> = text.parse().expect("a sound scene");
+    let narrow: System<f32> = text.parse().expect("a sound scene");
+    let refused = narrow.simulation(0.5, 0.1).err();
+    assert_eq!(
+        refused,
+        Some(OutOfDomain {
+            argument: "damping"
+        })
+    );
+    let system: System = text.parse().expect("a sound scene");
     let mut run = system.simulation(0.5, 0.1).expect("in the domain");
     for _ in 0..8 {
-        run.advance(core::f32::consts::TAU).expect("a reach");
+        run.advance(core::f64::consts::TAU).expect("a reach");
         let (z, _) = run.run().relative();
-        assert!(z.abs() < 1e-8, "{z}");
+        assert!(z.abs() < 1e-14, "{z}");
     }
 }
