@@ -49,8 +49,7 @@ const _: () = {
             [0.3426795800926145, 1.6805434410452347],
             [0.9394523433296388, -0.6130038684705358],
         ];
-        /// What the scene says beyond its modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static
-        /// over kinetic friction force.
+        /// Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
@@ -101,9 +100,8 @@ const _: () = {
                 static_residue: -1.1610643562596341,
             },
         ];
-        /// All that the steady response rests on.  `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass
-        /// that rubs on a support; `absorbs`: V and H may have zeros in common; `unbounded`: the undamped resonances that
-        /// the load drives, `invisible`: those of them that the contact does not touch.
+        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass on a support; `absorbs`: V and H may share
+        /// zeros; `unbounded`: undamped resonances that the load drives, `invisible`: those that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -137,7 +135,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, and nothing is written; at the first NaN or negative r, and what comes before is.
+        /// `OutOfDomain` for slices of unequal lengths, and then nothing is written; at the first NaN or negative r, up to which it is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -148,6 +146,67 @@ const _: () = {
     }
     ::frictiongen::emitted_system!(Mount, MountAt, f64, ["frame", "machine"]);
     ::frictiongen::kernel::wraps!(MountAt, At of Mount, Copy);
+    impl Mount {
+        /// The functions of a lightly damped mode, ζ < 1/2.
+        /// `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
+        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.  `loss` is 2ζx.
+        /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
+        /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
+        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,
+        /// (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over
+        /// |`unit_nearness`|².  `swing` is uR times `size`; `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g.
+        #[inline(always)]
+        fn damped_mode<const WITH_G: bool>(
+            mode: &Mode<f64>,
+            inverse_r: f64,
+        ) -> ModeResponse<f64> {
+            let frequency = mode.resonance * inverse_r;
+            let detuning = (frequency - 1.0) * (frequency + 1.0);
+            let loss = 2.0 * mode.zeta * frequency;
+            let size = Scalar::abs(detuning) + loss;
+            let decay_exponent = 3.141592653589793 * mode.zeta * frequency;
+            let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+            let half_decay_factor = 1.0 + half_decay_minus_one;
+            let decay_complement = -(half_decay_minus_one * (1.0 + half_decay_factor));
+            let decay_factor = half_decay_factor * half_decay_factor;
+            let half_turns = mode.q * frequency;
+            let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                frequency * 0.5,
+                frequency * (mode.q_defect * 0.5),
+            );
+            let one_plus_factor = 1.0 + decay_factor;
+            let nearness_re = one_plus_factor * cosine;
+            let nearness_im = decay_complement * sine;
+            let inverse_nearness = 1.0
+                / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+            let unit_nearness_re = nearness_re * inverse_nearness;
+            let unit_nearness_im = nearness_im * inverse_nearness;
+            let pole_weight = size * inverse_nearness
+                / (unit_nearness_re * unit_nearness_re
+                    + unit_nearness_im * unit_nearness_im);
+            let swing = 4.0 / mode.q * sine * decay_factor * (cosine * inverse_nearness)
+                * pole_weight;
+            let u = swing / frequency;
+            let g = if WITH_G {
+                (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight
+            } else {
+                0.0
+            };
+            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                * pole_weight + mode.zeta * swing;
+            ModeResponse {
+                x: frequency,
+                denominator: Complex { re: detuning, im: loss },
+                size,
+                u,
+                g,
+                reversal,
+            }
+        }
+    }
     impl Scene for Mount {
         type Scalar = f64;
         type Decay = Damped<f64>;
@@ -182,110 +241,14 @@ const _: () = {
         }
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        ///
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        /// `frequency` is x = √λ/r, `detuning` x² − 1, `size` |x² − 1| + 2ζx; the smallest `size` of a mode that the contact drives is E, `scale`.
-        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
-        /// `loss` is 2ζx.
-        /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
-        /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, formed as the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of
-        /// `nearness`, (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|) of it, `unit_nearness` it times
-        /// that, and `pole_weight` `size` times that over the squared modulus of `unit_nearness`.  `swing` is uR times `size`;
-        /// `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g where its terms cancel.
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            let mode_1 = {
-                let frequency = 0.6283793835980964 * inverse_r;
-                let detuning = (frequency - 1.0) * (frequency + 1.0);
-                let loss = 0.02 * frequency;
-                let size = Scalar::abs(detuning) + loss;
-                let decay_exponent = 0.031415926535897934 * frequency;
-                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
-                let half_decay_factor = 1.0 + half_decay_minus_one;
-                let decay_complement = -(half_decay_minus_one
-                    * (1.0 + half_decay_factor));
-                let decay_factor = half_decay_factor * half_decay_factor;
-                let half_turns = 0.9999499987499375 * frequency;
-                let (sine, cosine) = Scalar::sin_cos_pi_minus(
-                    frequency * 0.5,
-                    frequency * 2.5000625031251956e-5,
-                );
-                let one_plus_factor = 1.0 + decay_factor;
-                let nearness_re = one_plus_factor * cosine;
-                let nearness_im = decay_complement * sine;
-                let inverse_nearness = 1.0
-                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
-                let unit_nearness_re = nearness_re * inverse_nearness;
-                let unit_nearness_im = nearness_im * inverse_nearness;
-                let pole_weight = size * inverse_nearness
-                    / (unit_nearness_re * unit_nearness_re
-                        + unit_nearness_im * unit_nearness_im);
-                let swing = 4.00020001500125 * sine * decay_factor
-                    * (cosine * inverse_nearness) * pole_weight;
-                let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(decay_exponent)
-                    + 2.0 * decay_factor * decay_exponent
-                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
-                    * pole_weight;
-                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                    * pole_weight + 0.01 * swing;
-                ModeResponse {
-                    x: frequency,
-                    denominator: Complex { re: detuning, im: loss },
-                    size,
-                    u,
-                    g,
-                    reversal,
-                }
-            };
-            let mode_2 = {
-                let frequency = 1.120776226670104 * inverse_r;
-                let detuning = (frequency - 1.0) * (frequency + 1.0);
-                let loss = 0.04 * frequency;
-                let size = Scalar::abs(detuning) + loss;
-                let decay_exponent = 0.06283185307179587 * frequency;
-                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
-                let half_decay_factor = 1.0 + half_decay_minus_one;
-                let decay_complement = -(half_decay_minus_one
-                    * (1.0 + half_decay_factor));
-                let decay_factor = half_decay_factor * half_decay_factor;
-                let half_turns = 0.999799979995999 * frequency;
-                let (sine, cosine) = Scalar::sin_cos_pi_minus(
-                    frequency * 0.5,
-                    frequency * 0.00010001000200050015,
-                );
-                let one_plus_factor = 1.0 + decay_factor;
-                let nearness_re = one_plus_factor * cosine;
-                let nearness_im = decay_complement * sine;
-                let inverse_nearness = 1.0
-                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
-                let unit_nearness_re = nearness_re * inverse_nearness;
-                let unit_nearness_im = nearness_im * inverse_nearness;
-                let pole_weight = size * inverse_nearness
-                    / (unit_nearness_re * unit_nearness_re
-                        + unit_nearness_im * unit_nearness_im);
-                let swing = 4.000800240080028 * sine * decay_factor
-                    * (cosine * inverse_nearness) * pole_weight;
-                let u = swing / frequency;
-                let g = (Scalar::scaled_sinh_defect(decay_exponent)
-                    + 2.0 * decay_factor * decay_exponent
-                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
-                    * pole_weight;
-                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                    * pole_weight + 0.02 * swing;
-                ModeResponse {
-                    x: frequency,
-                    denominator: Complex { re: detuning, im: loss },
-                    size,
-                    u,
-                    g,
-                    reversal,
-                }
-            };
+            let mode_1 = Self::damped_mode::<true>(&Self::MODES[0], inverse_r);
+            let mode_2 = Self::damped_mode::<true>(&Self::MODES[1], inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
@@ -335,90 +298,13 @@ const _: () = {
             let receptance = Scalar::hypot(contact.h.re, contact.h.im);
             excitation / (1.15 * receptance)
         }
-        /// Both limits (5.64; 6.11, 6.27, 6.33), without what only a motion needs, and the real part of H.  The names are
-        /// those of `frequency_stage`.
+        /// Both limits (5.64; 6.11, 6.27, 6.33) and Re H, without what only a motion needs; names as in `frequency_stage`.
         ///
         /// Operations: 148: 88 ×, 28 +, 14 ÷, 10 sign, 2 exp_m1, 2 hypot, 2 sin_cos_pi, 1 compare, 1 √.
         #[inline]
         fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
-            let mode_1 = {
-                let frequency = 0.6283793835980964 * inverse_r;
-                let detuning = (frequency - 1.0) * (frequency + 1.0);
-                let loss = 0.02 * frequency;
-                let size = Scalar::abs(detuning) + loss;
-                let decay_exponent = 0.031415926535897934 * frequency;
-                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
-                let half_decay_factor = 1.0 + half_decay_minus_one;
-                let decay_complement = -(half_decay_minus_one
-                    * (1.0 + half_decay_factor));
-                let decay_factor = half_decay_factor * half_decay_factor;
-                let (sine, cosine) = Scalar::sin_cos_pi_minus(
-                    frequency * 0.5,
-                    frequency * 2.5000625031251956e-5,
-                );
-                let one_plus_factor = 1.0 + decay_factor;
-                let nearness_re = one_plus_factor * cosine;
-                let nearness_im = decay_complement * sine;
-                let inverse_nearness = 1.0
-                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
-                let unit_nearness_re = nearness_re * inverse_nearness;
-                let unit_nearness_im = nearness_im * inverse_nearness;
-                let pole_weight = size * inverse_nearness
-                    / (unit_nearness_re * unit_nearness_re
-                        + unit_nearness_im * unit_nearness_im);
-                let swing = 4.00020001500125 * sine * decay_factor
-                    * (cosine * inverse_nearness) * pole_weight;
-                let u = swing / frequency;
-                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                    * pole_weight + 0.01 * swing;
-                ModeResponse {
-                    x: frequency,
-                    denominator: Complex { re: detuning, im: loss },
-                    size,
-                    u,
-                    g: 0.0,
-                    reversal,
-                }
-            };
-            let mode_2 = {
-                let frequency = 1.120776226670104 * inverse_r;
-                let detuning = (frequency - 1.0) * (frequency + 1.0);
-                let loss = 0.04 * frequency;
-                let size = Scalar::abs(detuning) + loss;
-                let decay_exponent = 0.06283185307179587 * frequency;
-                let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
-                let half_decay_factor = 1.0 + half_decay_minus_one;
-                let decay_complement = -(half_decay_minus_one
-                    * (1.0 + half_decay_factor));
-                let decay_factor = half_decay_factor * half_decay_factor;
-                let (sine, cosine) = Scalar::sin_cos_pi_minus(
-                    frequency * 0.5,
-                    frequency * 0.00010001000200050015,
-                );
-                let one_plus_factor = 1.0 + decay_factor;
-                let nearness_re = one_plus_factor * cosine;
-                let nearness_im = decay_complement * sine;
-                let inverse_nearness = 1.0
-                    / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
-                let unit_nearness_re = nearness_re * inverse_nearness;
-                let unit_nearness_im = nearness_im * inverse_nearness;
-                let pole_weight = size * inverse_nearness
-                    / (unit_nearness_re * unit_nearness_re
-                        + unit_nearness_im * unit_nearness_im);
-                let swing = 4.000800240080028 * sine * decay_factor
-                    * (cosine * inverse_nearness) * pole_weight;
-                let u = swing / frequency;
-                let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                    * pole_weight + 0.02 * swing;
-                ModeResponse {
-                    x: frequency,
-                    denominator: Complex { re: detuning, im: loss },
-                    size,
-                    u,
-                    g: 0.0,
-                    reversal,
-                }
-            };
+            let mode_1 = Self::damped_mode::<false>(&Self::MODES[0], inverse_r);
+            let mode_2 = Self::damped_mode::<false>(&Self::MODES[1], inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
