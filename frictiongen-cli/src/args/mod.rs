@@ -14,8 +14,10 @@ pub use code::{
     CheckArguments, CompileArguments, CompletionsArguments, ExpandArguments, ManArguments,
     NewArguments, TableFormat,
 };
+#[cfg(feature = "pictures")]
+pub use desk::Shade;
 pub use desk::{
-    CurveArguments, FeaturesArguments, MapArguments, OptimumArguments, SensitivityArguments, Shade,
+    CurveArguments, FeaturesArguments, MapArguments, OptimumArguments, SensitivityArguments,
     TimeArguments,
 };
 use help::{
