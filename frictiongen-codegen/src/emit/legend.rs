@@ -15,10 +15,14 @@ const UNDAMPED: [&str; 2] = [
 ];
 const PARTS_DAMPED: &str =
     " `u` is uR²; it, `g` and `reversal` come times `size`, then times E.  `loss` is 2ζx.";
-const LIGHT: [&str; 5] = [
+const BELOW: [&str; 2] = [
     " Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².",
     " `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and",
-    " `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,",
+];
+const LIGHT: &str = " `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,";
+const HEAVY: &str =
+    " `cosine` are of πqx/2; `half_turns` is qx.  D is the squared modulus of `nearness`,";
+const NEARNESS: [&str; 2] = [
     " (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over",
     " |`unit_nearness`|².  `swing` is uR times `size`; `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g.",
 ];
@@ -59,7 +63,8 @@ pub(super) fn single(mode: &Mode<f64>) -> Vec<&'static str> {
 fn of(kind: Kind) -> Vec<&'static str> {
     let lines: &[&[&str]] = match kind {
         Kind::Undamped => &[&[PARTS], &UNDAMPED],
-        Kind::Light | Kind::Heavy => &[&[PARTS_DAMPED], &LIGHT],
+        Kind::Light => &[&[PARTS_DAMPED], &BELOW, &[LIGHT], &NEARNESS],
+        Kind::Heavy => &[&[PARTS_DAMPED], &BELOW, &[HEAVY], &NEARNESS],
         Kind::Critical => &[&[PARTS_DAMPED], &CRITICAL],
         Kind::Over => &[&[PARTS_DAMPED], &OVER],
     };

@@ -212,7 +212,7 @@ fn lower(
         .as_ref()
         .filter(|_| limits.tables && problems.is_empty())
         && scene.moves_in_time()
-        && let Some(loss) = excess_loss(scene, &Modal::of(scene))
+        && let Some(loss) = excess_loss(scene)
     {
         let place = fields
             .damping

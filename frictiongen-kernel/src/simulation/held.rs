@@ -174,8 +174,13 @@ impl<S: Float> Dynamics<'_, S> {
                 self.release(receptance, parts, still, back);
                 for (of, state) in states.iter().enumerate() {
                     let [y, u] = start(of);
-                    let change = (state[0] - y).abs().max((state[1] - u).abs());
-                    worst = worst.max(change / weight);
+                    for change in [state[0] - y, state[1] - u] {
+                        let change = change.abs() / weight;
+                        // NaN is lost too, and stays.
+                        if worst.is_finite() && !(change <= worst) {
+                            worst = change;
+                        }
+                    }
                 }
             }
         }

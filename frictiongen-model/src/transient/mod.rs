@@ -5,7 +5,7 @@ mod held;
 
 use crate::modal::{self, Modal};
 use crate::roots::{self, Driven};
-use crate::scene::{Precision, Scene};
+use crate::scene::{Damping, Precision, Scene};
 use frictiongen_kernel::contact::sums::Chain;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
@@ -24,11 +24,26 @@ const NEAR_CRITICAL: f64 = 0.9;
 /// What a motion in time of a scene would lose, as a share, if that is more than half of its scalar's digits
 /// ([`Transient::excess_loss`]).
 #[must_use]
-pub fn excess_loss(scene: &Scene, modal: &Modal) -> Option<f64> {
+pub fn excess_loss(scene: &Scene) -> Option<f64> {
+    let near_critical = |ratio: f64| NEAR_CRITICAL <= ratio;
+    let may_lose = match &scene.damping {
+        Damping::None => false,
+        Damping::Uniform(ratio) => near_critical(*ratio),
+        Damping::Modal(ratios) => ratios.iter().copied().any(near_critical),
+        Damping::Rayleigh { .. } => true,
+    };
+    if !may_lose {
+        return None;
+    }
+    let modal = Modal::of(scene);
+    let ratios = modal.damping_ratios.iter();
+    if !ratios.map(|ratio| ratio.to_f64()).any(near_critical) {
+        return None;
+    }
     match scene.precision {
-        Precision::F64 => Transient::of(scene, modal, |value| value.hi).excess_loss(),
+        Precision::F64 => Transient::of(scene, &modal, |value| value.hi).excess_loss(),
         Precision::F32 => {
-            let single = Transient::of(scene, modal, |value| f32::constant(value.to_f64()));
+            let single = Transient::of(scene, &modal, |value| f32::constant(value.to_f64()));
             single.excess_loss().map(f64::from)
         }
     }

@@ -6,7 +6,6 @@ use crate::independent::loads;
 use crate::rig::{Kind, LINEAR, advance, begin, rig};
 use frictiongen::{NoOrbit, OutOfDomain};
 use frictiongen_kernel::stepper::Input;
-use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Excitation, Node, Precision, Scene};
 use frictiongen_model::transient::excess_loss;
 use fuzzing::Random;
@@ -109,7 +108,7 @@ fn lost(scene: &Scene, precision: Precision) -> bool {
         precision,
         ..scene.clone()
     };
-    excess_loss(&scene, &Modal::of(&scene)).is_some()
+    excess_loss(&scene).is_some()
 }
 
 fn all(sizes: &[usize], rounds: usize, steps: u32) -> Seen {
