@@ -3,7 +3,7 @@
 //!     cargo run --release -p generated-tests --example digest [-- --keep FILE | --against FILE]
 //!
 //! A row for each scene, reading and kind of answer: how many values, and a hash of their bits.  `--keep` writes the
-//! values, `--against` compares with those that were kept: how many differ, and by how much of the larger.
+//! values, `--against` compares with those that were kept: how many differ, by how much of the larger, and by how much.
 
 use frictiongen::{
     Complex, ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, OrbitAt, Periodic, Run,
@@ -202,10 +202,10 @@ where
             f64::from(orbit.period()),
         ]);
         add(row, [orbit.stuck_fraction()]);
-        add(
-            row,
-            orbit.multipliers().iter().flat_map(|value| parts(*value)),
-        );
+        // The order in which eigenvalues are found says nothing.
+        let mut multipliers: Vec<_> = orbit.multipliers().iter().copied().map(parts).collect();
+        multipliers.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
+        add(row, multipliers.into_iter().flatten());
         for of in std::iter::once(Of::Contact).chain((0..system.masses()).map(Of::Mass)) {
             let ask = |motion: &dyn Periodic<Scalar = S>| {
                 let [a, b] = parts(motion.harmonic(3));
@@ -366,9 +366,11 @@ fn against(rows: &Rows, kept: &[f64]) -> ExitCode {
         differ += other.len();
         let by = |(a, b): &&(f64, f64)| (a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE);
         let most = other.iter().map(by).fold(0.0, generated_tests::larger);
+        let apart = |(a, b): &&(f64, f64)| (a - b).abs();
+        let apart = other.iter().map(apart).fold(0.0, generated_tests::larger);
         if !other.is_empty() {
             println!(
-                "{name}: {} of {} differ, at most by {most:.1e} of the larger",
+                "{name}: {} of {} differ, at most by {most:.1e} of the larger and by {apart:.1e}",
                 other.len(),
                 pairs.len()
             );
