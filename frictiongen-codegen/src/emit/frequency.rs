@@ -10,32 +10,80 @@ use frictiongen_kernel::number::complex::Complex;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use proc_macro2::{Literal, TokenStream};
 
-/// The frequency stage, as a method of the kernel's `Scene`.
-pub(super) fn emit(emission: &Emission<'_>) -> TokenStream {
+/// The frequency stage: methods of the kernel's `Scene`, and the function that they share.
+pub(super) struct Stage {
+    pub function: TokenStream,
+    pub methods: TokenStream,
+}
+
+pub(super) fn emit(emission: &Emission<'_>) -> Stage {
     let scalar = &emission.scalar;
     let modes = Literal::usize_unsuffixed(emission.modes());
-    let uniform = uniform_kind(&emission.reduced.modes);
-    let (body, operations) = match uniform {
-        Some(kind) if emission.in_passes() => passes(emission, kind),
-        _ if emission.modes() == 1 => single(emission),
-        _ => straight(emission),
+    let in_passes = uniform_kind(&emission.reduced.modes).filter(|_| emission.in_passes());
+    let (body, operations) = match in_passes {
+        Some(kind) => passes(emission, kind),
+        None if emission.modes() == 1 => single(emission),
+        None => straight(emission),
     };
     let operations = format!(" Operations: {operations}.");
     let legend = match emission.reduced.modes.as_slice() {
         [mode] => legend::single(mode),
         _ => legend::sums(),
     };
-    code! {
+    let about = code! {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         #(#[doc = #legend])*
         ///
         #[doc = #operations]
-        #[inline]
-        fn frequency_stage(&self, inverse_r: #scalar) -> (ContactAt<#scalar>, [ModeAt<#scalar>; #modes]) {
-            #body
-            (contact, modes)
-        }
+    };
+    let body = code!(#body (contact, modes));
+    let types = code!((ContactAt<#scalar>, [ModeAt<#scalar>; #modes]));
+    if in_passes.is_some() {
+        return Stage {
+            function: TokenStream::new(),
+            methods: code! {
+                #about
+                #[inline]
+                fn frequency_stage(&self, inverse_r: #scalar) -> #types {
+                    #body
+                }
+            },
+        };
+    }
+    // Without damping G is 0.
+    let (body, choice, all, but_g) = if emission.damped() {
+        (
+            mode::with_choice(&body),
+            code!(<const WITH_G: bool>),
+            code!(::<true>),
+            code!(::<false>),
+        )
+    } else {
+        let none = TokenStream::new;
+        (body, none(), none(), none())
+    };
+    Stage {
+        function: code! {
+            #about
+            #[inline(always)]
+            fn functions #choice (inverse_r: #scalar) -> #types {
+                #body
+            }
+        },
+        methods: code! {
+            /// All functions of the contact at 1/r, and of its modes.
+            #[inline]
+            fn frequency_stage(&self, inverse_r: #scalar) -> #types {
+                Self::functions #all (inverse_r)
+            }
+
+            /// Those of the contact without G, which only a motion needs.
+            #[inline]
+            fn contact_without_g(&self, inverse_r: #scalar) -> ContactAt<#scalar> {
+                Self::functions #but_g (inverse_r).0
+            }
+        },
     }
 }
 
@@ -73,8 +121,8 @@ fn single(emission: &Emission<'_>) -> (TokenStream, String) {
 fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
     let graph = Graph::new(emission.modes());
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
-    let (blocks, mut count) = blocks(emission, true);
-    let outputs = contact_outputs(&tracer.joined(true));
+    let (blocks, mut count) = blocks(emission);
+    let outputs = contact_outputs(&tracer.joined());
     let (printed, operations) = tracer.print(
         &outputs,
         emission.precision,
@@ -92,12 +140,12 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
 }
 
 /// The functions of each mode, the scale, and the modes at it: what sums over modes start from.
-pub(super) fn blocks(emission: &Emission<'_>, with_g: bool) -> (TokenStream, Count) {
+fn blocks(emission: &Emission<'_>) -> (TokenStream, Count) {
     let mut count = Count::default();
     let mut body = TokenStream::new();
     let names = super::motion::mode_names(emission);
     for (index, name) in names.iter().enumerate() {
-        let (call, operations) = mode::call(emission, index, with_g);
+        let (call, operations) = mode::call(emission, index);
         count = count.and(&operations);
         body.extend(code!(let #name = #call;));
     }
@@ -119,11 +167,7 @@ pub(super) fn blocks(emission: &Emission<'_>, with_g: bool) -> (TokenStream, Cou
         let modes = [#(Self::CHAIN.at_scale(&#names, scale)),*];
     });
     let scaled = chain.scaled(&tracer.response("mode"), graph.input("scale"), false, 0);
-    let mut outputs = mode_outputs(&scaled);
-    if !with_g {
-        outputs.pop();
-    }
-    let operations = Count::of(&graph, &outputs).times(names.len());
+    let operations = Count::of(&graph, &mode_outputs(&scaled)).times(names.len());
     count = count.and(&operations);
     let at_names = (1..=names.len()).map(|mode| local(&format!("at_{mode}")));
     body.extend(code!(let [#(#at_names),*] = &modes;));
@@ -170,7 +214,7 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
 
     let first = symbolic.response(graph.input("inverse_r"), 0);
     let first_count = Count::of(&graph, &mode::outputs(&first));
-    let function = mode::function_of(kind, true);
+    let function = mode::function_of(kind, &code!(true));
     let every_mode = emission.reduced.modes.iter().all(|mode| mode.in_contact);
     let smallest = code!(scale = Scalar::min(scale, response.size););
     let smallest = if every_mode {

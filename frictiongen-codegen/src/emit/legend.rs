@@ -6,7 +6,7 @@ const SUMS: [&str; 2] = [
     " Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of",
     " (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).",
 ];
-const EVERY: &str = " `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.";
+const EVERY: &str = " `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.";
 const ALONE: &str = " `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.";
 const PARTS: &str = " `u` is uR²; it, `g` and `reversal` come times `size`, then times E.";
 const UNDAMPED: [&str; 2] = [

@@ -1,8 +1,7 @@
 //! The formulas of both limits, and a slice of them.
 
+use super::Emission;
 use super::trace::Tracer;
-use super::{Emission, field, frequency};
-use crate::graph::count::Count;
 use crate::graph::print::Printed;
 use crate::graph::{Expr, Graph};
 use proc_macro2::TokenStream;
@@ -29,8 +28,6 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     let break_away = formula(chain.break_away(&contact));
     let limit = chain.continuous_limit(&contact, graph.input("constraint"));
     let continuous = formula(limit);
-    let sliding = formula(chain.sliding_limit(&contact));
-    let without_search = without_search(emission);
     let reduced = &emission.reduced;
     let on_contact = reduced.chain.on_moving_base.is_none()
         && reduced
@@ -43,6 +40,12 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
             /// The load acts on the mass that rubs: V = H.
         }
     });
+    // A number over itself is 1; over μ times itself it has a rounding, which the run time has too.
+    let (given, sliding) = if on_contact && reduced.chain.stiction == 1.0 {
+        (code!(_), code!(1.0))
+    } else {
+        (code!(contact), formula(chain.sliding_limit(&contact)))
+    };
     code! {
         /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
         #[inline]
@@ -61,47 +64,8 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
         #same
         #[inline]
-        fn sliding_limit(&self, contact: &ContactAt<#scalar>) -> #scalar {
+        fn sliding_limit(&self, #given: &ContactAt<#scalar>) -> #scalar {
             #sliding
-        }
-
-        #without_search
-    }
-}
-
-/// Both limits from 1/r on, as one function of straight lines; nothing where the frequency stage is passes.
-fn without_search(emission: &Emission<'_>) -> TokenStream {
-    if emission.in_passes() {
-        return TokenStream::new();
-    }
-    let scalar = &emission.scalar;
-    let graph = Graph::new(emission.modes());
-    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
-    let (blocks, contact, count) = if emission.modes() == 1 {
-        let contact = tracer.frequency(graph.input("inverse_r")).0;
-        (TokenStream::new(), contact, Count::default())
-    } else {
-        let (blocks, count) = frequency::blocks(emission, false);
-        (blocks, tracer.joined(false), count)
-    };
-    let outputs = tracer.limits_of(&contact).map(Expr::operand);
-    let taken = ["inverse_r", "scale", "modes"];
-    let (printed, operations) = tracer.print(&outputs, emission.precision, &taken);
-    let (statements, count) = (printed.statements, count.and(&operations));
-    let [continuous, sliding, h] = printed.outputs.as_slice() else {
-        return TokenStream::new();
-    };
-    let (continuous, sliding) = (field("continuous", continuous), field("sliding", sliding));
-    let operations = format!(" Operations: {count}.");
-    code! {
-        /// Both limits (5.64; 6.11, 6.27, 6.33) and Re H, without what only a motion needs; names as in `frequency_stage`.
-        ///
-        #[doc = #operations]
-        #[inline]
-        fn limits_without_search(&self, inverse_r: #scalar) -> (Limits<#scalar>, #scalar) {
-            #blocks
-            #statements
-            (Limits { #continuous, #sliding }, #h)
         }
     }
 }

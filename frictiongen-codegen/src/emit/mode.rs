@@ -4,7 +4,6 @@ use super::trace::Tracer;
 use super::{Emission, field, legend, local};
 use crate::graph::count::Count;
 use crate::graph::{Expr, Graph, Operand};
-use frictiongen_kernel::Scalar;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
 use proc_macro2::{Literal, TokenStream, TokenTree};
 
@@ -13,7 +12,7 @@ pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
     if emission.modes() == 1 {
         return TokenStream::new();
     }
-    let (name, scalar) = (&emission.name, &emission.scalar);
+    let scalar = &emission.scalar;
     let modes = &emission.reduced.modes;
     let functions = KINDS.iter().filter_map(|(kind, function, about)| {
         if modes.iter().all(|mode| mode.kind != *kind) {
@@ -40,22 +39,17 @@ pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
             }
         })
     });
-    let functions: TokenStream = functions.collect();
-    code! {
-        impl #name {
-            #functions
-        }
-    }
+    functions.collect()
 }
 
 /// Whether g is not 0.
-fn has_g(kind: Kind) -> bool {
+pub(super) fn has_g(kind: Kind) -> bool {
     kind != Kind::Undamped
 }
 
-/// The statements with g only where it is asked for.  Limits without search need no g; left to the compiler, they took a
-/// sixth more instructions on a Cortex-M4F with five damped modes.
-fn with_choice(statements: &TokenStream) -> TokenStream {
+/// The statements with g only where `WITH_G` asks for it.  Limits without search need no g; left to the compiler, they took
+/// a sixth more instructions on a Cortex-M4F with five damped modes.
+pub(super) fn with_choice(statements: &TokenStream) -> TokenStream {
     let tokens: Vec<TokenTree> = statements.clone().into_iter().collect();
     let is_end =
         |token: &TokenTree| matches!(token, TokenTree::Punct(sign) if sign.as_char() == ';');
@@ -100,8 +94,8 @@ const KINDS: [(Kind, &str, &str); 5] = [
     ),
 ];
 
-/// The function of such a mode, with g or without.
-pub(super) fn function_of(kind: Kind, with_g: bool) -> TokenStream {
+/// The function of such a mode; `with_g` says whether g is asked for.
+pub(super) fn function_of(kind: Kind, with_g: &TokenStream) -> TokenStream {
     let function = KINDS.iter().find(|(of, ..)| *of == kind);
     let function = local(function.map_or("", |(_, function, _)| function));
     if has_g(kind) {
@@ -112,7 +106,7 @@ pub(super) fn function_of(kind: Kind, with_g: bool) -> TokenStream {
 }
 
 /// The call of a mode's function, and how many operations that is.
-pub(super) fn call(emission: &Emission<'_>, index: usize, with_g: bool) -> (TokenStream, Count) {
+pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, Count) {
     let Some(mode) = emission.reduced.modes.get(index) else {
         return (TokenStream::new(), Count::default());
     };
@@ -122,12 +116,9 @@ pub(super) fn call(emission: &Emission<'_>, index: usize, with_g: bool) -> (Toke
     let Some(constants) = tracer.reduced.modes.get(index) else {
         return (TokenStream::new(), Count::default());
     };
-    let mut response = constants.response(graph.input("inverse_r"), 0);
-    if !with_g {
-        response.g = Expr::constant(0.0);
-    }
+    let response = constants.response(graph.input("inverse_r"), 0);
     let count = Count::of(&graph, &outputs(&response));
-    let function = function_of(mode.kind, with_g);
+    let function = function_of(mode.kind, &code!(WITH_G));
     let place = Literal::usize_unsuffixed(index);
     (
         code!(Self::#function(&Self::MODES[#place], inverse_r)),

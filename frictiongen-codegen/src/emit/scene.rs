@@ -18,7 +18,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
         frictiongen_model::scene::Precision::F32 => range::<f32>(emission),
     };
     let (low, high) = (emission.literal(low), emission.literal(high));
-    let frequency = frequency::emit(emission);
+    let stage = frequency::emit(emission);
     let formulas = limits::formulas(emission);
     let shapes = shapes(emission, wanted);
     let kept = (wanted.stuck || wanted.motion.is_some()).then(|| {
@@ -35,7 +35,18 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
     } else {
         code!(#facade::kernel::wraps!(#at, At of #name, Copy);)
     };
-    let functions = mode::functions(emission);
+    let functions = [mode::functions(emission), stage.function];
+    let functions = functions
+        .iter()
+        .any(|functions| !functions.is_empty())
+        .then(|| {
+            code! {
+                impl #name {
+                    #(#functions)*
+                }
+            }
+        });
+    let frequency = stage.methods;
     code! {
         #wraps
 

@@ -123,27 +123,16 @@ impl<'g> Tracer<'g> {
         (contact, at)
     }
 
-    /// The sums over the modes' functions `mode_1` … and `at_1` …, without G unless it is asked for.
-    pub fn joined(&self, with_g: bool) -> ContactAt<Expr<'g>> {
+    /// The sums over the modes' functions `mode_1` … and `at_1` ….
+    pub fn joined(&self) -> ContactAt<Expr<'g>> {
         let Reduced { modes, chain, .. } = &self.reduced;
         let mut sum = ContactAt::zero(self.graph.input("scale"));
         for (number, mode) in (1..).zip(modes) {
             let response = self.response(&format!("mode_{number}"));
             let at = self.mode_at(&format!("at_{number}"));
-            sum = chain.joined_by(&sum, mode, &response, &at, false, with_g);
+            sum = chain.joined_by(&sum, mode, &response, &at, false, true);
         }
         chain.completed(&sum, self.graph.input("inverse_r"))
-    }
-
-    /// Both limits without search, and the real part of H.
-    pub fn limits_of(&self, contact: &ContactAt<Expr<'g>>) -> [Expr<'g>; 3] {
-        let chain = &self.reduced.chain;
-        let break_away = chain.break_away(contact).named("break_away", None);
-        [
-            chain.continuous_limit(contact, break_away),
-            chain.sliding_limit(contact),
-            contact.h.re,
-        ]
     }
 
     /// Prints `outputs` for a function body in which `taken` are in use.

@@ -31,16 +31,16 @@ impl<S: Scalar> Chain<S> {
     /// (5.65, 5.80, 5.96, 7.49).
     #[inline]
     pub fn continuous_limit(&self, contact: &ContactAt<S>, constraint: S) -> S {
-        let excitation = complex::modulus(contact.v, self.damped).named("excitation", None);
-        excitation / (contact.u * contact.u + constraint * constraint).sqrt()
+        let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);
+        modulus_v / (contact.u * contact.u + constraint * constraint).sqrt()
     }
 
     /// β*_lim = |V|/(μ|H|), beyond which the contact sticks for good (6.11, 6.27, 6.33, and the
     /// damped stuck configurations of 7.4.3).
     #[inline]
     pub fn sliding_limit(&self, contact: &ContactAt<S>) -> S {
-        let excitation = complex::modulus(contact.v, self.damped).named("excitation", None);
-        let receptance = complex::modulus(contact.h, self.damped).named("receptance", None);
-        excitation / (self.stiction * receptance)
+        let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);
+        let modulus_h = complex::modulus(contact.h, self.damped).named("modulus_h", None);
+        modulus_v / (self.stiction * modulus_h)
     }
 }

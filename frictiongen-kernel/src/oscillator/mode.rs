@@ -86,7 +86,7 @@ impl<S: Scalar> Mode<S> {
     fn functions(&self, inverse_r: S, with_g: bool, index: usize) -> ModeResponse<S> {
         let at = Some(index);
         let (zeta, q) = (self.zeta, self.q);
-        let x = (self.resonance * inverse_r).named("frequency", at);
+        let x = (self.resonance * inverse_r).named("x", at);
         match self.kind {
             Kind::Undamped => undamped::response(x, at),
             Kind::Light => underdamped::response(x, zeta, q, Some(self.q_defect), with_g, at),

@@ -87,12 +87,12 @@ impl<S: Scalar> Chain<S> {
     /// Amplitude and phase of the contact's relative motion (2.21, 5.35, 5.38, 7.20, 7.21).
     #[inline]
     pub fn friction(&self, contact: &ContactAt<S>, inverse_r: S, beta: S) -> Friction<S> {
-        let excitation = complex::modulus(contact.v, self.damped).named("excitation", None);
+        let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);
         let velocity_part = (beta * contact.u).named("friction_quadrature", None);
         // As a product: the difference of squares would lose what is left beside a limit.
         let zero = S::constant(0.0);
-        let less = (excitation - velocity_part).max(zero);
-        let more = (excitation + velocity_part).max(zero);
+        let less = (modulus_v - velocity_part).max(zero);
+        let more = (modulus_v + velocity_part).max(zero);
         let root = if self.damped || self.on_moving_base.is_some() {
             // Both grow as r⁴ on a moving base, and with damping V may be all but zero: their product
             // would overflow or vanish.

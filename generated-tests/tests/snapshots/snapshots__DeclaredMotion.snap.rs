@@ -126,6 +126,47 @@ const _: () = {
     ::frictiongen::kernel::wraps!(
         DeclaredMotionAt, Compiled of tabled DeclaredMotion, Copy
     );
+    impl DeclaredMotion {
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
+        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        /// `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.
+        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
+        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0
+        /// where that is exactly 0.
+        ///
+        /// Operations: 15: 6 ×, 2 +, 2 compare, 2 sign, 2 ÷, 1 sin_cos_pi.
+        #[inline(always)]
+        fn functions(inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
+            let (sine, plain_cosine) = Scalar::sin_cos_pi(inverse_r * 0.5);
+            let detuning = Scalar::detuning_off_pole(
+                (inverse_r - 1.0) * (inverse_r + 1.0),
+            );
+            let cosine = Scalar::cosine_off_pole(plain_cosine);
+            let size = Scalar::abs(detuning);
+            let u = sine * size / (inverse_r * cosine);
+            let h_re = Scalar::copysign(1.0, detuning);
+            let v_re = h_re * (1.0 / (inverse_r * inverse_r));
+            let contact = ContactAt {
+                scale: size,
+                v: Complex { re: v_re, im: 0.0 },
+                u,
+                g: 0.0,
+                reversal: 0.0,
+                h: Complex { re: h_re, im: 0.0 },
+            };
+            let modes = [
+                ModeAt {
+                    x: inverse_r,
+                    response: Complex { re: h_re, im: 0.0 },
+                    u,
+                    g: 0.0,
+                },
+            ];
+            (contact, modes)
+        }
+    }
     impl Scene for DeclaredMotion {
         type Scalar = f64;
         type Decay = Undamped;
@@ -158,44 +199,15 @@ const _: () = {
         fn kept(modes: &Self::Modes) -> Self::Modes {
             *modes
         }
-        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
-        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
-        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        /// `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.
-        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
-        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0
-        /// where that is exactly 0.
-        ///
-        /// Operations: 15: 6 ×, 2 +, 2 compare, 2 sign, 2 ÷, 1 sin_cos_pi.
+        /// All functions of the contact at 1/r, and of its modes.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
-            let (sine, plain_cosine) = Scalar::sin_cos_pi(inverse_r * 0.5);
-            let detuning = Scalar::detuning_off_pole(
-                (inverse_r - 1.0) * (inverse_r + 1.0),
-            );
-            let cosine = Scalar::cosine_off_pole(plain_cosine);
-            let size = Scalar::abs(detuning);
-            let u = sine * size / (inverse_r * cosine);
-            let h_re = Scalar::copysign(1.0, detuning);
-            let v_re = h_re * (1.0 / (inverse_r * inverse_r));
-            let contact = ContactAt {
-                scale: size,
-                v: Complex { re: v_re, im: 0.0 },
-                u,
-                g: 0.0,
-                reversal: 0.0,
-                h: Complex { re: h_re, im: 0.0 },
-            };
-            let modes = [
-                ModeAt {
-                    x: inverse_r,
-                    response: Complex { re: h_re, im: 0.0 },
-                    u,
-                    g: 0.0,
-                },
-            ];
-            (contact, modes)
+            Self::functions(inverse_r)
+        }
+        /// Those of the contact without G, which only a motion needs.
+        #[inline]
+        fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
+            Self::functions(inverse_r).0
         }
         /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
         #[inline]
@@ -207,41 +219,15 @@ const _: () = {
         /// `constraint` is r²E times that maximum.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
-            let excitation = Scalar::abs(contact.v.re);
-            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+            let modulus_v = Scalar::abs(contact.v.re);
+            modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
-            let excitation = Scalar::abs(contact.v.re);
-            let receptance = Scalar::abs(contact.h.re);
-            excitation / (1.2 * receptance)
-        }
-        /// Both limits (5.64; 6.11, 6.27, 6.33) and Re H, without what only a motion needs; names as in `frequency_stage`.
-        ///
-        /// Operations: 25: 10 ×, 4 sign, 4 ÷, 3 +, 2 compare, 1 sin_cos_pi, 1 √.
-        #[inline]
-        fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
-            let (sine, plain_cosine) = Scalar::sin_cos_pi(inverse_r * 0.5);
-            let detuning = Scalar::detuning_off_pole(
-                (inverse_r - 1.0) * (inverse_r + 1.0),
-            );
-            let cosine = Scalar::cosine_off_pole(plain_cosine);
-            let size = Scalar::abs(detuning);
-            let u = sine * size / (inverse_r * cosine);
-            let h_re = Scalar::copysign(1.0, detuning);
-            let v_re = h_re * (1.0 / (inverse_r * inverse_r));
-            let break_away = 1.2 * size;
-            let excitation = Scalar::abs(v_re);
-            let receptance = Scalar::abs(h_re);
-            (
-                Limits {
-                    continuous: excitation
-                        / Scalar::sqrt(u * u + break_away * break_away),
-                    sliding: excitation / (1.2 * receptance),
-                },
-                h_re,
-            )
+            let modulus_v = Scalar::abs(contact.v.re);
+            let modulus_h = Scalar::abs(contact.h.re);
+            modulus_v / (1.2 * modulus_h)
         }
     }
     impl DeclaredMotion {

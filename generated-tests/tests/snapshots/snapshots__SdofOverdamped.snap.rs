@@ -125,38 +125,7 @@ const _: () = {
     }
     ::frictiongen::emitted_system!(SdofOverdamped, SdofOverdampedAt, f64, ["block"]);
     ::frictiongen::kernel::wraps!(SdofOverdampedAt, At of SdofOverdamped, Copy);
-    impl Scene for SdofOverdamped {
-        type Scalar = f64;
-        type Decay = Damped<f64>;
-        type Modes = [ModeAt<f64>; 1];
-        type Waves = [Wave<f64, Damped<f64>>; 1];
-        #[inline]
-        fn numbers(&self) -> Numbers<'static, f64> {
-            Self::NUMBERS
-        }
-        /// φ of a mass, by modes.
-        #[inline]
-        fn shape(&self, mass: usize) -> Option<&[f64]> {
-            match mass {
-                0 => Some(&[1.0]),
-                _ => None,
-            }
-        }
-        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
-        #[inline]
-        fn inverse_ratio_range(&self) -> (f64, f64) {
-            (3.8725919148493183e-121, 2.5822498780869086e120)
-        }
-        /// Working space of the searches, and of the waves of a motion.
-        #[inline]
-        fn idle(&self) -> Self::Waves {
-            Self::MODES.map(|mode| Wave::idle(&mode))
-        }
-        /// A copy of the modes for a motion to keep.
-        #[inline]
-        fn kept(modes: &Self::Modes) -> Self::Modes {
-            *modes
-        }
+    impl SdofOverdamped {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
@@ -168,8 +137,10 @@ const _: () = {
         /// `size`.
         ///
         /// Operations: 62: 27 ×, 10 +, 10 sign, 7 ÷, 4 exp_m1, 2 exp, 2 scaled_sinh_defect.
-        #[inline]
-        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
+        #[inline(always)]
+        fn functions<const WITH_G: bool>(
+            inverse_r: f64,
+        ) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
             let detuning = (inverse_r - 1.0) * (inverse_r + 1.0);
             let loss = 3.0 * inverse_r;
             let size = Scalar::abs(detuning) + loss;
@@ -184,12 +155,16 @@ const _: () = {
                 * pole_weight;
             let decay_minus_one = Scalar::exp_m1(-(fast_decay * 0.5));
             let u = swing / inverse_r;
-            let g = (decay_minus_one * decay_minus_one * -Scalar::exp_m1(slow_exponent)
-                + 2.0 * (1.0 + decay_minus_one)
-                    * Scalar::scaled_sinh_defect(slow_decay * 0.5)
-                - slow_decay_factor
-                    * Scalar::scaled_sinh_defect(3.5124073655203634 * inverse_r)
-                    / 2.9270509831248424) * pole_weight;
+            let g = if WITH_G {
+                (decay_minus_one * decay_minus_one * -Scalar::exp_m1(slow_exponent)
+                    + 2.0 * (1.0 + decay_minus_one)
+                        * Scalar::scaled_sinh_defect(slow_decay * 0.5)
+                    - slow_decay_factor
+                        * Scalar::scaled_sinh_defect(3.5124073655203634 * inverse_r)
+                        / 2.9270509831248424) * pole_weight
+            } else {
+                0.0
+            };
             let reversal = -Scalar::exp_m1(-(9.42477796076938 * inverse_r)) * pole_weight
                 + 1.5 * swing;
             let inverse_size = 1.0 / size;
@@ -226,6 +201,49 @@ const _: () = {
             ];
             (contact, modes)
         }
+    }
+    impl Scene for SdofOverdamped {
+        type Scalar = f64;
+        type Decay = Damped<f64>;
+        type Modes = [ModeAt<f64>; 1];
+        type Waves = [Wave<f64, Damped<f64>>; 1];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f64> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f64]> {
+            match mass {
+                0 => Some(&[1.0]),
+                _ => None,
+            }
+        }
+        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f64, f64) {
+            (3.8725919148493183e-121, 2.5822498780869086e120)
+        }
+        /// Working space of the searches, and of the waves of a motion.
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// A copy of the modes for a motion to keep.
+        #[inline]
+        fn kept(modes: &Self::Modes) -> Self::Modes {
+            *modes
+        }
+        /// All functions of the contact at 1/r, and of its modes.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
+            Self::functions::<true>(inverse_r)
+        }
+        /// Those of the contact without G, which only a motion needs.
+        #[inline]
+        fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
+            Self::functions::<false>(inverse_r).0
+        }
         /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
@@ -236,54 +254,15 @@ const _: () = {
         /// `constraint` is r²E times that maximum.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
-            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
-            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
         ///
         /// The load acts on the mass that rubs: V = H.
         #[inline]
-        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
-            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
-            let receptance = Scalar::hypot(contact.h.re, contact.h.im);
-            excitation / receptance
-        }
-        /// Both limits (5.64; 6.11, 6.27, 6.33) and Re H, without what only a motion needs; names as in `frequency_stage`.
-        ///
-        /// Operations: 49: 19 ×, 9 +, 8 sign, 7 ÷, 2 exp, 2 exp_m1, 1 hypot, 1 √.
-        #[inline]
-        fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
-            let detuning = (inverse_r - 1.0) * (inverse_r + 1.0);
-            let loss = 3.0 * inverse_r;
-            let size = Scalar::abs(detuning) + loss;
-            let fast_decay = 8.224796345905053 * inverse_r;
-            let slow_decay = 1.1999816148643265 * inverse_r;
-            let slow_exponent = -slow_decay;
-            let spread = 7.024814731040727 * inverse_r;
-            let slow_decay_factor = Scalar::exp(slow_exponent);
-            let pole_weight = size
-                / ((1.0 + slow_decay_factor) * (1.0 + Scalar::exp(-fast_decay)));
-            let swing = -Scalar::exp_m1(-spread) * slow_decay_factor / 1.118033988749895
-                * pole_weight;
-            let u = swing / inverse_r;
-            let reversal = -Scalar::exp_m1(-(9.42477796076938 * inverse_r)) * pole_weight
-                + 1.5 * swing;
-            let inverse_size = 1.0 / size;
-            let unit_re = detuning * inverse_size;
-            let unit_im = loss * inverse_size;
-            let inverse_modulus = 1.0 / (unit_re * unit_re + unit_im * unit_im);
-            let response_re = unit_re * inverse_modulus;
-            let response_im = -(unit_im * inverse_modulus);
-            let break_away = reversal + size;
-            let excitation = Scalar::hypot(response_re, response_im);
-            (
-                Limits {
-                    continuous: excitation
-                        / Scalar::sqrt(u * u + break_away * break_away),
-                    sliding: excitation / excitation,
-                },
-                response_re,
-            )
+        fn sliding_limit(&self, _: &ContactAt<f64>) -> f64 {
+            1.0
         }
     }
     ::frictiongen::kernel::not_provided!(SdofOverdampedAt : stuck, orbit);

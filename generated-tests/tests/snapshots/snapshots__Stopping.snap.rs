@@ -41,6 +41,8 @@ pub struct StoppingOrbit(
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
+    #[allow(dead_code)]
+    fn frequency() {}
     impl Stopping {
         /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [
@@ -153,7 +155,7 @@ const _: () = {
     ::frictiongen::kernel::wraps!(StoppingAt, At of Stopping, Copy);
     impl Stopping {
         /// The functions of a lightly damped mode, ζ < 1/2.
-        /// `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
+        /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.  `loss` is 2ζx.
         /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
         /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
@@ -165,19 +167,19 @@ const _: () = {
             mode: &Mode<f64>,
             inverse_r: f64,
         ) -> ModeResponse<f64> {
-            let frequency = mode.resonance * inverse_r;
-            let detuning = (frequency - 1.0) * (frequency + 1.0);
-            let loss = 2.0 * mode.zeta * frequency;
+            let x = mode.resonance * inverse_r;
+            let detuning = (x - 1.0) * (x + 1.0);
+            let loss = 2.0 * mode.zeta * x;
             let size = Scalar::abs(detuning) + loss;
-            let decay_exponent = 3.141592653589793 * mode.zeta * frequency;
+            let decay_exponent = 3.141592653589793 * mode.zeta * x;
             let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
             let half_decay_factor = 1.0 + half_decay_minus_one;
             let decay_complement = -(half_decay_minus_one * (1.0 + half_decay_factor));
             let decay_factor = half_decay_factor * half_decay_factor;
-            let half_turns = mode.q * frequency;
+            let half_turns = mode.q * x;
             let (sine, cosine) = Scalar::sin_cos_pi_minus(
-                frequency * 0.5,
-                frequency * (mode.q_defect * 0.5),
+                x * 0.5,
+                x * (mode.q_defect * 0.5),
             );
             let one_plus_factor = 1.0 + decay_factor;
             let nearness_re = one_plus_factor * cosine;
@@ -191,7 +193,7 @@ const _: () = {
                     + unit_nearness_im * unit_nearness_im);
             let swing = 4.0 / mode.q * sine * decay_factor * (cosine * inverse_nearness)
                 * pole_weight;
-            let u = swing / frequency;
+            let u = swing / x;
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -203,13 +205,58 @@ const _: () = {
             let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                 * pole_weight + mode.zeta * swing;
             ModeResponse {
-                x: frequency,
+                x,
                 denominator: Complex { re: detuning, im: loss },
                 size,
                 u,
                 g,
                 reversal,
             }
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
+        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        ///
+        /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
+        #[inline(always)]
+        fn functions<const WITH_G: bool>(
+            inverse_r: f64,
+        ) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
+            let mode_1 = Self::damped_mode::<WITH_G>(&Self::MODES[0], inverse_r);
+            let mode_2 = Self::damped_mode::<WITH_G>(&Self::MODES[1], inverse_r);
+            let scale = Scalar::min(mode_1.size, mode_2.size);
+            let modes = [
+                Self::CHAIN.at_scale(&mode_1, scale),
+                Self::CHAIN.at_scale(&mode_2, scale),
+            ];
+            let [at_1, at_2] = &modes;
+            let v_re = at_1.response.re * 0.4929168375036549
+                + at_2.response.re * -0.4929168375036549;
+            let v_im = at_1.response.im * 0.4929168375036549
+                + at_2.response.im * -0.4929168375036549;
+            let h_re = at_1.response.re * 0.7522243947615592
+                + at_2.response.re * 0.3588867163495518;
+            let h_im = at_1.response.im * 0.7522243947615592
+                + at_2.response.im * 0.3588867163495518;
+            let u = 0.7522243947615592 * at_1.u + 0.3588867163495518 * at_2.u;
+            let g = if WITH_G {
+                0.7522243947615592 * (at_1.g / (at_1.x * at_1.x))
+                    + 0.3588867163495518 * (at_2.g / (at_2.x * at_2.x))
+            } else {
+                0.0
+            };
+            let reversal = 0.7522243947615592 * (mode_1.reversal * (scale / mode_1.size))
+                + 0.3588867163495518 * (mode_2.reversal * (scale / mode_2.size));
+            let contact = ContactAt {
+                scale,
+                v: Complex { re: v_re, im: v_im },
+                u,
+                g,
+                reversal,
+                h: Complex { re: h_re, im: h_im },
+            };
+            (contact, modes)
         }
     }
     impl Scene for Stopping {
@@ -236,44 +283,15 @@ const _: () = {
         fn idle(&self) -> Self::Waves {
             Self::MODES.map(|mode| Wave::idle(&mode))
         }
-        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
-        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
-        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        ///
-        /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
+        /// All functions of the contact at 1/r, and of its modes.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            let mode_1 = Self::damped_mode::<true>(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::damped_mode::<true>(&Self::MODES[1], inverse_r);
-            let scale = Scalar::min(mode_1.size, mode_2.size);
-            let modes = [
-                Self::CHAIN.at_scale(&mode_1, scale),
-                Self::CHAIN.at_scale(&mode_2, scale),
-            ];
-            let [at_1, at_2] = &modes;
-            let v_re = at_1.response.re * 0.4929168375036549
-                + at_2.response.re * -0.4929168375036549;
-            let v_im = at_1.response.im * 0.4929168375036549
-                + at_2.response.im * -0.4929168375036549;
-            let h_re = at_1.response.re * 0.7522243947615592
-                + at_2.response.re * 0.3588867163495518;
-            let h_im = at_1.response.im * 0.7522243947615592
-                + at_2.response.im * 0.3588867163495518;
-            let u = 0.7522243947615592 * at_1.u + 0.3588867163495518 * at_2.u;
-            let g = 0.7522243947615592 * (at_1.g / (at_1.x * at_1.x))
-                + 0.3588867163495518 * (at_2.g / (at_2.x * at_2.x));
-            let reversal = 0.7522243947615592 * (mode_1.reversal * (scale / mode_1.size))
-                + 0.3588867163495518 * (mode_2.reversal * (scale / mode_2.size));
-            let contact = ContactAt {
-                scale,
-                v: Complex { re: v_re, im: v_im },
-                u,
-                g,
-                reversal,
-                h: Complex { re: h_re, im: h_im },
-            };
-            (contact, modes)
+            Self::functions::<true>(inverse_r)
+        }
+        /// Those of the contact without G, which only a motion needs.
+        #[inline]
+        fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
+            Self::functions::<false>(inverse_r).0
         }
         /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
         #[inline]
@@ -285,51 +303,15 @@ const _: () = {
         /// `constraint` is r²E times that maximum.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
-            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
-            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
-            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
-            let receptance = Scalar::hypot(contact.h.re, contact.h.im);
-            excitation / (1.2 * receptance)
-        }
-        /// Both limits (5.64; 6.11, 6.27, 6.33) and Re H, without what only a motion needs; names as in `frequency_stage`.
-        ///
-        /// Operations: 148: 88 ×, 28 +, 14 ÷, 10 sign, 2 exp_m1, 2 hypot, 2 sin_cos_pi, 1 compare, 1 √.
-        #[inline]
-        fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
-            let mode_1 = Self::damped_mode::<false>(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::damped_mode::<false>(&Self::MODES[1], inverse_r);
-            let scale = Scalar::min(mode_1.size, mode_2.size);
-            let modes = [
-                Self::CHAIN.at_scale(&mode_1, scale),
-                Self::CHAIN.at_scale(&mode_2, scale),
-            ];
-            let [at_1, at_2] = &modes;
-            let v_re = at_1.response.re * 0.4929168375036549
-                + at_2.response.re * -0.4929168375036549;
-            let v_im = at_1.response.im * 0.4929168375036549
-                + at_2.response.im * -0.4929168375036549;
-            let h_re = at_1.response.re * 0.7522243947615592
-                + at_2.response.re * 0.3588867163495518;
-            let h_im = at_1.response.im * 0.7522243947615592
-                + at_2.response.im * 0.3588867163495518;
-            let u = 0.7522243947615592 * at_1.u + 0.3588867163495518 * at_2.u;
-            let reversal = 0.7522243947615592 * (mode_1.reversal * (scale / mode_1.size))
-                + 0.3588867163495518 * (mode_2.reversal * (scale / mode_2.size));
-            let break_away = reversal + 1.3333333333333333 * scale;
-            let excitation = Scalar::hypot(v_re, v_im);
-            let receptance = Scalar::hypot(h_re, h_im);
-            (
-                Limits {
-                    continuous: excitation
-                        / Scalar::sqrt(u * u + break_away * break_away),
-                    sliding: excitation / (1.2 * receptance),
-                },
-                h_re,
-            )
+            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            let modulus_h = Scalar::hypot(contact.h.re, contact.h.im);
+            modulus_v / (1.2 * modulus_h)
         }
     }
     ::frictiongen::kernel::not_provided!(StoppingAt : motion, stuck);

@@ -156,28 +156,54 @@ const _: () = {
     ::frictiongen::kernel::wraps!(SymmetricAt, At of Symmetric, Copy);
     impl Symmetric {
         /// The functions of an undamped mode.
-        /// `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
+        /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
         /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0
         /// where that is exactly 0.
         #[inline(always)]
         fn undamped_mode(mode: &Mode<f64>, inverse_r: f64) -> ModeResponse<f64> {
-            let frequency = mode.resonance * inverse_r;
-            let (sine, plain_cosine) = Scalar::sin_cos_pi(frequency * 0.5);
-            let detuning = Scalar::detuning_off_pole(
-                (frequency - 1.0) * (frequency + 1.0),
-            );
+            let x = mode.resonance * inverse_r;
+            let (sine, plain_cosine) = Scalar::sin_cos_pi(x * 0.5);
+            let detuning = Scalar::detuning_off_pole((x - 1.0) * (x + 1.0));
             let cosine = Scalar::cosine_off_pole(plain_cosine);
             let size = Scalar::abs(detuning);
-            let u = sine * size / (frequency * cosine);
+            let u = sine * size / (x * cosine);
             ModeResponse {
-                x: frequency,
+                x,
                 denominator: Complex { re: detuning, im: 0.0 },
                 size,
                 u,
                 g: 0.0,
                 reversal: 0.0,
             }
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
+        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        ///
+        /// Operations: 37: 16 ×, 6 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
+        #[inline(always)]
+        fn functions(inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
+            let mode_1 = Self::undamped_mode(&Self::MODES[0], inverse_r);
+            let mode_2 = Self::undamped_mode(&Self::MODES[1], inverse_r);
+            let scale = Scalar::min(mode_1.size, mode_2.size);
+            let modes = [
+                Self::CHAIN.at_scale(&mode_1, scale),
+                Self::CHAIN.at_scale(&mode_2, scale),
+            ];
+            let [at_1, at_2] = &modes;
+            let v_re = at_1.response.re * 0.5 + at_2.response.re * 0.5;
+            let u = 0.5 * at_1.u + 0.5 * at_2.u;
+            let contact = ContactAt {
+                scale,
+                v: Complex { re: v_re, im: 0.0 },
+                u,
+                g: 0.0,
+                reversal: 0.0,
+                h: Complex { re: v_re, im: 0.0 },
+            };
+            (contact, modes)
         }
     }
     impl Scene for Symmetric {
@@ -214,33 +240,15 @@ const _: () = {
         fn kept(modes: &Self::Modes) -> Self::Modes {
             *modes
         }
-        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
-        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
-        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        ///
-        /// Operations: 37: 16 ×, 6 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
+        /// All functions of the contact at 1/r, and of its modes.
         #[inline]
         fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            let mode_1 = Self::undamped_mode(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::undamped_mode(&Self::MODES[1], inverse_r);
-            let scale = Scalar::min(mode_1.size, mode_2.size);
-            let modes = [
-                Self::CHAIN.at_scale(&mode_1, scale),
-                Self::CHAIN.at_scale(&mode_2, scale),
-            ];
-            let [at_1, at_2] = &modes;
-            let v_re = at_1.response.re * 0.5 + at_2.response.re * 0.5;
-            let u = 0.5 * at_1.u + 0.5 * at_2.u;
-            let contact = ContactAt {
-                scale,
-                v: Complex { re: v_re, im: 0.0 },
-                u,
-                g: 0.0,
-                reversal: 0.0,
-                h: Complex { re: v_re, im: 0.0 },
-            };
-            (contact, modes)
+            Self::functions(inverse_r)
+        }
+        /// Those of the contact without G, which only a motion needs.
+        #[inline]
+        fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
+            Self::functions(inverse_r).0
         }
         /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
         #[inline]
@@ -252,41 +260,15 @@ const _: () = {
         /// `constraint` is r²E times that maximum.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
-            let excitation = Scalar::abs(contact.v.re);
-            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+            let modulus_v = Scalar::abs(contact.v.re);
+            modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
         ///
         /// The load acts on the mass that rubs: V = H.
         #[inline]
-        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
-            let excitation = Scalar::abs(contact.v.re);
-            let receptance = Scalar::abs(contact.h.re);
-            excitation / receptance
-        }
-        /// Both limits (5.64; 6.11, 6.27, 6.33) and Re H, without what only a motion needs; names as in `frequency_stage`.
-        ///
-        /// Operations: 44: 18 ×, 7 +, 6 ÷, 5 compare, 5 sign, 2 sin_cos_pi, 1 √.
-        #[inline]
-        fn limits_without_search(&self, inverse_r: f64) -> (Limits<f64>, f64) {
-            let mode_1 = Self::undamped_mode(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::undamped_mode(&Self::MODES[1], inverse_r);
-            let scale = Scalar::min(mode_1.size, mode_2.size);
-            let modes = [
-                Self::CHAIN.at_scale(&mode_1, scale),
-                Self::CHAIN.at_scale(&mode_2, scale),
-            ];
-            let [at_1, at_2] = &modes;
-            let v_re = at_1.response.re * 0.5 + at_2.response.re * 0.5;
-            let u = 0.5 * at_1.u + 0.5 * at_2.u;
-            let excitation = Scalar::abs(v_re);
-            (
-                Limits {
-                    continuous: excitation / Scalar::sqrt(u * u + scale * scale),
-                    sliding: excitation / excitation,
-                },
-                v_re,
-            )
+        fn sliding_limit(&self, _: &ContactAt<f64>) -> f64 {
+            1.0
         }
     }
     ::frictiongen::kernel::not_provided!(SymmetricAt : orbit);

@@ -696,7 +696,7 @@ const _: () = {
     ::frictiongen::kernel::wraps!(TallAt, At of Tall, Copy);
     impl Tall {
         /// The functions of a lightly damped mode, ζ < 1/2.
-        /// `frequency` is x = √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
+        /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.  `loss` is 2ζx.
         /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
         /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
@@ -708,19 +708,19 @@ const _: () = {
             mode: &Mode<f64>,
             inverse_r: f64,
         ) -> ModeResponse<f64> {
-            let frequency = mode.resonance * inverse_r;
-            let detuning = (frequency - 1.0) * (frequency + 1.0);
-            let loss = 2.0 * mode.zeta * frequency;
+            let x = mode.resonance * inverse_r;
+            let detuning = (x - 1.0) * (x + 1.0);
+            let loss = 2.0 * mode.zeta * x;
             let size = Scalar::abs(detuning) + loss;
-            let decay_exponent = 3.141592653589793 * mode.zeta * frequency;
+            let decay_exponent = 3.141592653589793 * mode.zeta * x;
             let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
             let half_decay_factor = 1.0 + half_decay_minus_one;
             let decay_complement = -(half_decay_minus_one * (1.0 + half_decay_factor));
             let decay_factor = half_decay_factor * half_decay_factor;
-            let half_turns = mode.q * frequency;
+            let half_turns = mode.q * x;
             let (sine, cosine) = Scalar::sin_cos_pi_minus(
-                frequency * 0.5,
-                frequency * (mode.q_defect * 0.5),
+                x * 0.5,
+                x * (mode.q_defect * 0.5),
             );
             let one_plus_factor = 1.0 + decay_factor;
             let nearness_re = one_plus_factor * cosine;
@@ -734,7 +734,7 @@ const _: () = {
                     + unit_nearness_im * unit_nearness_im);
             let swing = 4.0 / mode.q * sine * decay_factor * (cosine * inverse_nearness)
                 * pole_weight;
-            let u = swing / frequency;
+            let u = swing / x;
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -746,7 +746,7 @@ const _: () = {
             let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                 * pole_weight + mode.zeta * swing;
             ModeResponse {
-                x: frequency,
+                x,
                 denominator: Complex { re: detuning, im: loss },
                 size,
                 u,
@@ -889,15 +889,15 @@ const _: () = {
         /// `constraint` is r²E times that maximum.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
-            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
-            excitation / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
-            let excitation = Scalar::hypot(contact.v.re, contact.v.im);
-            let receptance = Scalar::hypot(contact.h.re, contact.h.im);
-            excitation / receptance
+            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            let modulus_h = Scalar::hypot(contact.h.re, contact.h.im);
+            modulus_v / modulus_h
         }
     }
     ::frictiongen::kernel::not_provided!(TallAt : stuck, orbit);
