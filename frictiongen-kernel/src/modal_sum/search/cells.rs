@@ -108,34 +108,43 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let mut grid = Grid::blank(stretch, bounds);
         grid.fill(&self.sum);
         self.peak.evaluations += COST;
-        let mut closed = NONE;
+        let mut open = self.open(&grid, [u32::MAX; 2]);
+        // What a summit leaves open beside it is for a finer grid: on this one it would be looked at again.
+        let mut left = [u32::MAX; 2];
         for _ in 0..SUMMITS {
-            let open = self.open(&grid, closed);
-            if open == NONE {
-                return NONE;
+            let [plus, minus] = [open[0] & left[0], open[1] & left[1]];
+            if [plus, minus] == NONE {
+                return open;
             }
-            let Some(place) = self.highest(&grid, open) else {
+            let Some(place) = self.highest(&grid, [plus, minus]) else {
                 return open;
             };
             let Some(summit) = self.summit(&place, &grid) else {
                 break;
             };
-            let about = self.about(&summit, &grid);
-            let before = closed;
-            for (closed, about) in closed.iter_mut().zip(about) {
-                *closed |= about;
-            }
-            if closed == before {
+            let about = self.about(&summit, &grid, open);
+            if about == NONE {
                 break;
             }
+            for (open, about) in open.iter_mut().zip(about) {
+                *open &= !about;
+            }
+            open = self.open(&grid, open);
+            let [of_plus, of_minus] = &mut left;
+            let of = if summit.negative { of_minus } else { of_plus };
+            let cell = grid.cell_of(summit.tau);
+            *of &= !(cell | (cell << 1) | (cell >> 1));
         }
-        self.open(&grid, closed)
+        self.open(&grid, open)
     }
 
-    fn open(&self, grid: &Grid<S>, closed: Open) -> Open {
+    /// Which of these cells may hold more than is known.
+    fn open(&self, grid: &Grid<S>, among: Open) -> Open {
         let mut open = NONE;
-        for (open, (&negative, closed)) in open.iter_mut().zip(self.signs().iter().zip(closed)) {
-            *open = self.open_of(grid, negative) & !closed;
+        for (open, (&negative, among)) in open.iter_mut().zip(self.signs().iter().zip(among)) {
+            if among != 0 {
+                *open = self.open_of(grid, negative, among);
+            }
         }
         open
     }
@@ -172,8 +181,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// The cells in which a Bernstein coefficient, value or value ± slope·h/3, leaves room for more.
-    pub(super) fn open_of(&self, grid: &Grid<S>, negative: bool) -> u32 {
+    /// Which of these cells have a Bernstein coefficient, value or value ± slope·h/3, that leaves room for more.
+    pub(super) fn open_of(&self, grid: &Grid<S>, negative: bool, among: u32) -> u32 {
         let zero = S::constant(0.0);
         let Stretch {
             from, to, width, ..
@@ -186,31 +195,35 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let slack = quartic * S::constant(1.0 / 384.0);
         let (mut open, mut bit) = (0_u32, 1_u32);
         grid.each(|tau, node| {
+            let (before, after) = (bit >> 1, bit);
+            bit <<= 1;
+            if among & (before | after) == 0 {
+                return;
+            }
             let (value, slope) = self.excess_at(&node, negative, bar);
             let slack = slack + grid.rounding(tau + width);
             if !(value + third * slope.abs() + slack <= zero) {
                 open |= if !(value + slack <= zero) {
-                    bit | (bit >> 1)
+                    before | after
                 } else if slope < zero {
-                    bit >> 1
+                    before
                 } else {
-                    bit
+                    after
                 };
             }
-            bit <<= 1;
         });
         let cells = grid.stretch.cells();
         open &= !(u32::MAX << cells);
-        if over_sine && from.is_zero() {
+        if over_sine && from.is_zero() && among & 1 != 0 {
             open = (open & !1) | u32::from(!self.starts_below(grid, negative, bar));
         }
-        if over_sine && self.ends_at_pi(to) {
-            let last = 1 << (cells - 1);
+        let last = 1 << (cells - 1);
+        if over_sine && self.ends_at_pi(to) && among & last != 0 {
             let slack = quartic * S::constant(1.0 / 162.0) + grid.bounds.rounding;
             let below = self.ends_below(grid, negative, bar, slack);
             open = (open & !last) | if below { 0 } else { last };
         }
-        open
+        open & among
     }
 
     /// The last cell of a sum that vanishes with sin τ: what is left of the cubic is a parabola times the distance from

@@ -326,6 +326,22 @@ impl<S: Float> Grid<S> {
         }
     }
 
+    /// The bit of the cell in which an instant is; none if it is before the first node or beyond the last.
+    pub fn cell_of(&self, tau: S) -> u32 {
+        let (mut cell, mut right) = (1_u32, self.stretch.from);
+        if tau < right {
+            return 0;
+        }
+        for _ in 0..self.stretch.cells() {
+            right = right + self.stretch.width;
+            if tau <= right {
+                return cell;
+            }
+            cell <<= 1;
+        }
+        0
+    }
+
     /// One node.
     pub fn node(&self, index: usize) -> Option<Node<S>> {
         if index > self.stretch.cells() {

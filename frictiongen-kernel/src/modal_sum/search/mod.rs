@@ -5,6 +5,7 @@
 //! Nothing larger than the answer times 1 + tolerance remains anywhere, but for rounding (section 9 of
 //! `docs/derivation.md`).
 
+mod about;
 mod bounds;
 mod cells;
 mod grid;

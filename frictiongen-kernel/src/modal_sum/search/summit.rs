@@ -1,4 +1,4 @@
-//! Summits of a grid: from the highest node to the top in two evaluations, and the cells about a top that it closes.
+//! Summits of a grid: from the highest node to the top in two evaluations.
 
 use super::cells::Open;
 use super::grid::{Grid, Node};
@@ -10,7 +10,7 @@ use crate::oscillator::decay::{Decay, Instant};
 /// So many evaluations a summit may take.
 pub(super) const EVALUATIONS: u32 = 5;
 /// A step counts as the last if what it leaves out is small within so many times its length.
-const REACH: f64 = 7.0;
+pub(super) const REACH: f64 = 7.0;
 
 /// A place to look at.
 #[derive(Clone, Copy, Debug)]
@@ -22,20 +22,20 @@ pub(super) struct Place<S> {
 /// A place from which one step leads to the top.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Summit<S> {
-    tau: S,
-    negative: bool,
-    jet: Jet<S>,
+    pub tau: S,
+    pub negative: bool,
+    pub jet: Jet<S>,
     /// What the top is below.
-    level: S,
+    pub level: S,
 }
 
 /// Value, slope, curvature and third derivative.
 #[derive(Clone, Copy, Debug)]
-struct Cubic<S> {
-    value: S,
-    slope: S,
-    curvature: S,
-    third: S,
+pub(super) struct Cubic<S> {
+    pub value: S,
+    pub slope: S,
+    pub curvature: S,
+    pub third: S,
 }
 
 #[cfg(test)]
@@ -48,7 +48,7 @@ impl<S: Float> Summit<S> {
 
 impl<S: Float> Cubic<S> {
     /// How far it is to the top.
-    fn step(&self) -> S {
+    pub fn step(&self) -> S {
         let half = S::constant(0.5);
         let newton = -(self.slope / self.curvature);
         let bend = self.third * newton * half / self.curvature;
@@ -56,35 +56,22 @@ impl<S: Float> Cubic<S> {
     }
 
     /// By how much the top is higher.
-    fn rise(&self, step: S) -> S {
+    pub fn rise(&self, step: S) -> S {
         let bend = self.curvature * S::constant(0.5) + self.third * step * S::constant(1.0 / 6.0);
         (self.slope + bend * step) * step
     }
 
-    /// Whether it bends down by at least half of its curvature within the reach of a step.
-    fn is_concave(&self, step: S) -> bool {
-        (self.third * step).abs() * S::constant(2.0 * REACH) < -self.curvature
-    }
-
-    /// Whether a function of this value, slope and curvature, and with its top within the reach of a small step, stays
-    /// below 0 from there to a place of which value and slope are known.
-    fn stays_below(&self, there: (S, S), distance: S, fourth: S, rounding: S) -> bool {
-        let (value, slope) = (there.0 + rounding, there.1);
-        let square = distance * distance;
-        // Of the square of the distance, in the cubic that meets both.
-        let curve = S::constant(3.0) * (value - self.value)
-            - distance * (slope + self.slope + self.slope)
-            + rounding;
-        let bend = fourth * square * S::constant(1.0 / 24.0);
-        value <= S::constant(0.0)
-            && curve / square + bend <= self.curvature * S::constant(1.0 / 3.0)
+    /// Whether it bends down by at least half of its curvature within so many times a step.
+    pub fn is_concave(&self, step: S, reach: S) -> bool {
+        (self.third * step).abs() * (reach + reach) < -self.curvature
     }
 }
 
-/// What the fourth derivative can add within the reach of a step.
-fn beyond_cubic<S: Float>(fourth: S, step: S) -> S {
-    let square = step * step;
-    fourth * square * square * S::constant(REACH * REACH * REACH * REACH / 24.0)
+/// What the fourth derivative can add within so many times a step.
+pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
+    let far = step * reach;
+    let square = far * far;
+    fourth * square * square * S::constant(1.0 / 24.0)
 }
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
@@ -216,7 +203,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 Weight::One => S::constant(1.0),
                 Weight::Sine => jet.sine,
             };
-            let left = beyond_cubic(fourth + self.level(), step);
+            let left = beyond_cubic(fourth + self.level(), step, S::constant(REACH));
             // A motion's lag needs the place itself.
             let placed = self.question.weight == Weight::Sine
                 || (fourth * step * step * step).abs() <= four * quotient.curvature.abs()
@@ -224,18 +211,24 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let (at_top, flipped) = self.moved(tau + step);
             // In the next half period friction has the opposite sign, and the curvature is another.
             let crossed = flipped && four < at_top.min(self.question.end - at_top);
-            if quotient.is_concave(step) && left <= spare * weight && placed && !crossed {
+            if quotient.is_concave(step, S::constant(REACH))
+                && left <= spare * weight
+                && placed
+                && !crossed
+            {
                 let rise = quotient.rise(step);
                 let top = Maximiser {
                     tau: at_top,
                     negative: negative != flipped,
                 };
                 self.keep(best + rise, quotient.value + rise, top);
+                let tolerance = self.question.tolerance.max(four);
                 return Some(Summit {
                     tau,
                     negative,
                     jet,
-                    level: quotient.value + rise + self.question.tolerance.max(four) * size,
+                    // Where modes cancel, rounding says more than the tolerance allows.
+                    level: quotient.value + rise + tolerance * size + self.rounding,
                 });
             }
             tau = tau + step;
@@ -279,91 +272,6 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             third: third * sign,
         };
         (best, cubic)
-    }
-
-    /// The cells about a summit in which the sum stays below its level: near the top by what is left to rise, and
-    /// further on by the cubic that meets value and slope of a node beyond.  They are closed for the summit's own sign,
-    /// which a step across the half period's end may have changed.
-    pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>) -> Open {
-        let zero = S::constant(0.0);
-        let over_sine = self.question.weight == Weight::Sine;
-        let (level, of_sine) = if over_sine {
-            let level = self.signed(summit.level, summit.negative);
-            (level, level)
-        } else {
-            (summit.level, zero)
-        };
-        let fourth = grid.bounds.fourth + of_sine;
-        let fifth = grid.bounds.fifth + of_sine;
-        let Jet {
-            sine,
-            cosine,
-            value,
-            slope,
-            curvature,
-            third,
-        } = summit.jet;
-        let node = Node {
-            value,
-            slope,
-            sine,
-            cosine,
-        };
-        let (value, slope) = self.excess_at(&node, summit.negative, level);
-        let sign = S::constant(if summit.negative { -1.0 } else { 1.0 });
-        let here = Cubic {
-            value,
-            slope,
-            curvature: curvature * sign + of_sine * sine,
-            third: third * sign + of_sine * cosine,
-        };
-        let step = here.step();
-        let left = beyond_cubic(fourth, step);
-        if !(here.is_concave(step) && value + here.rise(step) + left <= zero) {
-            return [0, 0];
-        }
-        // The same over τ, from a sum that vanishes at 0.
-        let starts = over_sine && grid.stretch.from.is_zero() && zero < summit.tau;
-        let over_tau = starts.then(|| {
-            let value = here.value / summit.tau;
-            let slope = (here.slope - value) / summit.tau;
-            Cubic {
-                value,
-                slope,
-                curvature: (here.curvature - slope - slope) / summit.tau,
-                third: zero,
-            }
-        });
-        let (mut closed, mut before, mut cell) = (0, false, 0_u32);
-        grid.each(|tau, node| {
-            let (value, slope) = self.excess_at(&node, summit.negative, level);
-            let distance = tau - summit.tau;
-            let below = distance.is_zero()
-                || if starts && tau.is_zero() {
-                    // Exactly 0 there.
-                    here.stays_below((zero, slope), distance, fourth, zero)
-                } else {
-                    let rounding = grid.rounding(tau);
-                    here.stays_below((value, slope), distance, fourth, rounding)
-                        || over_tau.filter(|_| zero < distance).is_some_and(|over| {
-                            let value = value / tau;
-                            let there = (value, (slope - value) / tau);
-                            let fourth = fifth * S::constant(0.2);
-                            over.stays_below(there, distance, fourth, rounding / tau)
-                        })
-                };
-            let left = tau - grid.stretch.width;
-            let both = (before || !(left < summit.tau)) && (below || tau <= summit.tau);
-            if both {
-                closed |= cell;
-            }
-            (before, cell) = (below, if cell == 0 { 1 } else { cell << 1 });
-        });
-        if summit.negative {
-            [0, closed]
-        } else {
-            [closed, 0]
-        }
     }
 }
 

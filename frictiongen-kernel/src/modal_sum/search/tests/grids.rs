@@ -227,7 +227,7 @@ fn a_cell_that_exceeds_the_level_is_open() {
             tau: 0.0,
             negative: false,
         });
-        let open = search.open_of(&grid, false);
+        let open = search.open_of(&grid, false, u32::MAX);
         assert!(
             open & (1 << cell) != 0,
             "case {case}, cell {cell} of {}: {above:e} above {}",
@@ -271,7 +271,7 @@ fn a_summit_closes_nothing_that_is_higher() {
         summits += 1;
         let (level, negative) = summit.height();
         search.peak.value = level;
-        let cells = search.about(&summit, &grid)[usize::from(negative)];
+        let cells = search.about(&summit, &grid, [u32::MAX; 2])[usize::from(negative)];
         let bar = 1e-11 * size(&search);
         for cell in (0..stretch.cells()).filter(|cell| cells & (1 << cell) != 0) {
             closed += 1;
@@ -304,6 +304,6 @@ fn a_summit_across_the_end_closes_cells_of_its_own_sign() {
         negative: true,
     };
     let summit = search.summit(&before_the_end, &grid).expect("a summit");
-    let [plus, minus] = search.about(&summit, &grid);
+    let [plus, minus] = search.about(&summit, &grid, [u32::MAX; 2]);
     assert!(plus & 1 != 0 && minus == 0, "{plus:b} {minus:b}");
 }

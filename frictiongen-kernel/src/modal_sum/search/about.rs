@@ -1,0 +1,225 @@
+//! The cells about a summit that it closes: near the top by Taylor's theorem, and further on by the cubic that meets value
+//! and slope of a node beyond (section 9 of `docs/derivation.md`).
+
+use super::cells::Open;
+use super::grid::{Grid, Node};
+use super::summit::{Cubic, REACH, Summit, beyond_cubic};
+use super::{Search, Weight};
+use crate::number::scalar::Float;
+use crate::oscillator::decay::Decay;
+
+/// A small step may reach so many times its length: the farther, the flatter may a summit be that closes cells.
+const FAR: f64 = 97.0;
+
+/// What a sum exceeds its level by, about a summit: E, or E/τ.
+struct Excess<S> {
+    /// The summit.
+    tau: S,
+    cubic: Cubic<S>,
+    /// What its fourth derivative cannot exceed.
+    fourth: S,
+    /// The curvature that a cell must keep for the slope to count no more than that beyond the reach.
+    curvature: S,
+}
+
+/// A node from which a cell may be closed.
+#[derive(Clone, Copy)]
+struct Beyond<S> {
+    tau: S,
+    value: S,
+    slope: S,
+    /// What rounding can do to the value.
+    rounding: S,
+}
+
+impl<S: Float> Excess<S> {
+    /// None if it is not below 0 within the reach of a step.
+    fn new(tau: S, cubic: Cubic<S>, fourth: S) -> Option<Self> {
+        let step = cubic.step();
+        let reach = [FAR, REACH].map(S::constant).into_iter().find(|&reach| {
+            let top = cubic.value + cubic.rise(step) + beyond_cubic(fourth, step, reach);
+            cubic.is_concave(step, reach) && top <= S::constant(0.0)
+        })?;
+        Some(Self {
+            tau,
+            cubic,
+            fourth,
+            curvature: cubic.curvature * S::constant(2.0) / (reach - S::constant(1.0)),
+        })
+    }
+
+    /// Whether it stays below 0 from the summit to a node.
+    fn stays_below(&self, node: &Beyond<S>) -> bool {
+        let distance = node.tau - self.tau;
+        self.is_near(distance) || self.is_below(node, distance)
+    }
+
+    /// By the derivatives at the summit alone: so near, they leave a third of the curvature, or more.
+    fn is_near(&self, distance: S) -> bool {
+        let Cubic {
+            curvature, third, ..
+        } = self.cubic;
+        let bend = third.abs() * distance.abs() * S::constant(1.0 / 6.0)
+            + self.fourth * (distance * distance) * S::constant(1.0 / 24.0);
+        bend <= -curvature * S::constant(1.0 / 3.0)
+    }
+
+    /// By value and slope at the node.
+    fn is_below(&self, node: &Beyond<S>, distance: S) -> bool {
+        let Cubic { value, slope, .. } = self.cubic;
+        let there = node.value + node.rounding;
+        let square = distance * distance;
+        // Of the square of the distance, in the cubic that meets both.
+        let curve = S::constant(3.0) * (there - value) - distance * (node.slope + slope + slope)
+            + node.rounding;
+        let bend = self.fourth * square * S::constant(1.0 / 24.0);
+        there <= S::constant(0.0) && curve / square + bend <= self.curvature
+    }
+}
+
+impl<S: Float, D: Decay<S>> Search<'_, S, D> {
+    /// Which of the open cells about a summit hold nothing above its level.  They are closed for the summit's own sign,
+    /// which a step across the half period's end may have changed.
+    pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>, open: Open) -> Open {
+        let zero = S::constant(0.0);
+        // Before the first node the derivatives have no bounds.
+        if summit.tau < grid.stretch.from {
+            return [0, 0];
+        }
+        let starts = self.question.weight == Weight::Sine && grid.stretch.from.is_zero();
+        let plain = self.excess(summit, grid);
+        let over_tau = if starts {
+            self.excess_over_tau(summit, grid)
+        } else {
+            None
+        };
+        if plain.is_none() && over_tau.is_none() {
+            return [0, 0];
+        }
+        let level = self.level_about(summit);
+        let [plus, minus] = open;
+        let among = if summit.negative { minus } else { plus };
+        // The cell before a node, and whether all between the summit and the node before stays below.
+        let (mut closed, mut before, mut cell) = (0, false, 0_u32);
+        grid.each(|tau, node| {
+            let after = if cell == 0 { 1 } else { cell << 1 };
+            if among & (cell | after) == 0 {
+                (before, cell) = (false, after);
+                return;
+            }
+            let (value, slope) = self.excess_at(&node, summit.negative, level);
+            let first = starts && tau.is_zero();
+            let there = Beyond {
+                tau,
+                // Exactly 0 at the start.
+                value: if first { zero } else { value },
+                slope,
+                rounding: if first { zero } else { grid.rounding(tau) },
+            };
+            let below = plain
+                .as_ref()
+                .is_some_and(|plain| plain.stays_below(&there))
+                || over_tau.as_ref().is_some_and(|over| {
+                    over.stays_below(&self.over_tau(&there, summit.negative, grid))
+                });
+            let left = tau - grid.stretch.width;
+            let both = (before || !(left < summit.tau)) && (below || tau <= summit.tau);
+            if both {
+                closed |= cell;
+            }
+            (before, cell) = (below, after);
+        });
+        if summit.negative {
+            [0, closed]
+        } else {
+            [closed, 0]
+        }
+    }
+
+    /// The level that a sum must stay below about a summit, of its own sign.
+    fn level_about(&self, summit: &Summit<S>) -> S {
+        match self.question.weight {
+            Weight::One => summit.level,
+            Weight::Sine => self.signed(summit.level, summit.negative),
+        }
+    }
+
+    /// What sin τ times the level adds to a derivative's bound.
+    fn of_sine(&self, summit: &Summit<S>) -> S {
+        match self.question.weight {
+            Weight::One => S::constant(0.0),
+            Weight::Sine => self.level_about(summit),
+        }
+    }
+
+    /// E about a summit, by its derivatives there.
+    fn cubic_about(&self, summit: &Summit<S>) -> Cubic<S> {
+        let Summit { jet, negative, .. } = summit;
+        let node = Node {
+            value: jet.value,
+            slope: jet.slope,
+            sine: jet.sine,
+            cosine: jet.cosine,
+        };
+        let (value, slope) = self.excess_at(&node, *negative, self.level_about(summit));
+        let sign = S::constant(if *negative { -1.0 } else { 1.0 });
+        let of_sine = self.of_sine(summit);
+        Cubic {
+            value,
+            slope,
+            curvature: jet.curvature * sign + of_sine * jet.sine,
+            third: jet.third * sign + of_sine * jet.cosine,
+        }
+    }
+
+    fn excess(&self, summit: &Summit<S>, grid: &Grid<S>) -> Option<Excess<S>> {
+        let fourth = grid.bounds.fourth + self.of_sine(summit).abs();
+        Excess::new(summit.tau, self.cubic_about(summit), fourth)
+    }
+
+    /// E/τ, of a sum that vanishes at 0: its fourth derivative is at most a fifth of E's fifth.
+    fn excess_over_tau(&self, summit: &Summit<S>, grid: &Grid<S>) -> Option<Excess<S>> {
+        let tau = summit.tau;
+        if tau.is_zero() {
+            return None;
+        }
+        let plain = self.cubic_about(summit);
+        let value = plain.value / tau;
+        let slope = (plain.slope - value) / tau;
+        let curvature = (plain.curvature - slope - slope) / tau;
+        let cubic = Cubic {
+            value,
+            slope,
+            curvature,
+            third: (plain.third - curvature * S::constant(3.0)) / tau,
+        };
+        let fifth = grid.bounds.fifth + self.of_sine(summit).abs();
+        Excess::new(tau, cubic, fifth * S::constant(0.2))
+    }
+
+    /// A node of E as one of E/τ, which at 0 is E′ with the slope E″/2.
+    fn over_tau(&self, node: &Beyond<S>, negative: bool, grid: &Grid<S>) -> Beyond<S> {
+        let Beyond {
+            tau,
+            value,
+            slope,
+            rounding,
+        } = *node;
+        if tau.is_zero() {
+            let half = S::constant(if negative { -0.5 } else { 0.5 });
+            return Beyond {
+                tau,
+                value: slope,
+                slope: grid.bounds.second * half,
+                rounding: grid.bounds.drift,
+            };
+        }
+        let value = value / tau;
+        Beyond {
+            tau,
+            value,
+            slope: (slope - value) / tau,
+            rounding: rounding / tau,
+        }
+    }
+}
