@@ -23,7 +23,7 @@ locals! {
     g_scaled gain h h_im h_re half_decay_factor half_decay_minus_one half_turns halvings held
     held_im held_loads held_re im in_contact in_phase in_phase_share index input inverse inverse_im
     inverse_mass inverse_modulus inverse_nearness inverse_r inverse_re inverse_size invisible kind
-    lag last law least lift load loads loss low magnitude mass mismatch_im mismatch_re mode mode_1
+    lag last law least lift lines load loads loss low magnitude mass mismatch_im mismatch_re mode mode_1
     mode_2 mode_3 mode_4 mode_5 mode_6 mode_7 mode_8 mode_9 mode_10 mode_11 mode_12 mode_13 mode_14
     mode_15 mode_16 modes moments motion nearness_im nearness_re numerator of off omega on_base
     on_moving_base one_plus_factor orbit origin pace parts phase pieces plain_cosine plain_detuning
