@@ -31,8 +31,6 @@ pub struct RubbedSimulation(
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    #[allow(dead_code)]
-    fn lines() {}
     impl Rubbed {
         /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 1] = [20.0];
