@@ -63,7 +63,7 @@ impl FileArgument {
             return Ok(description);
         }
         Err(Failure::new(format_args!(
-            "{}: the exact response needs a constant kinetic level, and this scene has `friction: stribeck`: write `friction: coulomb`, or drive its stepper",
+            "{}: the exact response needs a constant kinetic level, and this scene has `friction: stribeck`: write `friction: coulomb`, drive its stepper, or follow a run by `frictiongen time`",
             self.name()
         )))
     }

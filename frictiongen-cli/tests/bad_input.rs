@@ -195,21 +195,25 @@ fn a_friction_law_without_a_constant_level() {
         "excitation: block,",
         "excitation: block, friction: stribeck(0.1: 0.8), provide: [stepper],",
     );
-    let told = "frictiongen: <stdin>: the exact response needs a constant kinetic level, and this scene has `friction: stribeck`: write `friction: coulomb`, or drive its stepper";
-    let commands: [&[&str]; 9] = [
+    let told = "frictiongen: <stdin>: the exact response needs a constant kinetic level, and this scene has `friction: stribeck`: write `friction: coulomb`, drive its stepper, or follow a run by `frictiongen time`";
+    let commands: [&[&str]; 10] = [
         &["limits", "--r", "1"],
         &["response", "--r", "1", "--beta", "1"],
         &["orbit", "--r", "1", "--beta", "1"],
         &["curve", "--r", "1:1:2", "--beta", "1"],
         &["map", "--r", "1:1:2", "--beta", "0:1:1", "--csv"],
-        &["time", "--r", "1", "--beta", "1"],
+        &["time", "--r", "1", "--beta", "1", "--steady"],
         &["optimum", "--of", "block", "--r", "1:2"],
         &["sensitivity", "--of", "block", "--r", "1", "--beta", "1"],
         &["compile", "--accuracy", "1e-2", "--r", "0.5:2"],
+        &["features"],
     ];
     for arguments in commands {
         assert_eq!(failure(&stribeck, arguments), [told], "{arguments:?}");
     }
+    let without = "frictiongen: <stdin>: `friction: stribeck` has speeds in the scene's units: give the load by --force";
+    let time = ["time", "--r", "1", "--beta", "1"];
+    assert_eq!(failure(&stribeck, &time), [without]);
     let expanded = run_with(&stribeck, &["expand"]);
     assert_eq!(expanded.status, Some(0), "{}", expanded.err);
     assert!(expanded.out.contains("pub fn stepper("));

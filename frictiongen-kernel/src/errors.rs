@@ -21,8 +21,8 @@ pub enum Regime {
 pub struct OutOfDomain {
     /// Which argument: "r", "beta", "state", "reach"; or a slice that is too short or too long, "parts",
     /// "numbers", "multipliers", "continuous", "sliding"; of a stepper "dt", "force", "forces",
-    /// "base", "friction", "stiction", "steps", "saved"; or "stribeck" where the friction law has no constant kinetic
-    /// level, which only a stepper can do without.
+    /// "base", "friction", "stiction", "steps", "saved"; of a run in time "amplitude" and "steepness"; or
+    /// "stribeck" where the friction law has no constant kinetic level, which a stepper and `simulation_under` do without.
     pub argument: &'static str,
 }
 
@@ -86,7 +86,7 @@ impl fmt::Display for OutOfDomain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.argument == "stribeck" {
             return f.write_str(
-                "the exact continuous response needs a constant kinetic level, and this scene has `friction: stribeck`; ask its stepper",
+                "the exact continuous response needs a constant kinetic level, and this scene has `friction: stribeck`; ask its stepper, or `simulation_under` with the load's amplitude",
             );
         }
         let needed = match self.argument {
@@ -110,6 +110,12 @@ impl fmt::Display for OutOfDomain {
                 "with so many modes at or beyond critical damping, held and free modes cannot be told apart in this scalar: less than half of the digits would be left"
             }
             "steps" => "the input at the start is said before the first step",
+            "amplitude" => {
+                "it must be positive and finite, and so large that the friction law's speeds, over the load's, stay apart"
+            }
+            "steepness" => {
+                "with this load the kinetic level changes the motion more than 4096 times as fast as the fastest mode does"
+            }
             "saved" => "it belongs to another scene",
             _ => "it must be a finite number, not negative",
         };

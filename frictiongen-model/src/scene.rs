@@ -257,10 +257,17 @@ impl Scene {
         items.any(|item| core::mem::discriminant(item) == kind)
     }
 
-    /// Whether anything is provided that answers at a frequency: all but the stepper does.
+    /// Whether anything is provided that answers at a frequency: all but the stepper does, and but the simulation
+    /// where the kinetic level changes with the speed.
     #[must_use]
     pub fn needs_frequency(&self) -> bool {
-        self.provide.iter().any(|item| *item != Provide::Stepper)
+        let constant = self.friction == FrictionLaw::Coulomb;
+        let mut items = self.provide.iter();
+        items.any(|item| match item {
+            Provide::Stepper => false,
+            Provide::Simulation => constant,
+            _ => true,
+        })
     }
 
     /// Whether anything is provided that follows the motion in time.

@@ -5,7 +5,7 @@ use crate::scene::{Excitation, FrictionLaw, Node, Precision, Scene, StepInput};
 use crate::transient::Transient;
 use frictiongen_kernel::errors::OutOfDomain;
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_kernel::simulation::Dynamics;
+use frictiongen_kernel::simulation::{Dynamics, Lines};
 use frictiongen_kernel::stepper::{
     Channel, HeldLoad, HeldStep, Input, MAX_PARTS, ModeStep, Pace, StepScene, Units, fill,
 };
@@ -24,6 +24,8 @@ pub struct Steps<S> {
     pub input: Input,
     /// The points of the friction law; none of Coulomb's.
     pub law: Vec<[S; 2]>,
+    /// The velocity for which dz̄/dτ is 1 where r and the load's amplitude are: √(k₁/m₁), under a force over k₁.
+    pub speed: S,
 }
 
 impl<S: Scalar> Steps<S> {
@@ -48,6 +50,10 @@ impl<S: Scalar> Steps<S> {
             }
         }
         let reference = scene.springs.first().map_or(1.0, |spring| spring.stiffness);
+        let speed = match scene.excitation {
+            Excitation::Force(_) => modal.reference / Dd::from(reference),
+            Excitation::Base => modal.reference,
+        };
         let on_base = scene.springs.iter().filter(|spring| {
             let ends = [spring.from, spring.to];
             ends.contains(&Node::Base)
@@ -73,6 +79,7 @@ impl<S: Scalar> Steps<S> {
                     point.collect()
                 }
             },
+            speed: to(speed),
         }
     }
 
@@ -94,6 +101,12 @@ impl<S: Scalar> Steps<S> {
 }
 
 impl<S: Float> Steps<S> {
+    /// The friction law of a run in time at r, under a load of this amplitude.
+    #[must_use]
+    pub fn lines(&self, r: S, amplitude: S) -> Lines<'_, S> {
+        Lines::under(&self.law, r, amplitude, self.speed)
+    }
+
     /// The same as the kernel reads it.
     #[must_use]
     pub fn scene<'a>(&'a self, dynamics: Dynamics<'a, S>) -> StepScene<'a, S> {

@@ -1,11 +1,11 @@
-//! Steady states and runs in time, of emitted solvers and of the run-time `System` alike.
+//! Steady states, of emitted solvers and of the run-time `System` alike.
 
 use crate::targets::Settles;
-use crate::{Complex, FrictionSystem, LimitsAt, NoOrbit, Of, OutOfDomain};
-use core::ops::{Deref, DerefMut};
+use crate::{Complex, LimitsAt, NoOrbit, Of};
+use core::ops::Deref;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
-use frictiongen_kernel::simulation::{Contact, Moment, Part, Segment, Simulation};
+use frictiongen_kernel::simulation::Part;
 
 /// A scene at one frequency ratio that also gives steady states in any regime.
 ///
@@ -263,110 +263,5 @@ where
     }
     fn subharmonic(&self, k: u32) -> Complex<S> {
         OrbitMotion::subharmonic(self, k)
-    }
-}
-
-/// A scene that also gives its exact motion in time.
-///
-/// ```
-/// use frictiongen::{FrictionSystem, OutOfDomain, Run, Simulates, friction_system};
-///
-/// friction_system! {
-///     struct Block {
-///         masses: { block: 1.0 },
-///         springs: { base - block: 1.0 },
-///         contact: block - wall,
-///         excitation: block,
-///         provide: [simulation],
-///     }
-/// }
-///
-/// /// The first mass after so many steps from rest, of any system.
-/// fn after<F: Simulates<Scalar = f64>>(system: &F, steps: u32) -> Result<f64, OutOfDomain> {
-///     let mut run = system.simulation(0.3, 0.4)?;
-///     for _ in 0..steps {
-///         let mut left = 0.01;
-///         while left > 0.0 {
-///             // An event ends a step early.
-///             left -= run.advance(left)?.length;
-///         }
-///     }
-///     Ok(run.moment(0).displacement())
-/// }
-///
-/// assert!(after(&Block, 1000)?.abs() < 1.0);
-/// # Ok::<(), OutOfDomain>(())
-/// ```
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` gives no motion in time",
-    label = "add `simulation` to the scene's `provide: [...]`"
-)]
-pub trait Simulates: FrictionSystem {
-    /// A run.
-    type Run<'a>: Run<Scalar = Self::Scalar>
-    where
-        Self: 'a;
-
-    /// The exact motion in time from rest, the excitation at its maximum.
-    ///
-    /// # Errors
-    /// [`OutOfDomain`] unless r is positive and finite and β finite and not negative.
-    fn simulation(&self, r: Self::Scalar, beta: Self::Scalar)
-    -> Result<Self::Run<'_>, OutOfDomain>;
-}
-
-/// An exact run in time.
-pub trait Run {
-    /// The scene's scalar.
-    type Scalar: Float;
-
-    /// Moves on to the next event, at most by `reach` in τ; by 0 it does nothing.
-    ///
-    /// # Errors
-    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN, which changes nothing.
-    fn advance(&mut self, reach: Self::Scalar) -> Result<Segment<Self::Scalar>, OutOfDomain>;
-    /// How many cycles of the excitation are over.
-    fn cycles(&self) -> u64;
-    /// τ within the excitation's cycle, [0, 2π).
-    fn phase(&self) -> Self::Scalar;
-    /// What the contact does from now on.
-    fn contact(&self) -> Contact;
-    /// z̄ and dz̄/dτ, the relative motion in the contact.
-    fn relative(&self) -> (Self::Scalar, Self::Scalar);
-    /// The friction force in the contact over P.
-    fn friction(&self) -> Self::Scalar;
-    /// A mass now, by its place in the description; at rest if there is no such mass.
-    fn moment(&self, mass: usize) -> Moment<Self::Scalar>;
-}
-
-/// Emitted runs and those of a `System` hold the kernel's.
-impl<'a, S, P, R> Run for R
-where
-    S: Float,
-    P: AsRef<[Part<S>]> + AsMut<[Part<S>]> + 'a,
-    R: DerefMut<Target = Simulation<'a, S, P>>,
-{
-    type Scalar = S;
-
-    fn advance(&mut self, reach: S) -> Result<Segment<S>, OutOfDomain> {
-        (**self).advance(reach)
-    }
-    fn cycles(&self) -> u64 {
-        (**self).cycles()
-    }
-    fn phase(&self) -> S {
-        (**self).phase()
-    }
-    fn contact(&self) -> Contact {
-        (**self).contact()
-    }
-    fn relative(&self) -> (S, S) {
-        (**self).relative()
-    }
-    fn friction(&self) -> S {
-        (**self).friction()
-    }
-    fn moment(&self, mass: usize) -> Moment<S> {
-        (**self).mass(mass)
     }
 }

@@ -52,6 +52,7 @@
 //! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `period` (1, or up to 64 cycles if it is subharmonic), `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `intervals`, `friction`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
 //! | `at.orbit_or_last_cycles(beta)` | the same; where the motion does not settle, its last 64 cycles, with `is_settled()` false |
 //! | `Frame::simulation(r, beta)`, `simulation_from(r, beta, state)` | the exact motion in time, `FrameSimulation`: `next` and `advance` give its [`Segment`](kernel::simulation::Segment)s, `upper()` where a mass is |
+//! | `Frame::simulation_under(r, beta, amplitude)`, `simulation_under_from(r, beta, amplitude, state)` | the same where `friction: stribeck`, under a load of that amplitude in the scene's units: P, or for base motion Y |
 //! | `Frame::stepper(dt)`, `stepper_from(dt, state)` | the motion by steps of one length in s under any input, `FrameStepper`, in the scene's units: `advance(FrameInput)` gives what the contact does, its force and its events, a [`Stepped`](kernel::stepper::Stepped); `upper()`, `contact()`, `work()`, `steps()`, `exceeded()`, `begin`, `set_stiction`, `save`, `restore` |
 //! | `FrameInput { force, friction }`, `{ displacement, velocity, friction }` | what acts at the end of a step (`input: linear`) or over it (`hold`): a force on the excited mass, or the base's motion; a field more for each mass of `force`, by its name; and F |
 //! | `Frame::STEP` | the declared step, whose tables are constants |
@@ -69,13 +70,13 @@
 //! | `damping` | `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)` | `none` |
 //! | `stiction` | μ = static over kinetic friction, at least 1 | 1 |
 //! | `scalar` | `f64`, `f32` | `f64` |
-//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation`, `stepper`; with `stepper` alone nothing answers at a frequency | `[limits, motion]` |
+//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation`, `stepper`; with `stepper` alone, and with `simulation` where `friction: stribeck`, nothing answers at a frequency | `[limits, motion]` |
 //! | `accuracy` | `exact`, or the largest relative error of an answer from tables: `1e-4` | `exact` |
 //! | `range` | where that holds: `{ r: 0.2..2.5 }`, also `beta: 0..1.5` | |
 //! | `side` | `near`, or `safe`: β_lim never above, β*_lim never below the exact one | `near` |
 //! | `budget` | in place of an accuracy, bytes: the best one that fits | |
 //! | `beyond` | outside the range: `error`, or `exact` for the formulas | `error` |
-//! | `friction` | `coulomb`, or `stribeck(v: f, …)`: the kinetic level over F at speeds, straight from 1 at rest and constant beyond the last; for the stepper alone | `coulomb` |
+//! | `friction` | `coulomb`, or `stribeck(v: f, …)`: the kinetic level over F at speeds, straight from 1 at rest and constant beyond the last; for `simulation` and `stepper` alone | `coulomb` |
 //! | `step` | the stepper's step in s, if it is known: its tables are then constants | |
 //! | `input` | `linear`, or `hold`: the stepper's input between samples | `linear` |
 //! | `force` | `{ name, … }`: masses that the stepper may load besides `excitation` | |
@@ -91,7 +92,7 @@
 //! | `continuous_limit`, `limits`, `regime`, `margin` | one search; `motion` one or two |
 //! | `amplitude`, `phase`, `largest` of a mass | one search |
 //! | a search | [`at.most_evaluations()`](kernel::response::At::most_evaluations) evaluations of a sum over the modes, by the scene and the least r: 256 or 1024 and some, where half the searches take 2 or 8; [`Effort`] tells if they did not do, and then the answer is the best seen: a limit on the unsafe side, an amplitude too small |
-//! | `simulation`'s `advance` | two segments of [`MAX_STEPS`](kernel::simulation::MAX_STEPS) steps each |
+//! | `simulation`'s `advance` | two segments of [`MAX_STEPS`](kernel::simulation::MAX_STEPS) steps each; with `friction: stribeck` [`MAX_STRETCHES`](kernel::simulation::MAX_STRETCHES) stretches of at most 128 steps, where the level is constant of `MAX_STEPS` |
 //! | `stepper`'s `advance` | for each part, of which a step has as many as stand with the emitted method: one product with the tables, or [`MAX_EVENTS`](kernel::stepper::MAX_EVENTS) events in [`MAX_STRETCHES`](kernel::stepper::MAX_STRETCHES) stretches; beyond, the contact is held for the rest of the part, and `exceeded` counts the step |
 //! | `orbit` | about [`MAX_CYCLES`](kernel::orbit::MAX_CYCLES) cycles, and [`orbit::MAX_STEPS`](kernel::orbit::MAX_STEPS) steps in all, else [`NoOrbit`] |
 //!
@@ -106,6 +107,7 @@ pub mod features;
 mod in_time;
 #[cfg(feature = "measure")]
 pub mod measure;
+mod runs;
 mod stepping;
 pub mod sweep;
 pub mod system;
@@ -125,7 +127,8 @@ pub use frictiongen_kernel::modal_sum::search::Effort;
 pub use frictiongen_kernel::response::motion::Largest;
 /// Turns the description of a scene into its solver; see the [crate's documentation](crate).
 pub use frictiongen_macros::friction_system;
-pub use in_time::{OrbitAt, Periodic, Run, Simulates, SteadyState};
+pub use in_time::{OrbitAt, Periodic, SteadyState};
+pub use runs::{Run, Simulates, SimulatesUnder};
 pub use stepping::{StepLoad, Stepping, Steps};
 #[cfg(feature = "study")]
 pub use study::System;

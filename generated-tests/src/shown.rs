@@ -209,4 +209,15 @@ shown! {
         force: { string },
         step: 5e-4,
     }
+
+    /// A block whose kinetic friction falls with the speed, from event to event.
+    struct Rubbed {
+        masses: { block: 2.0 },
+        springs: { base - block: 800.0 },
+        contact: block - wall,
+        excitation: block,
+        stiction: 1.2,
+        friction: stribeck(0.02: 0.7, 0.1: 0.55),
+        provide: [simulation],
+    }
 }

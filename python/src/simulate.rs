@@ -95,6 +95,7 @@ pub fn simulate<'py>(
         from: from
             .map(|from| start(&from, system, (&measure, omega)))
             .transpose()?,
+        amplitude: measure.load().map(|load| load.amplitude()),
         skip: number("skip", &skip, 0, 0)?.into(),
         cycles: number("cycles", &cycles, 1, 10)?,
         samples: number("samples", &samples, 2, 200)?,

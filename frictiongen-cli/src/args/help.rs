@@ -106,6 +106,7 @@ Motions:
   contact.friction  over P, for base motion over k1 Y; with a load, N: against the sliding, and
                     while the contact sticks what holds it
   contact.state     stuck, or forward or backward by the sign of the relative velocity
+  The speeds of `friction: stribeck` need a load: --force or --base
 
 State to start from:
   --from \"x1,x2;v1,v2\"  displacements, then velocities of all masses in the description's order, at a

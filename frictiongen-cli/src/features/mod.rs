@@ -46,7 +46,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
             "at most {MOST_FRICTIONS} frictions at once: each has a list of its own"
         )));
     }
-    let description = arguments.file.description(&Limits::RUN_TIME)?;
+    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let frequency = FrequencyArguments {
         r: arguments.r.clone(),

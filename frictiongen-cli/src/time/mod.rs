@@ -22,6 +22,7 @@ use crate::summary::Summary;
 use asked::{Asked, start};
 use events::EventsReport;
 use frictiongen::System;
+use frictiongen::study::scene::FrictionLaw;
 use frictiongen_codegen::Limits;
 use motion::{Course, Motion};
 use samples::SamplesReport;
@@ -40,11 +41,22 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let asked = Asked::parse(arguments)?;
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
-    let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
+    let file = &arguments.point.file;
+    let description = match arguments.steady {
+        true => file.constant_level(&Limits::RUN_TIME)?,
+        false => file.description(&Limits::RUN_TIME)?,
+    };
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let parts = parts(&system, &arguments.of)?;
     frequencies.check(&system)?;
     let measure = Measure::of(&arguments.point.load, &system)?;
+    if system.scene().friction != FrictionLaw::Coulomb && measure.load().is_none() {
+        return Err(Failure::new(format_args!(
+            "{}: `friction: stribeck` has speeds in the scene's units: give the load by {}",
+            file.name(),
+            measure.option()
+        )));
+    }
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let frequency = frequencies.only(&system)?;

@@ -76,6 +76,7 @@ impl Motion {
             let request = HistoryRequest {
                 of,
                 from,
+                amplitude: course.measure.load().map(|load| load.amplitude()),
                 skip: asked.skip.into(),
                 cycles: asked.cycles,
                 samples: asked.samples,

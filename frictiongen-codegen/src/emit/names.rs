@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
 /// What emitted code imports: a scene may have the same name.
-pub(super) const IMPORTED: [&str; 83] = [
+pub(super) const IMPORTED: [&str; 85] = [
     "Complex",
     "Scalar",
     "Chain",
@@ -37,8 +37,10 @@ pub(super) const IMPORTED: [&str; 83] = [
     "Scene",
     "Stuck",
     "Dynamics",
+    "FixedLinesSimulation",
     "FixedSimulation",
     "HeldMode",
+    "Lines",
     "Moment",
     "Part",
     "Segment",

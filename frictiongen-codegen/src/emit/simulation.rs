@@ -1,8 +1,11 @@
 //! The exact motion in time.
 
 use super::dynamics::{Constants, count};
-use super::{Emission, Part};
-use proc_macro2::TokenStream;
+use super::{Emission, Part, rounded};
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_model::scene::FrictionLaw;
+use frictiongen_model::stepping::Steps;
+use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let Emission {
@@ -16,7 +19,12 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     } = emission;
     let visibility = &description.visibility;
     let parts = count(constants.parts);
-    let masses = count(scene.masses.len());
+    let constant = scene.friction == FrictionLaw::Coulomb;
+    let target = if constant {
+        code!(FixedSimulation)
+    } else {
+        code!(FixedLinesSimulation)
+    };
     let about = format!(
         " The exact motion of [`{name}`] in time, from event to event; `next` gives its segments."
     );
@@ -24,7 +32,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         #[doc = #about]
         #[allow(deprecated, non_camel_case_types)]
             #visibility struct #simulation(
-                #facade::kernel::simulation::FixedSimulation<::core::primitive::#scalar, #parts>
+                #facade::kernel::simulation::#target<::core::primitive::#scalar, #parts>
             );
     };
     let methods = description
@@ -43,7 +51,51 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
         });
     let methods: TokenStream = methods.collect();
+    let [starts, trait_of] = if constant {
+        starts(emission, &parts)
+    } else {
+        starts_under(emission, &parts)
+    };
     let items = code! {
+        #starts
+
+        #facade::kernel::wraps!(#simulation, #target of #scalar, #parts);
+
+        impl #simulation {
+            #methods
+        }
+
+        #trait_of
+
+        impl ::core::ops::DerefMut for #simulation {
+            fn deref_mut(&mut self) -> &mut Self::Target {
+                &mut self.0
+            }
+        }
+
+        impl<'a> IntoIterator for &'a mut #simulation {
+            type Item = Segment<#scalar>;
+            type IntoIter = &'a mut #target<#scalar, #parts>;
+
+            fn into_iter(self) -> Self::IntoIter {
+                &mut self.0
+            }
+        }
+    };
+    Part { types, items }
+}
+
+/// How a run starts where the kinetic level is constant.
+fn starts(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
+    let Emission {
+        name,
+        simulation,
+        scalar,
+        facade,
+        ..
+    } = emission;
+    let masses = count(emission.scene.masses.len());
+    let starts = code! {
         impl #name {
             /// The exact motion in time from rest, the excitation at its maximum.
             ///
@@ -68,13 +120,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
                 Simulation::new(Self::DYNAMICS, r, beta, start, parts).map(From::from)
             }
         }
-
-        #facade::kernel::wraps!(#simulation, FixedSimulation of #scalar, #parts);
-
-        impl #simulation {
-            #methods
-        }
-
+    };
+    let trait_of = code! {
         impl #facade::Simulates for #name {
             type Run<'a> = #simulation;
 
@@ -82,21 +129,91 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
                 Self::simulation(r, beta)
             }
         }
+    };
+    [starts, trait_of]
+}
 
-        impl ::core::ops::DerefMut for #simulation {
-            fn deref_mut(&mut self) -> &mut Self::Target {
-                &mut self.0
+/// How a run starts where the kinetic level changes with the speed.
+fn starts_under(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
+    let Emission {
+        scene,
+        modal,
+        precision,
+        name,
+        simulation,
+        scalar,
+        facade,
+        ..
+    } = emission;
+    let masses = count(scene.masses.len());
+    let steps = Steps::of(scene, modal, std::iter::empty(), |value| value);
+    let number = |value: Dd| emission.literal(rounded(value, *precision));
+    let law = steps.law.iter().map(|[speed, level]| {
+        let (speed, level) = (number(*speed), number(*level));
+        code!([#speed, #level])
+    });
+    let speed = number(steps.speed);
+    let starts = code! {
+        impl #name {
+            /// The points of the friction law: speed, and kinetic friction over F.
+            const LAW: &'static [[#scalar; 2]] = &[#(#law),*];
+
+            /// The velocity for which dz̄/dτ is 1, where r and the load's amplitude are.
+            const SPEED: #scalar = #speed;
+
+            /// The exact motion in time from rest, the excitation at its maximum, under a load of this amplitude in the
+            /// scene's units; β is the kinetic friction at vanishing speed.
+            ///
+            /// # Errors
+            /// `OutOfDomain` unless r and the amplitude are positive and finite, and β finite and not negative; and for a
+            /// friction law that is too steep under this load.
+            pub fn simulation_under(
+                r: #scalar,
+                beta: #scalar,
+                amplitude: #scalar,
+            ) -> Result<#simulation, OutOfDomain> {
+                Self::started(r, beta, amplitude, None)
             }
-        }
 
-        impl<'a> IntoIterator for &'a mut #simulation {
-            type Item = Segment<#scalar>;
-            type IntoIter = &'a mut FixedSimulation<#scalar, #parts>;
+            /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+            ///
+            /// # Errors
+            /// `OutOfDomain` also for a state that is not finite.
+            pub fn simulation_under_from(
+                r: #scalar,
+                beta: #scalar,
+                amplitude: #scalar,
+                state: (&[#scalar; #masses], &[#scalar; #masses]),
+            ) -> Result<#simulation, OutOfDomain> {
+                Self::started(r, beta, amplitude, Some((&state.0[..], &state.1[..])))
+            }
 
-            fn into_iter(self) -> Self::IntoIter {
-                &mut self.0
+            fn started(
+                r: #scalar,
+                beta: #scalar,
+                amplitude: #scalar,
+                state: Option<(&[#scalar], &[#scalar])>,
+            ) -> Result<#simulation, OutOfDomain> {
+                let lines = Lines::under(Self::LAW, r, amplitude, Self::SPEED);
+                let parts = [Part::empty(); #parts];
+                Simulation::along(Self::DYNAMICS, r, beta, lines, state, parts).map(From::from)
             }
         }
     };
-    Part { types, items }
+    let trait_of = code! {
+        impl #facade::SimulatesUnder for #name {
+            type Scalar = #scalar;
+            type Run<'a> = #simulation;
+
+            fn simulation_under(
+                &self,
+                r: #scalar,
+                beta: #scalar,
+                amplitude: #scalar,
+            ) -> Result<#simulation, OutOfDomain> {
+                Self::simulation_under(r, beta, amplitude)
+            }
+        }
+    };
+    [starts, trait_of]
 }

@@ -3,9 +3,9 @@
 //! Emitted code has a method of that name all the same, which asks for one of these traits.  Nothing implements
 //! them, and the compiler says what to add to which field.
 
-/// Of a scene that provides its `stepper` alone.
+/// Of a scene that provides its motion in time alone.
 #[diagnostic::on_unimplemented(
-    message = "this scene provides its stepper alone",
+    message = "this scene does not provide `limits`",
     label = "add `limits` to the scene's `provide: [...]`"
 )]
 pub trait AddLimitsToProvide {

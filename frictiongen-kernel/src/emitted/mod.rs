@@ -19,7 +19,8 @@ pub use crate::response::{
     At, Continuous, Ends, MotionOf, Numbers, ProvidesMotion, ProvidesStuck, Scene, Stuck,
 };
 pub use crate::simulation::{
-    Dynamics, FixedSimulation, HeldMode, Moment, Part, Segment, Simulation,
+    Dynamics, FixedLinesSimulation, FixedSimulation, HeldMode, Lines, Moment, Part, Segment,
+    Simulation,
 };
 pub use crate::stepper::{
     Channel, FixedStepper, FixedStore, FixedTables, HeldLoad, HeldRow, HeldStep, Input, MassNow,

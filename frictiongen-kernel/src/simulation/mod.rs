@@ -6,9 +6,13 @@
 //! force reaches μβ.
 
 mod clock;
+mod coupled;
 mod held;
+pub(crate) mod law;
+mod lines;
 mod part;
 mod peak;
+mod power;
 mod run;
 mod segment;
 mod setting;
@@ -16,19 +20,25 @@ mod step;
 mod sum;
 mod walk;
 
+pub use coupled::MAX_STEEPNESS;
+pub use lines::{Constant, Level, Lines};
 pub use part::Part;
-pub use run::{Moment, Segment, Simulation};
+pub use run::{MAX_STRETCHES, Moment, Segment, Simulation};
 
 /// A run in arrays: of an emitted solver.
 pub type FixedSimulation<S, const PARTS: usize> = Simulation<'static, S, [Part<S>; PARTS]>;
+/// The same with a kinetic level that changes with the speed.
+pub type FixedLinesSimulation<S, const PARTS: usize> =
+    Simulation<'static, S, [Part<S>; PARTS], Lines<'static, S>>;
 pub use setting::Setting;
 pub use walk::MAX_STEPS;
 
 pub(crate) use clock::Total;
 pub(crate) use held::lift;
+pub(crate) use power::{Power, TERMS, WALK};
 pub(crate) use segment::{ContactState, End, leap, span};
-pub(crate) use sum::{Local, ORDER, Series, Sum};
-pub(crate) use walk::{Start, Walk, Walked, first_reach, first_zero};
+pub(crate) use sum::Sum;
+pub(crate) use walk::{Start, Walk, first_reach, first_zero};
 
 use crate::contact::sums::Chain;
 use crate::number::complex::Complex;

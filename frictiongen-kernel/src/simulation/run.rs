@@ -1,8 +1,9 @@
 //! A run in time, segment by segment.
 
 use super::clock::{Clock, Total};
+use super::lines::{Constant, Level, Lines};
 use super::segment::{self, ContactState, Sought, ended, place, seek};
-use super::{Contact, Dynamics, Event, Part, Setting};
+use super::{Contact, Dynamics, Event, Part, Setting, coupled};
 use crate::errors::OutOfDomain;
 use crate::number::scalar::{Float, Plain};
 
@@ -45,11 +46,13 @@ impl<S: Float> Moment<S> {
 /// An exact run in time, from event to event.  An iterator over its segments; one in which nothing
 /// happens for a cycle is given in pieces of a cycle.
 ///
-/// `P` holds the parts: an array in emitted code, a vector at run time.
+/// `P` holds the parts: an array in emitted code, a vector at run time.  `L` is the kinetic level: [`Constant`], or
+/// [`Lines`] over the speed.
 #[derive(Clone, Debug)]
-pub struct Simulation<'a, S, P> {
+pub struct Simulation<'a, S, P, L = Constant> {
     setting: Setting<'a, S>,
     parts: P,
+    level: L,
     /// How the contact stands at the start of the segment.
     contact_state: ContactState<S>,
     /// The excitation at the start of the segment, and now.
@@ -60,6 +63,10 @@ pub struct Simulation<'a, S, P> {
     sought: Option<Sought<S>>,
     passed: Total<S>,
 }
+
+/// Where the kinetic level changes with the speed a run goes from line to line: no more stretches than this are followed
+/// at once, then it goes on as another segment.
+pub const MAX_STRETCHES: u32 = 4096;
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> {
     /// From a state at a maximum of the excitation, τ = 0: the displacements x̄ of the masses and
@@ -74,11 +81,53 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         r: S,
         beta: S,
         state: Option<(&[S], &[S])>,
-        mut parts: P,
+        parts: P,
     ) -> Result<Self, OutOfDomain>
     where
         S: Plain,
     {
+        Self::of(dynamics, (r, beta, Constant), state, parts)
+    }
+}
+
+impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P, Lines<'a, S>> {
+    /// The same with a kinetic level that changes with the speed.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] as of [`new`](Simulation::new); ("amplitude") for a load under which the law's speeds leave the
+    /// scalar's range; and ("steepness") for a level that changes the motion more than
+    /// [`MAX_STEEPNESS`](super::MAX_STEEPNESS) times as fast as the fastest mode does.
+    pub fn along(
+        dynamics: Dynamics<'a, S>,
+        r: S,
+        beta: S,
+        lines: Lines<'a, S>,
+        state: Option<(&[S], &[S])>,
+        parts: P,
+    ) -> Result<Self, OutOfDomain>
+    where
+        S: Plain,
+    {
+        // What is wrong with r is told of it, not of the speeds that follow from it.
+        let mut run = Self::of(dynamics, (r, beta, lines), state, parts)?;
+        lines.check()?;
+        run.setting.check_lines(run.parts.as_ref(), &lines)?;
+        let at = segment::phase(S::constant(0.0));
+        let (velocity, _) = run.setting.relative_velocity(run.parts.as_ref(), at);
+        run.level.start(velocity.abs());
+        Ok(run)
+    }
+}
+
+impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
+    Simulation<'a, S, P, L>
+{
+    fn of(
+        dynamics: Dynamics<'a, S>,
+        (r, beta, level): (S, S, L),
+        state: Option<(&[S], &[S])>,
+        mut parts: P,
+    ) -> Result<Self, OutOfDomain> {
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
         if let Some((displacements, velocities)) = state {
             setting.check_state((displacements, velocities))?;
@@ -88,6 +137,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         Ok(Self {
             setting,
             parts,
+            level,
             contact_state,
             start: Clock::start(),
             now: Clock::start(),
@@ -136,7 +186,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         (self.setting.relative(self.parts.as_ref(), at), velocity)
     }
 
-    /// The friction force in the contact now, over P: β while it slides, what holds it while it
+    /// The friction force in the contact now, over P: the kinetic one while it slides, what holds it while it
     /// sticks; positive against positive sliding.
     #[must_use]
     pub fn friction(&self) -> S {
@@ -144,8 +194,22 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
             Contact::Stuck => self
                 .setting
                 .holding(self.parts.as_ref(), segment::phase(self.now.t)),
-            sliding => sliding.sign::<S>() * self.setting.beta,
+            sliding => sliding.sign::<S>() * self.kinetic(),
         }
+    }
+
+    /// The kinetic friction force now, over P.
+    fn kinetic(&self) -> S {
+        let Some(lines) = self.level.lines() else {
+            return self.setting.beta;
+        };
+        let at = segment::phase(self.now.t);
+        let (velocity, _) = self.setting.relative_velocity(self.parts.as_ref(), at);
+        let line = lines.line();
+        // Rounding may leave a speed a little beyond the line.
+        let speed = velocity.abs().max(line.low);
+        let speed = line.high.map_or(speed, |high| speed.min(high));
+        self.setting.beta * (line.level + line.slope * speed)
     }
 
     fn sum(&self, shape: &[S], of: impl Fn(&Part<S>) -> S) -> S {
@@ -191,6 +255,16 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
             segment.length = length + more;
             ended = next;
         }
+        if self.level.lines().is_some() {
+            for _ in 0..MAX_STRETCHES {
+                if ended != Some(None) || !(segment.length < reach) {
+                    break;
+                }
+                let (more, next) = self.pass(reach - segment.length);
+                segment.length = segment.length + more;
+                ended = next;
+            }
+        }
         segment.event = ended.flatten();
         segment
     }
@@ -202,7 +276,13 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
         }
         let reach = reach.max(S::pi() + S::pi());
         let (modes, held) = self.setting.split(self.parts.as_mut());
-        let mut sought = seek(&self.setting, modes, held, self.contact_state, reach);
+        let slides = self.contact_state.contact != Contact::Stuck;
+        let mut sought = match self.level.lines_mut() {
+            Some(lines) if slides => {
+                coupled::seek(&self.setting, modes, lines, self.contact_state, reach)
+            }
+            _ => seek(&self.setting, modes, held, self.contact_state, reach),
+        };
         if sought.holds() {
             // The contact could not leave after all: it goes on sticking.
             let contact_state =
@@ -223,13 +303,28 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
             self.passed = self.passed.plus(reach);
             self.now = self.now.moved(Total::zero().plus(reach));
             let to = segment::phase(self.now.t);
-            place(&self.setting, modes, held, &sought, self.passed.value, to);
+            put(
+                &self.setting,
+                (modes, held),
+                &self.level,
+                &sought,
+                (self.passed.value, to),
+            );
             return (reach, None);
         }
         self.now = self.start.moved(Total::zero().plus(sought.tau));
         let to = segment::phase(self.now.t);
-        place(&self.setting, modes, held, &sought, sought.tau, to);
+        put(
+            &self.setting,
+            (modes, held),
+            &self.level,
+            &sought,
+            (sought.tau, to),
+        );
         let end = ended(&self.setting, modes, &sought, to);
+        if let Some(lines) = self.level.lines_mut() {
+            lines.pass(end.event.is_some() || end.contact_state.contact == Contact::Stuck);
+        }
         self.contact_state = ContactState {
             t: self.now.t,
             ..end.contact_state
@@ -241,7 +336,25 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     }
 }
 
-impl<S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Iterator for Simulation<'_, S, P> {
+/// Puts the parts where they are so long after the segment's start.
+fn put<'a, S: Float>(
+    setting: &Setting<'_, S>,
+    (modes, held): (&mut [Part<S>], &mut [Part<S>]),
+    level: &impl Level<'a, S>,
+    sought: &Sought<S>,
+    (tau, to): (S, (S, S)),
+) {
+    match level.lines() {
+        Some(lines) if sought.contact_state.contact != Contact::Stuck => {
+            coupled::place(setting, modes, lines, (&sought.contact_state, tau), to);
+        }
+        _ => place(setting, modes, held, sought, tau, to),
+    }
+}
+
+impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>> Iterator
+    for Simulation<'a, S, P, L>
+{
     type Item = Segment<S>;
 
     fn next(&mut self) -> Option<Segment<S>> {

@@ -158,14 +158,14 @@ pub(crate) struct Sought<S> {
     pub tau: S,
     /// z̄ less the base's motion, where the contact sticks.
     offset: S,
-    outcome: Outcome,
+    pub(super) outcome: Outcome,
     slope: S,
-    steps: u32,
+    pub(super) steps: u32,
 }
 
 /// What ends a segment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Outcome {
+pub(super) enum Outcome {
     /// Nothing within the reach.
     Goes,
     /// The relative velocity vanishes.
@@ -185,14 +185,7 @@ pub(crate) fn seek<S: Float>(
     reach: S,
 ) -> Sought<S> {
     let zero = S::constant(0.0);
-    let mut sought = Sought {
-        contact_state,
-        tau: zero,
-        offset: zero,
-        outcome: Outcome::Goes,
-        slope: zero,
-        steps: 0,
-    };
+    let mut sought = Sought::none(contact_state);
     if contact_state.contact == Contact::Stuck {
         let (sum, offset) = setting.stick(modes, held, &contact_state, reach);
         let start = if contact_state.wedged {
@@ -354,6 +347,19 @@ pub(crate) fn leap<S: Float>(
 }
 
 impl<S: Float> Sought<S> {
+    /// Nothing yet.
+    pub(super) fn none(contact_state: ContactState<S>) -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            contact_state,
+            tau: zero,
+            offset: zero,
+            outcome: Outcome::Goes,
+            slope: zero,
+            steps: 0,
+        }
+    }
+
     /// Whether the contact, on the point of leaving, does not.
     pub(crate) fn holds(&self) -> bool {
         self.outcome == Outcome::Holds

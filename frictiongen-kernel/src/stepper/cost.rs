@@ -1,7 +1,7 @@
 //! What a step costs at most, counted from what it loops over.
 
-use super::series::WALK;
 use super::{MAX_EVENTS, MAX_STRETCHES};
+use crate::simulation::WALK;
 
 /// The sizes that the cost of a step follows from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,11 +1,10 @@
 //! One part of a step, looked through: from event to event.
 
 use super::drive::derived;
-use super::law;
 use super::part::Through;
 use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Start, Walk, first_reach, first_zero};
+use crate::simulation::{Contact, Start, Walk, first_reach, first_zero, law};
 
 /// The contact, on the point of leaving zero velocity.
 #[derive(Clone, Copy, Debug)]
@@ -145,7 +144,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             }
         };
         let mut rises = false;
-        if let Some(high) = line.high {
+        // Where the line ends at once there is nothing before it.
+        if let Some(high) = line.high.filter(|_| zero < tau) {
             let seen = velocity.seen(-sign, -high, tau);
             match first_zero(&seen, Start::Anywhere, &mut steps) {
                 Walk::Zero(at, _) => (tau, halts, rises) = (at, false, true),

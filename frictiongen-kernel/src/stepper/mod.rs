@@ -13,14 +13,12 @@ mod cost;
 mod dot;
 mod drive;
 mod event;
-mod law;
 mod motion;
 mod now;
 mod part;
 mod rows;
 mod run;
 mod scene;
-mod series;
 mod state;
 mod table;
 
@@ -43,6 +41,3 @@ pub const MAX_STRETCHES: u32 = 8 * MAX_EVENTS;
 
 /// A step is cut into no more parts than this.
 pub const MAX_PARTS: u32 = 1024;
-
-/// How many terms of a power series are kept at most: 1/24! is below the rounding of every scalar's table.
-pub(crate) const TERMS: usize = 24;

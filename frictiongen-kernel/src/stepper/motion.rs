@@ -3,9 +3,9 @@
 use super::drive::{derived, gain, shift};
 use super::part::{Through, product};
 use super::rows::{moments, next};
-use super::series::Power;
 use super::table::HeldLoad;
 use crate::number::scalar::Float;
+use crate::simulation::Power;
 
 impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     fn terms(&self) -> usize {

@@ -1,12 +1,11 @@
 //! What a stepper answers: the masses, the contact and the force in it.
 
 use super::cost::Cost;
-use super::law;
 use super::run::Stepper;
 use super::state::Store;
 use super::table::Tables;
 use crate::number::scalar::Float;
-use crate::simulation::Contact;
+use crate::simulation::{Contact, law};
 
 /// What a step has led to.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,13 +2,13 @@
 
 use super::dot::{add, dot, sizes};
 use super::drive::{at, derived, gain};
-use super::law::{self, Line};
 use super::rows::{HeldStep, ModeStep};
 use super::scene::StepScene;
 use super::state::{Status, StoreMut};
 use super::table::View;
 use crate::number::scalar::Float;
 use crate::simulation::Contact;
+use crate::simulation::law::{self, Line};
 
 /// A stepper on its way through one part of a step.
 pub(super) struct Through<'t, 'a, S, const D: usize> {

@@ -1,8 +1,8 @@
 //! What an oscillator does over a part of a step, as products of constants with its state and its drive.
 
-use super::TERMS;
 use super::dot::dot;
 use crate::number::scalar::Float;
+use crate::simulation::TERMS;
 
 /// Weights of a mode's state, y and u, and of the coefficients of its drive.
 #[derive(Clone, Copy, Debug)]

@@ -1,15 +1,15 @@
 //! A stepper on its way: from sample to sample.
 
+use super::Input;
 use super::drive::{Sample, Stretch, base_motion};
 use super::now::Stepped;
 use super::part::Through;
 use super::scene::StepScene;
 use super::state::{FixedStore, Status, Store};
 use super::table::{FixedTables, Tables};
-use super::{Input, law};
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
-use crate::simulation::Contact;
+use crate::simulation::{Contact, law};
 use core::marker::PhantomData;
 
 /// The motion under an input that is known step by step.

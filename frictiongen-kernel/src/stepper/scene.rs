@@ -1,11 +1,10 @@
 //! What a stepper is told of a scene.
 
-use super::TERMS;
 use super::cost::{Cost, Extent};
 use super::drive::Input;
 use super::table::Pace;
 use crate::number::scalar::Float;
-use crate::simulation::Dynamics;
+use crate::simulation::{Dynamics, TERMS};
 
 /// What takes the groups of a scene to the units that it is written in.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,11 @@
 //! The constants of a step: what every oscillator and every input does over a part of it.
 
+use super::MAX_PARTS;
 use super::rows::{HeldStep, ModeStep};
 use super::scene::StepScene;
-use super::{MAX_PARTS, TERMS};
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
-use crate::simulation::lift;
+use crate::simulation::{TERMS, lift};
 
 /// What an input has to do with a held mode.
 #[derive(Clone, Copy, Debug)]

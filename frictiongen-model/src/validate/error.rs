@@ -196,15 +196,15 @@ pub enum SceneError {
     #[error("`{field}` belongs to the stepper: add `stepper` to `provide`, or leave the field out")]
     WithoutStepper { path: Path, field: String },
     #[error(
-        "`stribeck` is for the stepper, as the exact continuous response needs a constant kinetic level; write `provide: [stepper]`, or `friction: coulomb`"
+        "`stribeck` is for the stepper and the simulation, as the exact continuous response needs a constant kinetic level; write `provide: [simulation]`, or `friction: coulomb`"
     )]
-    StribeckWithoutStepper { path: Path },
+    StribeckWithoutMotion { path: Path },
     #[error(
         "`{item}` does not go with `stribeck`: the exact continuous response needs a constant kinetic level; leave it out, or write `friction: coulomb`"
     )]
     NeedsConstantLevel { path: Path, item: String },
     #[error(
-        "`{field}` is for limits and motion, and only `stepper` is provided; add `limits` to `provide`, or leave the field out"
+        "`{field}` is for limits and motion, which are not provided; add `limits` to `provide`, or leave the field out"
     )]
     NothingToTabulate { path: Path, field: String },
     #[error(
@@ -281,7 +281,7 @@ impl SceneError {
             | Self::RangeOfRatio { path, .. }
             | Self::RangeOfFriction { path, .. }
             | Self::WithoutStepper { path, .. }
-            | Self::StribeckWithoutStepper { path }
+            | Self::StribeckWithoutMotion { path }
             | Self::NeedsConstantLevel { path, .. }
             | Self::NothingToTabulate { path, .. }
             | Self::StribeckWithoutPoints { path }

@@ -10,11 +10,12 @@ use crate::scene::{Accuracy, Excitation, FrictionLaw, Node, Precision, Provide, 
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     // Where not all of `provide` could be read, the stepper may be what was meant.
     let stepper = scene.provides(&Provide::Stepper) || !checks.provide;
+    let moves = stepper || scene.provides(&Provide::Simulation);
     if let FrictionLaw::Stribeck(points) = &scene.friction {
         check_points(scene, points, errors);
-        if !stepper {
+        if !moves {
             let path = Path::Friction(None);
-            errors.push(SceneError::StribeckWithoutStepper { path });
+            errors.push(SceneError::StribeckWithoutMotion { path });
         } else if checks.provide {
             check_constant_level(scene, errors);
         }
@@ -100,10 +101,10 @@ fn check_finite(value: f64, path: Path, what: &str, errors: &mut Vec<SceneError>
     false
 }
 
-/// Refuses what rests on one kinetic level.
+/// Refuses what rests on one kinetic level: all but the motion in time.
 fn check_constant_level(scene: &Scene, errors: &mut Vec<SceneError>) {
     for (index, item) in scene.provide.iter().enumerate() {
-        if *item != Provide::Stepper {
+        if !matches!(item, Provide::Stepper | Provide::Simulation) {
             errors.push(SceneError::NeedsConstantLevel {
                 path: Path::Provide(Some(index)),
                 item: item_name(item).to_owned(),

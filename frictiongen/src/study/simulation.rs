@@ -2,16 +2,19 @@
 
 use super::error::UnknownMass;
 use super::system::System;
-use crate::{OutOfDomain, Simulates};
-use frictiongen_kernel::simulation::{Dynamics, Moment, Part, Segment, Simulation};
+use crate::{OutOfDomain, Simulates, SimulatesUnder};
+use frictiongen_kernel::simulation::{Dynamics, Lines, Moment, Part, Segment, Simulation};
 use frictiongen_kernel::{Float, Plain};
 
 /// An exact run in time of a system, from event to event: an iterator over its segments.
 #[derive(Clone, Debug)]
 pub struct SystemSimulation<'a, S = f64> {
     system: &'a System<S>,
-    run: Simulation<'a, S, Vec<Part<S>>>,
+    run: Inner<'a, S>,
 }
+
+/// The kernel's run in vectors, of any friction law.
+type Inner<'a, S> = Simulation<'a, S, Vec<Part<S>>, Lines<'a, S>>;
 
 impl<S: Plain> System<S> {
     pub(super) fn dynamics(&self) -> Dynamics<'_, S> {
@@ -56,12 +59,12 @@ impl<S: Plain> System<S> {
     /// ```
     ///
     /// # Errors
-    /// [`OutOfDomain`] unless r is positive and finite and β finite and not negative; for `friction: stribeck`; and
-    /// ("damping") where so many modes are at or beyond critical damping that less than half of the digits would be left.
+    /// [`OutOfDomain`] unless r is positive and finite and β finite and not negative; ("stribeck") for
+    /// `friction: stribeck`, which [`simulation_under`](Self::simulation_under) follows; and ("damping") where so many
+    /// modes are at or beyond critical damping that less than half of the digits would be left.
     pub fn simulation(&self, r: S, beta: S) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
         self.constant_level()?;
-        let run = Simulation::new(self.dynamics_in_time()?, r, beta, None, self.parts())?;
-        Ok(SystemSimulation { system: self, run })
+        self.started(r, beta, Lines::none(), None)
     }
 
     /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
@@ -75,8 +78,86 @@ impl<S: Plain> System<S> {
         state: (&[S], &[S]),
     ) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
         self.constant_level()?;
-        self.check_state(state)?;
-        let run = Simulation::new(self.dynamics_in_time()?, r, beta, Some(state), self.parts())?;
+        self.started(r, beta, Lines::none(), Some(state))
+    }
+
+    /// The same under a load of this amplitude: P of a force, Y of a motion of the base, in the scene's units.  The
+    /// speeds of `friction: stribeck` need it; where the kinetic level is constant nothing depends on it.
+    ///
+    /// β is the kinetic friction force at vanishing speed over P, for base motion over k₁Y.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: frictiongen::System = "struct Block {
+    ///     masses: { block: 2.0 },
+    ///     springs: { base - block: 800.0 },
+    ///     contact: block - wall,
+    ///     excitation: block,
+    ///     stiction: 1.2,
+    ///     friction: stribeck(0.05: 0.7, 0.2: 0.6),
+    ///     provide: [simulation],
+    /// }"
+    /// .parse()?;
+    /// // 10 N at 3 rad/s against 4 N of friction.
+    /// let mut run = block.simulation_under(block.frequency_ratio(3.0), 0.4, 10.0)?;
+    /// for _ in 0..100 {
+    ///     run.next();
+    /// }
+    /// assert!(run.mass("block")?.displacement().abs() < 1.0);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] as of [`simulation`](Self::simulation); ("amplitude") for one that is not positive and finite, or
+    /// with which the law's speeds leave the scalar's range; ("steepness") for a law that changes the motion more than
+    /// [`MAX_STEEPNESS`](frictiongen_kernel::simulation::MAX_STEEPNESS) times as fast as the fastest mode does.
+    pub fn simulation_under(
+        &self,
+        r: S,
+        beta: S,
+        amplitude: S,
+    ) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
+        self.started(r, beta, self.lines(r, amplitude)?, None)
+    }
+
+    /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] also for a state that is not finite or not one number for each mass.
+    pub fn simulation_under_from(
+        &self,
+        r: S,
+        beta: S,
+        amplitude: S,
+        state: (&[S], &[S]),
+    ) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
+        self.started(r, beta, self.lines(r, amplitude)?, Some(state))
+    }
+
+    /// The friction law under a load of this amplitude.
+    fn lines(&self, r: S, amplitude: S) -> Result<Lines<'_, S>, OutOfDomain> {
+        if S::constant(0.0) < amplitude && amplitude.is_finite() {
+            Ok(self.steps().lines(r, amplitude))
+        } else {
+            Err(OutOfDomain {
+                argument: "amplitude",
+            })
+        }
+    }
+
+    fn started<'a>(
+        &'a self,
+        r: S,
+        beta: S,
+        lines: Lines<'a, S>,
+        state: Option<(&[S], &[S])>,
+    ) -> Result<SystemSimulation<'a, S>, OutOfDomain> {
+        if let Some(state) = state {
+            self.check_state(state)?;
+        }
+        let dynamics = self.dynamics_in_time()?;
+        let run = Simulation::along(dynamics, r, beta, lines, state, self.parts())?;
         Ok(SystemSimulation { system: self, run })
     }
 
@@ -101,7 +182,7 @@ impl<'a, S: Float> SystemSimulation<'a, S> {
 
     /// The run itself: phase, cycles, relative motion, friction force.
     #[must_use]
-    pub fn run(&self) -> &Simulation<'a, S, Vec<Part<S>>> {
+    pub fn run(&self) -> &Inner<'a, S> {
         &self.run
     }
 
@@ -123,7 +204,7 @@ impl<S: Float> Iterator for SystemSimulation<'_, S> {
 }
 
 impl<'a, S> std::ops::Deref for SystemSimulation<'a, S> {
-    type Target = Simulation<'a, S, Vec<Part<S>>>;
+    type Target = Inner<'a, S>;
 
     fn deref(&self) -> &Self::Target {
         &self.run
@@ -133,6 +214,20 @@ impl<'a, S> std::ops::Deref for SystemSimulation<'a, S> {
 impl<S> std::ops::DerefMut for SystemSimulation<'_, S> {
     fn deref_mut(&mut self) -> &mut Self::Target {
         &mut self.run
+    }
+}
+
+impl<S: Plain> SimulatesUnder for System<S> {
+    type Scalar = S;
+    type Run<'a> = SystemSimulation<'a, S>;
+
+    fn simulation_under(
+        &self,
+        r: S,
+        beta: S,
+        amplitude: S,
+    ) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
+        System::simulation_under(self, r, beta, amplitude)
     }
 }
 

@@ -19,6 +19,16 @@ pub enum Load<S = f64> {
     Base(S),
 }
 
+impl<S: Copy> Load<S> {
+    /// P or Y.
+    #[must_use]
+    pub fn amplitude(&self) -> S {
+        match self {
+            Self::Force(amplitude) | Self::Base(amplitude) => *amplitude,
+        }
+    }
+}
+
 /// Why a load does not fit a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]

@@ -26,6 +26,8 @@ pub struct HistoryRequest {
     pub of: Vec<Of>,
     /// The state at τ = 0, a maximum of the excitation: x̄ and dx̄/dτ of every mass. From rest where there is none.
     pub from: Option<(Vec<f64>, Vec<f64>)>,
+    /// The load's amplitude in the scene's units, P or Y: the speeds of `friction: stribeck` need it.
+    pub amplitude: Option<f64>,
     /// How many cycles of the excitation are passed before the first sample.
     pub skip: u64,
     /// How many cycles are sampled, at least 1.
@@ -41,6 +43,7 @@ impl HistoryRequest {
         Self {
             of: of.to_vec(),
             from: None,
+            amplitude: None,
             skip: 0,
             cycles: 10,
             samples: 200,
@@ -117,8 +120,8 @@ pub struct History {
     pub samples: u32,
     /// The motions asked for, in their order.
     pub tracks: Vec<Track>,
-    /// The friction force over P at each sample, for base motion over k₁Y: ±β while the contact slides, what holds it
-    /// while it sticks; positive against positive sliding.
+    /// The friction force over P at each sample, for base motion over k₁Y: the kinetic one while the contact slides, what
+    /// holds it while it sticks; positive against positive sliding.
     pub friction: Vec<f64>,
     /// Whether the contact sticks at each sample, or which way it slides.
     pub contact: Vec<Contact>,

@@ -55,9 +55,15 @@ impl System {
         if MOST_SAMPLES < request.skip {
             return Err(HistoryError::TooManySkipped);
         }
-        let run = match &request.from {
-            None => self.simulation(r, beta)?,
-            Some((x, v)) => self.simulation_from(r, beta, (x, v))?,
+        let from = request.from.as_ref();
+        let from = from.map(|(x, v)| (x.as_slice(), v.as_slice()));
+        let run = match (request.amplitude, from) {
+            (None, None) => self.simulation(r, beta)?,
+            (None, Some(state)) => self.simulation_from(r, beta, state)?,
+            (Some(amplitude), None) => self.simulation_under(r, beta, amplitude)?,
+            (Some(amplitude), Some(state)) => {
+                self.simulation_under_from(r, beta, amplitude, state)?
+            }
         };
         let mut history = History::new(request.skip, request.cycles, request.samples, &request.of);
         let mut follower = Follower {

@@ -592,7 +592,7 @@ struct Frame {
 }
 }
 
-mod case_754_stribeck_without_a_stepper {
+mod case_754_stribeck_without_a_motion_in_time {
 frictiongen::friction_system! {
 struct Frame {
     masses: { lower: 3.27, upper: 3.25 },
@@ -614,7 +614,7 @@ struct Frame {
     excitation: base,
     damping: modal[0.010, 0.012],
     friction: stribeck(0.1: 0.8),
-    provide: [stepper, motion, orbit],
+    provide: [stepper, simulation, motion, orbit],
 }
 }
 }

@@ -1,15 +1,18 @@
 //! A function of the contact as a power series about an instant, in the way in which a walk follows it.
 
-use super::TERMS;
+use super::sum::{Local, ORDER, Series};
+use super::walk::Walked;
 use crate::number::scalar::Float;
-use crate::simulation::{Local, ORDER, Series, Walked};
+
+/// How many terms of a power series are kept at most: 1/24! is below the rounding of every scalar's table.
+pub(crate) const TERMS: usize = 24;
 
 /// No walk along a series has more steps than this.
-pub(super) const WALK: u32 = 64;
+pub(crate) const WALK: u32 = 64;
 
 /// Σ c_n sⁿ, and what rounding can do to its first terms.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Power<S> {
+pub(crate) struct Power<S> {
     pub terms: [S; TERMS],
     pub count: usize,
     /// The sum of the sizes of what its first terms are made of.
@@ -17,7 +20,7 @@ pub(super) struct Power<S> {
 }
 
 impl<S: Float> Power<S> {
-    pub(super) fn zero(count: usize) -> Self {
+    pub(crate) fn zero(count: usize) -> Self {
         let zero = S::constant(0.0);
         Self {
             terms: [zero; TERMS],
@@ -26,20 +29,20 @@ impl<S: Float> Power<S> {
         }
     }
 
-    pub(super) fn slots(&mut self) -> impl Iterator<Item = &mut S> {
+    pub(crate) fn slots(&mut self) -> impl Iterator<Item = &mut S> {
         self.terms.iter_mut().take(self.count)
     }
 
-    pub(super) fn used(&self) -> &[S] {
+    pub(crate) fn used(&self) -> &[S] {
         self.terms.get(..self.count).unwrap_or(&self.terms)
     }
 
-    pub(super) fn term(&self, place: usize) -> S {
+    pub(crate) fn term(&self, place: usize) -> S {
         self.terms.get(place).copied().unwrap_or(S::constant(0.0))
     }
 
     /// sign·f − level, up to a place.
-    pub(super) fn seen(&self, sign: S, level: S, reach: S) -> Seen<'_, S> {
+    pub(crate) fn seen(&self, sign: S, level: S, reach: S) -> Seen<'_, S> {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let mut bound = S::constant(0.0);
         let count = u32::try_from(self.count).unwrap_or(u32::MAX);
@@ -62,7 +65,7 @@ impl<S: Float> Power<S> {
 
 /// A power series up to a place, with a bound on its third derivative there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen<'p, S> {
+pub(crate) struct Seen<'p, S> {
     power: &'p Power<S>,
     sign: S,
     level: S,

@@ -4,7 +4,7 @@ use crate::number::scalar::Float;
 
 /// One line of the law: between two speeds the force over F is level + slope·|v|.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Line<S> {
+pub(crate) struct Line<S> {
     pub level: S,
     pub slope: S,
     /// The speed at which it begins.
@@ -15,7 +15,7 @@ pub(super) struct Line<S> {
 
 /// The line with this place.  Without points there is one: Coulomb's law.
 #[inline(always)]
-pub(super) fn line<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
+pub(crate) fn line<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     if points.is_empty() {
         return Line {
@@ -55,12 +55,12 @@ fn between<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
 }
 
 /// The line that holds at a speed.
-pub(super) fn place<S: Float>(points: &[[S; 2]], speed: S) -> usize {
+pub(crate) fn place<S: Float>(points: &[[S; 2]], speed: S) -> usize {
     points.iter().take_while(|[v, _]| *v <= speed).count()
 }
 
 /// The steepest slope, either way.
-pub(super) fn steepest<S: Float>(points: &[[S; 2]]) -> S {
+pub(crate) fn steepest<S: Float>(points: &[[S; 2]]) -> S {
     let slopes = (0..points.len()).map(|place| line(points, place).slope.abs());
     slopes.fold(S::constant(0.0), S::max)
 }

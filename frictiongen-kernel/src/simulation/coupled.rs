@@ -1,0 +1,222 @@
+//! Sliding where the kinetic level changes with the speed.
+//!
+//! On one line of the law the friction force is level + slope·velocity.  It couples the modes; their motion over a stretch
+//! in which neither they, nor the excitation, nor the law turn by more than a radian is a power series.
+
+use super::law::Line;
+use super::lines::{Crossing, Lines};
+use super::part::Part;
+use super::power::{Power, TERMS};
+use super::segment::{ContactState, Outcome, Sought, advanced, phase};
+use super::setting::Setting;
+use super::walk::{Start, Walk, first_zero};
+use crate::errors::OutOfDomain;
+use crate::number::scalar::Float;
+
+/// The law changes the motion at most so many times as fast as the fastest mode does.
+pub const MAX_STEEPNESS: u32 = 4096;
+
+/// A stretch is no longer than this many roundings of its length: it has not moved.
+const STILL: f64 = 64.0;
+
+impl<S: Float> Setting<'_, S> {
+    /// The largest rate at which modes and excitation turn.
+    fn turning(&self, modes: &[Part<S>]) -> S {
+        let one = S::constant(1.0);
+        let driven = modes.iter().take(self.dynamics.in_contact());
+        driven.fold(one, |rate, part| {
+            rate.max(part.x * (one + part.zeta + part.zeta))
+        })
+    }
+
+    /// Nothing, if a law is not too steep to be followed.
+    pub(super) fn check_lines(
+        &self,
+        modes: &[Part<S>],
+        lines: &Lines<'_, S>,
+    ) -> Result<(), OutOfDomain> {
+        let steep = self.acceleration(self.beta * lines.steepest());
+        let most = self.turning(modes) * S::constant(f64::from(MAX_STEEPNESS));
+        if steep <= most {
+            Ok(())
+        } else {
+            Err(OutOfDomain {
+                argument: "steepness",
+            })
+        }
+    }
+
+    /// How long a stretch is, in τ.
+    fn stretch(&self, modes: &[Part<S>], line: &Line<S>) -> S {
+        let steep = self.acceleration(self.beta * line.slope.abs());
+        S::constant(1.0) / (self.turning(modes) + steep)
+    }
+
+    /// z̄′ as a power series over a stretch, s from 0 to 1; the modes are moved from its start to s = `to`.
+    fn flow(
+        &self,
+        modes: &mut [Part<S>],
+        start: &ContactState<S>,
+        (line, stretch): (&Line<S>, S),
+        to: S,
+    ) -> Power<S> {
+        let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
+        let sign: S = start.contact.sign();
+        let (level, slope) = (sign * self.beta * line.level, self.beta * line.slope);
+        let driven = self.dynamics.driven();
+        for part in modes.iter_mut().take(driven.len()) {
+            // What is left of a term, and the sum of all.
+            (part.value, part.slope) = (part.free, [zero; 2]);
+        }
+        let mut velocity = Power::zero(TERMS);
+        let (mut sine, mut cosine) = phase(start.t);
+        let (mut order, mut power, mut size) = (one, to, zero);
+        for (place, slot) in velocity.slots().enumerate() {
+            let mut sum = self.base * sine;
+            let mut sizes = sum.abs();
+            for (mode, part) in driven.iter().zip(&*modes) {
+                let [_, u] = part.value;
+                let term = mode.contact * part.x * u;
+                (sum, sizes) = (sum + term, sizes + term.abs());
+            }
+            *slot = sum;
+            if place < 4 {
+                size = size + sizes;
+            }
+            let force = slope * sum + if place == 0 { level } else { zero };
+            let inverse = one / order;
+            for (mode, part) in driven.iter().zip(&mut *modes) {
+                let [y, u] = part.value;
+                let angle = part.x * stretch;
+                let gain = stretch / (self.r * mode.resonance);
+                let drive = gain * (mode.load * cosine - mode.contact * force);
+                let rates = [angle * u, drive - angle * (y + two * part.zeta * u)];
+                part.value = rates.map(|rate| rate * inverse);
+                for (sum, term) in part.slope.iter_mut().zip(part.value) {
+                    *sum = *sum + term * power;
+                }
+            }
+            (sine, cosine) = (cosine * stretch * inverse, -(sine * stretch * inverse));
+            (order, power) = (order + one, power * to);
+        }
+        for part in modes.iter_mut().take(driven.len()) {
+            let ([y, u], [more_y, more_u]) = (part.free, part.slope);
+            (part.y, part.u) = (y + more_y, u + more_u);
+        }
+        velocity.size = size;
+        velocity
+    }
+}
+
+/// Looks for what ends a stretch of sliding on one line of the law: an event, another line, or its length.
+pub(super) fn seek<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &mut [Part<S>],
+    lines: &mut Lines<'_, S>,
+    start: ContactState<S>,
+    reach: S,
+) -> Sought<S> {
+    let line = lines.line();
+    let one = S::constant(1.0);
+    let mut sought = Sought::none(start);
+    let (length, (at, crossing)) = match line.high {
+        Some(high) => {
+            let stretch = setting.stretch(modes, &line);
+            let Some(end) = setting.slope(modes, &mut sought, (&line, high), stretch) else {
+                sought.outcome = Outcome::Holds;
+                return sought;
+            };
+            (stretch, end)
+        }
+        None => (one, setting.plateau(modes, &mut sought, &line, reach)),
+    };
+    sought.tau = at * length;
+    if crossing == Crossing::Slower && line.low.is_zero() {
+        sought.outcome = Outcome::Halts;
+        lines.leads_to(Crossing::None, true);
+    } else if let Some(short) = lines.leads_to(crossing, S::constant(STILL * S::EPSILON) < at) {
+        sought.tau = length * short.min(one);
+    }
+    sought
+}
+
+impl<S: Float> Setting<'_, S> {
+    /// Where a stretch on a line with an end leads, in parts of its length; none if the contact does not leave.
+    fn slope(
+        &self,
+        modes: &mut [Part<S>],
+        sought: &mut Sought<S>,
+        (line, high): (&Line<S>, S),
+        stretch: S,
+    ) -> Option<(S, Crossing)> {
+        let start = sought.contact_state;
+        let (zero, one, sign) = (S::constant(0.0), S::constant(1.0), start.contact.sign());
+        let driven = self.dynamics.in_contact().min(modes.len());
+        let (driven, others) = modes.split_at_mut(driven);
+        for part in driven {
+            part.free = [part.y, part.u];
+        }
+        for part in others {
+            part.start(phase(start.t));
+        }
+        let velocity = self.flow(modes, &start, (line, stretch), zero);
+        let leaving = |slope| Start::Zero(slope * stretch);
+        let from = start.departing.map_or(Start::Anywhere, leaving);
+        let falls = velocity.seen(sign, line.low, one);
+        let (at, crossing) = match first_zero(&falls, from, &mut sought.steps) {
+            Walk::Zero(at, _) => (at, Crossing::Slower),
+            Walk::Until(at) => (at, Crossing::None),
+            Walk::NoStart => return None,
+        };
+        if !(zero < at) {
+            // Where the line ends at once there is nothing before it.
+            return Some((at, crossing));
+        }
+        let rises = velocity.seen(-sign, -high, at);
+        let met = first_zero(&rises, Start::Anywhere, &mut sought.steps);
+        Some(match met {
+            Walk::Zero(place, _) => (place, Crossing::Faster),
+            Walk::Until(place) if place < at => (place, Crossing::None),
+            _ => (at, crossing),
+        })
+    }
+
+    /// The same in τ where the level is constant: beyond the last point.
+    fn plateau(
+        &self,
+        modes: &mut [Part<S>],
+        sought: &mut Sought<S>,
+        line: &Line<S>,
+        reach: S,
+    ) -> (S, Crossing) {
+        let mut constant = *self;
+        constant.beta = self.beta * line.level;
+        let mut sum = constant.slide(modes, &sought.contact_state, reach);
+        sum.constant = -line.low;
+        sum.noise = sum.noise + line.low * S::constant(4.0 * S::EPSILON);
+        match first_zero(&sum, Start::Anywhere, &mut sought.steps) {
+            Walk::Zero(at, _) => (at, Crossing::Slower),
+            Walk::Until(at) => (at, Crossing::None),
+            Walk::NoStart => (reach, Crossing::None),
+        }
+    }
+}
+
+/// Puts the modes where they are τ after a stretch's start; `to` is the excitation's phase then.
+pub(super) fn place<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &mut [Part<S>],
+    lines: &Lines<'_, S>,
+    (start, tau): (&ContactState<S>, S),
+    to: (S, S),
+) {
+    let line = lines.line();
+    let from = phase(start.t);
+    if line.high.is_none() {
+        return advanced(modes, tau, from, to);
+    }
+    let stretch = setting.stretch(modes, &line);
+    setting.flow(modes, start, (&line, stretch), tau / stretch);
+    let driven = setting.dynamics.in_contact().min(modes.len());
+    advanced(modes.split_at_mut(driven).1, tau, from, to);
+}

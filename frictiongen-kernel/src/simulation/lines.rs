@@ -1,0 +1,238 @@
+//! The friction law of a run: one kinetic level, or one in straight lines over the speed.
+
+use super::law::{self, Line};
+use crate::errors::OutOfDomain;
+use crate::number::scalar::Float;
+
+/// What a run knows of the kinetic level.
+pub trait Level<'a, S>: Copy {
+    /// Its lines; none where it is constant.
+    fn lines(&self) -> Option<&Lines<'a, S>>;
+    /// The same, to be changed.
+    fn lines_mut(&mut self) -> Option<&mut Lines<'a, S>>;
+}
+
+/// One kinetic level at every speed: Coulomb's law.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Constant;
+
+impl<'a, S> Level<'a, S> for Constant {
+    #[inline]
+    fn lines(&self) -> Option<&Lines<'a, S>> {
+        None
+    }
+
+    #[inline]
+    fn lines_mut(&mut self) -> Option<&mut Lines<'a, S>> {
+        None
+    }
+}
+
+/// A kinetic level in straight lines between points: Stribeck's law; without points it is constant.
+#[derive(Clone, Copy, Debug)]
+pub struct Lines<'a, S> {
+    /// Points (v, f): speed in the scene's units and kinetic level over that at rest, v ascending.
+    points: &'a [[S; 2]],
+    /// The velocity, in the scene's units, for which dz̄/dτ is 1.
+    unit: S,
+    /// The line that holds.
+    place: usize,
+    /// What the end of the stretch that has been looked through leads to.
+    next: Crossing,
+    /// How many stretches in succession ended where they started, and how many of those rows were cut short.
+    still: u32,
+    cut: u32,
+}
+
+/// What a stretch on one line leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Crossing {
+    /// The line goes on.
+    None,
+    /// The next line.
+    Faster,
+    /// The line before.
+    Slower,
+}
+
+/// So many stretches of no length pass from line to line before one goes on along its line regardless.
+const STILL: u32 = 4;
+
+/// Each goes on twice as far as the one before, up to so often: 2²⁰ roots of a rounding are more than a stretch in
+/// double precision.
+const CUTS: u32 = 20;
+
+impl<'a, S: Float> Lines<'a, S> {
+    /// The points of the law, speeds in the scene's units, at r under a load of this amplitude; `speed` is the velocity
+    /// in those units for which dz̄/dτ is 1 where both are.
+    #[must_use]
+    pub fn under(points: &'a [[S; 2]], r: S, amplitude: S, speed: S) -> Self {
+        Self {
+            unit: r * amplitude * speed,
+            ..Self::of(points)
+        }
+    }
+
+    /// One level.
+    #[must_use]
+    pub fn none() -> Self {
+        Self::of(&[])
+    }
+
+    fn of(points: &'a [[S; 2]]) -> Self {
+        Self {
+            points,
+            unit: S::constant(1.0),
+            place: 0,
+            next: Crossing::None,
+            still: 0,
+            cut: 0,
+        }
+    }
+
+    /// Nothing, if the unit of velocity is positive and finite, and no two speeds of the law are one in it.
+    pub(super) fn check(&self) -> Result<(), OutOfDomain> {
+        let sound = |place| {
+            let line = Self { place, ..*self }.line();
+            let ends = line
+                .high
+                .is_none_or(|high| line.low < high && high.is_finite());
+            ends && line.slope.is_finite() && line.level.is_finite()
+        };
+        let unit = S::constant(0.0) < self.unit && self.unit.is_finite();
+        if self.points.is_empty() || unit && (0..=self.points.len()).all(sound) {
+            Ok(())
+        } else {
+            Err(OutOfDomain {
+                argument: "amplitude",
+            })
+        }
+    }
+
+    /// The line that holds, for speeds |dz̄/dτ|.
+    pub(super) fn line(&self) -> Line<S> {
+        let mut line = law::line(self.points, self.place);
+        line.slope = line.slope * self.unit;
+        line.low = line.low / self.unit;
+        line.high = line.high.map(|high| high / self.unit);
+        line
+    }
+
+    /// The steepest slope, either way.
+    pub(super) fn steepest(&self) -> S {
+        law::steepest(self.points) * self.unit
+    }
+
+    /// Starts on the line that holds at this speed.
+    pub(super) fn start(&mut self, speed: S) {
+        self.place = law::place(self.points, speed * self.unit);
+    }
+
+    /// Notes what the stretch leads to.  A grazed point may send the motion to and fro without an end, as roundings have
+    /// it: the stretch is then to go on along its line for as long as the answer says, where nothing has changed yet.
+    pub(super) fn leads_to(&mut self, next: Crossing, moves: bool) -> Option<S> {
+        self.next = next;
+        if moves || next == Crossing::None {
+            (self.still, self.cut) = (0, 0);
+            return None;
+        }
+        self.still += 1;
+        if self.still < STILL {
+            return None;
+        }
+        let mut length = S::constant(S::EPSILON).sqrt();
+        for _ in 0..self.cut {
+            length = length + length;
+        }
+        (self.still, self.cut) = (0, (self.cut + 1).min(CUTS));
+        self.next = Crossing::None;
+        Some(length)
+    }
+
+    /// Goes to the line that the stretch leads to; to the first one where it ended at rest.
+    pub(super) fn pass(&mut self, rests: bool) {
+        self.place = match self.next {
+            _ if rests => 0,
+            Crossing::None => self.place,
+            Crossing::Faster => self.place + 1,
+            Crossing::Slower => self.place.saturating_sub(1),
+        };
+        self.next = Crossing::None;
+    }
+}
+
+impl<'a, S: Float> Level<'a, S> for Lines<'a, S> {
+    fn lines(&self) -> Option<&Lines<'a, S>> {
+        (!self.points.is_empty()).then_some(self)
+    }
+
+    fn lines_mut(&mut self) -> Option<&mut Lines<'a, S>> {
+        (!self.points.is_empty()).then_some(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Crossing, Level, Lines};
+
+    const LAW: [[f64; 2]; 2] = [[0.1, 0.8], [0.3, 0.5]];
+
+    #[test]
+    fn lines_follow_each_other() {
+        let mut lines = Lines::under(&LAW, 0.5, 2.0, 0.1);
+        let mut found = Vec::new();
+        for next in [
+            Crossing::None,
+            Crossing::Faster,
+            Crossing::Faster,
+            Crossing::Slower,
+        ] {
+            let line = lines.line();
+            found.push((line.low, line.high));
+            assert_eq!(lines.leads_to(next, true), None);
+            lines.pass(false);
+        }
+        // Speeds over 0.5·2·0.1.
+        let [low, high] = [0.1 / 0.1, 0.3 / 0.1];
+        let first = (0.0, Some(low));
+        assert_eq!(found, [first, first, (low, Some(high)), (high, None)]);
+        lines.pass(true);
+        assert_eq!((lines.line().low, lines.line().high), first);
+        assert!(Lines::<f64>::none().lines().is_none() && lines.lines().is_some());
+    }
+
+    /// To and fro without moving: every fourth stretch goes on, each twice as far as the one before, and the lines stay.
+    #[test]
+    fn to_and_fro_has_an_end() {
+        let mut lines = Lines::under(&LAW, 1.0, 1.0, 1.0);
+        let mut went = Vec::new();
+        for stretch in 0..400 {
+            let next = if stretch % 2 == 0 {
+                Crossing::Faster
+            } else {
+                Crossing::Slower
+            };
+            if let Some(length) = lines.leads_to(next, false) {
+                let before = lines.line();
+                lines.pass(false);
+                assert_eq!(lines.line(), before);
+                went.push(length);
+            }
+        }
+        let doubled = went
+            .windows(2)
+            .take(20)
+            .all(|pair| pair[1] == 2.0 * pair[0]);
+        assert_eq!(
+            (went.len(), went[0], doubled),
+            (100, f64::EPSILON.sqrt(), true)
+        );
+        assert_eq!(went[99], f64::EPSILON.sqrt() * f64::from(1 << 20));
+        // What moves begins anew.
+        assert_eq!(lines.leads_to(Crossing::Faster, true), None);
+        let next: Vec<_> = (0..4)
+            .map(|_| lines.leads_to(Crossing::Slower, false))
+            .collect();
+        assert_eq!(next, [None, None, None, Some(f64::EPSILON.sqrt())]);
+    }
+}
