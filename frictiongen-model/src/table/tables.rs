@@ -75,7 +75,7 @@ pub struct Tables<S> {
     pub proof: Proof,
     /// What is proven of amplitude and phase of the contact, up to the last of the friction shares.
     pub motion_proof: Proof,
-    /// What is proven of β*_lim, without work to speak of.
+    /// What is proven of β*_lim when it is built: that takes no work to speak of.
     pub sliding_proof: Proof,
     /// The same of |V|, for a motion.
     pub excitation_proof: Proof,

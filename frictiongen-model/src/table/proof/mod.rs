@@ -4,8 +4,10 @@
 //! constraint is largest, as a polynomial in r; [`certify`] shows that no other instant has a constraint larger by more
 //! than a small share, so that β_lim is known from both sides as a smooth function; [`compare`] shows that the
 //! polynomial of the table, with all roundings of its evaluation, is near that function.  Both are done in intervals
-//! with outward rounding.  A part that cannot be decided is halved, and in the end left open: there the table is
-//! checked, not proven.
+//! with outward rounding.  [`motion`] shows the same of amplitude and phase of the contact.  A part that cannot be decided
+//! is halved, and in the end left open: there the table is checked, not proven.
+//!
+//! Products over zeros and poles, β*_lim and |V|, are another matter: [`product`].
 
 mod asked;
 mod certify;
@@ -14,6 +16,7 @@ mod early;
 mod ends;
 mod evidence;
 mod force;
+mod found;
 mod motion;
 mod product;
 mod ridge;
@@ -34,6 +37,7 @@ use crate::interval::{Interval, Series};
 use certify::Part as Asked;
 use compare::Compared;
 pub use evidence::{Evidence, Proof, Work};
+use found::{Budget, Found};
 use frictiongen_kernel::Float;
 use motion::Moving;
 pub(super) use product::Receptances;
@@ -67,30 +71,6 @@ const SHORTEST_OF_MOTION: f64 = 2e-3;
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
 const MOST_MISSED: usize = 6;
 
-/// Work that may still be done, in evaluations of one mode.
-pub(super) struct Budget {
-    most: usize,
-    /// How far a piece may go.
-    of_piece: usize,
-    spent: usize,
-}
-
-impl Budget {
-    fn of(work: usize) -> Self {
-        Self {
-            most: work,
-            of_piece: work,
-            spent: 0,
-        }
-    }
-    fn spend(&mut self, work: usize) {
-        self.spent += work;
-    }
-    fn is_spent(&self) -> bool {
-        self.of_piece.min(self.most) <= self.spent
-    }
-}
-
 /// A table about to be proven.
 pub(super) struct Prover<'a, 'm> {
     exact: &'a mut Exact<'m>,
@@ -107,53 +87,6 @@ pub(super) struct Prover<'a, 'm> {
     excitation: Option<f64>,
     /// Parts of a piece whose motion could not be shown.
     missed: usize,
-}
-
-/// What was found of a function so far.
-struct Found {
-    bound: Worst,
-    open: Vec<(f64, f64)>,
-    looked: bool,
-}
-
-impl Found {
-    fn nothing(at: f64) -> Self {
-        Self {
-            bound: Worst { error: 0.0, at },
-            open: Vec::new(),
-            looked: false,
-        }
-    }
-
-    fn seen(&mut self, worst: Worst) {
-        self.looked = true;
-        if worst.error > self.bound.error {
-            self.bound = worst;
-        }
-    }
-
-    /// What was proven.
-    fn finished(mut self, work: usize) -> Proof {
-        self.open.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut open: Vec<(f64, f64)> = Vec::new();
-        for (from, to) in self.open {
-            match open.last_mut() {
-                Some(last) if from <= last.1 => last.1 = last.1.max(to),
-                _ => open.push((from, to)),
-            }
-        }
-        let evidence = match (self.looked, open.is_empty()) {
-            (false, _) => Evidence::Checked,
-            (true, true) => Evidence::Proven,
-            (true, false) => Evidence::Partly,
-        };
-        Proof {
-            evidence,
-            bound: self.bound,
-            open,
-            work: Work(work),
-        }
-    }
 }
 
 /// What is proven of a part: of β_lim, and of the motion if it is.
