@@ -1,6 +1,7 @@
 //! What a proof has found so far, and the work that it may still take.
 
 use super::super::tables::Worst;
+use super::compare::Compared;
 use super::{Evidence, Proof, Work};
 
 /// Work that may still be done, in evaluations of one mode.
@@ -72,4 +73,10 @@ impl Found {
             work: Work(work),
         }
     }
+}
+
+/// What is proven of a part: of β_lim, and of the motion if it is.
+pub(super) struct Part {
+    pub limit: Compared,
+    pub motion: Option<Worst>,
 }

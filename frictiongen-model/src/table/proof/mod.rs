@@ -35,9 +35,8 @@ use super::split::Edge;
 use super::tables::Worst;
 use crate::interval::{Interval, Series};
 use certify::Part as Asked;
-use compare::Compared;
 pub use evidence::{Evidence, Proof, Work};
-use found::{Budget, Found};
+use found::{Budget, Found, Part};
 use frictiongen_kernel::Float;
 use motion::Moving;
 pub(super) use product::Receptances;
@@ -87,12 +86,6 @@ pub(super) struct Prover<'a, 'm> {
     excitation: Option<f64>,
     /// Parts of a piece whose motion could not be shown.
     missed: usize,
-}
-
-/// What is proven of a part: of β_lim, and of the motion if it is.
-struct Part {
-    limit: Compared,
-    motion: Option<Worst>,
 }
 
 impl<'a, 'm> Prover<'a, 'm> {
@@ -175,6 +168,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut zero = zero;
         let mut length = self.last;
         let shortest = SHORTEST * start.max(end);
+        let from_zero = zero.is_some();
         while place != end {
             if self.budget.is_spent() {
                 self.leave((place.min(end), place.max(end)));
@@ -190,8 +184,12 @@ impl<'a, 'm> Prover<'a, 'm> {
             };
             let part = (place.min(next), place.max(next));
             let long = SHORTEST_OF_MOTION * (end - start).abs();
-            let long = long.min(SHORTEST_BESIDE_ZERO * (next - start).abs());
-            let insists = self.missed < MOST_MISSED && step > long;
+            let long = if from_zero {
+                long.min(SHORTEST_BESIDE_ZERO * (next - start).abs())
+            } else {
+                long
+            };
+            let insists = self.missed < MOST_MISSED && step > long.max(shortest);
             match self.part(piece, part, zero, insists) {
                 Some(Part { limit, motion }) => {
                     if let Some(gap) = limit.gap {
