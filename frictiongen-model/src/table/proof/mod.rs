@@ -32,7 +32,6 @@ use super::exact::Exact;
 use super::fit::{Fitted, interpolated};
 use super::request::Request;
 use super::split::Edge;
-use super::tables::Worst;
 use crate::interval::{Interval, Series};
 use certify::Part as Asked;
 pub use evidence::{Evidence, Proof, Work};
