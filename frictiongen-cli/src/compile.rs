@@ -7,7 +7,7 @@ use frictiongen::System;
 use frictiongen::kernel::table::Factor;
 use frictiongen::study::InvalidScene;
 use frictiongen::study::scene::{Accuracy, Range, Scene, Side};
-use frictiongen::study::table::{Product, Tables, Work};
+use frictiongen::study::table::{Product, Proof, Tables, Work};
 use frictiongen_codegen::standalone::{c_header, c_source, rust_source};
 use frictiongen_codegen::{Limits, SceneTables};
 use serde_json::{Value, json};
@@ -126,11 +126,16 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
         Some(product) => {
             let (plain, divisions, roots) = product.operations();
             format!(
-                "largest error {:.1e}; {plain} additions and multiplications, {divisions} divisions, {roots} roots",
-                report.sliding.error
+                "{}  {plain} additions and multiplications, {divisions} divisions, {roots} roots",
+                tables.sliding_proof.told()
             )
         }
         None => "by the exact formulas".to_owned(),
+    };
+    let motion = if tables.excitation.is_some() {
+        format!("motion          {}\n", tables.motion_proof.told())
+    } else {
+        String::new()
     };
     let functions = match tables.functions {
         4 => "beta_lim, a, g and arg V",
@@ -149,6 +154,7 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
          bytes           {}\n\
          largest error   {:.2e} at r = {}, checked at {} points that the fit did not see\n\
          beta_lim        {}\n\
+         {motion}\
          lookup          {} comparisons, then {} additions and multiplications a function\n\
          sliding limit   {sliding}\n\
          built from      {} exact values\n",
@@ -220,11 +226,19 @@ fn data<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> Val
         "bytes": tables.report.bytes,
         "largest_error": { "value": tables.report.worst.error, "r": tables.report.worst.at },
         "checked_points": tables.report.points,
-        "proof": {
-            "evidence": tables.proof.evidence.word(),
-            "bound": { "value": tables.proof.bound.error, "r": tables.proof.bound.at },
-            "open": tables.proof.open,
-            "work": tables.proof.work.0,
-        },
+        "proof": proof(&tables.proof),
+        "sliding_proof": proof(&tables.sliding_proof),
+        "excitation_proof": proof(&tables.excitation_proof),
+        "motion_proof": proof(&tables.motion_proof),
+    })
+}
+
+/// What is proven, as data.
+fn proof(proof: &Proof) -> Value {
+    json!({
+        "evidence": proof.evidence.word(),
+        "bound": { "value": proof.bound.error, "r": proof.bound.at },
+        "open": proof.open,
+        "work": proof.work.0,
     })
 }

@@ -1,7 +1,9 @@
-//! How long the macro takes for scenes of 1, 8 and 64 masses.  `scripts/expansion-times` builds it as
+//! How long the macro takes for scenes of 1, 8 and 64 masses, and for limits to 1e-4 of 1 to 10.  `scripts/expansion-times` builds it as
 //! a user's build builds the macro, without optimisation.
 
-use frictiongen_codegen::{Limits, emit, parse_text};
+use frictiongen_codegen::{Limits, SceneTables, emit, parse_text};
+use frictiongen_model::modal::Modal;
+use frictiongen_model::table::{Tables, Work};
 use std::fmt::Write;
 use std::time::Instant;
 
@@ -40,6 +42,38 @@ fn main() {
                 clock.elapsed(),
                 parsed,
                 tokens / 1024
+            );
+        }
+    }
+    for damping in ["none", "modal(0.02)"] {
+        for masses in [1, 2, 5, 10] {
+            let text = scene(masses, damping);
+            let text = text.replace(
+                "provide: [limits, motion, stuck]",
+                "provide: [limits], accuracy: 1e-4, range: { r: 0.2..2.5 }",
+            );
+            let clock = Instant::now();
+            let description = parse_text(&text, &Limits::MACRO).expect("a valid scene");
+            let told = clock.elapsed();
+            let Some(SceneTables::Double(tables)) = &description.tables else {
+                continue;
+            };
+            let modal = Modal::of(&description.scene);
+            let clock = Instant::now();
+            let built =
+                Tables::<f64>::build(&modal, tables.request).map(|tables| tables.pieces.len());
+            let building = clock.elapsed();
+            let clock = Instant::now();
+            let work = std::env::var("WORK")
+                .ok()
+                .and_then(|work| work.parse().ok());
+            let proof = tables.prove(&modal, Work(work.unwrap_or(200_000)));
+            println!(
+                "{masses:3} masses, damping {damping:11}, limits to 1e-4: {told:8.1?}, {} of them; {building:.1?} to build {built:?} pieces; {} work in {:.1?} would prove all but {:.1e}",
+                tables.proof.evidence.word(),
+                proof.work.0,
+                clock.elapsed(),
+                proof.open_length(),
             );
         }
     }

@@ -131,8 +131,9 @@ fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream
     let most = FRICTION_SHARES.iter().copied().fold(0.0, f64::max);
     let accuracy = tables.request.accuracy;
     let about = format!(
-        " Checked to {accuracy:e} up to β = {most}·β_lim; nearer to it the error grows at most as 1/(1 − (β/β_lim)²)."
+        " To {accuracy:e} up to β = {most}·β_lim; nearer to it the error grows at most as 1/(1 − (β/β_lim)²)."
     );
+    let proof = format!(" {}", tables.motion_proof.told());
     code! {
         impl TabledMotion for #name {
             type Moving = #motion;
@@ -140,6 +141,8 @@ fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream
             /// What amplitude and phase of the contact follow from (2.21, 5.35, 5.38, 7.20, 7.21).
             ///
             #[doc = #about]
+            ///
+            #[doc = #proof]
             #[inline]
             fn tabled_contact(&self, r: #scalar) -> Option<ContactTable<#scalar>> {
                 #table
@@ -273,8 +276,10 @@ fn sliding_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
         Some(product) => {
             let (plain, divisions, roots) = product.operations();
             about.push(String::new());
+            about.push(format!(" {}", tables.sliding_proof.told()));
+            about.push(String::new());
             about.push(format!(
-                " Checked: largest error {:.1e}.  Operations: {plain} additions and multiplications, {divisions} divisions, {roots} roots.",
+                " Operations: {plain} additions and multiplications, {divisions} divisions, {roots} roots; largest error seen {:.1e}.",
                 tables.report.sliding.error,
             ));
         }

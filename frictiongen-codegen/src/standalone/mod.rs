@@ -68,7 +68,7 @@ fn wrapped(places: &[usize]) -> String {
 fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     let (low, high) = tables.request.r;
     let report = &tables.report;
-    vec![
+    let mut about = vec![
         format!(
             "r from {low} to {high}, relative accuracy {:e}; {} pieces of degree {}, {} bytes.",
             tables.request.accuracy,
@@ -81,7 +81,17 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
             report.worst.error, report.worst.at, report.points,
         ),
         format!("beta_lim: {}", tables.proof.told()),
-    ]
+    ];
+    if tables.sliding.is_some() {
+        about.push(format!("beta*_lim: {}", tables.sliding_proof.told()));
+    }
+    if tables.excitation.is_some() {
+        about.push(format!(
+            "amplitude and phase of the contact: {}",
+            tables.motion_proof.told()
+        ));
+    }
+    about
 }
 
 /// A factor as an expression in r.

@@ -21,6 +21,10 @@ pub struct Interval {
 
 /// The kernel's sine and cosine are within 1.1 units in the last place: within this of theirs.
 const SINE: f64 = 1e-15;
+/// 1 less and more a unit in the last place of numbers about 1, and the smallest number.
+const BELOW: f64 = 1.0 - f64::EPSILON;
+const ABOVE: f64 = 1.0 + f64::EPSILON;
+const TINY: f64 = 5e-324;
 /// libm's exponential is within one unit in the last place; this is relative and more than two.
 const EXPONENTIAL: f64 = 5e-16;
 
@@ -42,14 +46,14 @@ impl Interval {
     };
 
     /// From `low` to `high`, which is not less.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn new(low: f64, high: f64) -> Self {
         Self { low, high }
     }
 
     /// One number.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn point(value: f64) -> Self {
         Self::new(value, value)
@@ -84,16 +88,35 @@ impl Interval {
     }
 
     /// The same with room for a rounding of either end; everything where an end is not known.
-    #[inline]
+    ///
+    /// By a product and a difference: macros run without optimisation, where each call of a function counts.
+    #[inline(always)]
     fn outward(low: f64, high: f64) -> Self {
-        if low.is_nan() || high.is_nan() {
+        // One unit in the last place at least, and two at most, then the smallest number for what underflows.
+        let low = if low > 0.0 { low * BELOW } else { low * ABOVE } - TINY;
+        let high = if high > 0.0 {
+            high * ABOVE
+        } else {
+            high * BELOW
+        } + TINY;
+        #[allow(
+            clippy::eq_op,
+            reason = "NaN alone is not itself, and `is_nan` is a call"
+        )]
+        if low != low || high != high {
             return Self::ALL;
         }
-        Self::new(low.next_down(), high.next_up())
+        Self { low, high }
+    }
+
+    /// Whether it is 0 alone.
+    #[inline(always)]
+    pub(crate) fn is_nothing(&self) -> bool {
+        self.low == 0.0 && self.high == 0.0
     }
 
     /// Whether 0 is in it.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn holds_zero(&self) -> bool {
         !(0.0 < self.low || self.high < 0.0)
@@ -118,7 +141,7 @@ impl Interval {
     }
 
     /// The largest size of a number in it.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn size(&self) -> f64 {
         self.low.abs().max(self.high.abs())
@@ -213,9 +236,23 @@ impl Interval {
     }
 }
 
+impl Interval {
+    /// The product of intervals that both hold 0, or an infinite end.
+    fn straddling(self, other: Self) -> Self {
+        let Self { low: a, high: b } = self;
+        let Self { low: c, high: d } = other;
+        let (ad, bc) = (product(a, d), product(b, c));
+        let (ac, bd) = (product(a, c), product(b, d));
+        if ad.is_nan() || bc.is_nan() || ac.is_nan() || bd.is_nan() {
+            return Self::ALL;
+        }
+        Self::outward(ad.min(bc).min(ac).min(bd), ac.max(bd).max(ad).max(bc))
+    }
+}
+
 impl Add for Interval {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self::outward(self.low + other.low, self.high + other.high)
     }
@@ -223,7 +260,7 @@ impl Add for Interval {
 
 impl Sub for Interval {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         Self::outward(self.low - other.high, self.high - other.low)
     }
@@ -231,7 +268,7 @@ impl Sub for Interval {
 
 impl Neg for Interval {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self::new(-self.high, -self.low)
     }
@@ -250,33 +287,36 @@ fn product(a: f64, b: f64) -> f64 {
 
 impl Mul for Interval {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let Self { low: a, high: b } = self;
         let Self { low: c, high: d } = other;
         // By signs: two products for most.
-        if 0.0 <= a {
-            let low = product(if 0.0 <= c { a } else { b }, c);
-            let high = product(if 0.0 <= d { b } else { a }, d);
-            return Self::outward(low, high);
+        let (low, high) = if 0.0 <= a {
+            (
+                if 0.0 <= c { a * c } else { b * c },
+                if 0.0 <= d { b * d } else { a * d },
+            )
+        } else if b <= 0.0 {
+            (
+                if 0.0 <= d { a * d } else { b * d },
+                if 0.0 <= c { b * c } else { a * c },
+            )
+        } else if 0.0 <= c {
+            (a * d, b * d)
+        } else if d <= 0.0 {
+            (b * c, a * c)
+        } else {
+            return self.straddling(other);
+        };
+        #[allow(
+            clippy::eq_op,
+            reason = "NaN alone is not itself, and `is_nan` is a call"
+        )]
+        if low != low || high != high {
+            return self.straddling(other);
         }
-        if b <= 0.0 {
-            let low = product(if 0.0 <= d { a } else { b }, d);
-            let high = product(if 0.0 <= c { b } else { a }, c);
-            return Self::outward(low, high);
-        }
-        if 0.0 <= c {
-            return Self::outward(product(a, d), product(b, d));
-        }
-        if d <= 0.0 {
-            return Self::outward(product(b, c), product(a, c));
-        }
-        let (ad, bc) = (product(a, d), product(b, c));
-        let (ac, bd) = (product(a, c), product(b, d));
-        if ad.is_nan() || bc.is_nan() || ac.is_nan() || bd.is_nan() {
-            return Self::ALL;
-        }
-        Self::outward(ad.min(bc), ac.max(bd))
+        Self::outward(low, high)
     }
 }
 

@@ -88,13 +88,23 @@ impl<const N: usize> Series<N> {
     }
 
     /// Σ a_j b_{k−j} over j ≤ k, from j = `first` on.
-    #[inline]
+    ///
+    /// By slices: iterators are calls where nothing is optimised.
+    #[inline(always)]
     fn convolved(a: &[Interval; N], b: &[Interval; N], k: usize, first: usize) -> Interval {
         let mut sum = Interval::ZERO;
-        let left = a.get(first..=k).unwrap_or_default();
-        let right = b.get(..=k - first).unwrap_or_default();
-        for (a, b) in left.iter().zip(right.iter().rev()) {
-            sum = sum + *a * *b;
+        let mut left = a.get(first..=k).unwrap_or_default();
+        let mut right = b.get(..=k - first).unwrap_or_default();
+        while let ([a, after @ ..], [before @ .., b]) = (left, right) {
+            if !a.is_nothing() && !b.is_nothing() {
+                let product = *a * *b;
+                sum = if sum.is_nothing() {
+                    product
+                } else {
+                    sum + product
+                };
+            }
+            (left, right) = (after, before);
         }
         sum
     }

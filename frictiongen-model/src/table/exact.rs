@@ -58,6 +58,11 @@ impl<'a> Exact<'a> {
         }
     }
 
+    /// The modes that the contact drives.
+    pub fn shares(&self) -> &[Share] {
+        &self.shares
+    }
+
     pub fn damped(&self) -> bool {
         self.reduced.chain.damped
     }

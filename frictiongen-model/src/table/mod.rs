@@ -2,7 +2,7 @@
 //!
 //! β_lim is fitted by pieces that are as long as the accuracy allows; beside its zeros, which are known, by what it is over
 //! the distance from them.  β*_lim and |V| are products over their zeros and poles.  What is built is compared with the
-//! exact values in the arithmetic of the table, at points that the fit did not see; of β_lim it can be proven between them.
+//! exact values in the arithmetic of the table, at points that the fit did not see; between them it can be proven.
 
 mod check;
 mod cover;

@@ -2,6 +2,7 @@
 
 use super::check;
 use super::exact::Exact;
+use super::proof::{Proof, Receptances};
 use super::request::Request;
 use super::split::Landmarks;
 use super::tables::Worst;
@@ -13,8 +14,9 @@ use frictiongen_kernel::table::{Factor, Quotient};
 
 /// β*_lim and |V| may take this share of the accuracy.
 const EXACT_SHARE: f64 = 0.5;
-/// With `side: safe` β*_lim is larger by so many roundings, more than its factors take.
-const SAFE_ROUNDINGS: f64 = 64.0;
+/// With `side: safe` β*_lim is larger by so many roundings: the fewest that are proven to be more than what its factors and
+/// the uncertainty of its zeros take.
+const SAFE_ROUNDINGS: [f64; 5] = [64.0, 512.0, 4096.0, 65_536.0, 1_048_576.0];
 
 /// The kernel's [`Quotient`], with its vectors.
 #[derive(Clone, Debug)]
@@ -178,6 +180,8 @@ pub(super) struct Products<S> {
     pub worst: Worst,
     /// At how many points was looked.
     pub points: usize,
+    /// What is proven of both.
+    pub proofs: [Proof; 2],
 }
 
 impl<S: Float> Products<S> {
@@ -189,11 +193,24 @@ impl<S: Float> Products<S> {
         range: (f64, f64),
     ) -> Self {
         let allowed = EXACT_SHARE * request.accuracy;
-        let lift = match request.side {
-            Side::Near => 1.0,
-            Side::Safe => 1.0 + (SAFE_ROUNDINGS * S::EPSILON).min(0.5 * request.accuracy),
-        };
+        let receptances = Receptances::of(exact, zeros, range.1);
         let to = rounded::<S>;
+        let of_sliding = |lift: f64| {
+            let product = zeros.and_then(|zeros| sliding(exact, zeros, range, lift, &to))?;
+            let proof = receptances.as_ref();
+            let proof = proof.map(|known| known.sliding(&product, request));
+            Some((lift, product, proof.unwrap_or(Proof::none(range))))
+        };
+        let built = match request.side {
+            Side::Near => of_sliding(1.0),
+            Side::Safe => {
+                let lifts = SAFE_ROUNDINGS.map(|count| count * S::EPSILON);
+                let lifts = lifts.map(|lift| 1.0 + lift.min(0.5 * request.accuracy));
+                let built = lifts.into_iter().filter_map(of_sliding);
+                // The first of the best.
+                built.min_by(|a, b| a.2.open_length().total_cmp(&b.2.open_length()))
+            }
+        };
         let mut worst = Worst {
             error: 0.0,
             at: range.0,
@@ -204,22 +221,29 @@ impl<S: Float> Products<S> {
             points += looked;
             (seen.error <= allowed).then_some(seen)
         };
-        let sliding = zeros
-            .and_then(|zeros| sliding(exact, zeros, range, lift, &to))
-            .filter(|product| {
-                let seen = kept(product, &|r| lift * exact.sliding_limit(r));
-                worst = seen.unwrap_or(worst);
-                seen.is_some()
-            });
+        let built = built.filter(|(lift, product, _)| {
+            let seen = kept(product, &|r| lift * exact.sliding_limit(r));
+            worst = seen.unwrap_or(worst);
+            seen.is_some()
+        });
+        let none = || Proof::none(range);
+        let (sliding, proof) = built.map_or_else(
+            || (None, none()),
+            |(_, product, proof)| (Some(product), proof),
+        );
         let excitation = zeros
             .filter(|_| request.motion)
             .and_then(|zeros| excitation(exact, zeros, range, &to))
             .filter(|product| kept(product, &|r| exact.excitation(r).abs()).is_some());
+        let of_excitation = excitation.as_ref().zip(receptances.as_ref());
+        let of_excitation =
+            of_excitation.map(|(product, known)| known.excitation(product, request));
         Self {
             sliding,
             excitation,
             worst,
             points,
+            proofs: [proof, of_excitation.unwrap_or_else(none)],
         }
     }
 }

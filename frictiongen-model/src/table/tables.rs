@@ -73,6 +73,12 @@ pub struct Tables<S> {
     pub report: Report,
     /// What is proven of β_lim.
     pub proof: Proof,
+    /// What is proven of amplitude and phase of the contact, up to the last of the friction shares.
+    pub motion_proof: Proof,
+    /// What is proven of β*_lim when it is built: that takes no work to speak of.
+    pub sliding_proof: Proof,
+    /// The same of |V|, for a motion.
+    pub excitation_proof: Proof,
     /// Where β_lim bends, ascending.
     pub(super) kinks: Vec<f64>,
 }
@@ -216,6 +222,7 @@ impl<S: Float> Tables<S> {
             excitation,
             worst: off,
             points,
+            proofs: [sliding_proof, excitation_proof],
         } = Products::of(exact, zeros.as_ref(), &landmarks, &request, (low, high));
         let functions = match (&excitation, exact.damped()) {
             (None, _) => 1,
@@ -268,6 +275,9 @@ impl<S: Float> Tables<S> {
                 bytes,
             },
             proof: Proof::none((low, high)),
+            motion_proof: Proof::none((low, high)),
+            sliding_proof,
+            excitation_proof,
             kinks,
         })
     }

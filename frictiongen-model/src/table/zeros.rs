@@ -49,7 +49,8 @@ impl Zero {
         }
     }
 
-    fn is_near(&self, other: &Self) -> bool {
+    /// Whether two are one but for their last digits.
+    pub fn is_near(&self, other: &Self) -> bool {
         let apart = Complex::new(self.x.abs() - other.x.abs(), self.y - other.y);
         let size = complex::modulus(Complex::new(self.x, self.y), true);
         complex::modulus(apart, true) <= size * Dd::from(COMMON)

@@ -133,7 +133,7 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         &self.tables
     }
 
-    /// The same with as much proven of β_lim as the work does for: [`Work::WHOLE`] is some seconds.
+    /// The same with as much proven of β_lim and the contact's motion as the work does for: [`Work::WHOLE`] is some seconds.
     #[must_use]
     pub fn proven(mut self, work: Work) -> Self {
         self.tables = self.tables.proven(self.system.modal(), work);
@@ -142,7 +142,7 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
 
     /// What is proven of β_lim: nothing before [`proven`](Self::proven), its tables are then checked.
     ///
-    /// β*_lim, amplitude and phase are checked.
+    /// Of the motion it is `tables().motion_proof`, of β*_lim `tables().sliding_proof`, which needs no work.
     #[must_use]
     pub fn proof(&self) -> &Proof {
         &self.tables.proof

@@ -5,7 +5,9 @@ use super::scenes::scenes;
 use frictiongen::System;
 use frictiongen::study::scene::Side;
 use frictiongen::study::table::{Evidence, Request, TableError, Tables, Work};
+use frictiongen_kernel::Float;
 use fuzzing::Random;
+use std::time::Instant;
 
 const RANGE: (f64, f64) = (0.2, 2.5);
 /// What a sum in double precision may be off by itself.
@@ -109,4 +111,62 @@ fn of_random_scenes() {
         }
     }
     assert!(open / f64::from(tables) < 0.25, "{open} of {tables}");
+}
+
+/// How much of the range stays open, and what it takes: the least and the largest of the chains of a kind; β*_lim is
+/// proven wholly.
+fn measured<S: Float>(accuracies: &[f64]) -> usize {
+    let scalar = if S::EPSILON > 1e-10 { "f32" } else { "f64" };
+    let mut seen = 0;
+    for accuracy in accuracies {
+        for count in ["1", "2", "5", "10"] {
+            for damping in ["none", "modal(0.02)"] {
+                let (mut open, mut work) = ([1.0_f64, 0.0], [usize::MAX, 0]);
+                let (mut of_motion, mut sliding) = ([1.0_f64, 0.0], 0.0_f64);
+                let clock = Instant::now();
+                for (name, text) in scenes(scalar) {
+                    let kind = name.split(',').next().unwrap_or("");
+                    if &kind[4..] != count || !name.contains(damping) {
+                        continue;
+                    }
+                    let system: System<S> = text.parse().expect("a scene");
+                    let Ok(compiled) = system.compile(RANGE.0..RANGE.1, *accuracy) else {
+                        continue;
+                    };
+                    let compiled = compiled.proven(Work::WHOLE);
+                    let proof = compiled.proof();
+                    let share = proof.open_length() / (RANGE.1 - RANGE.0);
+                    open = [open[0].min(share), open[1].max(share)];
+                    let tables = compiled.tables();
+                    let share = tables.motion_proof.open_length() / (RANGE.1 - RANGE.0);
+                    of_motion = [of_motion[0].min(share), of_motion[1].max(share)];
+                    sliding = sliding.max(tables.sliding_proof.bound.error);
+                    assert!(tables.motion_proof.bound.error <= *accuracy, "{name}");
+                    assert_eq!(tables.sliding_proof.open_length(), 0.0, "{name}");
+                    work = [work[0].min(proof.work.0), work[1].max(proof.work.0)];
+                    assert!(proof.bound.error <= *accuracy, "{name}");
+                    seen += 1;
+                }
+                println!(
+                    "{scalar}, {accuracy:e}, {count} masses, {damping}: open {:.1e} to {:.1e} of the range, of the motion {:.1e} to {:.1e}; sliding limit within {sliding:.1e}; work {} to {}; {:.1} s a chain",
+                    open[0],
+                    open[1],
+                    of_motion[0],
+                    of_motion[1],
+                    work[0],
+                    work[1],
+                    clock.elapsed().as_secs_f64() / 6.0,
+                );
+            }
+        }
+    }
+    seen
+}
+
+#[test]
+#[ignore = "twenty minutes; prints how much of each kind of chain is proven"]
+fn how_much() {
+    let f64s = measured::<f64>(&[1e-2, 1e-4, 1e-6]);
+    let f32s = measured::<f32>(&[1e-2, 1e-4, 1e-5]);
+    assert_eq!((f64s, f32s), (3 * 44, 3 * 44));
 }

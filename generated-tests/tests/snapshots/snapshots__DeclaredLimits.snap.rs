@@ -366,7 +366,7 @@ const _: () = {
         }
         /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.
         ///
-        /// Checked, not proven: between the points an error may be larger.
+        /// Proven at every r: at most 8.91e-3 off, the bound being largest at r = 0.5679016563028935.
         ///
         /// Operations at every r: a lookup of 2 comparisons, 10 additions and multiplications.
         #[inline]
@@ -375,7 +375,9 @@ const _: () = {
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
         ///
-        /// Checked: largest error 2.2e-7.  Operations: 12 additions and multiplications, 1 divisions, 1 roots.
+        /// Proven at every r: at most 7.36e-7 off, the bound being largest at r = 0.7281554190437972.
+        ///
+        /// Operations: 12 additions and multiplications, 1 divisions, 1 roots; largest error seen 2.2e-7.
         #[inline]
         fn tabled_sliding_limit(&self, r: f32) -> Option<f32> {
             Some(Self::SLIDING_LIMIT.size(r))

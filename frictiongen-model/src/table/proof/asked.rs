@@ -4,19 +4,19 @@ use super::super::exact::Exact;
 use super::super::split::Landmarks;
 use super::super::tables::Tables;
 use super::super::zeros::Zeros;
-use super::{Proof, Prover, Work};
+use super::{Evidence, Proof, Prover, Work};
 use crate::modal::Modal;
 use frictiongen_kernel::Float;
 use std::ops::Range;
 
 /// The work that the proof of a piece takes for each mode, about: where a whole one is worth beginning.
-const PIECE_WORK: usize = 3500;
+const PIECE_WORK: usize = 6500;
 
 impl<S: Float> Tables<S> {
     /// The same with what is proven of it.
     #[must_use]
     pub fn proven(mut self, modal: &Modal, work: Work) -> Self {
-        self.proof = self.prove(modal, work);
+        [self.proof, self.motion_proof] = self.proof_of(modal, 0..self.pieces.len(), work);
         self
     }
 
@@ -34,21 +34,27 @@ impl<S: Float> Tables<S> {
     /// What is proven of β_lim as these tables have it.
     #[must_use]
     pub fn prove(&self, modal: &Modal, work: Work) -> Proof {
-        self.proof_of(modal, 0..self.pieces.len(), work)
+        let [limit, _] = self.proof_of(modal, 0..self.pieces.len(), work);
+        limit
     }
 
-    /// The same of one piece.
+    /// The same of one piece; and what is proven there of amplitude and phase of the contact, if they are tabled.
     #[must_use]
-    pub fn prove_piece(&self, modal: &Modal, place: usize, work: Work) -> Proof {
+    pub fn prove_piece(&self, modal: &Modal, place: usize, work: Work) -> [Proof; 2] {
         self.proof_of(modal, place..place + 1, work)
     }
 
-    fn proof_of(&self, modal: &Modal, places: Range<usize>, work: Work) -> Proof {
+    fn proof_of(&self, modal: &Modal, places: Range<usize>, work: Work) -> [Proof; 2] {
         let mut exact = Exact::new(modal);
         let ends = (S::constant(self.request.r.0), S::constant(self.request.r.1));
         let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
         let landmarks = Landmarks::of(modal, Zeros::of(modal).as_ref(), (low, high));
-        let mut prover = Prover::new(&mut exact, self.request, work, places.len());
+        // |V| is known wherever β_lim is, but on its zeros and poles.
+        let excitation = self.excitation.as_ref().map(|_| &self.excitation_proof);
+        let excitation = excitation
+            .filter(|proof| proof.evidence != Evidence::Checked && proof.open_length() == 0.0)
+            .map(|proof| proof.bound.error);
+        let mut prover = Prover::new(&mut exact, self.request, work, places.len(), excitation);
         for place in places {
             let Some(piece) = self.pieces.get(place) else {
                 continue;

@@ -11,9 +11,9 @@ use crate::scene::Side;
 use frictiongen_kernel::Float;
 
 /// One term less: beside a zero everything is divided by the distance from it.
-const SHORT: usize = ORDER - 1;
+pub(super) const SHORT: usize = ORDER - 1;
 /// Parts of a part in which the range of a polynomial is taken.
-const CELLS: usize = 8;
+pub(super) const CELLS: usize = 8;
 /// Beside a zero of β_lim what its place is uncertain by may take this share of the accuracy.
 const UNCERTAIN: f64 = 0.01;
 
@@ -24,6 +24,12 @@ pub(super) struct Compared {
     pub worst: Worst,
     /// Beside a zero the neighbourhood that is left out.
     pub gap: Option<(f64, f64)>,
+    /// Where it is proven, from the centre of the series on.
+    pub away: Interval,
+    /// The square of the polynomial over β_lim by the witness: at the centre and over the part.
+    pub square: [Series<SHORT>; 2],
+    /// What the evaluation rounds off at most, relative.
+    pub rounding: f64,
 }
 
 /// What the emitted evaluation rounds off at most, as a share of each term: `counts` roundings of c_k tᵏ.
@@ -37,7 +43,7 @@ fn counts(power: usize, exact_difference: bool) -> f64 {
 }
 
 /// What is left after a division by the distance from the centre, but for the value there.
-fn divided(series: &Series<ORDER>) -> Series<SHORT> {
+pub(super) fn divided(series: &Series<ORDER>) -> Series<SHORT> {
     let mut terms = [Interval::ZERO; SHORT];
     for (term, own) in terms.iter_mut().zip(series.terms.iter().skip(1)) {
         *term = *own;
@@ -119,10 +125,12 @@ pub(super) fn compared<S: Float>(
             own.squared() * seen.size.truncated() / (re.squared() + im.squared())
         }
     };
-    let joined = Series::joined(
-        &ratio(&own_at, at, seen_at),
-        &ratio(&own_over, over, seen_over),
-    );
+    let squares = [
+        ratio(&own_at, at, seen_at),
+        ratio(&own_over, over, seen_over),
+    ];
+    let [square_at, square_over] = &squares;
+    let joined = Series::joined(square_at, square_over);
     // The least that the polynomial is, over the distance from the zero beside one; and what its evaluation rounds off.
     let own = match zero {
         None => Series::joined(&own_at, &own_over).range(away),
@@ -178,11 +186,17 @@ pub(super) fn compared<S: Float>(
             };
         }
     }
-    Some(Compared { worst, gap })
+    Some(Compared {
+        worst,
+        gap,
+        away,
+        square: squares,
+        rounding,
+    })
 }
 
 /// What the evaluation in the table's scalar rounds off at most; beside a zero, over the distance from it.
-fn rounding<S: Float>(
+pub(super) fn rounding<S: Float>(
     coefficients: &[f64],
     origin: f64,
     (from, to): (f64, f64),

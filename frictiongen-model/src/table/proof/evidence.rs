@@ -2,7 +2,7 @@
 
 use super::super::tables::Worst;
 
-/// What is known of a table of β_lim.
+/// What is known of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Evidence {
@@ -26,18 +26,19 @@ impl Evidence {
     }
 }
 
-/// How much work a proof may take, in evaluations of one mode: about a microsecond each, ten where nothing is optimised.
+/// How much work a proof may take, in evaluations of one mode: about a microsecond each, two to four where nothing is
+/// optimised.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Work(pub usize);
 
 impl Work {
     /// What a macro spends.  A table that needs more is told from its size, and left checked.
-    pub const AT_EXPANSION: Self = Self(40_000);
+    pub const AT_EXPANSION: Self = Self(120_000);
     /// What a command spends: some seconds.
     pub const WHOLE: Self = Self(4_000_000);
 }
 
-/// What is proven of a table of β_lim.
+/// What is proven of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proof {
     /// How much is.
@@ -89,6 +90,17 @@ impl Proof {
         );
         match (self.evidence, self.widest()) {
             (Evidence::Proven, _) => format!("Proven at every r: {bound}."),
+            (Evidence::Partly, Some((from, to))) if from == to => {
+                let count = self.open.len();
+                let but = if count == 1 {
+                    format!("r = {from}, which")
+                } else {
+                    format!("{count} numbers each of which")
+                };
+                format!(
+                    "Proven at every r but {but} is a zero or a pole to the last digit: {bound}."
+                )
+            }
             (Evidence::Partly, Some((from, to))) => {
                 let (count, length) = (self.open.len(), self.open_length());
                 let places = if count == 1 { "one place" } else { "places" };

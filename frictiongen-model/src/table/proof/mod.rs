@@ -4,8 +4,10 @@
 //! constraint is largest, as a polynomial in r; [`certify`] shows that no other instant has a constraint larger by more
 //! than a small share, so that β_lim is known from both sides as a smooth function; [`compare`] shows that the
 //! polynomial of the table, with all roundings of its evaluation, is near that function.  Both are done in intervals
-//! with outward rounding.  A part that cannot be decided is halved, and in the end left open: there the table is
-//! checked, not proven.
+//! with outward rounding.  [`motion`] shows the same of amplitude and phase of the contact.  A part that cannot be decided
+//! is halved, and in the end left open: there the table is checked, not proven.
+//!
+//! Products over zeros and poles, β*_lim and |V|, are another matter: [`product`].
 
 mod asked;
 mod certify;
@@ -14,10 +16,15 @@ mod early;
 mod ends;
 mod evidence;
 mod force;
+mod found;
+mod motion;
+mod product;
 mod ridge;
 mod stage;
 mod witness;
 
+#[cfg(test)]
+mod moved;
 #[cfg(test)]
 mod tests;
 
@@ -25,12 +32,13 @@ use super::exact::Exact;
 use super::fit::{Fitted, interpolated};
 use super::request::Request;
 use super::split::Edge;
-use super::tables::Worst;
 use crate::interval::{Interval, Series};
-use certify::Part;
-use compare::Compared;
+use certify::Part as Asked;
 pub use evidence::{Evidence, Proof, Work};
+use found::{Budget, Found, Part};
 use frictiongen_kernel::Float;
+use motion::Moving;
+pub(super) use product::Receptances;
 use stage::{Chain, Stage, singular};
 use std::f64::consts::PI;
 use witness::{Seen, Witness};
@@ -55,30 +63,11 @@ const START: f64 = 0.05;
 const FAIR: usize = 8;
 /// A part is not halved below this share of r.
 const SHORTEST: f64 = 1e-7;
-
-/// Work that may still be done, in evaluations of one mode.
-pub(super) struct Budget {
-    most: usize,
-    /// How far a piece may go.
-    of_piece: usize,
-    spent: usize,
-}
-
-impl Budget {
-    fn of(work: usize) -> Self {
-        Self {
-            most: work,
-            of_piece: work,
-            spent: 0,
-        }
-    }
-    fn spend(&mut self, work: usize) {
-        self.spent += work;
-    }
-    fn is_spent(&self) -> bool {
-        self.of_piece.min(self.most) <= self.spent
-    }
-}
+/// For the motion a part is not halved below this share of its piece, or of its distance from a piece's zero; and a piece
+/// is given up after so many such.
+const SHORTEST_OF_MOTION: f64 = 2e-3;
+const SHORTEST_BESIDE_ZERO: f64 = 0.02;
+const MOST_MISSED: usize = 6;
 
 /// A table about to be proven.
 pub(super) struct Prover<'a, 'm> {
@@ -90,9 +79,12 @@ pub(super) struct Prover<'a, 'm> {
     share: usize,
     /// The length of the last part.
     last: f64,
-    bound: Worst,
-    open: Vec<(f64, f64)>,
-    looked: bool,
+    of_limit: Found,
+    of_motion: Found,
+    /// By how much |V| may be off, where the motion is looked at.
+    excitation: Option<f64>,
+    /// Parts of a piece whose motion could not be shown.
+    missed: usize,
 }
 
 impl<'a, 'm> Prover<'a, 'm> {
@@ -101,6 +93,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         request: Request,
         Work(work): Work,
         pieces: usize,
+        excitation: Option<f64>,
     ) -> Self {
         let chain = Chain::of(exact.modal);
         let (low, high) = request.r;
@@ -111,36 +104,23 @@ impl<'a, 'm> Prover<'a, 'm> {
             share: FAIR * work / pieces.max(1),
             budget: Budget::of(work),
             last: (high - low) / 32.0,
-            bound: Worst {
-                error: 0.0,
-                at: low,
-            },
-            open: Vec::new(),
-            looked: false,
+            of_limit: Found::nothing(low),
+            of_motion: Found::nothing(low),
+            excitation,
+            missed: 0,
         }
     }
 
-    /// What was proven.
-    pub fn finished(mut self) -> Proof {
-        self.open.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut open: Vec<(f64, f64)> = Vec::new();
-        for (from, to) in self.open {
-            match open.last_mut() {
-                Some(last) if from <= last.1 => last.1 = last.1.max(to),
-                _ => open.push((from, to)),
-            }
-        }
-        let evidence = match (self.looked, open.is_empty()) {
-            (false, _) => Evidence::Checked,
-            (true, true) => Evidence::Proven,
-            (true, false) => Evidence::Partly,
-        };
-        Proof {
-            evidence,
-            bound: self.bound,
-            open,
-            work: Work(self.budget.spent),
-        }
+    /// What was proven of β_lim, and of the motion.
+    pub fn finished(self) -> [Proof; 2] {
+        let work = self.budget.spent;
+        [self.of_limit, self.of_motion].map(|found| found.finished(work))
+    }
+
+    /// Not shown, neither of β_lim nor of the motion.
+    fn leave(&mut self, part: (f64, f64)) {
+        self.of_limit.open.push(part);
+        self.of_motion.open.push(part);
     }
 
     /// One piece from an r to another, with the kinks of β_lim within and the zero that it counts from.
@@ -153,11 +133,12 @@ impl<'a, 'm> Prover<'a, 'm> {
     ) {
         if self.request.accuracy < FINEST || !(from < to) {
             if from < to {
-                self.open.push((from, to));
+                self.leave((from, to));
             }
             return;
         }
         self.budget.of_piece = self.budget.spent + self.share;
+        self.missed = 0;
         let mut ends = vec![from];
         ends.extend(
             kinks
@@ -186,9 +167,10 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut zero = zero;
         let mut length = self.last;
         let shortest = SHORTEST * start.max(end);
+        let from_zero = zero.is_some();
         while place != end {
             if self.budget.is_spent() {
-                self.open.push((place.min(end), place.max(end)));
+                self.leave((place.min(end), place.max(end)));
                 return;
             }
             let rest = (end - place).abs();
@@ -200,23 +182,33 @@ impl<'a, 'm> Prover<'a, 'm> {
                 (false, false) => place - step,
             };
             let part = (place.min(next), place.max(next));
-            let proven = self.part(piece, part, zero);
-            match proven {
-                Some(proven) => {
-                    self.looked = true;
-                    if let Some(gap) = proven.gap {
-                        self.open.push(gap);
+            let long = SHORTEST_OF_MOTION * (end - start).abs();
+            let long = if from_zero {
+                long.min(SHORTEST_BESIDE_ZERO * (next - start).abs())
+            } else {
+                long
+            };
+            let insists = self.missed < MOST_MISSED && step > long.max(shortest);
+            match self.part(piece, part, zero, insists) {
+                Some(Part { limit, motion }) => {
+                    if let Some(gap) = limit.gap {
+                        self.leave(gap);
                     }
-                    if proven.worst.error > self.bound.error {
-                        self.bound = proven.worst;
+                    self.of_limit.seen(limit.worst);
+                    match motion {
+                        Some(worst) => self.of_motion.seen(worst),
+                        None => {
+                            self.missed += 1;
+                            self.of_motion.open.push(part);
+                        }
                     }
                     place = next;
                     zero = None;
                     self.last = step;
-                    length = 1.5 * step;
+                    length = 1.25 * step;
                 }
                 None if step <= shortest => {
-                    self.open.push(part);
+                    self.leave(part);
                     place = next;
                     zero = None;
                     length = 2.0 * step;
@@ -232,7 +224,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         piece: &Fitted<S>,
         (from, to): (f64, f64),
         zero: Option<Edge>,
-    ) -> Option<Compared> {
+        insists: bool,
+    ) -> Option<Part> {
         let middle = 0.5 * (from + to);
         let centre = zero.map_or(middle, |zero| zero.at);
         let r = Interval::new(from.min(centre), to.max(centre));
@@ -267,8 +260,23 @@ impl<'a, 'm> Prover<'a, 'm> {
                 [&seen_at, &seen_over],
                 share,
             );
-            let Some(compared) = compared else { continue };
-            let part = Part {
+            let Some(limit) = compared else { continue };
+            let motion = self.excitation.and_then(|excitation| {
+                let moving = Moving {
+                    piece,
+                    excitation,
+                    accuracy: self.request.accuracy,
+                    ends: (from, to),
+                    centre,
+                    beside_zero: zero.is_some(),
+                    share,
+                };
+                moving.compared(&limit, [&at, &over], [&seen_at, &seen_over])
+            });
+            if insists && self.excitation.is_some() && motion.is_none() {
+                continue;
+            }
+            let asked = Asked {
                 chain: &self.chain,
                 witness: &witness,
                 away: r - Interval::point(centre),
@@ -278,8 +286,8 @@ impl<'a, 'm> Prover<'a, 'm> {
                 seen_over: &seen_over,
                 share,
             };
-            if certify::certified(&part, &mut self.budget) {
-                return Some(compared);
+            if certify::certified(&asked, &mut self.budget) {
+                return Some(Part { limit, motion });
             }
         }
         None

@@ -112,6 +112,8 @@ pub(super) struct Stage<const N: usize> {
     pub excitation: [Series<N>; 2],
     /// κU.
     pub quadrature: Series<N>,
+    /// κG.
+    pub displacement: Series<N>,
     /// κ(m* + H_c): the velocity constraint for τ → 0.
     pub start: Series<N>,
     /// κ(μm* + H_c).
@@ -175,6 +177,7 @@ impl<const N: usize> Stage<N> {
         ];
         let mut quadrature = Series::fixed(Interval::ZERO);
         let mut reversal = Series::fixed(Interval::ZERO);
+        let mut displacement = Series::fixed(Interval::ZERO);
         for ((mode, (sine, cosine)), singular) in chain.modes.iter().zip(&waves).zip(singular) {
             let x = inverse.times(mode.sigma);
             let detuning = square - Series::fixed(mode.sigma * mode.sigma);
@@ -210,9 +213,12 @@ impl<const N: usize> Stage<N> {
                     *im = *im - share * loss;
                 }
                 if mode.kind != Kind::Undamped {
-                    // c(g + 2ζx·u/x²).
+                    // c(g + 2ζx·u/x²), and c·g/x².
+                    let own = free - scaled(Series::fixed(c));
                     let carried = x.times(two * mode.zeta) * swing;
-                    reversal = reversal + (free - scaled(Series::fixed(c))) + carried;
+                    reversal = reversal + own + carried;
+                    let softness = Interval::ONE / (mode.sigma * mode.sigma);
+                    displacement = displacement + own * square.times(softness);
                 }
             }
             quadrature = quadrature + swing;
@@ -229,6 +235,7 @@ impl<const N: usize> Stage<N> {
             kappa,
             excitation,
             quadrature,
+            displacement,
             start: reversal + mass,
             break_away: reversal + mass.times(chain.stiction),
         }
@@ -242,6 +249,7 @@ impl<const N: usize> Stage<N> {
         self.kappa = self.kappa.map(|kappa| -kappa);
         self.excitation = self.excitation.map(|part| -part);
         self.quadrature = -self.quadrature;
+        self.displacement = -self.displacement;
         (self.start, self.break_away) = (-self.start, -self.break_away);
         self
     }
@@ -259,6 +267,7 @@ impl<const N: usize> Stage<N> {
             kappa: self.kappa.map(|kappa| kappa.truncated()),
             excitation: self.excitation.map(|part| part.truncated()),
             quadrature: self.quadrature.truncated(),
+            displacement: self.displacement.truncated(),
             start: self.start.truncated(),
             break_away: self.break_away.truncated(),
         }

@@ -1,0 +1,295 @@
+//! The other polynomials of a piece: what amplitude and phase of the contact are off at any β, over a part of the range.
+//!
+//! With α = β_lim·U/|V|, γ = β_lim·G/|V| and ρ = β/β_lim the amplitude is |V|(√(1 − ρ²α²) − ργ).  The table has a and g
+//! over its own β_lim in their places, so that a·β_lim/β_table is compared with α.  β_lim is the witness's b but for a share,
+//! and α is the witness's but for the same: the share changes the difference by no more than itself.
+
+use super::super::errors::FRICTION_SHARES;
+use super::super::fit::{ANGLE, Fitted};
+use super::super::tables::Worst;
+use super::ORDER;
+use super::compare::{CELLS, Compared, SHORT, divided, rounding};
+use super::stage::Stage;
+use super::witness::{Seen, polynomial};
+use crate::interval::{Interval, Series};
+use frictiongen_kernel::{Float, Scalar};
+use std::f64::consts::PI;
+
+/// Parts of the friction ratios up to the largest; towards it the root vanishes, and an answer changes fast.
+const SHARES: [f64; 11] = [
+    0.0, 0.4, 0.65, 0.8, 0.88, 0.93, 0.96, 0.98, 0.99, 0.997, 1.0,
+];
+/// Roundings of the emitted answers: of a and g times β/β_lim, of the root, and of the phase with its arc tangent.
+const OF_SHARE: f64 = 4.0;
+const OF_ROOT: f64 = 4.0;
+const OF_PHASE: f64 = 64.0;
+/// For the roundings of these lines.
+const UP: f64 = 1.0 + 1e-9;
+
+/// What a part of the range asks for.
+pub(super) struct Moving<'a, S> {
+    pub piece: &'a Fitted<S>,
+    /// What |V| is off at most, relative.
+    pub excitation: f64,
+    /// Of amplitude (relative) and phase (rad).
+    pub accuracy: f64,
+    /// The ends of the part, and the centre of the series.
+    pub ends: (f64, f64),
+    pub centre: f64,
+    /// Whether the centre is a zero of β_lim.
+    pub beside_zero: bool,
+    /// By which share the largest constraint may exceed that of the witness.
+    pub share: f64,
+}
+
+/// What is off and what is exact, at the centre of a part or over it.
+struct Functions {
+    /// a·b/β_table − α, and α.
+    quadrature: [Series<SHORT>; 2],
+    /// The same of g.
+    displacement: [Series<SHORT>; 2],
+    /// arg V from the table less the exact one.
+    angle: Series<SHORT>,
+}
+
+impl<S: Float> Moving<'_, S> {
+    /// The largest error of amplitude and phase over the part; none where it is not within the accuracy.
+    pub fn compared(
+        &self,
+        limit: &Compared,
+        [at, over]: [&Stage<ORDER>; 2],
+        [seen_at, seen_over]: [&Seen<ORDER>; 2],
+    ) -> Option<Worst> {
+        let away = limit.away;
+        let (from, to) = self.ends;
+        let r = Interval::new(from.min(self.centre), to.max(self.centre));
+        let [square_at, square_over] = &limit.square;
+        let sign = self.sign(at, over, away)?;
+        let (angle, uncertain) = self.angle(at, over, away)?;
+        let point = Interval::point(self.centre);
+        let at = self.functions(at, seen_at, square_at, point, sign, &angle[0]);
+        let over = self.functions(over, seen_over, square_over, r, sign, &angle[1]);
+        let joined =
+            |pick: fn(&Functions) -> Series<SHORT>| Series::joined(&pick(&at), &pick(&over));
+        let quadrature = [joined(|of| of.quadrature[0]), joined(|of| of.quadrature[1])];
+        let displacement = [
+            joined(|of| of.displacement[0]),
+            joined(|of| of.displacement[1]),
+        ];
+        let angle = joined(|of| of.angle);
+        let ratio = Series::joined(square_at, square_over);
+        let mut worst = Worst {
+            error: 0.0,
+            at: from,
+        };
+        let step = (away.high - away.low) / CELLS as f64;
+        for cell in 0..CELLS {
+            let low = away.low + step * cell as f64;
+            let high = if cell + 1 < CELLS {
+                away.low + step * (cell + 1) as f64
+            } else {
+                away.high
+            };
+            let cell = Interval::new(low, high);
+            let least = ratio.range(cell).sqrt().low;
+            let off = [quadrature[0].range(cell), displacement[0].range(cell)];
+            let exact = [quadrature[1].range(cell), displacement[1].range(cell)];
+            let turned = self.turned(angle.range(cell), uncertain);
+            let error = self.error(off, exact, turned, least, limit.rounding)?;
+            if error > worst.error {
+                worst = Worst {
+                    error,
+                    at: self.centre + cell.middle(),
+                };
+            }
+        }
+        Some(worst)
+    }
+
+    /// The largest error over a cell of r; `least` is the least of β_table/b.
+    fn error(
+        &self,
+        off: [Interval; 2],
+        exact: [Interval; 2],
+        turned: Interval,
+        least: f64,
+        of_limit: f64,
+    ) -> Option<f64> {
+        let unit = 0.5 * S::EPSILON;
+        // β_lim is b but for the share.
+        let fewer = Interval::new(1.0 / (1.0 + self.share) * (2.0 - UP), 1.0);
+        let [alpha, gamma] = exact.map(|exact| exact * fewer);
+        // Roundings of a and of β_table, over β_table; and of the product with β.
+        let with_roundings = |function: usize, off: Interval, exact: Interval| {
+            let most = exact.size() + off.size();
+            let own = self.rounding(function) / least + most * (1.1 * of_limit + OF_SHARE * unit);
+            off * fewer + Interval::within(own * UP)
+        };
+        let of_alpha = with_roundings(1, off[0], alpha);
+        let of_gamma = with_roundings(2, off[1], gamma);
+        let tabled = alpha + of_alpha;
+        let highest = FRICTION_SHARES.iter().copied().fold(0.0, f64::max);
+        let mut worst = 0.0_f64;
+        for pair in SHARES.windows(2) {
+            let [low, high] = pair else { continue };
+            let share = Interval::new(low * highest, high * highest);
+            let root = |of: Interval| (Interval::ONE - (share * of).squared()).sqrt();
+            let (own, other) = (root(alpha), root(tabled));
+            let amplitude = own - share * gamma;
+            if !(0.0 < own.low && 0.0 < other.low && 0.0 < amplitude.low) {
+                return None;
+            }
+            // The difference of the roots is that of their squares over their sum.
+            let of_root = share * of_alpha * share * (alpha + tabled) / (own + other);
+            let off = (of_root + share * of_gamma) / amplitude;
+            let rounded = OF_ROOT * unit * own.high / amplitude.low;
+            let off = off.size() + rounded;
+            let off = (off + self.excitation) * (1.0 + off) + 4.0 * unit;
+            // The lag is −asin ρα − arg V.
+            let lag = share * of_alpha / own.hull(other) + turned;
+            worst = worst.max(off * UP).max((lag.size() + OF_PHASE * unit) * UP);
+        }
+        (worst <= self.accuracy).then_some(worst)
+    }
+
+    fn is_damped(&self) -> bool {
+        self.piece.coefficients.len() > ANGLE
+    }
+
+    /// What the evaluation of a function rounds off at most.
+    fn rounding(&self, function: usize) -> f64 {
+        if self.piece.coefficients.len() <= function {
+            return 0.0;
+        }
+        let origin = self.piece.origin.to_f64();
+        rounding::<S>(&self.coefficients(function), origin, self.ends, None)
+    }
+
+    fn coefficients(&self, function: usize) -> Vec<f64> {
+        let of = self.piece.coefficients.get(function).into_iter().flatten();
+        of.map(|coefficient| coefficient.to_f64()).collect()
+    }
+
+    /// A polynomial of the piece.
+    fn table(&self, function: usize, r: Interval) -> Series<SHORT> {
+        let origin = Series::fixed(Interval::point(self.piece.origin.to_f64()));
+        polynomial(&self.coefficients(function), Series::variable(r) - origin)
+    }
+
+    fn functions(
+        &self,
+        stage: &Stage<ORDER>,
+        seen: &Seen<ORDER>,
+        square: &Series<SHORT>,
+        r: Interval,
+        sign: Interval,
+        angle: &Series<SHORT>,
+    ) -> Functions {
+        let (ratio, size) = (square.sqrt(), seen.size.truncated::<SHORT>().sqrt());
+        let nothing = Series::fixed(Interval::ZERO);
+        let quadrature = (stage.quadrature.truncated() / size).times(sign);
+        let own = [self.table(1, r) / ratio - quadrature, quadrature];
+        if !self.is_damped() {
+            return Functions {
+                quadrature: own,
+                displacement: [nothing; 2],
+                angle: nothing,
+            };
+        }
+        let displacement = stage.displacement.truncated() / size;
+        Functions {
+            quadrature: own,
+            displacement: [self.table(2, r) / ratio - displacement, displacement],
+            angle: self.table(ANGLE, r) - *angle,
+        }
+    }
+
+    /// Of an undamped chain the sign of κV, by which a is multiplied.
+    fn sign(&self, at: &Stage<ORDER>, over: &Stage<ORDER>, away: Interval) -> Option<Interval> {
+        if self.is_damped() {
+            return Some(Interval::ONE);
+        }
+        let ([own, _], [all, _]) = (at.excitation, over.excitation);
+        let sign = if self.beside_zero {
+            let slope = Series::joined(&divided(&own), &divided(&all)).range(away);
+            let first = own.value() / away;
+            (slope + first).sign() * away.sign()
+        } else {
+            Series::joined(&own, &all).range(away).sign()
+        };
+        (sign != 0).then(|| Interval::point(f64::from(sign)))
+    }
+
+    /// arg V at the centre and over the part, but for whole turns; and by how much a zero's place leaves it uncertain.
+    fn angle(
+        &self,
+        at: &Stage<ORDER>,
+        over: &Stage<ORDER>,
+        away: Interval,
+    ) -> Option<([Series<SHORT>; 2], f64)> {
+        if !self.is_damped() {
+            return Some(([Series::fixed(Interval::ZERO); 2], 0.0));
+        }
+        let side = Interval::point(f64::from(away.sign()));
+        let parts = |stage: &Stage<ORDER>| {
+            stage.excitation.map(|part| {
+                if self.beside_zero {
+                    divided(&part).times(side)
+                } else {
+                    part.truncated::<SHORT>()
+                }
+            })
+        };
+        let (own, all) = (parts(at), parts(over));
+        let size = |parts: &[Series<SHORT>; 2]| {
+            let [re, im] = parts.map(|part| part.value().squared());
+            (re + im).sqrt()
+        };
+        let mut uncertain = 0.0;
+        if self.beside_zero {
+            let [re, im] = at.excitation.map(|part| part.value().size());
+            let nearest = away.low.abs().min(away.high.abs());
+            uncertain = 1.1 * (re + im) / nearest / size(&all).low;
+            if !(uncertain < 0.1) {
+                return None;
+            }
+        }
+        let [re, im] = own.map(|part| part.value());
+        let about = Scalar::atan2(im.middle(), re.middle());
+        let width = (re.high - re.low) + (im.high - im.low);
+        let off = 1.01 * width / size(&own).low + 4.0 * f64::EPSILON;
+        if !(off < 0.1) {
+            return None;
+        }
+        let value = Interval::new(about - off, about + off);
+        Some(([turning(own, value), turning(all, value)], uncertain))
+    }
+
+    /// What an angle is off, but for whole turns.
+    fn turned(&self, angle: Interval, uncertain: f64) -> Interval {
+        if !self.is_damped() {
+            return Interval::ZERO;
+        }
+        let turns = (angle.middle() / (2.0 * PI)).round();
+        let whole = Interval::pi() * Interval::point(2.0 * turns);
+        angle - whole + Interval::within(self.rounding(ANGLE) + uncertain)
+    }
+}
+
+/// The angle of a complex series, from its value on: its slope is (re·im′ − im·re′)/(re² + im²).
+fn turning([re, im]: [Series<SHORT>; 2], value: Interval) -> Series<SHORT> {
+    let slope = |series: &Series<SHORT>| {
+        let mut slope = Series::fixed(Interval::ZERO);
+        let higher = series.terms.iter().enumerate().skip(1);
+        for (own, (power, term)) in slope.terms.iter_mut().zip(higher) {
+            *own = *term * Interval::point(power as f64);
+        }
+        slope
+    };
+    let rate = (re * slope(&im) - im * slope(&re)) / (re.squared() + im.squared());
+    let mut angle = Series::fixed(value);
+    for (power, (own, term)) in angle.terms.iter_mut().skip(1).zip(&rate.terms).enumerate() {
+        *own = *term / Interval::point((power + 1) as f64);
+    }
+    angle
+}

@@ -1,0 +1,212 @@
+//! What an emitted factor may be off from the zero that it stands for, over a cell of r.
+
+use super::super::super::zeros::Zero;
+use super::ball::Ball;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::table::Factor;
+
+/// Sums of small shares are enlarged by this for their products with each other.
+const UP: f64 = 1.03;
+/// Shares whose sum exceeds this are not small.
+const SMALL: f64 = 0.02;
+
+/// A cell of r, as numbers of the scalar.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell {
+    pub low: f64,
+    pub high: f64,
+}
+
+/// A zero that a factor stands for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Known {
+    pub zero: Zero,
+    /// By how much its place may be off.
+    pub off: f64,
+    /// How near a number of the scalar comes to it that is looked at.
+    pub nearest: f64,
+}
+
+/// Half a unit in the last place, and the smallest normal number.
+pub(super) fn unit<S: Float>() -> (f64, f64) {
+    let single = S::EPSILON > 1e-10;
+    let smallest = if single { 1.2e-38 } else { 2.3e-308 };
+    (0.5 * S::EPSILON, smallest)
+}
+
+/// What a factor may be off, and its size.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    /// The relative error.
+    pub error: f64,
+    /// No value is smaller.
+    pub least: f64,
+    /// No value is larger.
+    pub most: f64,
+}
+
+/// The number of the scalar next to y > 0, how far it is from it, and how near any other may be.
+pub(super) fn beside<S: Float>(y: Dd) -> (f64, f64, f64) {
+    let near = S::constant(y.to_f64()).to_f64();
+    let apart = Ball::exact(y - Dd::from(near)).least();
+    (near, apart, 0.45 * unit::<S>().0 * y.to_f64())
+}
+
+/// A difference of numbers in double-double: no more than this.
+fn apart(a: Dd, b: Dd) -> f64 {
+    (Ball::exact(a) - Ball::exact(b)).most()
+}
+
+impl Known {
+    /// How near r comes to y within a cell.
+    pub fn distance(&self, cell: Cell) -> f64 {
+        let y = self.zero.y.to_f64();
+        let outside = (cell.low - y).max(y - cell.high) * (1.0 - 1e-9);
+        // The numbers at the ends of a cell may be as near as any.
+        self.nearest.max(outside - 1e-14 * y)
+    }
+
+    /// |ir − z| is at least this.
+    pub fn away(&self, cell: Cell) -> f64 {
+        let x = self.zero.x.abs().to_f64() * (1.0 - 1e-14);
+        let along = if self.zero.y.is_zero() {
+            cell.low
+        } else {
+            self.distance(cell)
+        };
+        x.max(along)
+    }
+
+    /// The emitted factor over a cell.
+    pub fn bounds<S: Float>(&self, factor: &Factor<S>, cell: Cell) -> Option<Bounds> {
+        let (unit, _) = unit::<S>();
+        let wide = |value: S| Dd::from(value.to_f64());
+        let (x, y) = (self.zero.x.abs(), self.zero.y);
+        let square = x * x;
+        let moved = 4.1 * self.off / self.away(cell);
+        let (size, place) = (x.to_f64(), y.to_f64());
+        let bounds = match *factor {
+            Factor::Real { off } => {
+                if !y.is_zero() {
+                    return None;
+                }
+                let least = (cell.low * cell.low + size * size) * 0.99;
+                let off = apart(wide(off), square) / least;
+                Bounds {
+                    error: 2.0 * unit + off + moved,
+                    least,
+                    most: (cell.high * cell.high + size * size) * 1.01,
+                }
+            }
+            Factor::Zero { at, rest } => {
+                if !x.is_zero() || y.is_zero() {
+                    return None;
+                }
+                let (own, offset) = self.along(wide(at), wide(rest), unit, cell);
+                let distance = self.distance(cell);
+                let beyond = (cell.low + place).min(2.0 * place) * 0.99;
+                let far = (cell.high - place).abs().max((cell.low - place).abs());
+                Bounds {
+                    error: own + offset / distance + moved,
+                    least: distance * beyond,
+                    most: far * (cell.high + place) * 1.01,
+                }
+            }
+            Factor::Pair {
+                at,
+                rest,
+                off,
+                least,
+            } => {
+                if y.is_zero() {
+                    return None;
+                }
+                let (own, offset) = self.along(wide(at), wide(rest), unit, cell);
+                let own_least = Dd::from(4.0) * square * y * y;
+                let off = apart(wide(off), square);
+                self.pair(
+                    own,
+                    (offset, off, apart(wide(least), own_least)),
+                    unit,
+                    cell,
+                )
+                .map(|bounds| Bounds {
+                    error: bounds.error + moved,
+                    ..bounds
+                })?
+            }
+        };
+        (bounds.error < SMALL).then_some(Bounds {
+            error: bounds.error * UP,
+            ..bounds
+        })
+    }
+
+    /// Of ((r − at) − rest)(r + at): the relative error by roundings, and the offset of the zero that it has.
+    fn along(&self, at: Dd, rest: Dd, unit: f64, cell: Cell) -> (f64, f64) {
+        let y = self.zero.y;
+        let place = at.to_f64();
+        let offset = apart(at + rest, y) + self.off;
+        let from_at = apart(at, y);
+        // r − at is exact within a factor of two.
+        let exact = 0.5 * place <= cell.low && cell.high <= 2.0 * place;
+        let first = if exact {
+            0.0
+        } else {
+            // Then r is farther off than 0.45 of it.
+            unit * (1.0 + from_at / (0.45 * place - from_at).max(0.0))
+        };
+        let sum = unit + from_at / (cell.low + y.to_f64()) * 1.01;
+        // Both differences, the sum and the product.
+        (first + unit + sum + unit, offset)
+    }
+
+    /// Of (B² + least) with B = (r − y)(r + y) + x².
+    fn pair(
+        &self,
+        own: f64,
+        (offset, off, least): (f64, f64, f64),
+        unit: f64,
+        cell: Cell,
+    ) -> Option<Bounds> {
+        let (x, y) = (self.zero.x.abs().to_f64(), self.zero.y.to_f64());
+        let distance = self.distance(cell);
+        // B rises with r.
+        let low = (cell.low - y) * (cell.low + y) + x * x;
+        let high = (cell.high - y) * (cell.high + y) + x * x;
+        let scale = cell.high * cell.high + y * y + x * x;
+        let mut smallest = low.max(-high).max(0.0) - 1e-9 * scale;
+        if x == 0.0 {
+            smallest = smallest.max(distance * (cell.low + y) * 0.99);
+        }
+        let smallest = smallest.max(0.0);
+        let floor = 4.0 * x * x * y * y;
+        let whole = (smallest * smallest).max(floor) * 0.99;
+        if !(whole > 0.0) {
+            return None;
+        }
+        // |B|/(B² + 4x²y²) and 1/√ of that.
+        let steep = if smallest > 0.0 {
+            1.0 / smallest
+        } else {
+            f64::INFINITY
+        };
+        let steep = steep.min(if x > 0.0 {
+            0.26 / (x * y)
+        } else {
+            f64::INFINITY
+        });
+        // (|r² − y²| + x²)|B| is at most so many times B² + 4x²y²: with x² < 2y² by |r² − y²| ≤ |B| + x²,
+        // else by B ≥ x²/2.
+        let times = (1.0 + 0.51 * x / y).min(3.0);
+        let shifted = offset * (cell.high + y) + off;
+        let of_square = 2.0 * (own * times + unit + shifted * steep);
+        let second = 3.0 * (9.0 * own * own + unit * unit + shifted * shifted / whole);
+        Some(Bounds {
+            error: of_square + second + unit + least / whole + unit,
+            least: whole,
+            most: (low * low).max(high * high) * 1.01 + floor * 1.01,
+        })
+    }
+}

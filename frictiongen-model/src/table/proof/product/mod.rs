@@ -1,0 +1,358 @@
+//! A proof that an emitted product over zeros and poles is β*_lim, or |V|.
+//!
+//! [`roots`] shows in double-double that V and H are products over the zeros that were found; [`factor`] says what the
+//! numbers that are emitted, and the roundings of their evaluation, are off from these.  Nothing is sampled: all of it
+//! is a few hundred operations for each mode, at every accuracy.
+
+mod ball;
+mod factor;
+mod roots;
+
+#[cfg(test)]
+mod tests;
+
+use super::super::exact::Exact;
+use super::super::quotients::Product;
+use super::super::request::Request;
+use super::super::tables::Worst;
+use super::super::zeros::{Share, Zero, Zeros};
+use super::{Evidence, Proof, Work};
+use crate::scene::Side;
+use ball::Ball;
+use factor::{Cell, Known, beside, unit};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::table::Factor;
+use roots::{Factored, Sum};
+
+/// Beside a zero its uncertainty may take this share of the accuracy at the next number.
+const UNCERTAIN: f64 = 0.1;
+/// A sum of small shares is enlarged by this for their products.
+const UP: f64 = 1.03;
+
+/// What a product is to be: gain·Π numerator/Π denominator, but for what the zeros of some sums leave.
+struct Meant {
+    gain: Ball,
+    numerator: Vec<Known>,
+    denominator: Vec<Known>,
+    /// Zeros with their weights.
+    weights: Vec<(Known, f64)>,
+    tail: f64,
+}
+
+/// V and H as they are known.
+pub(in super::super) struct Receptances {
+    damped: bool,
+    zeros: Zeros,
+    stiction: Dd,
+    excitation: Factored,
+    receptance: Factored,
+}
+
+impl Receptances {
+    /// None where it cannot be shown that the zeros are right.
+    pub fn of(exact: &Exact<'_>, zeros: Option<&Zeros>, highest: f64) -> Option<Self> {
+        let zeros = zeros?.clone();
+        let modal = exact.modal;
+        let shares = exact.shares();
+        let of = |share: &'_ Share| share.residue;
+        let driven: Vec<(&Share, Dd)> = shares
+            .iter()
+            .filter(|share| !share.residue.is_zero())
+            .map(|share| (share, of(share)))
+            .collect();
+        let all: Vec<(&Share, Dd)> = shares
+            .iter()
+            .map(|share| (share, share.driven.inverse_mass))
+            .collect();
+        let direct = if modal.on_moving_base { -1.0 } else { 0.0 };
+        let joined =
+            |own: &[Zero]| -> Vec<Zero> { own.iter().chain(&zeros.common).copied().collect() };
+        let excitation =
+            Sum::of(direct, &driven, zeros.damped).factored(&joined(&zeros.excitation), highest)?;
+        let receptance =
+            Sum::of(0.0, &all, zeros.damped).factored(&joined(&zeros.receptance), highest)?;
+        Some(Self {
+            damped: zeros.damped,
+            stiction: modal.stiction,
+            excitation,
+            receptance,
+            zeros,
+        })
+    }
+
+    /// What is proven of β*_lim as a product has it.
+    pub fn sliding<S: Float>(&self, product: &Product<S>, request: &Request) -> Proof {
+        let gain =
+            self.excitation.gain * (Ball::exact(self.stiction) * self.receptance.gain).inverse();
+        let both = self.excitation.zeros.iter().chain(&self.receptance.zeros);
+        let meant = Meant {
+            gain: if gain.at < Dd::ZERO { -gain } else { gain },
+            numerator: known(&[
+                (&self.zeros.excitation, false),
+                (&self.zeros.unloaded, true),
+            ]),
+            denominator: known(&[(&self.zeros.receptance, false)]),
+            weights: both.map(|(zero, weight)| (plain(*zero), *weight)).collect(),
+            tail: self.excitation.tail + self.receptance.tail,
+        };
+        let most = request.accuracy;
+        let allowed = match request.side {
+            Side::Near => (-most, most),
+            Side::Safe => (0.0, most),
+        };
+        self.proof(product, meant, request, allowed)
+    }
+
+    /// What is proven of |V| as a product has it; of an undamped chain of V with its sign.
+    pub fn excitation<S: Float>(&self, product: &Product<S>, request: &Request) -> Proof {
+        let own = self.excitation.zeros.iter();
+        let mut gain = self.excitation.gain;
+        // (r − y)(r + y) is y² + v with another sign.
+        let plain_factor = |factor: &&Factor<S>| !matches!(factor, Factor::Pair { .. });
+        let turned = product.numerator.iter().chain(&product.denominator);
+        if !self.damped && turned.filter(plain_factor).count() % 2 == 1 {
+            gain = -gain;
+        }
+        if self.damped && gain.at < Dd::ZERO {
+            gain = -gain;
+        }
+        let meant = Meant {
+            gain,
+            numerator: known(&[(&self.zeros.excitation, false), (&self.zeros.common, false)]),
+            denominator: known(&[(&self.zeros.loaded, true)]),
+            weights: own.map(|(zero, weight)| (plain(*zero), *weight)).collect(),
+            tail: self.excitation.tail,
+        };
+        self.proof(
+            product,
+            meant,
+            request,
+            (-request.accuracy, request.accuracy),
+        )
+    }
+
+    fn proof<S: Float>(
+        &self,
+        product: &Product<S>,
+        mut meant: Meant,
+        request: &Request,
+        allowed: (f64, f64),
+    ) -> Proof {
+        let ends = (S::constant(request.r.0), S::constant(request.r.1));
+        let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
+        let mut open = Vec::new();
+        let lists = [&mut meant.numerator, &mut meant.denominator];
+        for known in lists.into_iter().flatten() {
+            let weights = meant
+                .weights
+                .iter()
+                .filter(|(of, _)| of.zero.is_near(&known.zero));
+            let weight = weights.map(|(_, weight)| *weight).fold(0.0, f64::max);
+            if let Some(place) = known.place::<S>(weight, request.accuracy)
+                && low <= place
+                && place <= high
+            {
+                open.push((place, place));
+            }
+        }
+        for (known, weight) in &mut meant.weights {
+            known.place::<S>(*weight, request.accuracy);
+        }
+        let mut bound = Worst {
+            error: 0.0,
+            at: low,
+        };
+        let mut is_any = false;
+        for cell in cells(&meant, low, high) {
+            match self.cell(product, &meant, cell) {
+                Some((least, most)) if allowed.0 <= least && most <= allowed.1 => {
+                    is_any = true;
+                    let error = most.max(-least);
+                    if error > bound.error {
+                        let at = 0.5 * (cell.low + cell.high);
+                        bound = Worst { error, at };
+                    }
+                }
+                _ => open.push((cell.low, cell.high)),
+            }
+        }
+        open.sort_by(|a, b| a.0.total_cmp(&b.0));
+        open.dedup();
+        let evidence = match (is_any, open.is_empty()) {
+            (false, _) => Evidence::Checked,
+            (true, true) => Evidence::Proven,
+            (true, false) => Evidence::Partly,
+        };
+        Proof {
+            evidence,
+            bound,
+            open,
+            work: Work(0),
+        }
+    }
+
+    /// Between what the relative error lies over a cell; none where nothing is known.
+    fn cell<S: Float>(
+        &self,
+        product: &Product<S>,
+        meant: &Meant,
+        cell: Cell,
+    ) -> Option<(f64, f64)> {
+        let (unit, smallest) = unit::<S>();
+        let (mut error, mut quotients) = (0.0, [(1.0, 1.0); 2]);
+        let lists = [
+            (&product.numerator, &meant.numerator),
+            (&product.denominator, &meant.denominator),
+        ];
+        // Below this a rounding may be more than its share; above the other there is no number.
+        let (least, most) = (smallest / unit, 0.2 / smallest);
+        let regular = |(low, high): (f64, f64)| least <= low && high <= most;
+        for ((factors, known), size) in lists.into_iter().zip(&mut quotients) {
+            if factors.len() != known.len() {
+                return None;
+            }
+            for (factor, known) in factors.iter().zip(known) {
+                let bounds = known.bounds::<S>(factor, cell)?;
+                error += bounds.error + unit;
+                *size = (size.0 * bounds.least, size.1 * bounds.most);
+                if !regular(*size) {
+                    return None;
+                }
+            }
+        }
+        let [above, below] = quotients;
+        if !regular((above.0 / below.1, above.1 / below.0)) {
+            return None;
+        }
+        error += unit;
+        let plain = meant.numerator.is_empty() && meant.denominator.is_empty();
+        if product.squared {
+            error = 0.5 * error * (1.0 + error) + unit;
+        } else if self.damped && !plain {
+            return None;
+        }
+        // The product with the gain.
+        error += unit;
+        // What is meant, but for what the zeros leave.
+        error += meant.tail;
+        for (known, weight) in &meant.weights {
+            let zero = &known.zero;
+            let away = if self.damped {
+                known.away(cell)
+            } else if zero.is_on_axis() && !zero.y.is_zero() {
+                known.distance(cell) * cell.low
+            } else {
+                let size = zero.x.abs().to_f64();
+                let beside = size
+                    * if zero.y.is_zero() {
+                        size
+                    } else {
+                        zero.y.to_f64()
+                    };
+                beside.max(if zero.is_on_axis() {
+                    cell.low * cell.low
+                } else {
+                    0.0
+                }) * 0.99
+            };
+            error += weight / away;
+        }
+        if !(error < 0.1) {
+            return None;
+        }
+        let error = error * (1.0 + 2.0 * error) * UP;
+        // The gain, which is not near what is meant where it was meant to be safe.
+        let gain =
+            Ball::exact(Dd::from(product.gain.to_f64())) * meant.gain.inverse() - Ball::number(1.0);
+        let gain = (gain.at.to_f64() - gain.off, gain.at.to_f64() + gain.off);
+        let outward = |end: f64| end.abs() * 1e-12;
+        let (low, high) = (
+            gain.0 - error * (1.0 + gain.0.abs()),
+            gain.1 + error * (1.0 + gain.1.abs()),
+        );
+        let held = (low - outward(low), high + outward(high));
+        (held.0.is_finite() && held.1.is_finite()).then_some(held)
+    }
+}
+
+/// A zero as it was found.
+fn plain(zero: Zero) -> Known {
+    Known {
+        zero,
+        off: 0.0,
+        nearest: 0.0,
+    }
+}
+
+/// Zeros as they were found, and poles, whose places follow from a mode's constants.
+fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
+    let lists = lists.iter();
+    lists
+        .flat_map(|(zeros, is_pole)| zeros.iter().map(move |zero| (zero, *is_pole)))
+        .map(|(zero, is_pole)| {
+            // An undamped one is known as it stands; else a few operations in double-double are between.
+            let size = zero.x.abs().to_f64() + zero.y.to_f64();
+            let off = if is_pole && !zero.is_on_axis() {
+                64.0 * size * f64::EPSILON * f64::EPSILON
+            } else {
+                0.0
+            };
+            Known {
+                off,
+                ..plain(*zero)
+            }
+        })
+        .collect()
+}
+
+impl Known {
+    /// How near a number of the scalar comes; where the zero is on the axis and one comes so near that nothing can be told
+    /// there, that one is left out and returned.
+    fn place<S: Float>(&mut self, weight: f64, accuracy: f64) -> Option<f64> {
+        if !self.zero.is_on_axis() || self.zero.y.is_zero() {
+            return None;
+        }
+        let (near, apart, others) = beside::<S>(self.zero.y);
+        let y = self.zero.y.to_f64();
+        // What its own digits leave, and what the emitted two parts do.
+        let uncertain = weight.max(weight / y) + self.off + y * f64::EPSILON * f64::EPSILON;
+        if uncertain <= UNCERTAIN * accuracy * apart {
+            self.nearest = apart.min(others);
+            None
+        } else {
+            self.nearest = others;
+            Some(near)
+        }
+    }
+}
+
+/// The range, cut between the zeros near it.
+fn cells(meant: &Meant, low: f64, high: f64) -> Vec<Cell> {
+    let all = meant.numerator.iter().chain(&meant.denominator);
+    let mut places: Vec<f64> = all
+        .map(|known| known.zero.y.to_f64())
+        .filter(|place| low < *place && *place < high)
+        .collect();
+    places.push(low);
+    places.push(high);
+    places.sort_by(f64::total_cmp);
+    let mut ends = vec![low];
+    for pair in places.windows(2) {
+        if let [a, b] = pair
+            && a < b
+        {
+            ends.push(0.5 * (a + b));
+        }
+    }
+    ends.push(high);
+    ends.windows(2)
+        .filter_map(|pair| match pair {
+            [low, high] if low < high => Some(Cell {
+                low: *low,
+                high: *high,
+            }),
+            _ => None,
+        })
+        .collect()
+}

@@ -1,0 +1,188 @@
+//! That a sum over modes is a product over given zeros, but for a share that is bounded.
+//!
+//! N = (direct + Σρ_i/d_i)·Πd_i is a polynomial in v, which is s = ir, or s² for an undamped chain.  With P = Π(v − z_j)
+//! over the zeros as they are given, in partial fractions N/P = q(v) + Σ_j N(z_j)/P′(z_j)/(v − z_j).  The N(z_j) are what
+//! is left at zeros that are right but for their last digits, and q is a constant but for terms that are roundings.
+//! Nothing about the zeros is believed: if they were wrong, the N(z_j) would be large.
+
+use super::super::super::zeros::{Share, Zero};
+use super::ball::{Ball, Disc};
+use frictiongen_kernel::number::dd::Dd;
+
+/// A mode's denominator v² + rate·v + square, or v + square, and its share of the sum.
+struct Term {
+    rate: Ball,
+    square: Ball,
+    share: Ball,
+}
+
+/// direct + Σρ/d.
+pub(super) struct Sum {
+    damped: bool,
+    direct: Dd,
+    terms: Vec<Term>,
+}
+
+/// What is known of a sum.
+pub(super) struct Factored {
+    /// The constant in N = gain·Π(v − z_j)·(1 + δ).
+    pub gain: Ball,
+    /// |δ| is at most this, and the weight of each zero over the distance of v from it.
+    pub tail: f64,
+    /// The zeros, with their weights.
+    pub zeros: Vec<(Zero, f64)>,
+}
+
+impl Sum {
+    pub fn of(direct: f64, shares: &[(&Share, Dd)], damped: bool) -> Self {
+        let terms = shares.iter().map(|(share, of)| {
+            let (sigma, zeta) = (
+                Ball::exact(share.driven.sigma),
+                Ball::exact(share.driven.zeta),
+            );
+            Term {
+                rate: Ball::number(2.0) * zeta * sigma,
+                square: sigma * sigma,
+                share: Ball::exact(*of),
+            }
+        });
+        Self {
+            damped,
+            direct: Dd::from(direct),
+            terms: terms.collect(),
+        }
+    }
+
+    /// The degree of N in v, if nothing cancels.
+    fn degree(&self) -> Option<usize> {
+        let full = self.terms.len() * if self.damped { 2 } else { 1 };
+        if self.direct.is_zero() {
+            full.checked_sub(if self.damped { 2 } else { 1 })
+        } else {
+            Some(full)
+        }
+    }
+
+    /// N.
+    fn numerator(&self, v: Disc) -> Disc {
+        let mut sum = Disc::real(Ball::exact(self.direct));
+        let mut all = Disc::real(Ball::number(1.0));
+        for term in &self.terms {
+            let denominator = if self.damped {
+                v * (v + Disc::real(term.rate)) + Disc::real(term.square)
+            } else {
+                v + Disc::real(term.square)
+            };
+            sum = sum + Disc::real(term.share) * denominator.inverse();
+            all = all * denominator;
+        }
+        sum * all
+    }
+
+    /// What is known if these are its zeros; none if that cannot be shown.
+    pub fn factored(&self, zeros: &[Zero], highest: f64) -> Option<Factored> {
+        let roots: Vec<Vec<Disc>> = zeros.iter().map(|zero| self.roots(zero)).collect();
+        let all: Vec<Disc> = roots.iter().flatten().copied().collect();
+        let excess = self.degree()?.checked_sub(all.len())?;
+        let mut weights = Vec::with_capacity(all.len());
+        for (place, root) in all.iter().enumerate() {
+            let others = all.iter().enumerate().filter(|(other, _)| *other != place);
+            let one = Disc::real(Ball::number(1.0));
+            let slope = others.fold(one, |product, (_, other)| product * (*root - *other));
+            weights.push(self.numerator(*root).most() / slope.least());
+        }
+        // q at points of a circle beyond everything that counts: their mean is its constant.
+        let sizes = self.terms.iter().map(|term| {
+            let (rate, square) = (term.rate.most(), term.square.most());
+            if self.damped {
+                rate + square.sqrt()
+            } else {
+                square
+            }
+        });
+        let sizes = sizes.chain(all.iter().map(Disc::most));
+        let own = if self.damped {
+            highest
+        } else {
+            highest * highest
+        };
+        let radius = 2.0 * sizes.fold(own, f64::max);
+        let circle = circle(excess + 1);
+        let mut values = Vec::with_capacity(circle.len());
+        let mut beside = 0.0_f64;
+        for point in &circle {
+            let v = *point * Disc::real(Ball::number(radius));
+            let mut value = self.numerator(v);
+            let mut off = 0.0;
+            for (root, weight) in all.iter().zip(&weights) {
+                let distance = v - *root;
+                value = value * distance.inverse();
+                off += weight / distance.least() * (1.0 + 1e-14);
+            }
+            beside = beside.max(off);
+            values.push(value);
+        }
+        let share = Disc::real(Ball::number(1.0 / circle.len() as f64));
+        let zero = Disc::real(Ball::number(0.0));
+        let mean = values.iter().fold(zero, |sum, value| sum + *value) * share;
+        let apart = values.iter().map(|value| (*value - mean).most());
+        let apart = apart.fold(0.0, f64::max) + 2.0 * beside;
+        // N and P are real, and so is q.
+        let mut gain = mean.re;
+        gain.off += beside;
+        let least = gain.least();
+        // The kth coefficient of q times the radius to the kth is at most what q strays from its mean by on the circle.
+        let tail = excess as f64 * apart / least * (1.0 + 1e-12);
+        let mut weights = weights.into_iter();
+        let zeros = zeros.iter().zip(&roots).map(|(zero, roots)| {
+            let own: f64 = weights.by_ref().take(roots.len()).sum();
+            (*zero, own / least * (1.0 + 1e-12))
+        });
+        let zeros: Vec<(Zero, f64)> = zeros.collect();
+        let known = tail.is_finite() && zeros.iter().all(|(_, weight)| weight.is_finite());
+        (least > 0.0 && known).then_some(Factored { gain, tail, zeros })
+    }
+
+    /// The roots in v that a zero stands for.
+    fn roots(&self, zero: &Zero) -> Vec<Disc> {
+        let (x, y) = (Ball::exact(zero.x), Ball::exact(zero.y));
+        let root = if self.damped {
+            Disc::new(x, y)
+        } else {
+            Disc::new(x * x - y * y, Ball::number(2.0) * x * y)
+        };
+        let is_real = zero.y.is_zero() || (!self.damped && zero.x.is_zero());
+        if is_real {
+            vec![Disc::real(root.re)]
+        } else {
+            vec![root, root.conjugate()]
+        }
+    }
+}
+
+/// At least so many points of the unit circle, evenly spaced: a power of two of them.
+fn circle(count: usize) -> Vec<Disc> {
+    let one = Disc::real(Ball::number(1.0));
+    let half = Ball::number(0.5);
+    let mut points = vec![one];
+    // Half the angle each time: cos² = (1 + cos)/2.
+    let mut cosine = Ball::number(1.0);
+    while points.len() < count {
+        let step = if points.len() == 1 {
+            Disc::real(Ball::number(-1.0))
+        } else if points.len() == 2 {
+            Disc::new(Ball::number(0.0), Ball::number(1.0))
+        } else {
+            let sine = ((Ball::number(1.0) - cosine) * half).sqrt();
+            Disc::new(((Ball::number(1.0) + cosine) * half).sqrt(), sine)
+        };
+        cosine = step.re;
+        let between: Vec<Disc> = points.iter().map(|point| *point * step).collect();
+        points = points
+            .into_iter()
+            .zip(between)
+            .flat_map(|(own, next)| [own, next])
+            .collect();
+    }
+    points
+}
