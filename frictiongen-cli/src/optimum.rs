@@ -138,7 +138,7 @@ impl OptimumReport {
         if let Some(tuned) = &self.tuned {
             add(tuned.name.clone(), tuned.value.into(), tuned.unit);
             if tuned.at_end {
-                let end = "the end of the interval: beyond, it may be better";
+                let end = "the end of the interval; beyond it may be better";
                 add("which is".to_owned(), end.into(), "");
             }
         }
@@ -156,7 +156,7 @@ impl OptimumReport {
         add("what limits it".to_owned(), kind.into(), "");
         for peak in &optimum.peaks {
             let at = if peak.at_end {
-                "peak at the end of the band, at"
+                "peak at the end of the band at"
             } else {
                 "peak at"
             };

@@ -88,6 +88,8 @@ fn a_spring_is_chosen_too() {
     let rows = cells(&rows);
     assert_eq!(found(&rows, "k base - block"), (20.0, "N/m"));
     assert!(rows.iter().any(|row| row[0] == "which is"));
+    // No name has a comma.
+    assert!(rows.iter().all(|row| row.len() == 3));
     assert_eq!(
         rows.iter()
             .filter(|row| row[0] == "at k base - block")
@@ -100,7 +102,7 @@ fn a_spring_is_chosen_too() {
         "friction",
         "largest amplitude of block",
         "stuck over the whole band from",
-        "peak at the end of the band, at",
+        "peak at the end of the band at",
     ] {
         let (one, other) = (found(&rows, quantity), found(&softer, quantity));
         assert!(
