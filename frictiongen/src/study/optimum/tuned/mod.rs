@@ -65,7 +65,7 @@ impl System {
     /// the amplitude rises towards it or falls beyond it. Where the least is sharp, value and friction are found to 9 digits;
     /// where it is flat, to half of the digits of the amplitude. It takes about ten times as long as [`optimum`](Self::optimum).
     ///
-    /// ```
+    /// ```no_run
     /// use frictiongen::study::{FrequencyBand, OptimumRequest, System, Tuning};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
