@@ -10,7 +10,9 @@ use crate::output::{self, Report, Visitor};
 use crate::summary::Summary;
 use crate::table::Column;
 use frictiongen::System;
-use frictiongen::study::{FrequencyBand, OperatingPoint, Optimum, OptimumRequest, words};
+use frictiongen::study::{
+    FrequencyBand, OperatingPoint, Optimum, OptimumError, OptimumRequest, TunedPoint, Tuning, words,
+};
 use frictiongen_codegen::Limits;
 use std::io::Write;
 
@@ -32,10 +34,17 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         band: FrequencyBand::Ratio(band.from, band.to),
         load: measure.load(),
     };
-    let optimum = system.optimum(&request).map_err(Failure::new)?;
+    let (optimum, tuned) = match &arguments.vary {
+        None => (system.optimum(&request).map_err(Failure::new)?, None),
+        Some(text) => {
+            let (optimum, tuned) = tuned(&system, &request, text)?;
+            (optimum, Some(tuned))
+        }
+    };
     let summary = Summary::of(&system, band.is_physical(), measure);
     let report = OptimumReport {
         optimum,
+        tuned,
         band,
         measure,
         part,
@@ -44,8 +53,55 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
     output::print(&report, &summary, arguments.format.checked()?, out)
 }
 
+/// What `--vary` asks for.
+fn tuned(
+    system: &System,
+    request: &OptimumRequest,
+    text: &str,
+) -> Result<(Optimum, Tuned), Failure> {
+    let wrong =
+        |problem: &dyn std::fmt::Display| Failure::new(format_args!("--vary `{text}`: {problem}"));
+    let (name, interval) = text.rsplit_once('=').ok_or_else(|| {
+        wrong(&"a number of the description and an interval are needed, NAME=a:b")
+    })?;
+    let of = system.tunable_named(name).map_err(|error| wrong(&error))?;
+    let (from, to) = interval
+        .split_once(':')
+        .ok_or_else(|| wrong(&"an interval a:b is needed"))?;
+    let [from, to] = [from, to].map(|end| {
+        let number = end.trim().parse::<f64>();
+        number.map_err(|_| wrong(&format_args!("`{}` is not a number", end.trim())))
+    });
+    let (from, to) = (from?, to?);
+    let found = system.tuned_optimum(request, &Tuning { of, from, to });
+    let found = found.map_err(|error| match error {
+        OptimumError::Interval | OptimumError::Scene(_) => wrong(&error),
+        _ => Failure::new(error),
+    })?;
+    let tuned = Tuned {
+        name: of.symbol(system.scene()),
+        unit: of.unit(),
+        value: found.value,
+        at_end: found.at_end,
+        scan: found.scan,
+        evaluations: found.evaluations,
+    };
+    Ok((found.optimum, tuned))
+}
+
+/// The number that was chosen too.
+struct Tuned {
+    name: String,
+    unit: &'static str,
+    value: f64,
+    at_end: bool,
+    scan: Vec<TunedPoint>,
+    evaluations: usize,
+}
+
 struct OptimumReport {
     optimum: Optimum,
+    tuned: Option<Tuned>,
     band: Band,
     measure: Measure,
     part: Part,
@@ -79,6 +135,13 @@ impl OptimumReport {
                 None => (beta, ""),
             }
         };
+        if let Some(tuned) = &self.tuned {
+            add(tuned.name.clone(), tuned.value.into(), tuned.unit);
+            if tuned.at_end {
+                let end = "the end of the interval; beyond it may be better";
+                add("which is".to_owned(), end.into(), "");
+            }
+        }
         let (force, unit) = friction(optimum.beta);
         add("friction".to_owned(), force.into(), unit);
         if physical {
@@ -93,7 +156,7 @@ impl OptimumReport {
         add("what limits it".to_owned(), kind.into(), "");
         for peak in &optimum.peaks {
             let at = if peak.at_end {
-                "peak at the end of the band, at"
+                "peak at the end of the band at"
             } else {
                 "peak at"
             };
@@ -152,11 +215,21 @@ impl OptimumReport {
                 );
             }
         }
-        add(
-            "amplitudes computed".to_owned(),
-            optimum.evaluations.into(),
-            "",
-        );
+        if let Some(Tuned {
+            name, unit, scan, ..
+        }) = &self.tuned
+        {
+            for point in scan {
+                add(format!("at {name}"), point.value.into(), unit);
+                let (force, unit) = friction(point.beta);
+                add("  best friction".to_owned(), force.into(), unit);
+                let amplitude = size(point.amplitude);
+                add("  largest amplitude".to_owned(), amplitude, length);
+            }
+        }
+        let tuned = self.tuned.as_ref();
+        let evaluations = tuned.map_or(optimum.evaluations, |tuned| tuned.evaluations);
+        add("amplitudes computed".to_owned(), evaluations.into(), "");
         if optimum.unanswered > 0 {
             add(
                 "of these without an answer".to_owned(),

@@ -165,7 +165,7 @@ fn units_and_comments_in_csv() {
     }
 }
 
-/// A map's rows are the grid, and its boundaries lie between cells that differ.
+/// A map's rows are the grid, and its boundaries lead from each cell to the next.
 #[test]
 fn maps_and_their_boundaries() {
     let grid = ["--r", "0.2:0.2:2", "--beta", "0.1:0.1:1"];
@@ -177,18 +177,28 @@ fn maps_and_their_boundaries() {
     );
     let boundaries = lines(&[&["map", "--csv", "--boundaries", "4"][..], &grid].concat());
     assert_eq!(boundaries[0].join(","), "r,beta,width,below,above");
-    for boundary in &boundaries[1..] {
-        let column: Vec<_> = map[1..]
-            .iter()
-            .filter(|row| row[0] == boundary[0])
-            .collect();
-        let beta = number(&boundary[1]);
-        let pair = column
-            .windows(2)
-            .find(|pair| number(&pair[0][1]) <= beta && beta <= number(&pair[1][1]));
-        let pair = pair.expect("two cells");
-        assert_ne!(pair[0][3], pair[1][3], "{boundary:?}");
+    let (mut followed, mut whole) = (0, 0);
+    for column in map[1..].chunk_by(|a, b| a[0] == b[0]) {
+        for pair in column.windows(2) {
+            let [low, high] = [0, 1].map(|side: usize| number(&pair[side][1]));
+            let between = boundaries[1..].iter().filter(|boundary| {
+                let beta = number(&boundary[1]);
+                boundary[0] == pair[0][0] && low <= beta && beta < high
+            });
+            let (mut region, mut here) = (pair[0][3].clone(), 0);
+            for boundary in between {
+                assert_eq!(boundary[3], region, "{boundary:?}");
+                region = boundary[4].clone();
+                here += 1;
+            }
+            // Where periods come and go without end the lowest are followed.
+            assert!(region == pair[1][3] || 6 < here, "{region}: {pair:?}");
+            whole += usize::from(0 < here && region == pair[1][3]);
+            followed += here;
+        }
     }
+    assert_eq!(followed, boundaries.len() - 1);
+    assert!(whole > 10, "{whole}");
 }
 
 /// The ending decides; a picture of either kind is one, and the same twice.

@@ -134,6 +134,9 @@ pub struct OptimumArguments {
     /// The amplitude of this mass, or of `contact`
     #[arg(long, value_name = "NAME")]
     pub of: String,
+    /// Also the best value of one number of the description, between a and b: `k base - lower=a:b`
+    #[arg(long, value_name = "NAME=a:b", allow_hyphen_values = true)]
+    pub vary: Option<String>,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,

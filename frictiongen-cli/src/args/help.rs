@@ -182,6 +182,14 @@ Quantities:
   above the best  the friction between which the largest amplitude is within 1, 5 and 10 per cent
   per cent of it  how the optimum moves with each parameter, while friction follows; with a load
 
+With --vary NAME=a:b:
+  One number of the description is chosen too, between a and b, in its own unit. Names are those of
+  `sensitivity`: m upper, k base - lower, zeta 1, a, b, mu; zeta is the ratio of all modes, k2 the
+  second spring, m1 the first mass. The best friction is found at 17 values, a and b among them, and
+  the least between two of them from which it falls and then rises; a valley that 17 values do not
+  tell may be missed. Forces, lengths and frequencies keep their units; without a load groups are
+  those of the description.
+
 Exit status:
   0, or 2 with one line on standard error for each thing that is wrong.
 

@@ -48,6 +48,7 @@ pub use map::{Boundary, LimitLines, Map, MapColumn, MapPoint, MapRequest, Patter
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
 pub use optimum::{
     FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumPeak, OptimumRequest, Tolerance,
+    Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable,
 };
 pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
 pub use parameter::{OperatingPoint, Parameter, Slope};

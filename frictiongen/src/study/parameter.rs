@@ -103,7 +103,7 @@ impl Parameter {
     }
 }
 
-fn symbol(quantity: Quantity, scene: &Scene) -> String {
+pub(super) fn symbol(quantity: Quantity, scene: &Scene) -> String {
     let mass = |place: usize| scene.masses.get(place).map_or("?", |mass| &mass.name);
     match quantity {
         Quantity::Mass(place) => format!("m {}", mass(place)),

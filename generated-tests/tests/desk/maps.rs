@@ -84,6 +84,85 @@ fn boundaries_have_their_two_sides() {
     assert!(exact > 100 && inner > 30, "{exact} limits, {inner} traced");
 }
 
+/// Where a map's steps hide boundaries, those are found that a map of sixteen times as many frictions tells apart by a
+/// quarter of a step, in the same order.
+#[test]
+fn several_boundaries_between_two_frictions() {
+    const FINER: usize = 16;
+    let system = system(SCENES[0].1);
+    let r: Vec<f64> = (1..=30).map(|i| 0.021 * f64::from(i)).collect();
+    let grid = |steps: usize| -> Vec<f64> {
+        let step = 0.96 / steps as f64;
+        (0..=steps).map(|i| 0.04 + step * i as f64).collect()
+    };
+    let coarse = MapRequest {
+        r,
+        beta: grid(6),
+        of: Vec::new(),
+    };
+    let fine = MapRequest {
+        beta: grid(6 * FINER),
+        ..coarse.clone()
+    };
+    let map = system.map(&coarse, |_| true).unwrap();
+    let found = system.boundaries(&map, 4);
+    let fine = system.map(&fine, |_| true).unwrap();
+    let (mut several, mut alike, mut compared) = (0, 0, 0);
+    for column in &fine.columns {
+        let kind = |place: usize| {
+            column.points[place]
+                .as_ref()
+                .map(|point| point.pattern)
+                .map_err(|error| *error)
+        };
+        for step in 0..6 {
+            let ends = [step, step + 1].map(|place| map.beta[place]);
+            let here: Vec<_> = found
+                .iter()
+                .filter(|one| one.r == column.r && ends[0] < one.beta && one.beta <= ends[1])
+                .collect();
+            // Each leads to the next, from one end to the other.
+            let outer = [step * FINER, (step + 1) * FINER].map(kind);
+            let mut last = outer[0];
+            for one in &here {
+                assert!(
+                    one.below == last && one.below != one.above,
+                    "r = {}: {one:?}",
+                    column.r
+                );
+                last = one.above;
+            }
+            assert_eq!(last, outer[1], "r = {}, {ends:?}", column.r);
+            // Of regions a quarter wide none is missed.
+            let inner = step * FINER..(step + 1) * FINER;
+            let mut start = inner.start;
+            for place in inner {
+                if kind(place) != kind(place + 1) || place + 1 == (step + 1) * FINER {
+                    if place - start >= FINER / 4 {
+                        let known = |one: &&&frictiongen::study::Boundary| {
+                            one.below == kind(start) || one.above == kind(start)
+                        };
+                        let whole = outer[0] == kind(start);
+                        assert!(
+                            whole || here.iter().any(|one| known(&one)),
+                            "r = {}: {start}",
+                            column.r
+                        );
+                        compared += 1;
+                    }
+                    start = place + 1;
+                }
+            }
+            several += usize::from(here.len() > 1);
+            alike += usize::from(!here.is_empty() && outer[0] == outer[1]);
+        }
+    }
+    println!(
+        "{compared} regions, {several} steps with several boundaries, {alike} between points that are alike"
+    );
+    assert!(compared > 60 && several > 10 && alike > 0);
+}
+
 /// A cancelled map keeps whole columns, in their order.
 #[test]
 fn a_cancelled_map_keeps_whole_columns() {

@@ -3,7 +3,8 @@
 use super::Tolerance;
 use super::amplitude::Friction;
 use super::peaks::Band;
-use super::search::{Least, Scanned};
+use super::scan::Scanned;
+use super::search::Least;
 
 /// Steps to an end of an interval at most.
 const STEPS: usize = 40;

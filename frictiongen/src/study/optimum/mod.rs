@@ -4,16 +4,19 @@ mod amplitude;
 mod flat;
 mod line;
 pub(in crate::study) mod peaks;
+mod problem;
+mod scan;
 mod search;
+mod tuned;
 
-use super::error::UnknownMass;
-use super::parameter::{OperatingPoint, Parameter};
+use super::error::{InvalidScene, UnknownMass};
+use super::parameter::Parameter;
 use super::system::System;
-use super::units::{Load, angular_frequency};
+use super::units::Load;
 use crate::{Of, Regime};
 pub(in crate::study) use amplitude::Friction;
-use peaks::Band;
-use search::Kind;
+use problem::Problem;
+pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
 
 /// A band of frequencies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +58,10 @@ pub enum OptimumError {
     AtRest,
     /// It takes more amplitudes than [`System::optimum`] computes.
     TooLong,
+    /// The interval of a tuned number is not finite, has no width, or its end is below its start.
+    Interval,
+    /// With a tuned number at an end of its interval the scene makes no sense.
+    Scene(InvalidScene),
 }
 
 impl std::fmt::Display for OptimumError {
@@ -79,6 +86,8 @@ impl std::fmt::Display for OptimumError {
                 "250000 amplitudes do not suffice, of which one that does not settle counts as 100 for each mass; a narrower \
                  band needs fewer"
             }
+            Self::Interval => "the ends of an interval are finite, the second above the first",
+            Self::Scene(error) => return error.fmt(f),
         })
     }
 }
@@ -169,11 +178,6 @@ pub struct Optimum {
     pub unanswered: usize,
 }
 
-/// How much above the best.
-const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
-/// Peaks within this share of the largest count as equal.
-const EQUAL: f64 = 1e-9;
-
 impl System {
     /// The friction that keeps the largest amplitude of a motion over a band of frequencies smallest, over all regimes: the
     /// closed form where the contact slides all the time, steady states where it stops, the stuck response.
@@ -213,163 +217,5 @@ impl System {
     /// amplitude.
     pub fn optimum(&self, request: &OptimumRequest) -> Result<Optimum, OptimumError> {
         Problem::new(self, request)?.solved()
-    }
-}
-
-/// A question that makes sense.
-struct Problem<'s> {
-    system: &'s System,
-    request: &'s OptimumRequest,
-    /// r.
-    ends: [f64; 2],
-}
-
-impl<'s> Problem<'s> {
-    fn new(system: &'s System, request: &'s OptimumRequest) -> Result<Self, OptimumError> {
-        let ends = match request.band {
-            FrequencyBand::Ratio(from, to) => [from, to],
-            FrequencyBand::Hertz(from, to) => {
-                [from, to].map(|hertz| system.frequency_ratio(angular_frequency(hertz)))
-            }
-        };
-        let [from, to] = ends;
-        if !(ends.iter().all(|end| 0.0 < *end && end.is_finite())) {
-            return Err(OptimumError::Band);
-        }
-        if !(from < to) {
-            return Err(OptimumError::Width);
-        }
-        if let Of::Mass(index) = request.of
-            && index >= system.scene.masses.len()
-        {
-            return Err(system.unknown(&index.to_string()).into());
-        }
-        let modal = system.modal();
-        let constants = modal.damping_ratios.iter().zip(&modal.loads);
-        let mut constants = constants.zip(&modal.contacts);
-        let lost = constants.position(|((zeta, load), contact)| {
-            zeta.is_zero() && contact.is_zero() && !load.is_zero()
-        });
-        if let Some(mode) = lost {
-            return Err(OptimumError::Undamped(mode));
-        }
-        if let Some(load) = request.load {
-            system.load_scale(load)?;
-        }
-        Ok(Self {
-            system,
-            request,
-            ends,
-        })
-    }
-
-    fn solved(&self) -> Result<Optimum, OptimumError> {
-        let band = Band::new(self.system, self.request.of, self.ends);
-        let largest = |friction: Friction| {
-            let peaks = band.peaks(friction);
-            peaks.first().map_or(f64::NAN, |peak| peak.value)
-        };
-        let least = search::least(&band);
-        if band.amplitude.is_spent() {
-            return Err(OptimumError::TooLong);
-        }
-        let least = least.ok_or(OptimumError::Unbounded)?;
-        let without_friction = largest(Friction::Ratio(0.0));
-        if without_friction == 0.0 {
-            return Err(OptimumError::AtRest);
-        }
-        let beta = least.at.beta;
-        let friction = if least.kind == Kind::Held && least.locked_from <= beta {
-            Friction::Locked
-        } else {
-            Friction::Ratio(beta)
-        };
-        let equal = least.at.peaks.iter();
-        // Where the contact is stuck it may move with the base over a whole range.
-        let most = if least.kind == Kind::Held { 1 } else { 8 };
-        let equal = equal.filter(|peak| least.at.value * (1.0 - EQUAL) <= peak.value);
-        let equal = equal.take(most);
-        let peaks: Vec<OptimumPeak> = equal
-            .map(|peak| {
-                let regime = band.amplitude.regime(peak.r, friction);
-                let slope = search::slope(&band, beta, peak);
-                OptimumPeak {
-                    r: peak.r,
-                    amplitude: peak.value,
-                    regime,
-                    at_end: peak.edge,
-                    slope: (slope.is_finite() && regime != Regime::Stuck).then_some(slope),
-                }
-            })
-            .collect();
-        let sensitivities = self.sensitivities(beta, &peaks).unwrap_or_default();
-        let tolerances = EXCESSES
-            .iter()
-            .map(|excess| flat::tolerance(&band, &least, *excess))
-            .collect();
-        let with_contact_locked = largest(Friction::Locked);
-        if band.amplitude.is_spent() {
-            return Err(OptimumError::TooLong);
-        }
-        Ok(Optimum {
-            beta,
-            amplitude: least.at.value,
-            kind: match least.kind {
-                Kind::Crossing => OptimumKind::EqualPeaks,
-                Kind::Smooth => OptimumKind::SinglePeak,
-                Kind::Without => OptimumKind::NoFriction,
-                Kind::Held => OptimumKind::Stuck,
-            },
-            tolerances,
-            peaks,
-            unbounded_to: search::unbounded_to(self.system, self.ends),
-            free_of_sticking: least.free_to,
-            locked: least.locked_from,
-            without_friction,
-            with_contact_locked,
-            sensitivities,
-            evaluations: band.amplitude.asked.get(),
-            unanswered: band.amplitude.silent.get(),
-        })
-    }
-
-    /// d ln X/d ln p at the optimum: of one peak its own; of two equal ones what both agree on as friction follows.
-    fn sensitivities(&self, beta: f64, peaks: &[OptimumPeak]) -> Option<Vec<(Parameter, f64)>> {
-        let (system, load) = (self.system, self.request.load?);
-        let scale = system.load_scale(load).ok()?;
-        let all: Vec<_> = peaks
-            .iter()
-            .map(|peak| {
-                let point = OperatingPoint::Physical {
-                    hertz: system.hertz(peak.r),
-                    friction: scale.friction(beta),
-                    load,
-                };
-                system.response_sensitivities(point, self.request.of).ok()
-            })
-            .collect::<Option<_>>()?;
-        let slope = |which: usize, parameter: Parameter| {
-            let all = all.get(which)?;
-            let found = all.parameters.iter().find(|of| of.parameter == parameter)?;
-            found.amplitude.relative(found.value)
-        };
-        let weights: Vec<f64> = match peaks.len() {
-            1 => vec![1.0],
-            2 => {
-                let of = |which: usize| slope(which, Parameter::Friction);
-                let (a, b) = (of(0)?, of(1)?);
-                vec![b / (b - a), -a / (b - a)]
-            }
-            _ => return None,
-        };
-        let parameters = all.first()?.parameters.iter().map(|of| of.parameter);
-        let kept = parameters
-            .filter(|parameter| !matches!(parameter, Parameter::Friction | Parameter::Frequency));
-        kept.map(|parameter| {
-            let parts = weights.iter().enumerate();
-            let parts = parts.map(|(which, weight)| Some(weight * slope(which, parameter)?));
-            Some((parameter, parts.sum::<Option<f64>>()?))
-        })
-        .collect()
     }
 }

@@ -6,10 +6,8 @@
 
 use super::amplitude::Friction;
 use super::peaks::{Band, Peak};
-use crate::study::system::System;
+use super::scan::{Scanned, closer, scanned, scanned_at, slope, with_slope};
 
-/// Friction ratios of the scan.
-const SCAN: usize = 40;
 /// A place between two of the scan is looked into if their tangents meet below this share of the best.
 const WORTH: f64 = 1.05;
 /// So many of them are looked into, those that promise most.
@@ -22,24 +20,10 @@ const MOST_FOLLOWED: usize = 6;
 const STEPS: usize = 40;
 /// Peaks that differ by less are equal.
 const EQUAL: f64 = 2e-13;
-/// Of a moving place a step of a difference.
-const DIFFERENCE: f64 = 1e-6;
 /// A minimum in which a higher peak turns up is looked for again so often.
 const AGAIN: usize = 4;
 /// Where peaks cannot be followed, friction is halved so often.
 const HALVINGS: usize = 32;
-/// How often a scan without an end is made twice as long.
-const LONGER: usize = 12;
-
-/// The largest amplitude at one friction ratio.
-#[derive(Clone, Debug)]
-pub(super) struct Scanned {
-    pub beta: f64,
-    pub value: f64,
-    /// Its derivative with respect to β; NaN where the amplitude is unbounded.
-    pub slope: f64,
-    pub peaks: Vec<Peak>,
-}
 
 /// What kind of a minimum it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,7 +52,7 @@ pub(super) struct Least {
 /// The least over all friction, if some friction bounds the amplitude.
 pub(super) fn least(band: &Band<'_>) -> Option<Least> {
     let [free_to, locked_from] = band.limits();
-    let scan = scanned(band, free_to, locked_from);
+    let scan = closer(band, scanned(band, free_to, locked_from));
     let mut best = scan
         .iter()
         .filter(|scanned| scanned.value.is_finite())
@@ -97,74 +81,22 @@ pub(super) fn least(band: &Band<'_>) -> Option<Least> {
     })
 }
 
-/// Up to this friction ratio the amplitude at an undamped resonance of the band is unbounded; 0 where there is none.
-pub(super) fn unbounded_to(system: &System, [from, to]: [f64; 2]) -> f64 {
-    let modal = system.modal();
-    let modes = modal.damping_ratios.iter().zip(system.resonances());
-    let modes = modes.zip(system.resonance_thresholds());
-    modes
-        .filter(|((zeta, resonance), _)| zeta.is_zero() && from <= **resonance && **resonance <= to)
-        .filter_map(|(_, threshold)| threshold)
-        .fold(0.0, f64::max)
-}
-
-fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
-    let at = |beta: f64| scanned_at(band, beta);
-    let mut top = if locked_from.is_finite() {
-        locked_from
-    } else {
-        let unbounded_to = unbounded_to(band.amplitude.system, band.ends());
-        (4.0 * free_to.max(1.0)).max(2.0 * unbounded_to)
-    };
-    let mut scan: Vec<Scanned> = (0..=SCAN)
-        .map(|place| top * (place as f64 / SCAN as f64).powf(1.5))
-        .chain([free_to])
-        .filter(|beta| *beta < top)
-        .map(at)
-        .collect();
-    if locked_from.is_finite() {
-        let peaks = band.peaks(Friction::Locked);
-        scan.push(Scanned {
-            beta: top,
-            value: peaks.first().map_or(f64::INFINITY, |peak| peak.value),
-            slope: 0.0,
-            peaks,
-        });
-    } else {
-        // Beside a resonance of the stuck chain nothing holds the contact: until friction no longer helps.
-        for _ in 0..LONGER {
-            for share in [1.0, 1.25, 1.5, 1.75] {
-                scan.push(at(top * share));
-            }
-            top *= 2.0;
-            let rising = |scanned: &Scanned| 0.0 < scanned.slope;
-            if scan.iter().rev().take(4).all(rising) {
-                break;
-            }
-        }
+/// The least between two friction ratios near by, if the amplitude falls from one and rises to the other.
+pub(super) fn near(band: &Band<'_>, ends: [f64; 2]) -> Option<Least> {
+    let [below, above] = ends.map(|beta| scanned_at(band, beta));
+    if !(below.slope < 0.0 && 0.0 <= above.slope) {
+        return None;
     }
-    scan.sort_by(|a, b| a.beta.total_cmp(&b.beta));
-    scan.dedup_by(|a, b| a.beta == b.beta);
-    scan
-}
-
-fn scanned_at(band: &Band<'_>, beta: f64) -> Scanned {
-    let peaks = band.peaks(Friction::Ratio(beta));
-    with_slope(beta, peaks, |peak| rough_slope(band, beta, peak))
-}
-
-fn with_slope(beta: f64, peaks: Vec<Peak>, slope: impl Fn(&Peak) -> f64) -> Scanned {
-    let value = peaks.first().map_or(f64::NAN, |peak| peak.value);
-    let slope = peaks
-        .first()
-        .filter(|peak| peak.value.is_finite())
-        .map_or(f64::NAN, slope);
-    Scanned {
-        beta,
-        value,
-        slope,
-        peaks,
-    }
+    let at = minimum(band, below, above)?;
+    let (free_to, locked_from) = (0.0, f64::INFINITY);
+    let kind = kind(band, &at, locked_from);
+    Some(Least {
+        at,
+        kind,
+        scan: Vec::new(),
+        locked_from,
+        free_to,
+    })
 }
 
 /// Neighbours of the scan between which there is a minimum that may be the least.
@@ -185,7 +117,8 @@ fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
             let falls = below.slope < 0.0;
             // Where steady states change, a slope of a place says nothing of the next.
             let least = SHARE * below.value.min(above.value);
-            let low = meeting(below, above).map_or(above.value, |(_, value)| value.max(least));
+            // Where the tangents do not meet between, the amplitude is not convex there, and they tell nothing.
+            let low = meeting(below, above).map_or(least, |(_, value)| value.max(least));
             (falls && low <= WORTH * best).then(|| (low, (below.clone(), above.clone())))
         })
         .collect();
@@ -341,48 +274,6 @@ fn distinct(mut places: Vec<f64>) -> Vec<f64> {
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| (*a - *b).abs() <= 1e-3 * a.abs());
     places
-}
-
-/// The derivative of a peak's height with respect to β.
-pub(super) fn slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
-    if let Some([along_r, along_beta]) = band.amplitude.slopes(peak.r, beta)
-        && (peak.edge || is_smooth(band, beta, peak, along_r))
-    {
-        return along_beta;
-    }
-    // It moves along a jump: as it is followed.
-    let h = DIFFERENCE * beta;
-    let at = |beta: f64| {
-        let peaks = band.followed(Friction::Ratio(beta), &[peak.r]);
-        let distance = |other: &&Peak| (other.r - peak.r).abs();
-        peaks
-            .iter()
-            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-            .map_or(f64::NAN, |peak| peak.value)
-    };
-    (at(beta + h) - at(beta - h)) / (h + h)
-}
-
-/// Whether a maximum is one of a smooth function: beside it the tangent tells nothing.
-fn is_smooth(band: &Band<'_>, beta: f64, peak: &Peak, along_r: f64) -> bool {
-    if along_r.abs() * peak.r <= 1e-7 * peak.value {
-        return true;
-    }
-    let step = 1e-6 * peak.r;
-    let fall = |r: f64| peak.value - band.amplitude.at(r, Friction::Ratio(beta));
-    let fallen = fall(peak.r - step).max(fall(peak.r + step));
-    along_r.abs() * step <= 0.1 * fallen
-}
-
-/// The same by a difference at the peak's place.
-fn rough_slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
-    let at = |beta: f64| band.amplitude.at(peak.r, Friction::Ratio(beta));
-    if beta == 0.0 {
-        let h = 1e-6;
-        return (at(h) - peak.value) / h;
-    }
-    let h = 1e-5 * beta;
-    (at(beta + h) - at(beta - h)) / (h + h)
 }
 
 fn kind(band: &Band<'_>, least: &Scanned, locked_from: f64) -> Kind {

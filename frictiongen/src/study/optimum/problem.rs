@@ -1,0 +1,221 @@
+//! A question that makes sense, and what is told of the friction found.
+
+use super::amplitude::Friction;
+use super::peaks::Band;
+use super::scan::{self, Scanned};
+use super::search::{self, Kind, Least};
+use super::{FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumPeak, OptimumRequest, flat};
+use crate::study::parameter::{OperatingPoint, Parameter, Slope};
+use crate::study::physical::ResponseSensitivities;
+use crate::study::system::System;
+use crate::study::units::{Load, angular_frequency};
+use crate::{Of, Regime};
+
+/// How much above the best.
+const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
+/// Peaks within this share of the largest count as equal.
+const EQUAL: f64 = 1e-9;
+
+/// A question that makes sense.
+pub(super) struct Problem<'s> {
+    pub system: &'s System,
+    of: Of,
+    load: Option<Load>,
+    /// r.
+    ends: [f64; 2],
+}
+
+impl<'s> Problem<'s> {
+    pub(super) fn new(system: &'s System, request: &OptimumRequest) -> Result<Self, OptimumError> {
+        let ends = match request.band {
+            FrequencyBand::Ratio(from, to) => [from, to],
+            FrequencyBand::Hertz(from, to) => {
+                [from, to].map(|hertz| system.frequency_ratio(angular_frequency(hertz)))
+            }
+        };
+        let [from, to] = ends;
+        if !(ends.iter().all(|end| 0.0 < *end && end.is_finite())) {
+            return Err(OptimumError::Band);
+        }
+        if !(from < to) {
+            return Err(OptimumError::Width);
+        }
+        if let Of::Mass(index) = request.of
+            && index >= system.scene.masses.len()
+        {
+            return Err(system.unknown(&index.to_string()).into());
+        }
+        let modal = system.modal();
+        let constants = modal.damping_ratios.iter().zip(&modal.loads);
+        let mut constants = constants.zip(&modal.contacts);
+        let lost = constants.position(|((zeta, load), contact)| {
+            zeta.is_zero() && contact.is_zero() && !load.is_zero()
+        });
+        if let Some(mode) = lost {
+            return Err(OptimumError::Undamped(mode));
+        }
+        if let Some(load) = request.load {
+            system.load_scale(load)?;
+        }
+        Ok(Self {
+            system,
+            of: request.of,
+            load: request.load,
+            ends,
+        })
+    }
+
+    pub(super) fn band(&self) -> Band<'s> {
+        Band::new(self.system, self.of, self.ends)
+    }
+
+    /// The least over all friction.
+    pub(super) fn least(band: &Band<'_>) -> Result<Least, OptimumError> {
+        let least = search::least(band);
+        if band.amplitude.is_spent() {
+            return Err(OptimumError::TooLong);
+        }
+        least.ok_or(OptimumError::Unbounded)
+    }
+
+    pub(super) fn solved(&self) -> Result<Optimum, OptimumError> {
+        let band = self.band();
+        let least = Self::least(&band)?;
+        self.told(&band, &least)
+    }
+
+    /// Everything about a friction that was found.
+    pub(super) fn told(&self, band: &Band<'_>, least: &Least) -> Result<Optimum, OptimumError> {
+        let largest = |friction: Friction| {
+            let peaks = band.peaks(friction);
+            peaks.first().map_or(f64::NAN, |peak| peak.value)
+        };
+        let without_friction = largest(Friction::Ratio(0.0));
+        if without_friction == 0.0 {
+            return Err(OptimumError::AtRest);
+        }
+        let beta = least.at.beta;
+        let friction = if least.kind == Kind::Held && least.locked_from <= beta {
+            Friction::Locked
+        } else {
+            Friction::Ratio(beta)
+        };
+        let peaks = equal_peaks(band, (&least.at, least.kind), friction);
+        let sensitivities = self.sensitivities(beta, &peaks).unwrap_or_default();
+        let tolerances = EXCESSES
+            .iter()
+            .map(|excess| flat::tolerance(band, least, *excess))
+            .collect();
+        let with_contact_locked = largest(Friction::Locked);
+        if band.amplitude.is_spent() {
+            return Err(OptimumError::TooLong);
+        }
+        Ok(Optimum {
+            beta,
+            amplitude: least.at.value,
+            kind: match least.kind {
+                Kind::Crossing => OptimumKind::EqualPeaks,
+                Kind::Smooth => OptimumKind::SinglePeak,
+                Kind::Without => OptimumKind::NoFriction,
+                Kind::Held => OptimumKind::Stuck,
+            },
+            tolerances,
+            peaks,
+            unbounded_to: scan::unbounded_to(self.system, self.ends),
+            free_of_sticking: least.free_to,
+            locked: least.locked_from,
+            without_friction,
+            with_contact_locked,
+            sensitivities,
+            evaluations: band.amplitude.asked.get(),
+            unanswered: band.amplitude.silent.get(),
+        })
+    }
+
+    /// d ln X/d ln p at the optimum: of one peak its own; of two equal ones what both agree on as friction follows.
+    fn sensitivities(&self, beta: f64, peaks: &[OptimumPeak]) -> Option<Vec<(Parameter, f64)>> {
+        let all = self.slopes(self.load?, beta, peaks)?;
+        let weights = weights(&all)?;
+        let parameters = all.first()?.parameters.iter().map(|of| of.parameter);
+        let kept = parameters
+            .filter(|parameter| !matches!(parameter, Parameter::Friction | Parameter::Frequency));
+        kept.map(|parameter| {
+            let parts = weights.iter().zip(&all);
+            let parts = parts.map(|(weight, all)| {
+                let (value, slope) = slope(all, parameter)?;
+                Some(weight * slope.relative(value)?)
+            });
+            Some((parameter, parts.sum::<Option<f64>>()?))
+        })
+        .collect()
+    }
+
+    /// The derivatives of each peak under a load.
+    pub(super) fn slopes(
+        &self,
+        load: Load,
+        beta: f64,
+        peaks: &[OptimumPeak],
+    ) -> Option<Vec<ResponseSensitivities>> {
+        let system = self.system;
+        let scale = system.load_scale(load).ok()?;
+        let of = |peak: &OptimumPeak| {
+            let point = OperatingPoint::Physical {
+                hertz: system.hertz(peak.r),
+                friction: scale.friction(beta),
+                load,
+            };
+            system.response_sensitivities(point, self.of).ok()
+        };
+        peaks.iter().map(of).collect()
+    }
+}
+
+/// The derivative of a peak with respect to a parameter, with the parameter's value.
+pub(super) fn slope(of: &ResponseSensitivities, parameter: Parameter) -> Option<(f64, Slope)> {
+    let mut found = of.parameters.iter();
+    let found = found.find(|of| of.parameter == parameter)?;
+    Some((found.value, found.amplitude))
+}
+
+/// With which weights the derivatives of equal peaks make that of their height, as friction follows.
+pub(super) fn weights(all: &[ResponseSensitivities]) -> Option<Vec<f64>> {
+    let along_friction = |of: &ResponseSensitivities| {
+        let (value, slope) = slope(of, Parameter::Friction)?;
+        slope.relative(value)
+    };
+    match all {
+        [_] => Some(vec![1.0]),
+        [a, b] => {
+            let (a, b) = (along_friction(a)?, along_friction(b)?);
+            Some(vec![b / (b - a), -a / (b - a)])
+        }
+        _ => None,
+    }
+}
+
+/// The peaks that are as high as the highest.
+pub(super) fn equal_peaks(
+    band: &Band<'_>,
+    (at, kind): (&Scanned, Kind),
+    friction: Friction,
+) -> Vec<OptimumPeak> {
+    // Where the contact is stuck it may move with the base over a whole range.
+    let most = if kind == Kind::Held { 1 } else { 8 };
+    let equal = at.peaks.iter();
+    let equal = equal.filter(|peak| at.value * (1.0 - EQUAL) <= peak.value);
+    equal
+        .take(most)
+        .map(|peak| {
+            let regime = band.amplitude.regime(peak.r, friction);
+            let slope = scan::slope(band, at.beta, peak);
+            OptimumPeak {
+                r: peak.r,
+                amplitude: peak.value,
+                regime,
+                at_end: peak.edge,
+                slope: (slope.is_finite() && regime != Regime::Stuck).then_some(slope),
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,226 @@
+//! The numbers of a description that may be chosen together with the friction.
+
+use crate::study::error::InvalidScene;
+use crate::study::parameter::symbol;
+use crate::study::sensitivity::quantities;
+use crate::study::system::System;
+use frictiongen_model::scene::{Damping, Scene, Spring};
+use frictiongen_model::sensitivity::Quantity;
+
+/// A number of a description that may be chosen together with the friction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Tunable {
+    /// A mass, a stiffness, μ, the damping ratio of one mode, or a factor of C = aM + bK.
+    Quantity(Quantity),
+    /// The damping ratios of all modes alike.
+    DampingRatios,
+}
+
+/// No number of this name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownTunable {
+    /// What was asked for.
+    pub name: String,
+    /// What there is.
+    pub known: Vec<String>,
+}
+
+impl std::fmt::Display for UnknownTunable {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "there is no number `{}` in the description; the numbers are {}",
+            self.name,
+            self.known.join(", ")
+        )
+    }
+}
+
+impl std::error::Error for UnknownTunable {}
+
+impl Tunable {
+    /// Its symbol, as derivatives have it: `m upper`, `k base - lower`, `zeta 1`, `a`, `mu`; `zeta` of all modes.
+    #[must_use]
+    pub fn symbol(&self, scene: &Scene) -> String {
+        match self {
+            Self::Quantity(quantity) => symbol(*quantity, scene),
+            Self::DampingRatios => "zeta".to_owned(),
+        }
+    }
+
+    /// Its unit in SI; empty for a ratio.
+    #[must_use]
+    pub fn unit(&self) -> &'static str {
+        match self {
+            Self::Quantity(Quantity::Mass(_)) => "kg",
+            Self::Quantity(Quantity::Stiffness(_)) => "N/m",
+            Self::Quantity(Quantity::MassDamping) => "1/s",
+            Self::Quantity(Quantity::StiffnessDamping) => "s",
+            _ => "",
+        }
+    }
+
+    /// The quantities that move with it.
+    pub(super) fn quantities(self, scene: &Scene) -> Vec<Quantity> {
+        match self {
+            Self::Quantity(quantity) => vec![quantity],
+            Self::DampingRatios => (0..scene.masses.len())
+                .map(Quantity::DampingRatio)
+                .collect(),
+        }
+    }
+
+    /// The scene with this value; none if it does not say such a number.
+    fn applied(self, scene: &Scene, value: f64) -> Option<Scene> {
+        let mut scene = scene.clone();
+        match self {
+            Self::Quantity(Quantity::Mass(place)) => scene.masses.get_mut(place)?.value = value,
+            Self::Quantity(Quantity::Stiffness(place)) => {
+                scene.springs.get_mut(place)?.stiffness = value;
+            }
+            Self::Quantity(Quantity::Stiction) => scene.stiction = value,
+            Self::Quantity(Quantity::MassDamping) => {
+                let stiffness = factors(&scene)?[1];
+                let mass = value;
+                scene.damping = Damping::Rayleigh { mass, stiffness };
+            }
+            Self::Quantity(Quantity::StiffnessDamping) => {
+                let mass = factors(&scene)?[0];
+                let stiffness = value;
+                scene.damping = Damping::Rayleigh { mass, stiffness };
+            }
+            Self::Quantity(Quantity::DampingRatio(mode)) => {
+                let mut all = ratios(&scene)?;
+                *all.get_mut(mode)? = value;
+                scene.damping = Damping::Modal(all);
+            }
+            Self::DampingRatios => {
+                ratios(&scene)?;
+                scene.damping = Damping::Uniform(value);
+            }
+            Self::Quantity(_) => return None,
+        }
+        Some(scene)
+    }
+}
+
+/// a and b of C = aM + bK; none of a scene with damping ratios.
+fn factors(scene: &Scene) -> Option<[f64; 2]> {
+    match scene.damping {
+        Damping::None => Some([0.0; 2]),
+        Damping::Rayleigh { mass, stiffness } => Some([mass, stiffness]),
+        _ => None,
+    }
+}
+
+/// The damping ratio of each mode; none of a scene with C = aM + bK.
+fn ratios(scene: &Scene) -> Option<Vec<f64>> {
+    let masses = scene.masses.len();
+    match &scene.damping {
+        Damping::None => Some(vec![0.0; masses]),
+        Damping::Uniform(ratio) => Some(vec![*ratio; masses]),
+        Damping::Modal(ratios) => Some(ratios.clone()),
+        Damping::Rayleigh { .. } => None,
+    }
+}
+
+impl System {
+    /// The numbers that may be chosen together with the friction: masses, springs, what the description can say of damping,
+    /// and μ. Where it says nothing of damping, ratios and C = aM + bK are both free; otherwise what it has.
+    #[must_use]
+    pub fn tunables(&self) -> Vec<Tunable> {
+        let scene = self.scene();
+        let mut all: Vec<Tunable> = quantities(scene)
+            .into_iter()
+            .filter(|quantity| !matches!(quantity, Quantity::DampingRatio(_)))
+            .map(Tunable::Quantity)
+            .collect();
+        if ratios(scene).is_some() {
+            let modes = (0..scene.masses.len()).map(Quantity::DampingRatio);
+            all.push(Tunable::DampingRatios);
+            all.extend(modes.map(Tunable::Quantity));
+        }
+        if scene.damping == Damping::None {
+            let factors = [Quantity::MassDamping, Quantity::StiffnessDamping];
+            all.extend(factors.map(Tunable::Quantity));
+        }
+        all
+    }
+
+    /// The number of this symbol: `m upper`, `k base - lower`, `zeta` of all modes, `zeta 1`, `a`, `b`, `mu`; the ends of a
+    /// spring in either order. `k2` is the second spring of the description, `m1` its first mass.
+    ///
+    /// # Errors
+    /// [`UnknownTunable`] if there is none.
+    pub fn tunable_named(&self, name: &str) -> Result<Tunable, UnknownTunable> {
+        let scene = self.scene();
+        let all = self.tunables();
+        let asked = spaced(name);
+        let of_this_name = |tunable: &&Tunable| {
+            let turned = match tunable {
+                Tunable::Quantity(Quantity::Stiffness(place)) => scene
+                    .springs
+                    .get(*place)
+                    .map(|spring| reversed(scene, spring)),
+                _ => None,
+            };
+            let by_place = match tunable {
+                Tunable::Quantity(Quantity::Mass(place)) => Some(format!("m{}", place + 1)),
+                Tunable::Quantity(Quantity::Stiffness(place)) => Some(format!("k{}", place + 1)),
+                Tunable::Quantity(Quantity::DampingRatio(mode)) => {
+                    Some(format!("zeta{}", mode + 1))
+                }
+                _ => None,
+            };
+            tunable.symbol(scene) == asked || [turned, by_place].contains(&Some(asked.clone()))
+        };
+        let found = all.iter().find(of_this_name).copied();
+        found.ok_or_else(|| UnknownTunable {
+            name: name.to_owned(),
+            known: all.iter().map(|tunable| tunable.symbol(scene)).collect(),
+        })
+    }
+
+    /// The same scene with another value of one number.  The damping ratios of modes stay with their order.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: frictiongen::System = "struct Block {
+    ///     masses: { block: 2.0 },
+    ///     springs: { base - block: 50.0 },
+    ///     contact: block - wall,
+    ///     excitation: block,
+    /// }"
+    /// .parse()?;
+    /// let softer = block.with_value(block.tunable_named("k base - block")?, 20.0)?;
+    /// assert_eq!(softer.scene().springs[0].stiffness, 20.0);
+    /// assert!(block.with_value(block.tunable_named("k1")?, -20.0).is_err());
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`InvalidScene`] if that makes no sense, and for a number that the description does not say.
+    pub fn with_value(&self, tunable: Tunable, value: f64) -> Result<Self, InvalidScene> {
+        let scene = self.scene();
+        let varied = tunable.applied(scene, value).ok_or_else(|| InvalidScene {
+            unknown: vec![format!(
+                "the description does not say the number `{}`",
+                tunable.symbol(scene)
+            )],
+            errors: Vec::new(),
+        })?;
+        Self::try_from(varied)
+    }
+}
+
+fn reversed(scene: &Scene, spring: &Spring) -> String {
+    let [from, to] = [spring.from, spring.to].map(|node| scene.node_name(node));
+    format!("k {to} - {from}")
+}
+
+/// With one space between words, and on either side of a hyphen.
+fn spaced(name: &str) -> String {
+    let name = name.replace('-', " - ");
+    name.split_whitespace().collect::<Vec<_>>().join(" ")
+}

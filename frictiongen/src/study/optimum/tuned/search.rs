@@ -1,0 +1,229 @@
+//! The value of the number at which the least of the largest amplitude over all friction is least.
+
+use super::tried::{Groups, Search, Tried, near};
+use super::{TunedOptimum, TunedPoint, Tuning};
+use crate::study::optimum::OptimumError;
+use crate::study::optimum::problem::Problem;
+use std::sync::atomic::Ordering;
+
+/// Steps of the scan.
+const STEPS: usize = 16;
+/// A place between two of the scan is looked into if their tangents meet below this share of the best.
+const WORTH: f64 = 1.05;
+/// So many of them are looked into, those that promise most.
+const MOST_LOOKED_INTO: usize = 3;
+/// Steps towards a minimum at most.
+const MOST_STEPS: usize = 40;
+/// How near to it, relative to the interval between two of the scan.
+const NEAR: f64 = 1e-10;
+/// No more than this share of the amplitude is to be gained.
+const GAIN: f64 = 2e-13;
+/// A minimum at which another friction turns up is looked for again so often.
+const AGAIN: usize = 3;
+
+impl Search<'_> {
+    pub(super) fn solved(&self) -> Result<TunedOptimum, OptimumError> {
+        let mut tried = self.scan()?;
+        let scan = tried.iter().map(|tried| TunedPoint {
+            value: tried.value,
+            beta: tried.beta,
+            amplitude: tried.amplitude,
+        });
+        let scan = scan.collect();
+        for again in 0..=AGAIN {
+            let best = self.best(&tried).ok_or(OptimumError::Unbounded)?;
+            let varied = self.with(best.value)?;
+            let problem = Problem::new(&varied, &self.request_for(&varied))?;
+            let band = problem.band();
+            // Over all friction, whatever the neighbours had.
+            let mut least = Problem::least(&band)?;
+            self.count(band.amplitude.asked.get());
+            if let Some((at, kind)) = best.found.clone()
+                && at.value < least.at.value
+            {
+                (least.at, least.kind) = (at, kind);
+            }
+            let groups = Groups::new(self.described, &varied);
+            let gained = least.at.value * groups.length < best.amplitude * (1.0 - 1e-9);
+            if gained && again < AGAIN {
+                tried.push(self.tried(best.value, None)?);
+                tried.sort_by(|a, b| a.value.total_cmp(&b.value));
+                continue;
+            }
+            let before = band.amplitude.asked.get();
+            let optimum = problem.told(&band, &least)?;
+            self.count(band.amplitude.asked.get() - before);
+            return Ok(TunedOptimum {
+                value: best.value,
+                at_end: [self.tuning.from, self.tuning.to].contains(&best.value),
+                optimum: groups.of(optimum),
+                scan,
+                evaluations: self.asked.load(Ordering::Relaxed),
+                system: varied,
+            });
+        }
+        Err(OptimumError::TooLong)
+    }
+
+    fn scan(&self) -> Result<Vec<Tried>, OptimumError> {
+        let Tuning { from, to, .. } = self.tuning;
+        let value = |place: usize| {
+            let share = place as f64 / STEPS as f64;
+            match place {
+                0 => from,
+                STEPS => to,
+                _ if 0.0 < from => from * (to / from).powf(share),
+                _ => from + (to - from) * share * share,
+            }
+        };
+        let mut values: Vec<f64> = (0..=STEPS).map(value).collect();
+        values.dedup();
+        let all = on_all_cores(values, |value| self.tried(value, None));
+        let mut tried = Vec::new();
+        let mut wrong = None;
+        for found in all {
+            match found {
+                Ok(found) => tried.push(found),
+                Err(error) => wrong = wrong.or(Some(error)),
+            }
+        }
+        match wrong {
+            Some(error) if tried.iter().all(|tried| !tried.amplitude.is_finite()) => Err(error),
+            _ => Ok(tried),
+        }
+    }
+
+    /// The least of all that was tried, and of the minima between.
+    fn best(&self, tried: &[Tried]) -> Option<Tried> {
+        let finite = tried.iter().filter(|tried| tried.amplitude.is_finite());
+        let mut best = finite
+            .min_by(|a, b| a.amplitude.total_cmp(&b.amplitude))?
+            .clone();
+        if best.amplitude == 0.0 {
+            return Some(best);
+        }
+        let pairs = tried.windows(2).filter_map(|pair| match pair {
+            [below, above] => Some((below, above)),
+            _ => None,
+        });
+        let mut promising: Vec<(f64, &Tried, &Tried)> = pairs
+            .filter(|(below, above)| falls(below) && rises(above))
+            .map(|(below, above)| (promised(below, above), below, above))
+            .filter(|(low, ..)| *low <= WORTH * best.amplitude)
+            .collect();
+        promising.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
+        for (_, below, above) in promising.into_iter().take(MOST_LOOKED_INTO) {
+            let found = self.crept(below.clone(), above.clone());
+            if found.amplitude < best.amplitude {
+                best = found;
+            }
+        }
+        Some(best)
+    }
+
+    /// The minimum between a value from which the amplitude falls and one from which it rises.
+    fn crept(&self, mut below: Tried, mut above: Tried) -> Tried {
+        let width = above.value - below.value;
+        let mut best = if below.amplitude < above.amplitude {
+            &below
+        } else {
+            &above
+        }
+        .clone();
+        let mut stale = 0_u32;
+        let mut beyond = 0.0;
+        let mut last: Option<bool> = None;
+        for step in 0..MOST_STEPS {
+            let left = above.value - below.value;
+            let met = meeting(&below, &above);
+            let enough = met.is_some_and(|(_, low)| best.amplitude - low <= GAIN * best.amplitude);
+            if left <= NEAR * width || enough {
+                break;
+            }
+            // Of one branch the zero of its derivative; of two where they cross, a little beyond once a side stays.
+            let one = below.peaks.len() == above.peaks.len()
+                && below
+                    .peaks
+                    .iter()
+                    .zip(&above.peaks)
+                    .all(|(a, b)| (a - b).abs() <= 0.02 * a);
+            let zero = below.value - below.slope * left / (above.slope - below.slope);
+            let crossing = met.map(|(value, _)| value + beyond);
+            let guess = if one && step % 3 < 2 {
+                Some(zero)
+            } else {
+                crossing
+            };
+            let middle = 0.5 * (below.value + above.value);
+            let inside = |value: &f64| below.value < *value && *value < above.value;
+            let value = guess.filter(|_| stale < 3).filter(inside).unwrap_or(middle);
+            let Ok(here) = self.tried(value, Some(near(&below, &above))) else {
+                break;
+            };
+            if here.amplitude < best.amplitude {
+                best = here.clone();
+            }
+            if here.slope == 0.0 {
+                break;
+            }
+            let side = here.slope < 0.0 || !here.amplitude.is_finite();
+            if side {
+                below = here;
+            } else {
+                above = here;
+            }
+            // Twice on one side: the next step is to pass the minimum by as much as this one was off.
+            beyond = match meeting(&below, &above) {
+                Some((next, _)) if last == Some(side) => next - value,
+                _ => 0.0,
+            };
+            last = Some(side);
+            stale = if above.value - below.value < 0.5 * left {
+                0
+            } else {
+                stale + 1
+            };
+            if stale > 3 {
+                stale = 0;
+            }
+        }
+        best
+    }
+}
+
+fn falls(tried: &Tried) -> bool {
+    tried.slope < 0.0 || tried.amplitude == f64::INFINITY
+}
+
+fn rises(tried: &Tried) -> bool {
+    0.0 < tried.slope
+}
+
+/// Where the tangents meet, and at what.
+fn meeting(below: &Tried, above: &Tried) -> Option<(f64, f64)> {
+    let rise = below.slope - above.slope;
+    let sum =
+        above.amplitude - below.amplitude + below.slope * below.value - above.slope * above.value;
+    let value = sum / rise;
+    let low = below.amplitude + below.slope * (value - below.value);
+    (below.value < value && value < above.value).then_some((value, low))
+}
+
+/// What the tangents promise between two values; no less than half of what they have.
+fn promised(below: &Tried, above: &Tried) -> f64 {
+    let least = 0.5 * below.amplitude.min(above.amplitude);
+    meeting(below, above).map_or(least, |(_, low)| low.max(least))
+}
+
+/// Each value's answer, in order.
+#[cfg(feature = "desk")]
+fn on_all_cores<T: Send>(values: Vec<f64>, f: impl Fn(f64) -> T + Sync + Send) -> Vec<T> {
+    use rayon::prelude::*;
+    values.into_par_iter().with_max_len(1).map(f).collect()
+}
+
+/// Each value's answer, in order.
+#[cfg(not(feature = "desk"))]
+fn on_all_cores<T>(values: Vec<f64>, f: impl Fn(f64) -> T) -> Vec<T> {
+    values.into_iter().map(f).collect()
+}

@@ -1,0 +1,260 @@
+//! The best friction at one value of the number, and how its amplitude moves with it.
+
+use super::Tuning;
+use crate::study::optimum::amplitude::Friction;
+use crate::study::optimum::peaks::Band;
+use crate::study::optimum::problem::{Problem, equal_peaks, slope, weights};
+use crate::study::optimum::scan::Scanned;
+use crate::study::optimum::search::{self, Kind, Least};
+use crate::study::optimum::{FrequencyBand, Optimum, OptimumError, OptimumRequest};
+use crate::study::parameter::Parameter;
+use crate::study::system::System;
+use crate::study::units::{Load, angular_frequency};
+use frictiongen_model::scene::Excitation;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A peak that moves more, relatively, with what it should be stationary in has no derivative.
+const STATIONARY: f64 = 1e-4;
+/// The step of a difference, relative to the value.
+const DIFFERENCE: f64 = 1e-5;
+/// How far beyond the frictions of both neighbours friction is looked for, relatively, at least.
+const MARGIN: f64 = 1e-3;
+
+/// A question that makes sense.
+pub(super) struct Search<'s> {
+    pub(super) described: &'s System,
+    request: &'s OptimumRequest,
+    pub(super) tuning: Tuning,
+    pub(super) asked: AtomicUsize,
+}
+
+/// The best friction at one value.
+#[derive(Clone, Debug)]
+pub(super) struct Tried {
+    pub value: f64,
+    pub amplitude: f64,
+    /// The derivative of the amplitude with respect to the value; NaN where it is not known.
+    pub slope: f64,
+    /// β of the scene as it is described.
+    pub beta: f64,
+    /// The frequencies of its peaks, r of the scene as it is described.
+    pub peaks: Vec<f64>,
+    pub found: Option<(Scanned, Kind)>,
+}
+
+/// What the groups of the scene as it is described are of those with a value of the number.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Groups {
+    pub r: f64,
+    pub beta: f64,
+    pub length: f64,
+}
+
+impl Groups {
+    pub(super) fn new(described: &System, varied: &System) -> Self {
+        let first = |system: &System| {
+            let first = system.scene().springs.first();
+            first.map_or(1.0, |spring| spring.stiffness)
+        };
+        let stiffer = first(varied) / first(described);
+        let (beta, length) = match described.scene().excitation {
+            Excitation::Base => (stiffer, 1.0),
+            Excitation::Force(_) => (1.0, 1.0 / stiffer),
+        };
+        let r = varied.reference / described.reference;
+        Self { r, beta, length }
+    }
+
+    pub(super) fn of(&self, mut optimum: Optimum) -> Optimum {
+        optimum.beta *= self.beta;
+        optimum.amplitude *= self.length;
+        for peak in &mut optimum.peaks {
+            peak.r *= self.r;
+            peak.amplitude *= self.length;
+            peak.slope = peak.slope.map(|slope| slope * self.length / self.beta);
+        }
+        for tolerance in &mut optimum.tolerances {
+            tolerance.from *= self.beta;
+            tolerance.to *= self.beta;
+        }
+        optimum.unbounded_to *= self.beta;
+        optimum.free_of_sticking *= self.beta;
+        optimum.locked *= self.beta;
+        optimum.without_friction *= self.length;
+        optimum.with_contact_locked *= self.length;
+        optimum
+    }
+}
+
+impl<'s> Search<'s> {
+    pub(super) fn new(
+        described: &'s System,
+        request: &'s OptimumRequest,
+        tuning: Tuning,
+    ) -> Result<Self, OptimumError> {
+        let Tuning { of, from, to } = tuning;
+        if !(from.is_finite() && to.is_finite() && from < to) {
+            return Err(OptimumError::Interval);
+        }
+        for end in [from, to] {
+            described.with_value(of, end).map_err(OptimumError::Scene)?;
+        }
+        // What is wrong with the rest of the question does not depend on the value.
+        if let Err(error) = Problem::new(described, request)
+            && !matches!(error, OptimumError::Undamped(_))
+        {
+            return Err(error);
+        }
+        Ok(Self {
+            described,
+            request,
+            tuning,
+            asked: AtomicUsize::new(0),
+        })
+    }
+
+    pub(super) fn count(&self, asked: usize) {
+        self.asked.fetch_add(asked, Ordering::Relaxed);
+    }
+
+    pub(super) fn with(&self, value: f64) -> Result<System, OptimumError> {
+        let varied = self.described.with_value(self.tuning.of, value);
+        varied.map_err(OptimumError::Scene)
+    }
+
+    /// The same band in the groups of another value.
+    pub(super) fn request_for(&self, varied: &System) -> OptimumRequest {
+        let groups = Groups::new(self.described, varied);
+        let ratio = |r: f64| r / groups.r;
+        let hertz = |hertz: f64| ratio(self.described.frequency_ratio(angular_frequency(hertz)));
+        let band = match self.request.band {
+            FrequencyBand::Ratio(from, to) => FrequencyBand::Ratio(ratio(from), ratio(to)),
+            FrequencyBand::Hertz(from, to) => FrequencyBand::Ratio(hertz(from), hertz(to)),
+        };
+        OptimumRequest {
+            band,
+            ..self.request.clone()
+        }
+    }
+
+    /// The load, or one of 1 if none is asked for: what is best does not depend on it.
+    fn load(&self) -> Load {
+        self.request
+            .load
+            .unwrap_or(match self.described.scene().excitation {
+                Excitation::Base => Load::Base(1.0),
+                Excitation::Force(_) => Load::Force(1.0),
+            })
+    }
+
+    /// The best friction at a value, over all friction or near some.
+    pub(super) fn tried(
+        &self,
+        value: f64,
+        window: Option<[f64; 2]>,
+    ) -> Result<Tried, OptimumError> {
+        let mut tried = self.height(value, window)?;
+        if tried.amplitude.is_finite() && tried.slope.is_nan() {
+            let Tuning { from, to, .. } = self.tuning;
+            let h = DIFFERENCE * value.abs().max(1e-3 * (to - from));
+            let [a, b] = [(value - h).max(from), (value + h).min(to)];
+            let near = Some(near(&tried, &tried));
+            let [below, above] = [a, b].map(|value| self.height(value, near));
+            tried.slope = (above?.amplitude - below?.amplitude) / (b - a);
+        }
+        Ok(tried)
+    }
+
+    /// The same without a difference where the derivative is not known.
+    fn height(&self, value: f64, window: Option<[f64; 2]>) -> Result<Tried, OptimumError> {
+        let mut tried = Tried {
+            value,
+            amplitude: f64::INFINITY,
+            slope: f64::NAN,
+            beta: f64::NAN,
+            peaks: Vec::new(),
+            found: None,
+        };
+        let varied = self.with(value)?;
+        let problem = match Problem::new(&varied, &self.request_for(&varied)) {
+            Err(OptimumError::Undamped(_)) => return Ok(tried),
+            problem => problem?,
+        };
+        let groups = Groups::new(self.described, &varied);
+        let band = problem.band();
+        let found = window
+            .and_then(|window| search::near(&band, window.map(|beta| beta / groups.beta)))
+            .map_or_else(|| Problem::least(&band), Ok);
+        self.count(band.amplitude.asked.get());
+        let least: Least = match found {
+            Err(OptimumError::Unbounded) => return Ok(tried),
+            Err(OptimumError::TooLong) => {
+                tried.amplitude = f64::NAN;
+                return Ok(tried);
+            }
+            found => found?,
+        };
+        tried.amplitude = least.at.value * groups.length;
+        tried.beta = least.at.beta * groups.beta;
+        tried.peaks = {
+            let equal = least.at.peaks.iter();
+            let equal = equal.filter(|peak| least.at.value * (1.0 - 1e-9) <= peak.value);
+            equal.map(|peak| peak.r * groups.r).collect()
+        };
+        tried.slope = self.slope(&problem, &band, &least).unwrap_or(f64::NAN);
+        tried.found = Some((least.at, least.kind));
+        Ok(tried)
+    }
+
+    /// The derivative of the least amplitude with respect to the value, as friction follows.
+    fn slope(&self, problem: &Problem<'_>, band: &Band<'_>, least: &Least) -> Option<f64> {
+        let held = least.kind == Kind::Held;
+        let beta = least.at.beta;
+        let peaks = equal_peaks(band, (&least.at, least.kind), Friction::Ratio(beta));
+        // More friction changes nothing, and with it there is no doubt about the regime.
+        let beta = if held && least.locked_from <= beta {
+            2.0 * beta
+        } else {
+            beta
+        };
+        let load = self.load();
+        let all = problem.slopes(load, beta, &peaks)?;
+        let relative = |which: usize, parameter: Parameter| {
+            let (value, slope) = slope(all.get(which)?, parameter)?;
+            slope.relative(value)
+        };
+        for (which, peak) in peaks.iter().enumerate() {
+            if !peak.at_end && STATIONARY < relative(which, Parameter::Frequency)?.abs() {
+                return None;
+            }
+        }
+        let weights = weights(&all)?;
+        match weights.as_slice() {
+            // Friction holds it where it is, or there is none.
+            [_] if least.kind == Kind::Smooth => {
+                if STATIONARY < relative(0, Parameter::Friction)?.abs() {
+                    return None;
+                }
+            }
+            [_] => {}
+            // One falls and one rises.
+            weights if weights.iter().all(|weight| 0.0 <= *weight) => {}
+            _ => return None,
+        }
+        let mut sum = 0.0;
+        for quantity in self.tuning.of.quantities(problem.system.scene()) {
+            for (weight, all) in weights.iter().zip(&all) {
+                sum += weight * slope(all, Parameter::Quantity(quantity))?.1.derivative;
+            }
+        }
+        let unit = self.described.load_scale(load).ok()?.length();
+        Some(sum / unit)
+    }
+}
+
+/// Between which frictions the best is looked for between two values.
+pub(super) fn near(below: &Tried, above: &Tried) -> [f64; 2] {
+    let [low, high] = [below.beta.min(above.beta), below.beta.max(above.beta)];
+    let margin = (0.25 * (high - low)).max(MARGIN * high);
+    [(low - margin).max(0.0), high + margin]
+}
