@@ -30,7 +30,7 @@ locals! {
     plain_detuning pole_weight product product_2 product_3 product_4 product_5 product_6 product_7
     product_8 product_9 product_10 product_11 product_12 product_13 product_14 product_15 product_16
     product_17 product_18 product_19 product_20 q q_defect question r rate ratio ratio_2 ratio_3 re
-    reach residue resonance response response_im response_re responses rest reversal rise root rs
+    reach receptance residue resonance response response_im response_re responses rest reversal rise root rs
     rubbed_back rubbing run scale shapes share shares simulation sine size sliding
     sliding_at_infinity sliding_at_rest slow_decay slow_decay_factor slow_exponent span spread
     squared start state static_residue step stiction stiffness stuck sum sum_2 sum_3 support swing

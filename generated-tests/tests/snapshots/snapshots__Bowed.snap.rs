@@ -56,10 +56,6 @@ pub struct BowedInput {
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    #[allow(dead_code)]
-    fn frequency() {}
-    #[allow(dead_code)]
-    fn receptance() {}
     impl Bowed {
         /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [8.660254037844386, 70.71067811865476];

@@ -56,10 +56,6 @@ pub struct ShakenInput {
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    #[allow(dead_code)]
-    fn frequency() {}
-    #[allow(dead_code)]
-    fn receptance() {}
     impl Shaken {
         /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [

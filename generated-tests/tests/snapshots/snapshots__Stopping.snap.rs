@@ -41,8 +41,6 @@ pub struct StoppingOrbit(
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    #[allow(dead_code)]
-    fn frequency() {}
     impl Stopping {
         /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [

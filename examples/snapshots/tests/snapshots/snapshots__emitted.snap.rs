@@ -39,8 +39,6 @@ pub struct MountOrbit(
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    #[allow(dead_code)]
-    fn frequency() {}
     impl Mount {
         /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [44.43313233000368, 79.25084700711017];
