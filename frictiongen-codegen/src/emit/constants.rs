@@ -149,10 +149,12 @@ fn at_frequency(emission: &Emission<'_>) -> TokenStream {
     code! {
         impl #name {
             /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-            /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+            /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
+            /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
             const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
-            /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass on a support; `absorbs`: V and H may share
-            /// zeros; `unbounded`: undamped resonances that the load drives, `invisible`: those that the contact does not touch.
+            /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
+            /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
+            /// the load drives, `invisible`: those that the contact does not touch.
             const NUMBERS: Numbers<'static, #scalar> = Numbers {
                 modes: &Self::MODES,
                 chain: Self::CHAIN,
@@ -277,11 +279,11 @@ fn answers(emission: &Emission<'_>) -> String {
 
 fn chain_about(emission: &Emission<'_>) -> Vec<&'static str> {
     let mut about = vec![
-        " Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.",
+        " The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.",
     ];
     if emission.reduced.chain.on_moving_base.is_some() {
         about.push(
-            " `on_moving_base`: the contact rubs on the moving base; the static relative motion.",
+            " `on_moving_base`: the contact rubs on the moving base; its relative motion over Y for r → 0.",
         );
     }
     about

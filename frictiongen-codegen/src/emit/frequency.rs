@@ -26,9 +26,10 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
         None => straight(emission),
     };
     let operations = format!(" Operations: {operations}.");
+    let on_base = emission.reduced.chain.on_moving_base.is_some();
     let legend = match emission.reduced.modes.as_slice() {
-        [mode] => legend::single(mode),
-        _ => legend::sums(),
+        [mode] => legend::single(mode, on_base),
+        _ => legend::sums(on_base),
     };
     let about = code! {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each

@@ -6,15 +6,19 @@ const SUMS: [&str; 2] = [
     " Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of",
     " (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).",
 ];
+const SUMS_ON_BASE: [&str; 3] = [
+    " Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: H, U, G and r²H_c of (φᵀw)² times `response`,",
+    " uR², gR² and g + 2ζRu (`reversal`).  V is the motion relative to the base, r² times the sum of `static_residue`·(1 − 2iζx)·",
+    " `response`, and of `on_moving_base`·E, the static part.",
+];
 const EVERY: &str = " `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.";
 const ALONE: &str = " `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.";
-const PARTS: &str = " `u` is uR²; it, `g` and `reversal` come times `size`, then times E.";
+const PARTS: &str = " `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.";
 const UNDAMPED: [&str; 2] = [
-    " Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0",
-    " where that is exactly 0.",
+    " Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` takes the place of an exact 0, so that no",
+    " quotient is 0/0.",
 ];
-const PARTS_DAMPED: &str =
-    " `u` is uR²; it, `g` and `reversal` come times `size`, then times E.  `loss` is 2ζx.";
+const PARTS_DAMPED: &str = " `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.";
 const BELOW: [&str; 2] = [
     " Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².",
     " `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and",
@@ -22,23 +26,30 @@ const BELOW: [&str; 2] = [
 const LIGHT: &str = " `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,";
 const HEAVY: &str =
     " `cosine` are of πqx/2; `half_turns` is qx.  D is the squared modulus of `nearness`,";
-const NEARNESS: [&str; 2] = [
+const NEARNESS: [&str; 4] = [
     " (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over",
-    " |`unit_nearness`|².  `swing` is uR times `size`; `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g.",
+    " |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is uR",
+    " times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,",
+    " `one_minus_sinc_pi` of qx the second, without cancellation.",
 ];
 const CRITICAL: [&str; 2] = [
     " Critically damped: u = 2πx²e/D, g = (1 − e² − 2πxe)/D, D = (1 + e)², e = exp(−πx).  `decay_exponent` is πx, `pole_weight`",
     " `size` over D.",
 ];
-const OVER: [&str; 3] = [
+const OVER: [&str; 4] = [
     " Overdamped: u = x·(2e/q) sinh(πqx)/D, g = (1 − e² − (2ζe/q) sinh(πqx))/D, D = (1 + exp(−fast))(1 + exp(−slow)), e = exp(−πζx).",
-    " `fast_decay` and `slow_decay` are π(ζ ± q)x, `spread` their difference, `pole_weight` `size` over D, `swing` uR times",
-    " `size`.",
+    " `fast_decay` and `slow_decay` are π(ζ ± q)x, `spread` their difference, `slow_decay_factor` exp(−slow), `decay_minus_one`",
+    " exp(−fast/2) − 1; `pole_weight` is `size` over D, `u_times_r` uR times `size`.  g comes in three parts of the third order in x,",
+    " of which the one subtracted is at most two thirds of the others.",
 ];
 
 /// Of a frequency stage whose modes have functions of their own.
-pub(super) fn sums() -> Vec<&'static str> {
-    SUMS.to_vec()
+pub(super) fn sums(on_base: bool) -> Vec<&'static str> {
+    if on_base {
+        SUMS_ON_BASE.to_vec()
+    } else {
+        SUMS.to_vec()
+    }
 }
 
 /// Of the function of a mode with this damping.
@@ -49,8 +60,8 @@ pub(super) fn mode(kind: Kind) -> Vec<&'static str> {
 }
 
 /// Of a frequency stage of one mode.
-pub(super) fn single(mode: &Mode<f64>) -> Vec<&'static str> {
-    let mut lines = SUMS.to_vec();
+pub(super) fn single(mode: &Mode<f64>, on_base: bool) -> Vec<&'static str> {
+    let mut lines = sums(on_base);
     if mode.resonance == 1.0 {
         lines.push(ALONE);
     } else {

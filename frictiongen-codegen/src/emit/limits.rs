@@ -47,7 +47,7 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
         (code!(contact), formula(chain.sliding_limit(&contact)))
     };
     code! {
-        /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<#scalar>) -> #scalar {
             #break_away
@@ -79,7 +79,7 @@ pub(super) fn slices(emission: &Emission<'_>) -> TokenStream {
         (code!(At), "NaN or negative r")
     };
     let errors = format!(
-        " `OutOfDomain` for slices of unequal lengths, and then nothing is written; at the first {first}, up to which it is."
+        " `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first {first}, after what precedes it is."
     );
     code! {
         /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and

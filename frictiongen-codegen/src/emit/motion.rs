@@ -113,10 +113,18 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
         .filter(|(mass, _)| !emission.moves_as_contact(*mass))
         .map(|(mass, _)| of_mass(emission, *mass))
         .collect();
+    let has_powers = emission.damped() || emission.reduced.chain.on_moving_base.is_some();
+    let powers = has_powers.then(|| {
+        code! {
+            /// Powers of 2 keep products within the scalar's range, and cancel.
+        }
+    });
     let masses = (!masses.is_empty()).then(|| {
         code! {
-            /// The motion of a mass, in the same coefficients.  Where x < 1/2 the mode is mass-controlled: all of its response is
-            /// in its own part.  Powers of 2 keep products within the scalar's range, and cancel.
+            /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
+            /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
+            /// is left out.  Where x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+            #powers
             #[allow(unused_variables)]
             fn mass_motion(
                 at: &At<Self>,
@@ -136,7 +144,7 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
     code! {
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
         /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E).
+        /// is 1/(r²E), `gain` φ_k(φᵀw)/r², for the harmonics.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<#scalar>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());

@@ -17,7 +17,11 @@ pub(super) fn emit(items: &TokenStream) -> TokenStream {
     missing
         .map(|name| {
             let name = Ident::new(name, Span::mixed_site());
-            code!(#[allow(dead_code)] fn #name() {})
+            code! {
+                /// Hides a constant of this name in the user's module.
+                #[allow(dead_code)]
+                fn #name() {}
+            }
         })
         .collect()
 }

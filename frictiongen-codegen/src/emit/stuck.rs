@@ -84,6 +84,7 @@ fn in_lines(emission: &Emission<'_>) -> TokenStream {
         return TokenStream::new();
     }
     code! {
+        /// x̄* = (V_kH − H_kV)/H: `numerator` has each mode's products with the others, as those with itself would cancel.
         #[allow(unused_variables)]
         #[inline]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<#scalar>> {

@@ -207,14 +207,15 @@ impl<S: Scalar> Chain<S> {
                     rest: none,
                 };
             };
-            let others = |mode: &Mode<S>, at: &ModeAt<S>, other: &Mode<S>, at_other: &ModeAt<S>| {
-                let others = without(self.own(other, at_other), mode.static_residue);
-                self.in_full(mode, at, partner, contact, &others)
-            };
+            let others =
+                |mode: &Mode<S>, at: &ModeAt<S>, other: &Mode<S>, at_other: &ModeAt<S>, index| {
+                    let others = without(self.own(other, at_other, index), mode.static_residue);
+                    self.in_full(mode, at, partner, contact, &others)
+                };
             return DominantSums {
                 which: Which::First,
-                own: others(first, &at, second, &at_second),
-                rest: others(second, &at_second, first, &at),
+                own: others(first, &at, second, &at_second, 1),
+                rest: others(second, &at_second, first, &at, 0),
             };
         }
         let zero = S::constant(0.0);
@@ -271,7 +272,7 @@ impl<S: Scalar> Chain<S> {
         scale: S,
         index: usize,
     ) -> Heaviest<S> {
-        let own = self.own(mode, at);
+        let own = self.own(mode, at, index);
         // On a moving base what cancels is v, not the v − 1 of the sums.
         let v = if self.on_moving_base.is_some() {
             self.plus(own.v, complex::real(mode.static_residue * scale))
@@ -318,10 +319,10 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    fn own(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Terms<S> {
+    fn own(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> Terms<S> {
         Terms {
             v: self.load_term(mode, at),
-            u: (mode.inverse_mass * at.u).named("velocity_share", None),
+            u: (mode.inverse_mass * at.u).named("u_term", Some(index)),
             h: complex::scale(at.response, mode.inverse_mass),
         }
     }

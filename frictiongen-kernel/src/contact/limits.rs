@@ -15,7 +15,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// What the contact force needs for break-away at the reversal, times r²E: μm* + H_c r²
+    /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal
     /// (5.63, 7.47).  As μ ≥ 1 it is never below [`start_constraint`](Self::start_constraint).
     #[inline]
     pub fn break_away(&self, contact: &ContactAt<S>) -> S {

@@ -22,7 +22,7 @@ pub(super) fn response<S: Scalar>(
     let spread = (S::constant(2.0) * pi * q * x).named("spread", at);
     let (e_slow, e_fast) = (fading.exp().named("slow_decay_factor", at), (-fast).exp());
     let k = (size / ((one + e_slow) * (one + e_fast))).named("pole_weight", at);
-    let b = (-(-spread).exp_m1() * e_slow / q * k).named("swing", at);
+    let b = (-(-spread).exp_m1() * e_slow / q * k).named("u_times_r", at);
     let a = -(-(S::constant(2.0) * pi * zeta * x)).exp_m1() * k;
     // 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}) from parts of the third order in x, of which
     // the one subtracted is never more than two thirds of the others.

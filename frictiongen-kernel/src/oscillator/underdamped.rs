@@ -36,7 +36,7 @@ pub(super) fn response<S: Scalar>(
     let im = (im * inverse).named("unit_nearness_im", at);
     let k = (size * inverse / (re * re + im * im)).named("pole_weight", at);
     // 4/q first: it is the scene's, and no division at run time in emitted code.
-    let b = (S::constant(4.0) / q * s * e * (c * inverse) * k).named("swing", at);
+    let b = (S::constant(4.0) / q * s * e * (c * inverse) * k).named("u_times_r", at);
     let a = (one + e) * (m * inverse) * k;
     let defect = if with_g {
         decay.scaled_sinh_defect() + S::constant(2.0) * e * decay * turns.one_minus_sinc_pi()

@@ -193,7 +193,7 @@ impl<S: Scalar> Chain<S> {
             at.g
         };
         ModeAt {
-            u: S::select(slow, zero, at.u).named("lag", Some(index)),
+            u: S::select(slow, zero, at.u).named("u_in_sum", Some(index)),
             g,
             ..*at
         }
@@ -327,7 +327,7 @@ impl<S: Scalar> Chain<S> {
             part(driven.own, sums.own.h, rubbed.own, sums.own.v),
             part(driven.rest, sums.rest.h, rubbed.rest, sums.rest.v),
         );
-        let sum = named(sum, ["held_re", "held_im"], None);
+        let sum = named(sum, ["numerator_re", "numerator_im"], None);
         let inverse_h = complex::reciprocal(contact.h, self.damped);
         let unscale = (inverse_r * inverse_r / contact.scale).named("unscale", None);
         complex::scale(complex::mul(sum, inverse_h, self.damped), unscale)

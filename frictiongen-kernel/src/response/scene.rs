@@ -68,7 +68,7 @@ pub trait Scene: Clone {
         search(self.idle().as_mut())
     }
 
-    /// What the contact force needs for break-away at the reversal, times r²E: μm* + H_c r² (5.63, 7.47).
+    /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal (5.63, 7.47).
     #[inline]
     fn break_away(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
         self.numbers().chain.break_away(contact)
