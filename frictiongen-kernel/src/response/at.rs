@@ -189,7 +189,7 @@ impl<T: Scene> At<T> {
     /// β_lim takes no search from r = √λ_max/2 on.
     ///
     /// What searches do take is far less.  In 2·10⁴ random scenes of up to 16 masses, on and beside resonances and
-    /// subharmonics and in sweeps as slow as 2·10⁴ half turns of a mode, half took 2 for β_lim and 8 for an amplitude, 99 of
+    /// subharmonics and in sweeps as slow as 2·10⁴ half turns of a mode, half took 2 for β_lim and 5 for an amplitude, 99 of
     /// 100 at most 80 and 30, and the worst 217 and 318, less than a third of its bound.  None was
     /// stopped where the fastest mode makes fewer than 2·10⁴ half turns in a half period; beyond, 153 searches for β_lim were.
     #[must_use]

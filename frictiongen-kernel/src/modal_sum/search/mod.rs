@@ -17,7 +17,7 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
 /// No search takes more than this, whatever the scene; a grid of up to 32 nodes counts as two evaluations.  The worst of
-/// 10⁴ random scenes at r from 0.01 to 100 takes 35, half of them 4, and 8 for an amplitude.  [`most_evaluations`] says
+/// 10⁴ random scenes at r from 0.01 to 100 takes 34, half of them 4, and 8 for an amplitude.  [`most_evaluations`] says
 /// what a scene's own searches may take; one that would need more ends with the best value it has found.
 pub const MAX_EVALUATIONS: u32 = 20_000;
 
