@@ -63,7 +63,7 @@ const _: () = {
         pub const RESONANCES: [f64; 2] = [0.13693063937629152, 1.118033988749895];
         /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 2]; 2] = [[0.0, 0.5], [1.0, 0.0]];
-        /// Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,

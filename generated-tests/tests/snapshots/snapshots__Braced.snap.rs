@@ -45,7 +45,7 @@ const _: () = {
             [0.613271751551687, 1.2488972723454137],
             [0.7898719888366252, -0.9696677797721163],
         ];
-        /// Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
@@ -67,7 +67,8 @@ const _: () = {
     }
     impl Braced {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
         const MODES: [Mode<f64>; 2] = [
             Mode {
                 kind: Kind::Light,
@@ -96,8 +97,9 @@ const _: () = {
                 static_residue: -0.24492536196720122,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass on a support; `absorbs`: V and H may share
-        /// zeros; `unbounded`: undamped resonances that the load drives, `invisible`: those that the contact does not touch.
+        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
+        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
+        /// the load drives, `invisible`: those that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -131,7 +133,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, and then nothing is written; at the first NaN or negative r, up to which it is.
+        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first NaN or negative r, after what precedes it is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -145,12 +147,14 @@ const _: () = {
     impl Braced {
         /// The functions of a lightly damped mode, ζ < 1/2.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
-        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.  `loss` is 2ζx.
+        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
         /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
         /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
         /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,
         /// (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over
-        /// |`unit_nearness`|².  `swing` is uR times `size`; `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g.
+        /// |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is uR
+        /// times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
+        /// `one_minus_sinc_pi` of qx the second, without cancellation.
         #[inline(always)]
         fn damped_mode<const WITH_G: bool>(
             mode: &Mode<f64>,
@@ -180,9 +184,9 @@ const _: () = {
             let pole_weight = size * inverse_nearness
                 / (unit_nearness_re * unit_nearness_re
                     + unit_nearness_im * unit_nearness_im);
-            let swing = 4.0 / mode.q * sine * decay_factor * (cosine * inverse_nearness)
-                * pole_weight;
-            let u = swing / x;
+            let u_times_r = 4.0 / mode.q * sine * decay_factor
+                * (cosine * inverse_nearness) * pole_weight;
+            let u = u_times_r / x;
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -192,7 +196,7 @@ const _: () = {
                 0.0
             };
             let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                * pole_weight + mode.zeta * swing;
+                * pole_weight + mode.zeta * u_times_r;
             ModeResponse {
                 x,
                 denominator: Complex { re: detuning, im: loss },
@@ -291,7 +295,7 @@ const _: () = {
         fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
             Self::functions::<false>(inverse_r).0
         }
-        /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.reversal + 2.5 * contact.scale
@@ -319,7 +323,7 @@ const _: () = {
         type Motion = BracedMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
         /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E).
+        /// is 1/(r²E), `gain` φ_k(φᵀw)/r², for the harmonics.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -365,8 +369,10 @@ const _: () = {
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
-        /// The motion of a mass, in the same coefficients.  Where x < 1/2 the mode is mass-controlled: all of its response is
-        /// in its own part.  Powers of 2 keep products within the scalar's range, and cancel.
+        /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
+        /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
+        /// is left out.  Where x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+        /// Powers of 2 keep products within the scalar's range, and cancel.
         #[allow(unused_variables)]
         fn mass_motion(
             at: &At<Self>,
@@ -379,27 +385,27 @@ const _: () = {
                 0 => {
                     let product = mode_2.response.re * -0.5308495169373498;
                     let product_2 = mode_2.response.im * -0.5308495169373498;
-                    let velocity_share = 0.9402556031281853 * mode_2.u;
-                    let choice = if mode_1.x < 0.5 { contact.u } else { velocity_share };
+                    let mode_2_u_term = 0.9402556031281853 * mode_2.u;
+                    let choice = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
                     let product_3 = mode_1.response.re * 1.15584951693735;
                     let product_4 = mode_1.response.im * 1.15584951693735;
-                    let velocity_share_2 = 1.5597443968718145 * mode_1.u;
+                    let mode_1_u_term = 1.5597443968718145 * mode_1.u;
                     let choice_2 = if mode_2.x < 0.5 {
                         contact.u
                     } else {
-                        velocity_share_2
+                        mode_1_u_term
                     };
                     let mode_1_driven_re = mode_1.response.re * 0.5675805956811232;
                     let mode_1_driven_im = mode_1.response.im * 0.5675805956811232;
                     let mode_1_offset = if mode_1.x < 0.5 { 0.0 } else { mode_1.g };
-                    let mode_1_lag = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-                    let mode_1_rubbed_back = -(0.7659134177193961 * mode_1_lag);
+                    let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+                    let mode_1_rubbed_back = -(0.7659134177193961 * mode_1_u_in_sum);
                     let ratio = mode_1_offset / (mode_1.x * mode_1.x);
                     let mode_2_driven_re = mode_2.response.re * 0.4324194043188768;
                     let mode_2_driven_im = mode_2.response.im * 0.4324194043188768;
                     let mode_2_offset = if mode_2.x < 0.5 { 0.0 } else { mode_2.g };
-                    let mode_2_lag = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
-                    let mode_2_rubbed_back = -(-0.7659134177193963 * mode_2_lag);
+                    let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+                    let mode_2_rubbed_back = -(-0.7659134177193963 * mode_2_u_in_sum);
                     let ratio_2 = mode_2_offset / (mode_2.x * mode_2.x);
                     let response_re = mode_1_driven_re + mode_2_driven_re;
                     let response_im = mode_1_driven_im + mode_2_driven_im;
@@ -455,11 +461,11 @@ const _: () = {
                     let mode_1_friction_force = friction_weight * 0.7659134177193961;
                     let mode_1_fall = mode_1_friction_force * ratio;
                     let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_swing = mode_1_friction_force * mode_1_lag;
+                    let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
                     let mode_2_friction_force = friction_weight * -0.7659134177193963;
                     let mode_2_fall = mode_2_friction_force * ratio_2;
                     let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_swing = mode_2_friction_force * mode_2_lag;
+                    let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
                     (
                         Fundamental {
                             cosine: (product_7

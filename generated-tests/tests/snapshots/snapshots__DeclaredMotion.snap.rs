@@ -32,6 +32,9 @@ pub struct DeclaredMotionMotion(::frictiongen::kernel::table::Moving<DeclaredMot
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
+    /// Hides a constant of this name in the user's module.
+    #[allow(dead_code)]
+    fn u_in_sum() {}
     impl DeclaredMotion {
         /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 1] = [1.0];
@@ -39,8 +42,8 @@ const _: () = {
         pub const RESONANCES: [f64; 1] = [1.0];
         /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
-        /// Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
-        /// `on_moving_base`: the contact rubs on the moving base; the static relative motion.
+        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// `on_moving_base`: the contact rubs on the moving base; its relative motion over Y for r → 0.
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: Some(0.0),
@@ -62,7 +65,8 @@ const _: () = {
     }
     impl DeclaredMotion {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
         const MODES: [Mode<f64>; 1] = [
             Mode {
                 kind: Kind::Undamped,
@@ -78,8 +82,9 @@ const _: () = {
                 static_residue: 1.0,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass on a support; `absorbs`: V and H may share
-        /// zeros; `unbounded`: undamped resonances that the load drives, `invisible`: those that the contact does not touch.
+        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
+        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
+        /// the load drives, `invisible`: those that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -113,7 +118,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, and then nothing is written; at the first r out of the domain, as of `at`, up to which it is.
+        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first r out of the domain, as of `at`, after what precedes it is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -129,12 +134,13 @@ const _: () = {
     impl DeclaredMotion {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
-        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: H, U, G and r²H_c of (φᵀw)² times `response`,
+        /// uR², gR² and g + 2ζRu (`reversal`).  V is the motion relative to the base, r² times the sum of `static_residue`·(1 − 2iζx)·
+        /// `response`, and of `on_moving_base`·E, the static part.
         /// `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.
-        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
-        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0
-        /// where that is exactly 0.
+        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.
+        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` takes the place of an exact 0, so that no
+        /// quotient is 0/0.
         ///
         /// Operations: 15: 6 ×, 2 +, 2 compare, 2 sign, 2 ÷, 1 sin_cos_pi.
         #[inline(always)]
@@ -209,7 +215,7 @@ const _: () = {
         fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
             Self::functions(inverse_r).0
         }
-        /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             1.2 * contact.scale
@@ -339,7 +345,7 @@ const _: () = {
         type Motion = Continuous<Self>;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
         /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E).
+        /// is 1/(r²E), `gain` φ_k(φᵀw)/r², for the harmonics.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -369,8 +375,10 @@ const _: () = {
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
-        /// The motion of a mass, in the same coefficients.  Where x < 1/2 the mode is mass-controlled: all of its response is
-        /// in its own part.  Powers of 2 keep products within the scalar's range, and cancel.
+        /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
+        /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
+        /// is left out.  Where x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+        /// Powers of 2 keep products within the scalar's range, and cancel.
         #[allow(unused_variables)]
         fn mass_motion(
             at: &At<Self>,
@@ -382,8 +390,8 @@ const _: () = {
             let (fundamental, waves) = match mass {
                 0 => {
                     let product = inverse_r * inverse_r;
-                    let lag = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-                    let rubbed_back = -lag;
+                    let u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+                    let rubbed_back = -u_in_sum;
                     let mismatch_re = mode_1.response.re
                         * ((if mode_1.x < 0.5 { contact.u } else { 0.0 })
                             * 5.960464477539063e-8)
@@ -393,7 +401,7 @@ const _: () = {
                     let product_2 = friction.unscale * 16777216.0;
                     let friction_weight = friction.beta * friction.unscale;
                     let rise = friction_weight * contact.scale;
-                    let swing = friction_weight * lag;
+                    let swing = friction_weight * u_in_sum;
                     (
                         Fundamental {
                             cosine: friction.root * 5.960464477539063e-8

@@ -41,7 +41,7 @@ const _: () = {
         pub const RESONANCES: [f64; 1] = [1.0];
         /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
-        /// Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
@@ -63,7 +63,8 @@ const _: () = {
     }
     impl SdofOverdamped {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
         const MODES: [Mode<f64>; 1] = [
             Mode {
                 kind: Kind::Over,
@@ -79,8 +80,9 @@ const _: () = {
                 static_residue: 1.0,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass on a support; `absorbs`: V and H may share
-        /// zeros; `unbounded`: undamped resonances that the load drives, `invisible`: those that the contact does not touch.
+        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
+        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
+        /// the load drives, `invisible`: those that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -114,7 +116,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, and then nothing is written; at the first NaN or negative r, up to which it is.
+        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first NaN or negative r, after what precedes it is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -131,10 +133,11 @@ const _: () = {
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
         /// `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.
-        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.  `loss` is 2ζx.
+        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
         /// Overdamped: u = x·(2e/q) sinh(πqx)/D, g = (1 − e² − (2ζe/q) sinh(πqx))/D, D = (1 + exp(−fast))(1 + exp(−slow)), e = exp(−πζx).
-        /// `fast_decay` and `slow_decay` are π(ζ ± q)x, `spread` their difference, `pole_weight` `size` over D, `swing` uR times
-        /// `size`.
+        /// `fast_decay` and `slow_decay` are π(ζ ± q)x, `spread` their difference, `slow_decay_factor` exp(−slow), `decay_minus_one`
+        /// exp(−fast/2) − 1; `pole_weight` is `size` over D, `u_times_r` uR times `size`.  g comes in three parts of the third order in x,
+        /// of which the one subtracted is at most two thirds of the others.
         ///
         /// Operations: 62: 27 ×, 10 +, 10 sign, 7 ÷, 4 exp_m1, 2 exp, 2 scaled_sinh_defect.
         #[inline(always)]
@@ -151,10 +154,10 @@ const _: () = {
             let slow_decay_factor = Scalar::exp(slow_exponent);
             let pole_weight = size
                 / ((1.0 + slow_decay_factor) * (1.0 + Scalar::exp(-fast_decay)));
-            let swing = -Scalar::exp_m1(-spread) * slow_decay_factor / 1.118033988749895
-                * pole_weight;
+            let u_times_r = -Scalar::exp_m1(-spread) * slow_decay_factor
+                / 1.118033988749895 * pole_weight;
             let decay_minus_one = Scalar::exp_m1(-(fast_decay * 0.5));
-            let u = swing / inverse_r;
+            let u = u_times_r / inverse_r;
             let g = if WITH_G {
                 (decay_minus_one * decay_minus_one * -Scalar::exp_m1(slow_exponent)
                     + 2.0 * (1.0 + decay_minus_one)
@@ -166,7 +169,7 @@ const _: () = {
                 0.0
             };
             let reversal = -Scalar::exp_m1(-(9.42477796076938 * inverse_r)) * pole_weight
-                + 1.5 * swing;
+                + 1.5 * u_times_r;
             let inverse_size = 1.0 / size;
             let unit_re = detuning * inverse_size;
             let unit_im = loss * inverse_size;
@@ -244,7 +247,7 @@ const _: () = {
         fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
             Self::functions::<false>(inverse_r).0
         }
-        /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.reversal + contact.scale
@@ -272,7 +275,7 @@ const _: () = {
         type Motion = SdofOverdampedMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
         /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E).
+        /// is 1/(r²E), `gain` φ_k(φᵀw)/r², for the harmonics.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());

@@ -69,7 +69,7 @@ const _: () = {
             [0.5446174012864552, 0.8412612267718186],
             [0.8386846166563378, -0.5462905769681745],
         ];
-        /// Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,

@@ -55,7 +55,7 @@ const _: () = {
             [0.7071067811865476, 0.0, -0.7071067811865476],
             [0.5, -0.7071067811865476, 0.5],
         ];
-        /// Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: None,
@@ -77,7 +77,8 @@ const _: () = {
     }
     impl Symmetric {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
         const MODES: [Mode<f64>; 2] = [
             Mode {
                 kind: Kind::Undamped,
@@ -106,8 +107,9 @@ const _: () = {
                 static_residue: 0.14644660940672624,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass on a support; `absorbs`: V and H may share
-        /// zeros; `unbounded`: undamped resonances that the load drives, `invisible`: those that the contact does not touch.
+        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
+        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
+        /// the load drives, `invisible`: those that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -141,7 +143,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, and then nothing is written; at the first NaN or negative r, up to which it is.
+        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first NaN or negative r, after what precedes it is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -157,9 +159,9 @@ const _: () = {
     impl Symmetric {
         /// The functions of an undamped mode.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
-        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.
-        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` is a divisor, or the number next to 0
-        /// where that is exactly 0.
+        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.
+        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` takes the place of an exact 0, so that no
+        /// quotient is 0/0.
         #[inline(always)]
         fn undamped_mode(mode: &Mode<f64>, inverse_r: f64) -> ModeResponse<f64> {
             let x = mode.resonance * inverse_r;
@@ -250,7 +252,7 @@ const _: () = {
         fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
             Self::functions(inverse_r).0
         }
-        /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.scale
@@ -278,7 +280,7 @@ const _: () = {
         type Motion = SymmetricMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
         /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E).
+        /// is 1/(r²E), `gain` φ_k(φᵀw)/r², for the harmonics.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -321,8 +323,9 @@ const _: () = {
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
-        /// The motion of a mass, in the same coefficients.  Where x < 1/2 the mode is mass-controlled: all of its response is
-        /// in its own part.  Powers of 2 keep products within the scalar's range, and cancel.
+        /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
+        /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
+        /// is left out.  Where x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
         #[allow(unused_variables)]
         fn mass_motion(
             at: &At<Self>,
@@ -333,29 +336,29 @@ const _: () = {
             let [mode_1, mode_2] = at.modes();
             let (fundamental, waves) = match mass {
                 0 => {
-                    let velocity_share = 0.5 * mode_2.u;
-                    let velocity_share_2 = 0.5 * mode_1.u;
+                    let mode_2_u_term = 0.5 * mode_2.u;
+                    let mode_1_u_term = 0.5 * mode_1.u;
                     let mode_1_driven_re = mode_1.response.re * 0.3535533905932738;
-                    let mode_1_lag = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-                    let mode_1_rubbed_back = -(0.3535533905932738 * mode_1_lag);
+                    let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+                    let mode_1_rubbed_back = -(0.3535533905932738 * mode_1_u_in_sum);
                     let mode_2_driven_re = mode_2.response.re * -0.3535533905932738;
-                    let mode_2_lag = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
-                    let mode_2_rubbed_back = -(-0.3535533905932738 * mode_2_lag);
+                    let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+                    let mode_2_rubbed_back = -(-0.3535533905932738 * mode_2_u_in_sum);
                     let response_re = mode_1_driven_re + mode_2_driven_re;
                     let mismatch_re = mode_1_driven_re
-                        * (if mode_1.x < 0.5 { contact.u } else { velocity_share })
+                        * (if mode_1.x < 0.5 { contact.u } else { mode_2_u_term })
                         + mode_2.response.re * 0.5 * mode_1_rubbed_back
                         + (mode_2_driven_re
-                            * (if mode_2.x < 0.5 { contact.u } else { velocity_share_2 })
+                            * (if mode_2.x < 0.5 { contact.u } else { mode_1_u_term })
                             + mode_1.response.re * 0.5 * mode_2_rubbed_back);
                     let ratio = 1.0 / contact.v.re;
                     let friction_weight = friction.beta * friction.unscale;
                     let mode_1_friction_force = friction_weight * 0.3535533905932738;
                     let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_swing = mode_1_friction_force * mode_1_lag;
+                    let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
                     let mode_2_friction_force = friction_weight * -0.3535533905932738;
                     let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_swing = mode_2_friction_force * mode_2_lag;
+                    let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
                     (
                         Fundamental {
                             cosine: friction.root * (response_re * ratio)
@@ -392,29 +395,29 @@ const _: () = {
                     )
                 }
                 2 => {
-                    let velocity_share = 0.5 * mode_2.u;
-                    let velocity_share_2 = 0.5 * mode_1.u;
+                    let mode_2_u_term = 0.5 * mode_2.u;
+                    let mode_1_u_term = 0.5 * mode_1.u;
                     let mode_1_driven_re = mode_1.response.re * 0.3535533905932738;
-                    let mode_1_lag = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-                    let mode_1_rubbed_back = -(0.3535533905932738 * mode_1_lag);
+                    let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+                    let mode_1_rubbed_back = -(0.3535533905932738 * mode_1_u_in_sum);
                     let mode_2_driven_re = mode_2.response.re * -0.3535533905932738;
-                    let mode_2_lag = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
-                    let mode_2_rubbed_back = -(-0.3535533905932738 * mode_2_lag);
+                    let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+                    let mode_2_rubbed_back = -(-0.3535533905932738 * mode_2_u_in_sum);
                     let response_re = mode_1_driven_re + mode_2_driven_re;
                     let mismatch_re = mode_1_driven_re
-                        * (if mode_1.x < 0.5 { contact.u } else { velocity_share })
+                        * (if mode_1.x < 0.5 { contact.u } else { mode_2_u_term })
                         + mode_2.response.re * 0.5 * mode_1_rubbed_back
                         + (mode_2_driven_re
-                            * (if mode_2.x < 0.5 { contact.u } else { velocity_share_2 })
+                            * (if mode_2.x < 0.5 { contact.u } else { mode_1_u_term })
                             + mode_1.response.re * 0.5 * mode_2_rubbed_back);
                     let ratio = 1.0 / contact.v.re;
                     let friction_weight = friction.beta * friction.unscale;
                     let mode_1_friction_force = friction_weight * 0.3535533905932738;
                     let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_swing = mode_1_friction_force * mode_1_lag;
+                    let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
                     let mode_2_friction_force = friction_weight * -0.3535533905932738;
                     let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_swing = mode_2_friction_force * mode_2_lag;
+                    let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
                     (
                         Fundamental {
                             cosine: friction.root * (response_re * ratio)
@@ -477,6 +480,7 @@ const _: () = {
     }
     impl ProvidesStuck for Symmetric {
         type Stuck = SymmetricStuck;
+        /// x̄* = (V_kH − H_kV)/H: `numerator` has each mode's products with the others, as those with itself would cancel.
         #[allow(unused_variables)]
         #[inline]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f64>> {
@@ -487,26 +491,28 @@ const _: () = {
                     0 => {
                         let product = mode_2.response.re * 0.5;
                         let product_2 = mode_1.response.re * 0.5;
-                        let held_re = mode_1.response.re * 0.3535533905932738 * product
+                        let numerator_re = mode_1.response.re * 0.3535533905932738
+                            * product
                             + mode_1.response.re * -0.3535533905932738 * product
                             + (mode_2.response.re * -0.3535533905932738 * product_2
                                 + mode_2.response.re * 0.3535533905932738 * product_2);
                         let unscale = inverse_r * inverse_r / contact.scale;
                         Complex {
-                            re: held_re * (1.0 / contact.h.re) * unscale,
+                            re: numerator_re * (1.0 / contact.h.re) * unscale,
                             im: 0.0,
                         }
                     }
                     2 => {
                         let product = mode_2.response.re * 0.5;
                         let product_2 = mode_1.response.re * 0.5;
-                        let held_re = mode_1.response.re * 0.3535533905932738 * product
+                        let numerator_re = mode_1.response.re * 0.3535533905932738
+                            * product
                             + mode_1.response.re * -0.3535533905932738 * product
                             + (mode_2.response.re * -0.3535533905932738 * product_2
                                 + mode_2.response.re * 0.3535533905932738 * product_2);
                         let unscale = inverse_r * inverse_r / contact.scale;
                         Complex {
-                            re: held_re * (1.0 / contact.h.re) * unscale,
+                            re: numerator_re * (1.0 / contact.h.re) * unscale,
                             im: 0.0,
                         }
                     }

@@ -399,7 +399,7 @@ const _: () = {
                 0.03030361732426425,
             ],
         ];
-        /// Beyond the modes: `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
@@ -421,7 +421,8 @@ const _: () = {
     }
     impl Tall {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// `contact` φᵀw, `residue` their product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
         const MODES: [Mode<f64>; 17] = [
             Mode {
                 kind: Kind::Light,
@@ -645,8 +646,9 @@ const _: () = {
                 static_residue: -0.0018071032318584057,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass on a support; `absorbs`: V and H may share
-        /// zeros; `unbounded`: undamped resonances that the load drives, `invisible`: those that the contact does not touch.
+        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
+        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
+        /// the load drives, `invisible`: those that the contact does not touch.
         const NUMBERS: Numbers<'static, f64> = Numbers {
             modes: &Self::MODES,
             chain: Self::CHAIN,
@@ -680,7 +682,7 @@ const _: () = {
         /// Both limits over a slice of frequency ratios, into slices of the same length.
         ///
         /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, and then nothing is written; at the first NaN or negative r, up to which it is.
+        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first NaN or negative r, after what precedes it is.
         pub fn limits_into(
             rs: &[f64],
             continuous: &mut [f64],
@@ -697,12 +699,14 @@ const _: () = {
     impl Tall {
         /// The functions of a lightly damped mode, ζ < 1/2.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
-        /// `u` is uR²; it, `g` and `reversal` come times `size`, then times E.  `loss` is 2ζx.
+        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
         /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
         /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
         /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,
         /// (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over
-        /// |`unit_nearness`|².  `swing` is uR times `size`; `scaled_sinh_defect` and `one_minus_sinc_pi` keep the digits of g.
+        /// |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is uR
+        /// times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
+        /// `one_minus_sinc_pi` of qx the second, without cancellation.
         #[inline(always)]
         fn damped_mode<const WITH_G: bool>(
             mode: &Mode<f64>,
@@ -732,9 +736,9 @@ const _: () = {
             let pole_weight = size * inverse_nearness
                 / (unit_nearness_re * unit_nearness_re
                     + unit_nearness_im * unit_nearness_im);
-            let swing = 4.0 / mode.q * sine * decay_factor * (cosine * inverse_nearness)
-                * pole_weight;
-            let u = swing / x;
+            let u_times_r = 4.0 / mode.q * sine * decay_factor
+                * (cosine * inverse_nearness) * pole_weight;
+            let u = u_times_r / x;
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -744,7 +748,7 @@ const _: () = {
                 0.0
             };
             let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                * pole_weight + mode.zeta * swing;
+                * pole_weight + mode.zeta * u_times_r;
             ModeResponse {
                 x,
                 denominator: Complex { re: detuning, im: loss },
@@ -879,7 +883,7 @@ const _: () = {
             };
             (contact, modes)
         }
-        /// r²E(H_c + μm*/r²): its part in β_lim makes the contact break away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.reversal + contact.scale
