@@ -35,6 +35,6 @@ locals! {
     simulation sine size sliding sliding_at_infinity sliding_at_rest slow_decay slow_decay_factor
     slow_exponent span spread squared start state static_residue step stiction stiffness stuck sum
     sum_2 sum_3 support swing tables terms turn turning_im turning_im_2 turning_re turning_re_2
-    turns u u_scaled u_times_r unbounded unit_im unit_nearness_im unit_nearness_re unit_re units
+    turns u u_in_sum u_scaled u_times_r unbounded unit_im unit_nearness_im unit_nearness_re unit_re units
     unscale v v_im v_re v_size value value_2 velocity waves weights x zeta
 }

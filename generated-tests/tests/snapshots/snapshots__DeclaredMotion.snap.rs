@@ -32,9 +32,6 @@ pub struct DeclaredMotionMotion(::frictiongen::kernel::table::Moving<DeclaredMot
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
-    /// Hides a constant of this name in the user's module.
-    #[allow(dead_code)]
-    fn u_in_sum() {}
     impl DeclaredMotion {
         /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 1] = [1.0];
