@@ -36,10 +36,12 @@ impl<S: Float> Excess<S> {
     /// None if it is not below 0 within the reach of a step.
     fn new(tau: S, cubic: Cubic<S>, fourth: S) -> Option<Self> {
         let step = cubic.step();
-        let reach = [FAR, REACH].map(S::constant).into_iter().find(|&reach| {
-            let top = cubic.value + cubic.rise(step) + beyond_cubic(fourth, step, reach);
-            cubic.is_concave(step, reach) && top <= S::constant(0.0)
-        })?;
+        let reach = [S::constant(FAR), S::constant(REACH)]
+            .into_iter()
+            .find(|&reach| {
+                let top = cubic.value + cubic.rise(step) + beyond_cubic(fourth, step, reach);
+                cubic.is_concave(step, reach) && top <= S::constant(0.0)
+            })?;
         Some(Self {
             tau,
             cubic,
@@ -119,9 +121,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let below = plain
                 .as_ref()
                 .is_some_and(|plain| plain.stays_below(&there))
-                || over_tau.as_ref().is_some_and(|over| {
-                    over.stays_below(&self.over_tau(&there, summit.negative, grid))
-                });
+                || over_tau
+                    .as_ref()
+                    .is_some_and(|over| over.is_near(tau - summit.tau));
             let left = tau - grid.stretch.width;
             let both = (before || !(left < summit.tau)) && (below || tau <= summit.tau);
             if both {
@@ -195,31 +197,5 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         };
         let fifth = grid.bounds.fifth + self.of_sine(summit).abs();
         Excess::new(tau, cubic, fifth * S::constant(0.2))
-    }
-
-    /// A node of E as one of E/τ, which at 0 is E′ with the slope E″/2.
-    fn over_tau(&self, node: &Beyond<S>, negative: bool, grid: &Grid<S>) -> Beyond<S> {
-        let Beyond {
-            tau,
-            value,
-            slope,
-            rounding,
-        } = *node;
-        if tau.is_zero() {
-            let half = S::constant(if negative { -0.5 } else { 0.5 });
-            return Beyond {
-                tau,
-                value: slope,
-                slope: grid.bounds.second * half,
-                rounding: grid.bounds.drift,
-            };
-        }
-        let value = value / tau;
-        Beyond {
-            tau,
-            value,
-            slope: (slope - value) / tau,
-            rounding: rounding / tau,
-        }
     }
 }
