@@ -1,10 +1,9 @@
 //! Between the modes of the chain and those of the chain with its contact held.
 
-use super::part::Part;
+use super::part::{Part, lift};
 use super::setting::Setting;
 use super::{Dynamics, HeldMode};
 use crate::number::scalar::Float;
-use crate::oscillator::mode::Mode;
 
 impl<S: Float> Dynamics<'_, S> {
     /// wᵀK̄⁻¹w = Σ c/λ: how far a steady unit force in the contact moves it.
@@ -186,9 +185,4 @@ impl<S: Float> Dynamics<'_, S> {
         }
         worst
     }
-}
-
-/// How a held displacement of the contact lifts a mode.
-pub(crate) fn lift<S: Float>(mode: &Mode<S>, receptance: S) -> S {
-    mode.contact / (mode.resonance * mode.resonance * receptance)
 }

@@ -10,6 +10,7 @@ mod coupled;
 mod held;
 pub(crate) mod law;
 mod lines;
+mod local;
 mod part;
 mod peak;
 mod power;
@@ -34,7 +35,7 @@ pub use setting::Setting;
 pub use walk::MAX_STEPS;
 
 pub(crate) use clock::Total;
-pub(crate) use held::lift;
+pub(crate) use part::lift;
 pub(crate) use power::{Power, TERMS, WALK};
 pub(crate) use segment::{ContactState, End, leap, span};
 pub(crate) use sum::Sum;

@@ -315,5 +315,10 @@ impl<S: Float> Part<S> {
     }
 }
 
+/// How a held displacement of the contact lifts a mode.
+pub(crate) fn lift<S: Float>(mode: &Mode<S>, receptance: S) -> S {
+    mode.contact / (mode.resonance * mode.resonance * receptance)
+}
+
 #[cfg(test)]
 mod tests;

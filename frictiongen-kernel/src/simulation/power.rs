@@ -1,6 +1,6 @@
 //! A function of the contact as a power series about an instant, in the way in which a walk follows it.
 
-use super::sum::{Local, ORDER, Series};
+use super::local::{Local, ORDER, Series};
 use super::walk::Walked;
 use crate::number::scalar::Float;
 

@@ -1,7 +1,6 @@
 //! A scene at one frequency ratio and one friction ratio: what all its segments share.
 
-use super::held::lift;
-use super::part::Part;
+use super::part::{Part, lift};
 use super::{Dynamics, rotated};
 use crate::contact::regime::{check_beta, check_ratio};
 use crate::errors::OutOfDomain;

@@ -1,19 +1,10 @@
 //! A function of time between two events: a fundamental component at the excitation's frequency and a sum over
 //! oscillators, with its derivatives and what the third of them cannot exceed.
 
+use super::local::{Local, ORDER, Series};
 use super::part::Part;
 use super::walk::Walked;
 use crate::number::scalar::Float;
-
-/// A function about one instant.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Local<S> {
-    pub value: S,
-    pub slope: S,
-    pub curve: S,
-    /// What |f‴| cannot exceed from there on, over the reach.
-    pub bound: S,
-}
 
 /// constant + cosine·cos τ + sine·sin τ + what is left of the parts.
 #[derive(Clone, Copy, Debug)]
@@ -138,10 +129,7 @@ impl<S: Float> Walked<S> for Sum<'_, S> {
         }
         let [first, second, ..] = &mut terms;
         (*first, *second) = (value, slope);
-        Series {
-            terms,
-            reach: S::constant(0.03) / self.rate,
-        }
+        Series::new(terms, S::constant(0.03) / self.rate)
     }
 
     fn noise(&self) -> S {
@@ -150,77 +138,5 @@ impl<S: Float> Walked<S> for Sum<'_, S> {
 
     fn reach(&self) -> S {
         self.reach
-    }
-}
-
-/// How many derivatives a series has.
-pub(crate) const ORDER: usize = 9;
-
-/// A function by its derivatives at the start.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Series<S> {
-    terms: [S; ORDER],
-    /// Up to here what is left out is below rounding.
-    pub reach: S,
-}
-
-impl<S: Float> Series<S> {
-    /// From the derivatives at the start; beyond `reach` what is left out shows.
-    pub(crate) fn new(terms: [S; ORDER], reach: S) -> Self {
-        Self { terms, reach }
-    }
-
-    /// Value, slope and curve.
-    pub(super) fn at(&self, tau: S, bound: S) -> Local<S> {
-        // Written out: in a loop the reciprocals are double-precision divisions on the target.
-        let [c0, c1, c2, c3, c4, c5, c6, c7, c8] = self.terms;
-        let [h2, h3, h4, h5, h6, h7, h8] = [
-            S::constant(1.0 / 2.0),
-            S::constant(1.0 / 3.0),
-            S::constant(1.0 / 4.0),
-            S::constant(1.0 / 5.0),
-            S::constant(1.0 / 6.0),
-            S::constant(1.0 / 7.0),
-            S::constant(1.0 / 8.0),
-        ];
-        let horner = |terms: &[(S, S)], last: S| {
-            let terms = terms.iter();
-            terms.fold(last, |sum, (term, factor)| *term + sum * tau * *factor)
-        };
-        let one = S::constant(1.0);
-        let value = [
-            (c7, h8),
-            (c6, h7),
-            (c5, h6),
-            (c4, h5),
-            (c3, h4),
-            (c2, h3),
-            (c1, h2),
-            (c0, one),
-        ];
-        let slope = [
-            (c7, h7),
-            (c6, h6),
-            (c5, h5),
-            (c4, h4),
-            (c3, h3),
-            (c2, h2),
-            (c1, one),
-        ];
-        let curve = [(c7, h6), (c6, h5), (c5, h4), (c4, h3), (c3, h2), (c2, one)];
-        let value = horner(&value, c8);
-        let slope = horner(&slope, c8);
-        let curve = horner(&curve, c8);
-        Local {
-            value,
-            slope,
-            curve,
-            bound,
-        }
-    }
-
-    /// The derivative of this order at the start.
-    pub(super) fn term(&self, order: usize) -> S {
-        self.terms.get(order).copied().unwrap_or(S::constant(0.0))
     }
 }

@@ -1,8 +1,8 @@
 //! From event to event, none missed: each step goes as far as what the third derivative can do keeps
 //! the function positive.  The steps shrink onto the zero from the left and are its root finder too.
 
+use super::local::{Local, Series};
 use super::step;
-use super::sum::{Local, Series};
 use crate::number::scalar::Float;
 
 /// No segment is walked with more steps than this; one that needs more goes on as another segment.

@@ -13,8 +13,10 @@ mod cost;
 mod dot;
 mod drive;
 mod event;
+mod input;
 mod motion;
 mod now;
+mod pace;
 mod part;
 mod rows;
 mod run;
@@ -24,13 +26,15 @@ mod table;
 
 pub use account::Work;
 pub use cost::{Cost, Extent};
-pub use drive::{Input, Sample};
+pub use drive::Sample;
+pub use input::Input;
 pub use now::{ContactNow, MassNow, Stepped};
+pub use pace::Pace;
 pub use rows::{HeldRow, HeldStep, ModeStep, Row};
 pub use run::{FixedStepper, Stepper};
 pub use scene::{StepScene, Units};
 pub use state::{FixedStore, Saved, Store, StoreMut, StoreRef};
-pub use table::{Channel, FixedTables, HeldLoad, Pace, Tables, View, fill, series_terms};
+pub use table::{Channel, FixedTables, HeldLoad, Tables, View, fill, series_terms};
 
 /// In one part of a step no more events than this are followed.  For what is left of the part the contact is held at rest.
 pub const MAX_EVENTS: u32 = 8;

@@ -1,8 +1,8 @@
 //! What a stepper is told of a scene.
 
 use super::cost::{Cost, Extent};
-use super::drive::Input;
-use super::table::Pace;
+use super::input::Input;
+use super::pace::Pace;
 use crate::number::scalar::Float;
 use crate::simulation::{Dynamics, TERMS};
 

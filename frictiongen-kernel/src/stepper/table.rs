@@ -1,6 +1,7 @@
 //! The constants of a step: what every oscillator and every input does over a part of it.
 
 use super::MAX_PARTS;
+use super::pace::Pace;
 use super::rows::{HeldStep, ModeStep};
 use super::scene::StepScene;
 use crate::errors::OutOfDomain;
@@ -23,25 +24,6 @@ pub struct Channel<S> {
     pub residue: S,
     /// How far a displacement of the held contact moves the place that it acts on.
     pub lift: S,
-}
-
-/// How a step is cut, and what the scene adds to that.
-#[derive(Clone, Copy, Debug)]
-pub struct Pace<S> {
-    /// The step, in seconds.
-    pub step: S,
-    /// Into how many parts it is cut.
-    pub parts: u32,
-    /// A part in the time t√(k₁/m₁).
-    pub span: S,
-    /// By how much the fastest oscillator turns in a part, its damping included; at most 1.
-    pub rate: S,
-    /// How many terms of a power series reach the end of a part.
-    pub terms: u32,
-    /// wᵀK̄⁻¹w: how far a steady unit force moves the contact.
-    pub receptance: S,
-    /// What the velocity of the held contact adds to the force in it: Σ 2ζc/σ over that.
-    pub drag: S,
 }
 
 /// The tables of a scene at a step.
@@ -307,23 +289,6 @@ impl<S: Float> Channel<S> {
         Self {
             residue: S::constant(0.0),
             lift: S::constant(0.0),
-        }
-    }
-}
-
-impl<S: Float> Pace<S> {
-    /// What is filled.
-    #[must_use]
-    pub fn zero() -> Self {
-        let zero = S::constant(0.0);
-        Self {
-            step: zero,
-            parts: 1,
-            span: zero,
-            rate: zero,
-            terms: 0,
-            receptance: zero,
-            drag: zero,
         }
     }
 }

@@ -6,7 +6,7 @@ use super::fit::Fitted;
 use super::kinks;
 use super::quotients::Product;
 use super::split::Landmarks;
-use super::tables::Worst;
+use super::worst::Worst;
 use frictiongen_kernel::Float;
 
 /// Points in each piece.

@@ -5,7 +5,7 @@ use super::digits::to_decimals;
 use super::exact::Exact;
 use super::fit::{Fitted, Form, fit};
 use super::split::{Edge, Landmarks};
-use super::tables::Worst;
+use super::worst::Worst;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Quotient;
 

@@ -17,6 +17,7 @@ mod quotients;
 mod request;
 mod split;
 mod tables;
+mod worst;
 mod zeros;
 
 pub use errors::FRICTION_SHARES;
@@ -25,7 +26,8 @@ pub use index::Index;
 pub use proof::{Evidence, Proof, Work};
 pub use quotients::Product;
 pub use request::{COARSEST, FINEST, FINEST_SINGLE, Request, TableError};
-pub use tables::{Report, Tables, Worst};
+pub use tables::{Report, Tables};
+pub use worst::Worst;
 
 #[cfg(test)]
 mod tests;

@@ -5,7 +5,7 @@ use super::exact::Exact;
 use super::proof::{Proof, Receptances};
 use super::request::Request;
 use super::split::Landmarks;
-use super::tables::Worst;
+use super::worst::Worst;
 use super::zeros::{Zero, Zeros};
 use crate::scene::Side;
 use frictiongen_kernel::Float;

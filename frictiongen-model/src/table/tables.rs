@@ -10,6 +10,7 @@ use super::proof::Proof;
 use super::quotients::{Product, Products};
 use super::request::{COARSEST, Request, TableError};
 use super::split::Landmarks;
+use super::worst::Worst;
 use super::zeros::Zeros;
 use crate::modal::Modal;
 use crate::scene::{Accuracy, Provide, Scene, Side};
@@ -27,15 +28,6 @@ const SAFE_SHARE: f64 = 0.4;
 const ROUNDING: f64 = 1e-3;
 /// No table has more pieces.
 const MOST_PIECES: usize = 20_000;
-
-/// An error and where it is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Worst {
-    /// The error.
-    pub error: f64,
-    /// The frequency ratio.
-    pub at: f64,
-}
 
 /// What was built, and how it compares with the exact values.
 #[derive(Clone, Copy, Debug, PartialEq)]

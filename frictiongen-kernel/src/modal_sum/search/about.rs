@@ -1,8 +1,7 @@
 //! The cells about a summit that it closes: near the top by Taylor's theorem, and further on by the cubic that meets value
 //! and slope of a node beyond (section 9 of `docs/derivation.md`).
 
-use super::cells::Open;
-use super::grid::{Grid, Node};
+use super::grid::{Grid, Node, Open};
 use super::summit::{Cubic, REACH, Summit, beyond_cubic};
 use super::{Search, Weight};
 use crate::number::scalar::Float;

@@ -5,7 +5,7 @@
 //! grid, until rounding alone keeps it open (section 9 of `docs/derivation.md`).
 
 use super::bounds::Bounds;
-use super::grid::{Grid, Node, Stretch};
+use super::grid::{Grid, Node, Open, Stretch};
 use super::summit::EVALUATIONS;
 use super::{EQUAL, Search, Weight};
 use crate::number::scalar::Float;
@@ -21,9 +21,6 @@ const COST: u32 = 2;
 const SUMMITS: u32 = 6;
 /// Into so many each of a few open cells is divided.
 const FINER: f64 = 10.0;
-
-/// The open cells of a grid, one bit for each, for the sum and for its negative.
-pub(super) type Open = [u32; 2];
 
 const NONE: Open = [0, 0];
 

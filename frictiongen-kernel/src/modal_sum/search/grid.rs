@@ -17,6 +17,9 @@ const ROWS: usize = 8;
 
 type Row<S> = [S; LANES];
 
+/// The open cells of a grid, one bit for each, for the sum and for its negative.
+pub(super) type Open = [u32; 2];
+
 /// Where the nodes of a grid are.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch<S> {

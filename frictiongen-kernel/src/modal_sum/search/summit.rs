@@ -1,7 +1,6 @@
 //! Summits of a grid: from the highest node to the top in two evaluations.
 
-use super::cells::Open;
-use super::grid::{Grid, Node};
+use super::grid::{Grid, Node, Open};
 use super::{Maximiser, Search, Weight};
 use crate::modal_sum::wave::Jet;
 use crate::number::scalar::Float;

@@ -2,7 +2,7 @@
 
 use super::super::fit::Fitted;
 use super::super::request::Request;
-use super::super::tables::Worst;
+use super::super::worst::Worst;
 use super::ORDER;
 use super::stage::Stage;
 use super::witness::{Seen, polynomial};

@@ -1,6 +1,6 @@
 //! What is known of a table, and how it is told.
 
-use super::super::tables::Worst;
+use super::super::worst::Worst;
 
 /// What is known of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! What a proof has found so far, and the work that it may still take.
 
-use super::super::tables::Worst;
+use super::super::worst::Worst;
 use super::compare::Compared;
 use super::{Evidence, Proof, Work};
 

@@ -6,7 +6,7 @@
 
 use super::super::errors::FRICTION_SHARES;
 use super::super::fit::{ANGLE, Fitted};
-use super::super::tables::Worst;
+use super::super::worst::Worst;
 use super::ORDER;
 use super::compare::{CELLS, Compared, SHORT, divided, rounding};
 use super::stage::Stage;

@@ -14,7 +14,7 @@ mod tests;
 use super::super::exact::Exact;
 use super::super::quotients::Product;
 use super::super::request::Request;
-use super::super::tables::Worst;
+use super::super::worst::Worst;
 use super::super::zeros::{Share, Zero, Zeros};
 use super::{Evidence, Proof, Work};
 use crate::scene::Side;

@@ -1,0 +1,10 @@
+//! The largest error of a table.
+
+/// An error and where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Worst {
+    /// The error.
+    pub error: f64,
+    /// The frequency ratio.
+    pub at: f64,
+}
