@@ -63,7 +63,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         for (to, state) in self.store.scratch.iter_mut().zip(&*self.store.held) {
             *to = *state;
         }
-        let motions = self.carrier();
+        let motions = self.moving_base();
         let mut still = still.into_iter();
         let (mut order, mut size) = (S::constant(1.0), zero);
         for (place, slot) in force.slots().enumerate() {

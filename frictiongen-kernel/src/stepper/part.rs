@@ -52,7 +52,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
                 add(sum, load, drive);
             }
         }
-        if let Some(motions) = self.carrier() {
+        if let Some(motions) = self.moving_base() {
             for (lift, motion) in step.lift.iter().zip(motions) {
                 for (sum, lift) in sum.iter_mut().zip(lift) {
                     for (sum, term) in sum.iter_mut().zip(motion) {
@@ -65,7 +65,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 
     /// Velocity and acceleration of the base where it carries the contact.
-    pub(super) fn carrier(&self) -> Option<[[S; 4]; 2]> {
+    pub(super) fn moving_base(&self) -> Option<[[S; 4]; 2]> {
         let velocity = derived(self.base);
         let motions = [velocity, derived(velocity)];
         self.scene.rubs_on_base().then_some(motions)

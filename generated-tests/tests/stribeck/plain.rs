@@ -96,7 +96,7 @@ impl Run {
     fn holding(&self, state: &State, time: f64) -> f64 {
         let free = self.pull(state, time).component_div(&self.chain.m);
         let own = self.chain.s * self.base(time)[2];
-        (self.chain.w.dot(&free) - own) / self.chain.mobility
+        (self.chain.w.dot(&free) - own) / self.chain.inverse_mass
     }
 
     fn velocity(&self, (_, v): &State, time: f64) -> f64 {

@@ -87,7 +87,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         if summit.tau < grid.stretch.from {
             return [0, 0];
         }
-        let starts = self.question.weight == Weight::Sine && grid.stretch.from.is_zero();
+        let starts = self.problem.weight == Weight::Sine && grid.stretch.from.is_zero();
         let plain = self.excess(summit, grid);
         let over_tau = if starts {
             self.excess_over_tau(summit, grid)
@@ -139,7 +139,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// The level that a sum must stay below about a summit, of its own sign.
     fn level_about(&self, summit: &Summit<S>) -> S {
-        match self.question.weight {
+        match self.problem.weight {
             Weight::One => summit.level,
             Weight::Sine => self.signed(summit.level, summit.negative),
         }
@@ -147,7 +147,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// What sin τ times the level adds to a derivative's bound.
     fn of_sine(&self, summit: &Summit<S>) -> S {
-        match self.question.weight {
+        match self.problem.weight {
             Weight::One => S::constant(0.0),
             Weight::Sine => self.level_about(summit),
         }

@@ -11,9 +11,10 @@ use super::{EQUAL, Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
-/// By so much of the largest value may a cubic be off: less takes more nodes, more leaves more cells open.
+/// The error allowed to a cubic, over the largest value; it sets the width of cells.  Less takes more nodes, more leaves more
+/// cells open.
 const SLACK: f64 = 2e-3;
-/// A first grid is not so fine that it would show a largest value of less than this share of the modes' own.
+/// Where modes cancel, the first grid is as fine as if the largest value were this share of the modes' amplitudes.
 const CANCELLED: f64 = 1e-3;
 /// A grid costs about as much as so many evaluations.
 const COST: u32 = 2;
@@ -33,7 +34,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// The whole half period, as far as the evaluations go that the search may take.
     pub(super) fn by_grids(&mut self) {
-        let end = self.question.end;
+        let end = self.problem.end;
         let mut from = S::constant(0.0);
         while from < end && self.has_room() {
             let bounds = Bounds::of(&self.sum, &Instant::new(from * S::inverse_pi()), end - from);
@@ -50,15 +51,15 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// About how large the largest value is: not far below the modes' own, unless they cancel.
     fn size(&self, bounds: &Bounds<S>) -> S {
-        let mut known = self.question.start + self.peak.value;
-        if self.question.weight == Weight::One && known.is_zero() {
+        let mut known = self.problem.start + self.peak.value;
+        if self.problem.weight == Weight::One && known.is_zero() {
             let (cosine, sine) = self.sum.start();
             known = cosine.abs() + sine.abs();
         }
         known.max(bounds.size * S::constant(CANCELLED))
     }
 
-    /// A stretch by one grid, and what that leaves open by finer ones, as far as they can tell more.
+    /// Searches a stretch by one grid, then divides the cells left open, until rounding exceeds the cubic's error.
     fn settle(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) {
         let [plus, minus] = self.open_cells(stretch, bounds);
         let mut open = plus | minus;
@@ -85,7 +86,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     fn divide(&mut self, from: S, to: S, width: S, bounds: &Bounds<S>) {
         let few = to - from < width * S::constant(3.5);
         let share = S::constant(if few { 1.0 / FINER } else { 0.25 });
-        let starts = self.question.weight == Weight::Sine && from.is_zero();
+        let starts = self.problem.weight == Weight::Sine && from.is_zero();
         let mut from = from;
         while from < to && self.has_room() {
             let stretch = Stretch::new(from, to, width * share, starts && from.is_zero());
@@ -96,10 +97,10 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// Whether sum and sine both vanish here, at the end of the half period.
     fn ends_at_pi(&self, to: S) -> bool {
-        !(to < self.question.end) && !(to < S::pi() * S::constant(0.75))
+        !(to < self.problem.end) && !(to < S::pi() * S::constant(0.75))
     }
 
-    /// The cells of a grid that may hold more than is known, once its summits are.
+    /// Evaluates a grid, looks at its highest summits, and says which cells may still hold a larger value.
     #[inline(never)]
     pub(super) fn open_cells(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) -> Open {
         let mut grid = Grid::blank(stretch, bounds);
@@ -148,7 +149,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// The level that a cell must stay below: of a motion all maxima count that are equal.
     fn bar(&self, negative: bool) -> S {
-        match self.question.weight {
+        match self.problem.weight {
             // What rounding leaves of a sum is still the largest that is known of it.
             Weight::One if self.peak.places[0].is_none() => self.peak.value,
             Weight::One => {
@@ -172,7 +173,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         } else {
             (value, slope)
         };
-        match self.question.weight {
+        match self.problem.weight {
             Weight::One => (value - level, slope),
             Weight::Sine => (value - level * sine, slope - level * cosine),
         }
@@ -185,7 +186,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             from, to, width, ..
         } = grid.stretch;
         let bar = self.bar(negative);
-        let over_sine = self.question.weight == Weight::Sine;
+        let over_sine = self.problem.weight == Weight::Sine;
         let fourth = grid.bounds.fourth + if over_sine { bar.abs() } else { zero };
         let third = width * S::constant(1.0 / 3.0);
         let quartic = width * width * (width * width) * fourth;

@@ -28,7 +28,7 @@ pub(super) struct Stretch<S> {
     pub width: S,
     /// Nodes come in rows.
     rows: usize,
-    /// Whether every mode keeps its forcing: from where all are at rest, rounding grows with the time alone.
+    /// Whether it starts where all modes are at rest and keep their forcing: rounding then grows with the time alone.
     pub forced: bool,
     /// The last node.
     pub to: S,

@@ -122,7 +122,7 @@ impl<S> Peak<S> {
 
 struct Search<'a, S, D> {
     sum: Sum<'a, S, D>,
-    question: Problem<S>,
+    problem: Problem<S>,
     peak: Peak<S>,
     /// What rounding leaves of the sum, below which nothing can be told.
     rounding: S,
@@ -131,36 +131,36 @@ struct Search<'a, S, D> {
 }
 
 /// The largest value of `sum` over (0, end], divided by the weight.
-pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, question: Problem<S>) -> Peak<S> {
-    let mut search = Search::new(sum, question);
+pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, problem: Problem<S>) -> Peak<S> {
+    let mut search = Search::new(sum, problem);
     search.by_grids();
     search.peak
 }
 
 impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
-    fn new(sum: Sum<'a, S, D>, question: Problem<S>) -> Self {
-        let rounding = match question.weight {
+    fn new(sum: Sum<'a, S, D>, problem: Problem<S>) -> Self {
+        let rounding = match problem.weight {
             Weight::One => sum.rounding(),
             Weight::Sine => sum.rounding_over_sine(),
         };
         Self {
             sum,
-            question,
+            problem,
             peak: Peak {
-                value: question.floor,
+                value: problem.floor,
                 places: [None; 4],
                 evaluations: 0,
                 exceeded: false,
             },
             rounding,
-            most: most_evaluations(question.weight, sum.fastest()),
+            most: most_evaluations(problem.weight, sum.fastest()),
         }
     }
 
     fn level(&self) -> S {
         let Peak { value, .. } = self.peak;
-        let level = value + self.question.tolerance * (self.question.start + value);
-        match self.question.weight {
+        let level = value + self.problem.tolerance * (self.problem.start + value);
+        match self.problem.weight {
             Weight::One => level.max(self.rounding),
             Weight::Sine => level,
         }
@@ -169,7 +169,7 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
     /// The level as the negative of the sum meets it: −(sum + start·sin τ) over sin τ, less `start`.
     fn signed(&self, level: S, negative: bool) -> S {
         if negative {
-            level + self.question.start + self.question.start
+            level + self.problem.start + self.problem.start
         } else {
             level
         }
@@ -179,7 +179,7 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
     /// does towards 0.
     fn noise(&self, cosine: S) -> S {
         let zero = S::constant(0.0);
-        if self.question.weight == Weight::Sine && cosine < zero {
+        if self.problem.weight == Weight::Sine && cosine < zero {
             S::constant(NOISE) * self.rounding
         } else {
             zero
@@ -188,7 +188,7 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
 
     /// The signs that count.
     fn signs(&self) -> &'static [bool] {
-        if self.question.both_signs {
+        if self.problem.both_signs {
             &[false, true]
         } else {
             &[false]

@@ -22,8 +22,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// A climber's next place, and whether it is in a half period of the other sign: the motion
     /// goes on there, while the velocity constraint has no meaning beyond its ends.
     pub(super) fn moved(&self, tau: S) -> (S, bool) {
-        let (zero, end) = (S::constant(0.0), self.question.end);
-        match self.question.weight {
+        let (zero, end) = (S::constant(0.0), self.problem.end);
+        match self.problem.weight {
             Weight::One if tau < zero => (tau + end, true),
             Weight::One if end < tau => (tau - end, true),
             Weight::One | Weight::Sine => (tau.max(zero).min(end), false),
@@ -48,7 +48,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             if known.negative == place.negative {
                 distance < near
             } else {
-                self.question.weight == Weight::One && self.question.end - distance < near
+                self.problem.weight == Weight::One && self.problem.end - distance < near
             }
         })
     }
@@ -56,14 +56,14 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// The sum over its weight: as far as it is sure, by which places are compared, and as it is.
     pub(super) fn quotient_at(&self, value: S, sine: S, cosine: S, negative: bool) -> (S, S) {
         let value = if negative { -value } else { value };
-        match self.question.weight {
+        match self.problem.weight {
             Weight::One => (value, value),
             Weight::Sine if S::constant(0.0) < sine => {
                 let quotient = value / sine - self.signed(S::constant(0.0), negative);
                 let doubt = self.noise(cosine) / sine;
                 (quotient - doubt, quotient)
             }
-            Weight::Sine => (self.question.floor, self.question.floor),
+            Weight::Sine => (self.problem.floor, self.problem.floor),
         }
     }
 }

@@ -76,7 +76,7 @@ pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// The quotient and its first derivative at a node.
     fn quotient_node(&self, node: &Node<S>) -> (S, S) {
-        match self.question.weight {
+        match self.problem.weight {
             Weight::One => (node.value, node.slope),
             Weight::Sine => {
                 let value = node.value / node.sine;
@@ -88,7 +88,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// Where to look for a summit: where the cubic beside the highest node of the open cells is largest.
     pub(super) fn highest(&self, grid: &Grid<S>, open: Open) -> Option<Place<S>> {
         let zero = S::constant(0.0);
-        let over_sine = self.question.weight == Weight::Sine;
+        let over_sine = self.problem.weight == Weight::Sine;
         let starts = over_sine && grid.stretch.from.is_zero();
         let mut best: Option<(S, bool, usize, S)> = None;
         let (mut bit, mut index) = (1_u32, 0);
@@ -132,7 +132,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let rising = (zero < here.1) != negative;
         if !over_sine {
             // The motion goes on beyond the half period with the opposite sign.
-            let end = self.question.end;
+            let end = self.problem.end;
             let outside = if rising { !(tau < end) } else { tau.is_zero() };
             if outside {
                 return Some(Place {
@@ -183,7 +183,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let mut seen = None;
         for evaluation in 1..=EVALUATIONS {
             let (inside, flipped) = self.moved(tau);
-            if inside != tau && self.question.weight == Weight::Sine {
+            if inside != tau && self.problem.weight == Weight::Sine {
                 return None;
             }
             (tau, negative) = (inside, negative != flipped);
@@ -196,20 +196,20 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             if !(quotient.curvature < S::constant(0.0) && near) {
                 break;
             }
-            let size = self.question.start + self.peak.value.max(best);
+            let size = self.problem.start + self.peak.value.max(best);
             let spare = four * size;
-            let weight = match self.question.weight {
+            let weight = match self.problem.weight {
                 Weight::One => S::constant(1.0),
                 Weight::Sine => jet.sine,
             };
             let left = beyond_cubic(fourth + self.level(), step, S::constant(REACH));
             // A motion's lag needs the place itself.
-            let placed = self.question.weight == Weight::Sine
+            let placed = self.problem.weight == Weight::Sine
                 || (fourth * step * step * step).abs() <= four * quotient.curvature.abs()
                 || evaluation == EVALUATIONS;
             let (at_top, flipped) = self.moved(tau + step);
             // In the next half period friction has the opposite sign, and the curvature is another.
-            let crossed = flipped && four < at_top.min(self.question.end - at_top);
+            let crossed = flipped && four < at_top.min(self.problem.end - at_top);
             if quotient.is_concave(step, S::constant(REACH))
                 && left <= spare * weight
                 && placed
@@ -221,7 +221,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                     negative: negative != flipped,
                 };
                 self.keep(best + rise, quotient.value + rise, top);
-                let tolerance = self.question.tolerance.max(four);
+                let tolerance = self.problem.tolerance.max(four);
                 return Some(Summit {
                     tau,
                     negative,
@@ -251,7 +251,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         } = *jet;
         let (best, whole) = self.quotient_at(value, sine, cosine, negative);
         let sign = S::constant(if negative { -1.0 } else { 1.0 });
-        let [slope, curvature, third] = match self.question.weight {
+        let [slope, curvature, third] = match self.problem.weight {
             Weight::One => [slope, curvature, third],
             Weight::Sine => {
                 // From F = Q sin τ, derived.

@@ -14,7 +14,7 @@ mod whole;
 type TestSearch<'a> = Search<'a, f64, Damped<f64>>;
 type TestSum<'a> = Sum<'a, f64, Damped<f64>>;
 
-/// A question without a tolerance: over the half period, or over half of it for a sum that is odd about it.
+/// A problem without a tolerance: over the half period, or over half of it for a sum that is odd about it.
 pub fn asked(weight: Weight, both_signs: bool, start: f64) -> Problem<f64> {
     let odd = weight == Weight::Sine && both_signs;
     Problem {
@@ -28,8 +28,8 @@ pub fn asked(weight: Weight, both_signs: bool, start: f64) -> Problem<f64> {
 }
 
 /// A search that has found this much.
-pub fn search<'a>(sum: TestSum<'a>, question: Problem<f64>, known: f64) -> TestSearch<'a> {
-    let mut search = Search::new(sum, question);
+pub fn search<'a>(sum: TestSum<'a>, problem: Problem<f64>, known: f64) -> TestSearch<'a> {
+    let mut search = Search::new(sum, problem);
     search.peak.value = known;
     search
 }
@@ -38,7 +38,7 @@ pub fn search<'a>(sum: TestSum<'a>, question: Problem<f64>, known: f64) -> TestS
 pub fn excess(search: &TestSearch<'_>, negative: bool, tau: f64) -> f64 {
     let value = sum_derivative(&search.sum, tau, 0);
     let value = if negative { -value } else { value };
-    match search.question.weight {
+    match search.problem.weight {
         Weight::One => value - search.peak.value,
         Weight::Sine => value - search.signed(search.peak.value, negative) * tau.sin(),
     }
@@ -50,39 +50,39 @@ pub fn size(search: &TestSearch<'_>) -> f64 {
         w.free.abs() / w.x + w.swing.abs() + w.swing_slope.abs() + w.rise.abs() / (w.x * w.x)
     };
     search.peak.value.abs()
-        + search.question.start
+        + search.problem.start
         + search.sum.cosine.abs()
         + search.sum.sine.abs()
         + search.sum.waves.iter().map(wave).sum::<f64>()
 }
 
-/// A sum to search, and its question: the constraint's quotient or a mass's motion.
+/// A sum to search, and its problem: the constraint's quotient or a mass's motion.
 struct Drawn {
     waves: Vec<TestWave>,
     cosine: f64,
     sine: f64,
-    question: Problem<f64>,
+    problem: Problem<f64>,
 }
 
 impl Drawn {
     fn new(random: &mut Lcg, range: (f64, f64), undamped: bool, over_sine: bool) -> Self {
         if over_sine {
             let (waves, sine, start) = random_constraint(random, range, undamped, 16);
-            let question = asked(Weight::Sine, undamped, start);
+            let problem = asked(Weight::Sine, undamped, start);
             return Self {
                 waves,
                 cosine: 0.0,
                 sine,
-                question,
+                problem,
             };
         }
         let (waves, cosine, sine) = random_motion(random, range, undamped, 16);
-        let question = asked(Weight::One, true, 0.0);
+        let problem = asked(Weight::One, true, 0.0);
         Self {
             waves,
             cosine,
             sine,
-            question,
+            problem,
         }
     }
 

@@ -17,7 +17,7 @@ pub struct Chain {
     /// Of each mass, the stiffness of its springs to the base.
     pub to_base: DVector<f64>,
     /// wᵀM⁻¹w.
-    pub mobility: f64,
+    pub inverse_mass: f64,
     /// Static over kinetic friction force.
     pub mu: f64,
     /// Kinetic level over F at speeds: (0, 1), then the law's points.
@@ -78,7 +78,7 @@ impl Chain {
                 }
             }
         }
-        let mobility = w.iter().zip(&m).map(|(w, m)| w * w / m).sum();
+        let inverse_mass = w.iter().zip(&m).map(|(w, m)| w * w / m).sum();
         let fastest = (0..n)
             .map(|mode| omega[mode] * (1.0 + 2.0 * zeta(mode)))
             .fold(0.0, f64::max);
@@ -91,7 +91,7 @@ impl Chain {
             w,
             s,
             to_base,
-            mobility,
+            inverse_mass,
             mu: scene.stiction,
             law: points,
             fastest,
@@ -104,7 +104,7 @@ impl Chain {
             let [[v0, f0], [v1, f1]] = [ends[0], ends[1]];
             ((f1 - f0) / (v1 - v0)).abs()
         });
-        self.fastest + slopes.fold(0.0, f64::max) * friction * self.mobility
+        self.fastest + slopes.fold(0.0, f64::max) * friction * self.inverse_mass
     }
 }
 

@@ -238,7 +238,7 @@ impl Plain {
         let [z, _] = self.relative([base[0], base[1]]);
         let held_at = self.held_at;
         let chain = &self.chain;
-        self.x -= chain.w.component_div(&chain.m) * ((z - held_at) / chain.mobility);
+        self.x -= chain.w.component_div(&chain.m) * ((z - held_at) / chain.inverse_mass);
         self.rest(base);
         self.held_at = held_at;
     }
@@ -247,7 +247,7 @@ impl Plain {
     fn rest(&mut self, base: &[f64]) {
         let [z, rate] = self.relative([base[0], base[1]]);
         let chain = &self.chain;
-        self.v -= chain.w.component_div(&chain.m) * (rate / chain.mobility);
+        self.v -= chain.w.component_div(&chain.m) * (rate / chain.inverse_mass);
         self.held_at = z;
     }
 
@@ -272,7 +272,7 @@ impl Plain {
                 .component_div(&chain.m);
             let f = match self.slip {
                 Slip::Stuck => {
-                    (chain.w.dot(&free) - chain.s * both * of_base(k + 2)) / chain.mobility
+                    (chain.w.dot(&free) - chain.s * both * of_base(k + 2)) / chain.inverse_mass
                 }
                 Slip::Slides(sign, piece) => {
                     let [level, steep] = self.level(piece);
@@ -313,7 +313,7 @@ impl Plain {
         if let Some(excess) = excess {
             // From rest: what is known exactly is put in, and t or t² taken out.
             speed[0] = 0.0;
-            speed[1] = self.chain.mobility * excess;
+            speed[1] = self.chain.inverse_mass * excess;
             let lead = if excess > 0.0 { 1 } else { 2 };
             if speed[lead] <= 0.0 {
                 return (0.0, Next::Holds);

@@ -28,7 +28,7 @@ fn nodes_are_on_the_sum() {
         let drawn = Drawn::new(&mut random, (0.05, 40.0), case % 3 == 0, case % 2 == 0);
         let sum = drawn.sum();
         let from = [0.0, 0.3, 1.7][case % 3];
-        let grid = grid_of(&sum, from, drawn.question.end.max(from + 0.5), 0.02);
+        let grid = grid_of(&sum, from, drawn.problem.end.max(from + 0.5), 0.02);
         let rounding = grid.bounds.rounding;
         let fastest = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
         grid.each(|tau, node| {
@@ -142,17 +142,17 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
     for case in 0..4000 {
         let over_sine = case % 2 == 0;
         let drawn = Drawn::new(&mut random, (0.05, 30.0), case % 3 == 0, over_sine);
-        let (sum, question) = (drawn.sum(), drawn.question);
-        let question = Problem {
+        let (sum, problem) = (drawn.sum(), drawn.problem);
+        let problem = Problem {
             tolerance: 4.0 * f64::EPSILON,
             // The level is anything up to twice what the largest value is.
             floor: if over_sine { 0.0 } else { 1e-3 * size_of(&sum) },
-            ..question
+            ..problem
         };
-        let mut search = search(sum, question, question.floor);
+        let mut search = search(sum, problem, problem.floor);
         if case % 5 < 3 {
             let most = scanned(&search);
-            search.peak.value = (most * random.log_uniform(0.1, 2.0)).max(question.floor);
+            search.peak.value = (most * random.log_uniform(0.1, 2.0)).max(problem.floor);
         }
         let from = if case % 4 < 2 {
             0.0
@@ -161,12 +161,12 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
         };
         let width = random.log_uniform(0.01, 0.5);
         let forced = over_sine && case % 3 == 1;
-        let stretch = Stretch::new(from, question.end, width, forced);
-        let bounds = Bounds::of(&sum, &Instant::new(from / PI), question.end - from);
+        let stretch = Stretch::new(from, problem.end, width, forced);
+        let bounds = Bounds::of(&sum, &Instant::new(from / PI), problem.end - from);
         let bits = search.open_cells(&stretch, &bounds);
         let bar = 1e-11 * size(&search);
         for (negative, bits) in [(false, bits[0]), (true, bits[1])] {
-            if negative && !question.both_signs {
+            if negative && !problem.both_signs {
                 continue;
             }
             for cell in 0..stretch.cells() {
@@ -177,7 +177,7 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
                 closed += 1;
                 let left = from + cell as f64 * stretch.width;
                 for i in 0..=8 {
-                    let tau = (left + stretch.width * f64::from(i) / 8.0).min(question.end);
+                    let tau = (left + stretch.width * f64::from(i) / 8.0).min(problem.end);
                     let above = excess(&search, negative, tau);
                     beside += usize::from(above > -1e-3 * size(&search));
                     assert!(above <= bar, "case {case}, cell {cell}, τ {tau}: {above:e}");
@@ -198,11 +198,11 @@ fn a_cell_that_exceeds_the_level_is_open() {
     for case in 0..12_000 {
         let over_sine = case % 4 != 0;
         let drawn = Drawn::new(&mut random, (0.05, 30.0), case % 3 == 0, over_sine);
-        let (sum, question) = (drawn.sum(), drawn.question);
-        let mut search = search(sum, question, 0.0);
+        let (sum, problem) = (drawn.sum(), drawn.problem);
+        let mut search = search(sum, problem, 0.0);
         let width = random.log_uniform(0.02, 1.0);
-        let stretch = Stretch::new(0.0, question.end, width, case % 5 == 0);
-        let bounds = Bounds::of(&sum, &Instant::new(0.0), question.end);
+        let stretch = Stretch::new(0.0, problem.end, width, case % 5 == 0);
+        let bounds = Bounds::of(&sum, &Instant::new(0.0), problem.end);
         let grid = filled(&sum, &stretch, &bounds);
         let cell = [0, stretch.cells() - 1, random.below(stretch.cells())][case % 3];
         // The largest quotient in the cell, at its thirty-second parts.
@@ -248,8 +248,8 @@ fn a_summit_closes_nothing_that_is_higher() {
     for case in 0..6000 {
         let over_sine = case % 2 == 0;
         let drawn = Drawn::new(&mut random, (0.3, 30.0), case % 3 == 0, over_sine);
-        let (sum, question) = (drawn.sum(), drawn.question);
-        let mut search = search(sum, question, 0.0);
+        let (sum, problem) = (drawn.sum(), drawn.problem);
+        let mut search = search(sum, problem, 0.0);
         let rate = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
         // Wide enough that the fourth derivative decides.
         let width = random.log_uniform(0.3, 6.0) / rate;
@@ -258,8 +258,8 @@ fn a_summit_closes_nothing_that_is_higher() {
         } else {
             0.2 * random.unit()
         };
-        let stretch = Stretch::new(from, question.end, width, false);
-        let bounds = Bounds::of(&sum, &Instant::new(from / PI), question.end - from);
+        let stretch = Stretch::new(from, problem.end, width, false);
+        let bounds = Bounds::of(&sum, &Instant::new(from / PI), problem.end - from);
         let grid = filled(&sum, &stretch, &bounds);
         let place = Place {
             tau: from + (stretch.to - from) * random.unit(),
@@ -277,7 +277,7 @@ fn a_summit_closes_nothing_that_is_higher() {
             closed += 1;
             for i in 0..=16 {
                 let tau = from + (cell as f64 + f64::from(i) / 16.0) * stretch.width;
-                let above = excess(&search, negative, tau.min(question.end));
+                let above = excess(&search, negative, tau.min(problem.end));
                 assert!(above <= bar, "case {case}, cell {cell}, τ {tau}: {above:e}");
             }
         }

@@ -29,7 +29,7 @@ fn harmonics(sines: &[(f64, f64)], cosines: &[(f64, f64)]) -> (Vec<TestWave>, f6
     (waves, cosine, sine)
 }
 
-fn motion_question() -> Problem<f64> {
+fn motion_problem() -> Problem<f64> {
     Problem {
         tolerance: 4.0 * f64::EPSILON,
         ..asked(Weight::One, true, 0.0)
@@ -75,9 +75,9 @@ fn equal_maxima_are_all_found() {
                 cosine,
                 sine,
             };
-            let want = scanned(&search(sum, motion_question(), 0.0));
+            let want = scanned(&search(sum, motion_problem(), 0.0));
             {
-                let peak = largest(sum, motion_question());
+                let peak = largest(sum, motion_problem());
                 assert!((peak.value / want - 1.0).abs() < 1e-13, "{k}, {b}, {odd}");
                 let places = places(&peak);
                 // No b here makes the middle itself the largest of a sum that is even about it.
@@ -107,7 +107,7 @@ fn a_peak_keeps_four_places() {
             cosine,
             sine,
         },
-        motion_question(),
+        motion_problem(),
     );
     let found = places(&peak);
     assert_eq!(found.len(), 4);
@@ -122,7 +122,7 @@ fn a_peak_keeps_four_places() {
         cosine,
         sine,
     };
-    assert_eq!(places(&largest(sum, motion_question())).len(), 1);
+    assert_eq!(places(&largest(sum, motion_problem())).len(), 1);
 }
 
 /// A mode so fast that every one of its 5·10⁴ turns must be looked at: the search gives up with the best of
@@ -138,7 +138,7 @@ fn a_search_that_takes_too_long_ends_with_the_best_so_far() {
         cosine: 0.0,
         sine: 0.0,
     };
-    let peak = largest(sum, motion_question());
+    let peak = largest(sum, motion_problem());
     let most = most_evaluations(Weight::One, 1e5 + 0.3);
     println!("{} evaluations of {most}", peak.evaluations);
     assert!(most < MAX_EVALUATIONS);
@@ -160,8 +160,8 @@ fn a_minimum_at_the_start_is_left() {
             sine,
         };
         assert!(sum.slope(&Instant::new(0.0)) == 0.0);
-        let want = scanned(&search(sum, motion_question(), 0.0));
-        let peak = largest(sum, motion_question());
+        let want = scanned(&search(sum, motion_problem(), 0.0));
+        let peak = largest(sum, motion_problem());
         assert!(
             (peak.value / want - 1.0).abs() < 1e-13,
             "{k}: {peak:?}, not {want}"

@@ -4,7 +4,7 @@ use super::*;
 
 /// The largest quotient on a grid of 24 points to the fastest turn, refined by golden section.
 pub fn scanned(search: &TestSearch<'_>) -> f64 {
-    let end = search.question.end;
+    let end = search.problem.end;
     let rate = search
         .sum
         .waves
@@ -14,12 +14,12 @@ pub fn scanned(search: &TestSearch<'_>) -> f64 {
     let points = (24.0 * rate) as usize;
     let quotient = |tau: f64| {
         let value = sum_derivative(&search.sum, tau, 0);
-        let one = |value: f64, negative: bool| match search.question.weight {
+        let one = |value: f64, negative: bool| match search.problem.weight {
             Weight::One => value,
             Weight::Sine => value / tau.sin() - search.signed(0.0, negative),
         };
         let plus = one(value, false);
-        if search.question.both_signs {
+        if search.problem.both_signs {
             plus.max(one(-value, true))
         } else {
             plus
@@ -58,14 +58,14 @@ fn no_maximum_of_a_random_sum_is_missed() {
         let sine = case % 2 == 0;
         let undamped = case % 3 == 0;
         let drawn = Drawn::new(&mut random, (0.05, 60.0), undamped, sine);
-        let (sum, question) = (drawn.sum(), drawn.question);
-        let want = scanned(&search(sum, question, 0.0));
-        let question = Problem {
+        let (sum, problem) = (drawn.sum(), drawn.problem);
+        let want = scanned(&search(sum, problem, 0.0));
+        let problem = Problem {
             tolerance: 4.0 * f64::EPSILON,
-            ..question
+            ..problem
         };
-        let found = largest(sum, question);
-        let most = most_evaluations(question.weight, sum.fastest());
+        let found = largest(sum, problem);
+        let most = most_evaluations(problem.weight, sum.fastest());
         assert!(!found.exceeded && found.evaluations <= most, "case {case}");
         if found.places[0].is_none() {
             // The floor; both vanish at τ = 0, where a quotient may well be larger, but not by much.
@@ -73,7 +73,7 @@ fn no_maximum_of_a_random_sum_is_missed() {
             floors += 1;
             continue;
         }
-        let scale = want.abs() + question.start;
+        let scale = want.abs() + problem.start;
         // What rounding leaves of the sum, sin τ below it, in a scan that stops 10⁻⁵ before π.
         let bar = 1e-9 * scale;
         let value = found.value;
