@@ -1,6 +1,8 @@
 //! The stepper beside fixed-step integrators of the usual kinds: error against the exact steady state, nanoseconds a
-//! step, stops.  `step_trade [--untimed] PAGE` rewrites the table between the marks of the page.
+//! step, stops; and what a step takes without event, with one, and at most.  `step_trade [--untimed] PAGE` rewrites the tables
+//! between the marks of the page.
 
+mod kinds;
 mod run;
 mod scenes;
 
@@ -12,6 +14,10 @@ use std::fmt::Write;
 const STEPS: [usize; 3] = [50, 200, 1000];
 const BEGIN: &str = "<!-- scripts/step-trade: begin -->\n";
 const END: &str = "<!-- scripts/step-trade: end -->";
+const KINDS: [&str; 2] = [
+    "<!-- scripts/step-trade, kinds: begin -->\n",
+    "<!-- scripts/step-trade, kinds: end -->",
+];
 /// The programs of `peers/time_stepping.c`, and what they are called.
 const IN_C: [(&str, &str); 4] = [
     ("moreau-half", "Moreau–Jean, θ = ½"),
@@ -150,11 +156,19 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         eprintln!("SKIPPED: no C compiler; the peers in C are left out");
     }
     let text = std::fs::read_to_string(page)?;
-    let (before, rest) = text.split_once(BEGIN).ok_or("the page has no mark")?;
-    let (_, after) = rest.split_once(END).ok_or("the page has no second mark")?;
-    let table = table(timed)?;
-    std::fs::write(page, format!("{before}{BEGIN}{table}{END}{after}"))?;
+    let mut text = between(&text, [BEGIN, END], &table(timed)?)?;
+    if timed {
+        text = between(&text, KINDS, &kinds::table()?)?;
+    }
+    std::fs::write(page, text)?;
     Ok(())
+}
+
+/// The page with this between its marks.
+fn between(page: &str, [begin, end]: [&str; 2], table: &str) -> Result<String, &'static str> {
+    let (before, rest) = page.split_once(begin).ok_or("the page has no mark")?;
+    let (_, after) = rest.split_once(end).ok_or("the page has no second mark")?;
+    Ok(format!("{before}{begin}{table}{end}{after}"))
 }
 
 fn table(timed: bool) -> Result<String, std::fmt::Error> {

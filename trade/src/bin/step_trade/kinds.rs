@@ -1,0 +1,114 @@
+//! A step without event, with one, and the slowest under violent loads.
+
+use crate::scenes;
+use std::fmt::Write;
+use std::hint::black_box;
+use std::time::Instant;
+
+/// The step, over √(m/k): 63 to a cycle of a block on its spring.
+const STEP: f64 = 0.1;
+/// Steps that are looked at for their events.
+const STEPS: usize = 2000;
+/// Steps of each kind that are timed.
+const TIMED: usize = 40;
+/// Each step is taken so often from the same state.
+const REPEATS: u32 = 200;
+/// Loads, over the friction force: usual ones, and violent ones.
+const LOADS: [f64; 2] = [3.0, 1e4];
+
+/// Numbers between −1 and 1 that look random.
+struct Noise(u64);
+
+impl Noise {
+    fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+/// Nanoseconds of a step from this state on; the copy of the state is taken off.
+fn time<T: Clone>(state: &T, mut advance: impl FnMut(&mut T)) -> f64 {
+    let mut of = |steps: bool| {
+        let times = (0..7).map(|_| {
+            let start = Instant::now();
+            for _ in 0..REPEATS {
+                let mut stepper = black_box(state).clone();
+                if steps {
+                    advance(&mut stepper);
+                }
+                black_box(&stepper);
+            }
+            start.elapsed().as_secs_f64()
+        });
+        times.fold(f64::INFINITY, f64::min)
+    };
+    1e9 * (of(true) - of(false)) / f64::from(REPEATS)
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// What steps take: without event and with one in the median, the slowest under violent loads, and how many events that
+/// has.
+fn kinds<T: Clone>(start: &T, advance: impl Fn(&mut T, f64) -> u32) -> (f64, f64, f64, u32) {
+    let mut noise = Noise(7);
+    let (mut stepper, mut seen) = (start.clone(), [Vec::new(), Vec::new()]);
+    for _ in 0..STEPS {
+        let (before, force) = (stepper.clone(), LOADS[0] * noise.next());
+        let events = advance(&mut stepper, force) as usize;
+        if let Some(kind) = seen.get_mut(events).filter(|kind| kind.len() < TIMED) {
+            kind.push(time(&before, |stepper| {
+                black_box(advance(stepper, black_box(force)));
+            }));
+        }
+    }
+    let [without, one] = seen.map(median);
+    let (mut stepper, mut slowest) = (start.clone(), (0.0, 0));
+    for _ in 0..STEPS / 8 {
+        let (before, force) = (stepper.clone(), LOADS[1] * noise.next());
+        let events = advance(&mut stepper, force);
+        let time = time(&before, |stepper| {
+            black_box(advance(stepper, black_box(force)));
+        });
+        if slowest.0 < time {
+            slowest = (time, events);
+        }
+    }
+    (without, one, slowest.0, slowest.1)
+}
+
+macro_rules! row {
+    ($table:ident, $masses:literal, $frame:ident, $input:ident) => {{
+        let input = |force| scenes::$input {
+            force,
+            friction: 1.0,
+        };
+        let mut stepper = scenes::$frame::stepper(STEP).expect("a step");
+        stepper.begin(input(0.0)).expect("a sound input");
+        let (without, one, slowest, events) = kinds(&stepper, |stepper, force| {
+            stepper.advance(input(force)).expect("a sound input").events
+        });
+        writeln!(
+            $table,
+            "| {} | {without:.0} | {one:.0} | {slowest:.0}, {events} events |",
+            $masses
+        )?;
+    }};
+}
+
+/// A row for each number of masses.
+pub fn table() -> Result<String, std::fmt::Error> {
+    let mut table = String::from(
+        "| masses | no event, ns | one event, ns | the slowest under loads of 10⁴ F, ns |\n|---|---|---|---|\n",
+    );
+    row!(table, 1, Line1, Line1Input);
+    row!(table, 2, Line2, Line2Input);
+    row!(table, 5, Line5, Line5Input);
+    row!(table, 10, Line10, Line10Input);
+    Ok(table)
+}
