@@ -10,7 +10,7 @@
 
 mod common;
 
-use common::{BLOCK, FRAME, cells, failure, json, output};
+use common::{BLOCK, FRAME, cells, column_with_gaps as column, failure, json, output};
 
 const STOPS: &str = "--hz 2.5 --friction 2 --base 0.003 --of upper";
 
@@ -23,16 +23,6 @@ fn run(line: &str, format: &[&str]) -> String {
         "",
         &[&["sensitivity", FRAME], &split(line)[..], format].concat(),
     )
-}
-
-/// A column of numbers; an empty cell is NaN.
-fn column(csv: &str, name: &str) -> Vec<f64> {
-    let cells = cells(csv);
-    let place = cells[0].iter().position(|cell| *cell == name);
-    let place = place.unwrap_or_else(|| panic!("no column {name}: {:?}", cells[0]));
-    let rows = cells[1..].iter();
-    rows.map(|row| row[place].parse().unwrap_or(f64::NAN))
-        .collect()
 }
 
 /// Derivatives with respect to friction and frequency are differences of what `response` says.

@@ -10,7 +10,7 @@
 
 mod common;
 
-use common::{BLOCK, FRAME, cells, failure, json, output};
+use common::{BLOCK, FRAME, cells, column, failure, json, output};
 use frictiongen::study::{HistoryRequest, Load};
 use frictiongen::{Of, System};
 use std::f64::consts::{PI, TAU};
@@ -20,15 +20,6 @@ use std::path::PathBuf;
 /// A command line without spaces within its words.
 fn words(line: &str) -> Vec<&str> {
     line.split(' ').collect()
-}
-
-/// The values of a column.
-fn column(csv: &str, name: &str) -> Vec<f64> {
-    let cells = cells(csv);
-    let place = cells[0].iter().position(|cell| *cell == name);
-    let place = place.unwrap_or_else(|| panic!("no column {name}: {:?}", cells[0]));
-    let rows = cells[1..].iter();
-    rows.map(|row| row[place].parse().unwrap()).collect()
 }
 
 /// The words of a column.

@@ -9,7 +9,7 @@
 
 mod common;
 
-use common::{cells, failure, output};
+use common::{cells, column, failure, output};
 use frictiongen::study::HistoryRequest;
 use frictiongen::{Of, System};
 
@@ -30,15 +30,6 @@ fn frame(friction: &str) -> String {
 }
 
 const STRIBECK: &str = "stribeck(0.01: 0.7, 0.04: 0.55)";
-
-/// The values of a column.
-fn column(csv: &str, name: &str) -> Vec<f64> {
-    let cells = cells(csv);
-    let place = cells[0].iter().position(|cell| *cell == name);
-    let place = place.unwrap_or_else(|| panic!("no column {name}: {:?}", cells[0]));
-    let rows = cells[1..].iter();
-    rows.map(|row| row[place].parse().unwrap()).collect()
-}
 
 fn words(line: &str) -> Vec<&str> {
     line.split(' ').collect()

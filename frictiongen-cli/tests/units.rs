@@ -10,22 +10,12 @@
 
 mod common;
 
-use common::{FRAME, cells, json, output};
+use common::{FRAME, cells, column_with_gaps as column, json, output};
 use std::f64::consts::{PI, TAU};
 
 /// One undamped mass: 2 kg on 50 N/m.
 const BLOCK: &str = "struct Block { masses: { block: 2 }, springs: { base - block: 50 },
     contact: block - wall, excitation: block }";
-
-/// A column of numbers; an empty cell is NaN.
-fn column(csv: &str, name: &str) -> Vec<f64> {
-    let cells = cells(csv);
-    let place = cells[0].iter().position(|cell| *cell == name);
-    let place = place.unwrap_or_else(|| panic!("no column {name}: {:?}", cells[0]));
-    let rows = cells[1..].iter();
-    rows.map(|row| row[place].parse().unwrap_or(f64::NAN))
-        .collect()
-}
 
 fn close(value: f64, expected: f64) {
     assert!(

@@ -82,6 +82,33 @@ pub fn cells(csv: &str) -> Vec<Vec<&str>> {
     csv.lines().map(|line| line.split(',').collect()).collect()
 }
 
+/// What stands in a column of a CSV.
+fn texts<'a>(csv: &'a str, name: &str) -> Vec<&'a str> {
+    let cells = cells(csv);
+    let (head, rows) = cells.split_first().expect("a head");
+    let place = head.iter().position(|cell| *cell == name);
+    assert!(place.is_some(), "no column {name}: {head:?}");
+    let place = place.expect("seen");
+    let cell = |row: &Vec<&'a str>| *row.get(place).expect("a cell");
+    rows.iter().map(cell).collect()
+}
+
+/// The numbers of a column in which every cell has one.
+pub fn column(csv: &str, name: &str) -> Vec<f64> {
+    let numbers = texts(csv, name).into_iter();
+    numbers
+        .map(|text| text.parse().expect("a number"))
+        .collect()
+}
+
+/// The numbers of a column, NaN where there is none.
+pub fn column_with_gaps(csv: &str, name: &str) -> Vec<f64> {
+    let numbers = texts(csv, name).into_iter();
+    numbers
+        .map(|text| text.parse().unwrap_or(f64::NAN))
+        .collect()
+}
+
 /// A JSON text.
 pub fn json(text: &str) -> serde_json::Value {
     serde_json::from_str(text).expect("JSON")

@@ -81,6 +81,21 @@ impl Interval {
         Self::new(-size, size)
     }
 
+    /// Its parts of equal length, so many of them.
+    pub fn parts(self, count: usize) -> impl Iterator<Item = Self> {
+        let Self { low, high } = self;
+        let step = (high - low) / count as f64;
+        (0..count).map(move |part| {
+            let from = low + step * part as f64;
+            let to = if part + 1 < count {
+                low + step * (part + 1) as f64
+            } else {
+                high
+            };
+            Self::new(from, to)
+        })
+    }
+
     /// π.
     #[must_use]
     pub fn pi() -> Self {

@@ -31,6 +31,21 @@ struct Beyond<S> {
     rounding: S,
 }
 
+impl<S: Float> Cubic<S> {
+    /// The same of the function over τ.
+    fn over(self, tau: S) -> Self {
+        let value = self.value / tau;
+        let slope = (self.slope - value) / tau;
+        let curvature = (self.curvature - slope - slope) / tau;
+        Self {
+            value,
+            slope,
+            curvature,
+            third: (self.third - curvature * S::constant(3.0)) / tau,
+        }
+    }
+}
+
 impl<S: Float> Excess<S> {
     /// None if it is not below 0 within the reach of a step.
     fn new(tau: S, cubic: Cubic<S>, fourth: S) -> Option<Self> {
@@ -87,17 +102,27 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         if summit.tau < grid.stretch.from {
             return [0, 0];
         }
-        let starts = self.problem.weight == Weight::Sine && grid.stretch.from.is_zero();
-        let plain = self.excess(summit, grid);
-        let over_tau = if starts {
-            self.excess_over_tau(summit, grid)
+        let over_sine = self.problem.weight == Weight::Sine;
+        let level = if over_sine {
+            self.signed(summit.level, summit.negative)
+        } else {
+            summit.level
+        };
+        // What sin τ times the level adds to derivatives.
+        let of_sine = if over_sine { level } else { zero };
+        let cubic = self.cubic_about(summit, level, of_sine);
+        let starts = over_sine && grid.stretch.from.is_zero();
+        let plain = Excess::new(summit.tau, cubic, grid.bounds.fourth + of_sine.abs());
+        let over_tau = if starts && !summit.tau.is_zero() {
+            // Its fourth derivative is at most a fifth of E's fifth.
+            let fourth = (grid.bounds.fifth + of_sine.abs()) * S::constant(0.2);
+            Excess::new(summit.tau, cubic.over(summit.tau), fourth)
         } else {
             None
         };
         if plain.is_none() && over_tau.is_none() {
             return [0, 0];
         }
-        let level = self.level_about(summit);
         let [plus, minus] = open;
         let among = if summit.negative { minus } else { plus };
         // The cell before a node, and whether all between the summit and the node before stays below.
@@ -137,24 +162,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// The level that a sum must stay below about a summit, of its own sign.
-    fn level_about(&self, summit: &Summit<S>) -> S {
-        match self.problem.weight {
-            Weight::One => summit.level,
-            Weight::Sine => self.signed(summit.level, summit.negative),
-        }
-    }
-
-    /// What sin τ times the level adds to a derivative's bound.
-    fn of_sine(&self, summit: &Summit<S>) -> S {
-        match self.problem.weight {
-            Weight::One => S::constant(0.0),
-            Weight::Sine => self.level_about(summit),
-        }
-    }
-
-    /// E about a summit, by its derivatives there.
-    fn cubic_about(&self, summit: &Summit<S>) -> Cubic<S> {
+    /// E about a summit, by its derivatives there; `of_sine` times sin τ is what is taken off.
+    fn cubic_about(&self, summit: &Summit<S>, level: S, of_sine: S) -> Cubic<S> {
         let Summit { jet, negative, .. } = summit;
         let node = Node {
             value: jet.value,
@@ -162,39 +171,13 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             sine: jet.sine,
             cosine: jet.cosine,
         };
-        let (value, slope) = self.excess_at(&node, *negative, self.level_about(summit));
+        let (value, slope) = self.excess_at(&node, *negative, level);
         let sign = S::constant(if *negative { -1.0 } else { 1.0 });
-        let of_sine = self.of_sine(summit);
         Cubic {
             value,
             slope,
             curvature: jet.curvature * sign + of_sine * jet.sine,
             third: jet.third * sign + of_sine * jet.cosine,
         }
-    }
-
-    fn excess(&self, summit: &Summit<S>, grid: &Grid<S>) -> Option<Excess<S>> {
-        let fourth = grid.bounds.fourth + self.of_sine(summit).abs();
-        Excess::new(summit.tau, self.cubic_about(summit), fourth)
-    }
-
-    /// E/τ, of a sum that vanishes at 0: its fourth derivative is at most a fifth of E's fifth.
-    fn excess_over_tau(&self, summit: &Summit<S>, grid: &Grid<S>) -> Option<Excess<S>> {
-        let tau = summit.tau;
-        if tau.is_zero() {
-            return None;
-        }
-        let plain = self.cubic_about(summit);
-        let value = plain.value / tau;
-        let slope = (plain.slope - value) / tau;
-        let curvature = (plain.curvature - slope - slope) / tau;
-        let cubic = Cubic {
-            value,
-            slope,
-            curvature,
-            third: (plain.third - curvature * S::constant(3.0)) / tau,
-        };
-        let fifth = grid.bounds.fifth + self.of_sine(summit).abs();
-        Excess::new(tau, cubic, fifth * S::constant(0.2))
     }
 }

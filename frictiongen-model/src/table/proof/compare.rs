@@ -156,15 +156,7 @@ pub(super) fn compared<S: Float>(
         error: 0.0,
         at: from,
     };
-    let step = (away.high - away.low) / CELLS as f64;
-    for cell in 0..CELLS {
-        let low = away.low + step * cell as f64;
-        let high = if cell + 1 < CELLS {
-            away.low + step * (cell + 1) as f64
-        } else {
-            away.high
-        };
-        let cell = Interval::new(low, high);
+    for cell in away.parts(CELLS) {
         let square = joined.range(cell);
         if !(0.0 < square.low && square.high.is_finite()) {
             return None;

@@ -82,15 +82,7 @@ impl<S: Float> Moving<'_, S> {
             error: 0.0,
             at: from,
         };
-        let step = (away.high - away.low) / CELLS as f64;
-        for cell in 0..CELLS {
-            let low = away.low + step * cell as f64;
-            let high = if cell + 1 < CELLS {
-                away.low + step * (cell + 1) as f64
-            } else {
-                away.high
-            };
-            let cell = Interval::new(low, high);
+        for cell in away.parts(CELLS) {
             let least = ratio.range(cell).sqrt().low;
             let off = [quadrature[0].range(cell), displacement[0].range(cell)];
             let exact = [quadrature[1].range(cell), displacement[1].range(cell)];

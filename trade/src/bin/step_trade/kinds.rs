@@ -1,6 +1,8 @@
 //! A step without event, with one, and the slowest under violent loads.
 
+use crate::run::median;
 use crate::scenes;
+use fuzzing::Random;
 use std::fmt::Write;
 use std::hint::black_box;
 use std::time::Instant;
@@ -15,19 +17,6 @@ const TIMED: usize = 40;
 const REPEATS: u32 = 200;
 /// Loads, over the friction force: usual ones, and violent ones.
 const LOADS: [f64; 2] = [3.0, 1e4];
-
-/// Numbers between −1 and 1 that look random.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
 
 /// Nanoseconds of a step from this state on; the copy of the state is taken off.
 fn time<T: Clone>(state: &T, mut advance: impl FnMut(&mut T)) -> f64 {
@@ -48,18 +37,13 @@ fn time<T: Clone>(state: &T, mut advance: impl FnMut(&mut T)) -> f64 {
     1e9 * (of(true) - of(false)) / f64::from(REPEATS)
 }
 
-fn median(mut times: Vec<f64>) -> f64 {
-    times.sort_by(f64::total_cmp);
-    times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
-}
-
 /// What steps take: without event and with one in the median, the slowest under violent loads, and how many events that
 /// has.
 fn kinds<T: Clone>(start: &T, advance: impl Fn(&mut T, f64) -> u32) -> (f64, f64, f64, u32) {
-    let mut noise = Noise(7);
+    let mut noise = Random(7);
     let (mut stepper, mut seen) = (start.clone(), [Vec::new(), Vec::new()]);
     for _ in 0..STEPS {
-        let (before, force) = (stepper.clone(), LOADS[0] * noise.next());
+        let (before, force) = (stepper.clone(), LOADS[0] * noise.signed());
         let events = advance(&mut stepper, force) as usize;
         if let Some(kind) = seen.get_mut(events).filter(|kind| kind.len() < TIMED) {
             kind.push(time(&before, |stepper| {
@@ -70,7 +54,7 @@ fn kinds<T: Clone>(start: &T, advance: impl Fn(&mut T, f64) -> u32) -> (f64, f64
     let [without, one] = seen.map(median);
     let (mut stepper, mut slowest) = (start.clone(), (0.0, 0));
     for _ in 0..STEPS / 8 {
-        let (before, force) = (stepper.clone(), LOADS[1] * noise.next());
+        let (before, force) = (stepper.clone(), LOADS[1] * noise.signed());
         let events = advance(&mut stepper, force);
         let time = time(&before, |stepper| {
             black_box(advance(stepper, black_box(force)));
