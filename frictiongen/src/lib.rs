@@ -47,7 +47,7 @@
 //! | `at.sliding_limit()` | β*_lim |
 //! | `at.regime(beta)`, `at.margin(beta)` | [`Regime`]; β/min(β_lim, β*_lim) − 1 |
 //! | `at.motion(beta)` | the exact continuous motion, `FrameMotion`, or [`NotContinuous`] |
-//! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::response::motion::Motion): `largest` (both of them by one search), `amplitude`, `phase`, `amplitude_monoharmonic`, `displacement`, `velocity`, `harmonic` |
+//! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::response::motion::Motion): `largest` (both of them by one search), `largest_near` (the same in a sweep, led by a [`Neighbour`]), `amplitude`, `phase`, `amplitude_monoharmonic`, `displacement`, `velocity`, `harmonic` |
 //! | `at.stuck()` | the response with the contact stuck, or [`StuckResonance`] |
 //! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `period` (1, or up to 64 cycles if it is subharmonic), `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `intervals`, `friction`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
 //! | `at.orbit_or_last_cycles(beta)` | the same; where the motion does not settle, its last 64 cycles, with `is_settled()` false |
@@ -123,7 +123,7 @@ pub use frictiongen_kernel::contact::regime::Limits;
 pub use frictiongen_kernel::errors::{
     Error, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance,
 };
-pub use frictiongen_kernel::modal_sum::search::Effort;
+pub use frictiongen_kernel::modal_sum::search::{Effort, Neighbour};
 pub use frictiongen_kernel::response::motion::Largest;
 /// Turns the description of a scene into its solver; see the [crate's documentation](crate).
 pub use frictiongen_macros::friction_system;

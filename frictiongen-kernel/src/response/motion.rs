@@ -3,7 +3,7 @@
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
-use crate::modal_sum::search::{self, Effort, Peak, Problem, Weight};
+use crate::modal_sum::search::{self, Effort, Neighbour, Peak, Problem, Weight};
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::complex::Complex;
 use crate::number::phase::wrapped;
@@ -107,10 +107,27 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
                 effort: Effort::Bounded(0),
             };
         }
-        let peak = self.peak();
+        self.largest_of(&self.peak())
+    }
+
+    /// The same in a sweep of r or β, where the search begins at the place to which those before it lead: the nearer they
+    /// are, the less it takes.  Nothing larger remains, as in any search; the amplitude may differ from that of
+    /// [`largest`](Self::largest) by four roundings of the motion's modal terms.
+    pub fn largest_near(&self, neighbour: &mut Neighbour<S>) -> Largest<S> {
+        if self.is_contact {
+            return self.largest();
+        }
+        self.largest_of(&search::largest_near(
+            self.sum(),
+            Self::problem(),
+            neighbour,
+        ))
+    }
+
+    fn largest_of(&self, peak: &Peak<S>) -> Largest<S> {
         Largest {
             amplitude: peak.value,
-            phase: self.lag(&peak),
+            phase: self.lag(peak),
             effort: peak.effort(),
         }
     }
@@ -141,18 +158,19 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
 
     /// The search for the exact maximum of |x̄|.
     pub fn peak(&self) -> Peak<S> {
+        search::largest(self.sum(), Self::problem())
+    }
+
+    fn problem() -> Problem<S> {
         let zero = S::constant(0.0);
-        search::largest(
-            self.sum(),
-            Problem {
-                weight: Weight::One,
-                both_signs: true,
-                end: S::pi(),
-                floor: zero,
-                start: zero,
-                tolerance: S::constant(4.0 * S::RESOLUTION),
-            },
-        )
+        Problem {
+            weight: Weight::One,
+            both_signs: true,
+            end: S::pi(),
+            floor: zero,
+            start: zero,
+            tolerance: S::constant(4.0 * S::RESOLUTION),
+        }
     }
 
     /// The lag of the motion's maximum behind the excitation's, rad, in (−π, π].  Of equal maxima

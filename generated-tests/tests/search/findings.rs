@@ -1,5 +1,6 @@
 //! Both searches against brute force, scene by scene.
 
+use crate::led::Led;
 use crate::plain::{Plain, largest};
 use crate::random::random_scene;
 use frictiongen::NotContinuous;
@@ -26,6 +27,9 @@ pub struct Findings {
     pub worst_beta: f64,
     pub worst_amplitude: f64,
     pub worst_fall: f64,
+    /// Searches of amplitudes that others led, how many they led astray, what both took, and how many roundings of
+    /// the motion's terms the answers differ by.
+    pub led: Led,
 }
 
 pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most: usize) {
@@ -104,13 +108,17 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
         let peak = mass.peak();
         let amplitude = mass.amplitude();
         findings.masses += 1;
+        let terms = limit.condition * (size + beta * friction_size);
+        let led = &mut findings.led;
+        for neighbours in [[0.998, 0.999, 1.001], [1.1, 0.9, 0.5]] {
+            led.add(&system, (r, beta), neighbours, &format!("m{k}"), terms);
+        }
         findings.amplitude_counts.push((
             peak.evaluations,
             format!("m{k}, beta = {beta:?}, r = {r:?}\n    {text}"),
         ));
         // Near a resonance large terms cancel: what they lose is no error of the search.
-        let rounding =
-            500.0 * f64::EPSILON * limit.condition * (size + beta * friction_size) / amplitude;
+        let rounding = 500.0 * f64::EPSILON * terms / amplitude;
         let error = amplitude / brute - 1.0;
         let tolerance = rounding.max(if error < 0.0 { 1e-10 } else { 1e-9 });
         if rounding <= 1e-9 {

@@ -7,6 +7,7 @@
 
 mod bound;
 mod findings;
+mod led;
 mod plain;
 mod random;
 
@@ -97,6 +98,7 @@ fn no_maximum_is_missed() {
     within("amplitude", &mut findings.amplitude_counts, (11, 30, 44));
     // The test tests nothing if the start of the half period always decides.
     assert!(findings.searched > 60, "{}", findings.searched);
+    findings.led.agreed();
 }
 
 #[test]

@@ -118,10 +118,14 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             if [plus, minus] == NONE {
                 return open;
             }
-            let Some(place) = self.highest(&grid, [plus, minus]) else {
+            let led = self.guess.take_if(|guess| stretch.holds(guess.tau));
+            let Some(place) = led.or_else(|| self.highest(&grid, [plus, minus])) else {
                 return open;
             };
             let Some(summit) = self.summit(&place, &grid) else {
+                if led.is_some() {
+                    continue;
+                }
                 break;
             };
             let about = self.about(&summit, &grid, open);

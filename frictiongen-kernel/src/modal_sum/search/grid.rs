@@ -56,6 +56,11 @@ impl<S: Float> Stretch<S> {
         }
     }
 
+    /// Whether an instant is in it.
+    pub fn holds(&self, tau: S) -> bool {
+        self.from <= tau && tau <= self.to
+    }
+
     /// How many cells there are.
     pub fn cells(&self) -> usize {
         self.rows * LANES - 1

@@ -9,8 +9,11 @@ mod about;
 mod bounds;
 mod cells;
 mod grid;
+mod neighbour;
 mod peaks;
 mod summit;
+
+pub use neighbour::Neighbour;
 
 use crate::modal_sum::wave::Sum;
 use crate::number::scalar::Float;
@@ -128,12 +131,28 @@ struct Search<'a, S, D> {
     rounding: S,
     /// What it may take.
     most: u32,
+    /// Where to look for the first summit.
+    guess: Option<Maximiser<S>>,
 }
 
 /// The largest value of `sum` over (0, end], divided by the weight.
 pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, problem: Problem<S>) -> Peak<S> {
     let mut search = Search::new(sum, problem);
     search.by_grids();
+    search.peak
+}
+
+/// The same beside other searches: it begins where they lead, and its place leads the next.
+pub fn largest_near<S: Float, D: Decay<S>>(
+    sum: Sum<'_, S, D>,
+    problem: Problem<S>,
+    neighbour: &mut Neighbour<S>,
+) -> Peak<S> {
+    let speed = sum.fastest();
+    let mut search = Search::new(sum, problem);
+    search.guess = neighbour.guess(speed);
+    search.by_grids();
+    neighbour.learn(speed, &search.peak);
     search.peak
 }
 
@@ -154,6 +173,7 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
             },
             rounding,
             most: most_evaluations(problem.weight, sum.fastest()),
+            guess: None,
         }
     }
 

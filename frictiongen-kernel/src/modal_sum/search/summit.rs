@@ -11,13 +11,6 @@ pub(super) const EVALUATIONS: u32 = 5;
 /// A step counts as the last if what it leaves out is small within so many times its length.
 pub(super) const REACH: f64 = 7.0;
 
-/// A place to look at.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place<S> {
-    pub tau: S,
-    pub negative: bool,
-}
-
 /// A place from which one step leads to the top.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Summit<S> {
@@ -86,7 +79,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     }
 
     /// Where to look for a summit: where the cubic beside the highest node of the open cells is largest.
-    pub(super) fn highest(&self, grid: &Grid<S>, open: Open) -> Option<Place<S>> {
+    pub(super) fn highest(&self, grid: &Grid<S>, open: Open) -> Option<Maximiser<S>> {
         let zero = S::constant(0.0);
         let over_sine = self.problem.weight == Weight::Sine;
         let starts = over_sine && grid.stretch.from.is_zero();
@@ -120,7 +113,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let tau = -(bounds.second * S::constant(1.5)) / bounds.third;
             let in_first = tau < grid.stretch.width * S::constant(0.5);
             if in_first && best.is_none_or(|(known, ..)| known < zero) {
-                return Some(Place {
+                return Some(Maximiser {
                     tau,
                     negative: false,
                 });
@@ -135,7 +128,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let end = self.problem.end;
             let outside = if rising { !(tau < end) } else { tau.is_zero() };
             if outside {
-                return Some(Place {
+                return Some(Maximiser {
                     tau: if rising { zero } else { end },
                     negative: !negative,
                 });
@@ -165,18 +158,18 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             };
             top_between(here.1 * sign, there.1 * sign, rise)
         });
-        Some(Place {
+        Some(Maximiser {
             tau: tau + width * share,
             negative,
         })
     }
 
     /// The summit near a place, its value kept if it is the largest; none if the place is not near enough to one.
-    pub(super) fn summit(&mut self, place: &Place<S>, grid: &Grid<S>) -> Option<Summit<S>> {
+    pub(super) fn summit(&mut self, place: &Maximiser<S>, grid: &Grid<S>) -> Option<Summit<S>> {
         let (fourth, width) = (grid.bounds.fourth, grid.stretch.width);
         // The value is exact to rounding, however little is asked of the search.
         let four = S::constant(4.0 * S::EPSILON);
-        let Place {
+        let Maximiser {
             mut tau,
             mut negative,
         } = *place;

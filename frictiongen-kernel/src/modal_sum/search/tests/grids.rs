@@ -2,9 +2,9 @@
 
 use super::whole::scanned;
 use super::*;
+use crate::modal_sum::search::Maximiser;
 use crate::modal_sum::search::bounds::Bounds;
 use crate::modal_sum::search::grid::{Grid, Stretch};
-use crate::modal_sum::search::summit::Place;
 use crate::testing::{ZETAS, derivative, parts};
 
 fn filled(sum: &TestSum<'_>, stretch: &Stretch<f64>, bounds: &Bounds<f64>) -> Grid<f64> {
@@ -261,7 +261,7 @@ fn a_summit_closes_nothing_that_is_higher() {
         let stretch = Stretch::new(from, problem.end, width, false);
         let bounds = Bounds::of(&sum, &Instant::new(from / PI), problem.end - from);
         let grid = filled(&sum, &stretch, &bounds);
-        let place = Place {
+        let place = Maximiser {
             tau: from + (stretch.to - from) * random.unit(),
             negative: false,
         };
@@ -299,7 +299,7 @@ fn a_summit_across_the_end_closes_cells_of_its_own_sign() {
     let mut search = search(sum, asked(Weight::One, true, 0.0), 0.0);
     let stretch = Stretch::new(0.0, PI, 0.3, false);
     let grid = filled(&sum, &stretch, &Bounds::of(&sum, &Instant::new(0.0), PI));
-    let before_the_end = Place {
+    let before_the_end = Maximiser {
         tau: PI,
         negative: true,
     };
