@@ -164,28 +164,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The contact's sums over all modes (section 3 of `docs/derivation.md`: V, H, U, G, H_c).  `keep` is given the
-    /// functions of one mode after the other.
-    pub fn contact(
-        &self,
-        modes: &[Mode<S>],
-        inverse_r: S,
-        keep: impl FnMut(ModeAt<S>),
-    ) -> ContactAt<S> {
-        let responses = modes.iter().enumerate();
-        let responses = responses.map(|(index, mode)| mode.response(inverse_r, index));
-        let scale = Self::scale_at(modes, inverse_r);
-        self.contact_of(modes, responses, scale, inverse_r, true, keep)
-    }
-
-    /// The same without G, of which the limits know nothing.
-    pub fn contact_without_g(&self, modes: &[Mode<S>], inverse_r: S) -> ContactAt<S> {
-        let scale = Self::scale_at(modes, inverse_r);
-        let responses = modes.iter().map(|mode| mode.response_without_g(inverse_r));
-        self.contact_of(modes, responses, scale, inverse_r, false, |_| ())
-    }
-
-    /// The same from the modes' own functions.
+    /// The contact's sums over all modes (section 3 of `docs/derivation.md`: V, H, U, G, H_c), from the modes' own
+    /// functions.  `keep` is given those of one mode after the other.
     #[inline]
     pub fn contact_of(
         &self,
@@ -217,20 +197,56 @@ impl<S: Scalar> Chain<S> {
         single: bool,
         with_g: bool,
     ) -> ContactAt<S> {
-        let mut sum = *sum;
-        sum.v = self.plus(sum.v, self.load_term(mode, at));
-        sum.h = self.plus(sum.h, complex::scale(at.response, mode.inverse_mass));
-        sum.u = sum.u + mode.inverse_mass * at.u;
+        let term = self.term(sum.scale, mode, response, at, single, with_g);
+        self.with_term(sum, &term, with_g)
+    }
+
+    /// A mode's term of each sum, at the scale.
+    #[inline(always)]
+    pub(super) fn term(
+        &self,
+        scale: S,
+        mode: &Mode<S>,
+        response: &ModeResponse<S>,
+        at: &ModeAt<S>,
+        single: bool,
+        with_g: bool,
+    ) -> ContactAt<S> {
+        let mut term = ContactAt::zero(scale);
+        term.v = self.load_term(mode, at);
+        term.h = complex::scale(at.response, mode.inverse_mass);
+        term.u = mode.inverse_mass * at.u;
         if self.damped {
             let share = if single {
                 S::constant(1.0)
             } else {
-                sum.scale / response.size
+                scale / response.size
             };
             if with_g {
-                sum.g = sum.g + mode.inverse_mass * (at.g / (at.x * at.x));
+                term.g = mode.inverse_mass * (at.g / (at.x * at.x));
             }
-            sum.reversal = sum.reversal + mode.inverse_mass * (response.reversal * share);
+            term.reversal = mode.inverse_mass * (response.reversal * share);
+        }
+        term
+    }
+
+    /// The sums and a term of each.
+    #[inline(always)]
+    pub(super) fn with_term(
+        &self,
+        sum: &ContactAt<S>,
+        term: &ContactAt<S>,
+        with_g: bool,
+    ) -> ContactAt<S> {
+        let mut sum = *sum;
+        sum.v = self.plus(sum.v, term.v);
+        sum.h = self.plus(sum.h, term.h);
+        sum.u = sum.u + term.u;
+        if self.damped {
+            if with_g {
+                sum.g = sum.g + term.g;
+            }
+            sum.reversal = sum.reversal + term.reversal;
         }
         sum
     }

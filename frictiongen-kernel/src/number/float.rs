@@ -183,6 +183,7 @@ macro_rules! real {
 
         impl Float for $float {
             const EPSILON: f64 = $float::EPSILON as f64;
+            const PAIRS: bool = true;
 
             #[inline(always)]
             fn inverse_ratio_range() -> (Self, Self) {
@@ -206,6 +207,14 @@ macro_rules! real {
             )]
             fn to_index(self) -> usize {
                 self as u32 as usize
+            }
+            #[inline(always)]
+            fn sin_cos_pi_of_two(h: [Self; 2]) -> [[Self; 2]; 2] {
+                $trig::sin_cos_pi_of_two(h)
+            }
+            #[inline(always)]
+            fn sin_cos_pi_minus_of_two(h: [Self; 2], d: [Self; 2]) -> [[Self; 2]; 2] {
+                $trig::sin_cos_pi_minus_of_two(h, d)
             }
             #[inline(always)]
             fn to_f64(self) -> f64 {

@@ -9,6 +9,7 @@ pub mod dd;
 pub mod dual;
 pub(crate) mod euler;
 mod float;
+pub(crate) mod lanes;
 pub(crate) mod pairs;
 pub(crate) mod phase;
 pub mod scalar;

@@ -126,6 +126,8 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
     /// Whether it carries a derivative beside its value.  What an iteration finds is then taken one step of Newton's
     /// method further, with which the derivative is right too.
     const CARRIES: bool = false;
+    /// Whether a processor takes two of them at once.
+    const PAIRS: bool = false;
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
     /// The smallest and the largest 1/r at which the formulas are evaluated.  Beyond lie the limits
@@ -163,6 +165,18 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
     #[must_use]
     fn carried(self) -> Self {
         Self::constant(0.0)
+    }
+    /// [`Scalar::sin_cos_pi`] of two numbers: the sines, then the cosines.
+    #[inline(always)]
+    fn sin_cos_pi_of_two(h: [Self; 2]) -> [[Self; 2]; 2] {
+        let [(s, c), (t, d)] = h.map(Scalar::sin_cos_pi);
+        [[s, t], [c, d]]
+    }
+    /// [`Scalar::sin_cos_pi_minus`] of two numbers: the sines, then the cosines.
+    #[inline(always)]
+    fn sin_cos_pi_minus_of_two([a, b]: [Self; 2], [c, d]: [Self; 2]) -> [[Self; 2]; 2] {
+        let ((s, u), (t, v)) = (a.sin_cos_pi_minus(c), b.sin_cos_pi_minus(d));
+        [[s, t], [u, v]]
     }
     /// Whether the value is neither infinite nor NaN.
     fn is_finite(self) -> bool {

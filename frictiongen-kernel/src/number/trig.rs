@@ -144,9 +144,14 @@ macro_rules! half_turns {
             #[inline]
             #[must_use]
             pub fn sin_cos_pi_minus(h: $float, d: $float) -> ($float, $float) {
-                let (q, r) = reduced_any(h);
                 // Beyond this the square of what is lost would no longer be negligible.
                 let d = if d.abs() < $near { d } else { wrapped(d) };
+                less(reduced_any(h), d)
+            }
+
+            /// The same, h reduced and d near.
+            #[inline(always)]
+            fn less((q, r): ($bits, $float), d: $float) -> ($float, $float) {
                 let difference = r - d;
                 let subtracted = difference - r;
                 let lost = (r - (difference - subtracted)) - (d + subtracted);
@@ -157,6 +162,26 @@ macro_rules! half_turns {
                 let (s, c) = (sin[0] + sin[1], cos[0] + cos[1]);
                 let (s, c) = (sin[0] + (sin[1] + angle * c), cos[0] + (cos[1] - angle * s));
                 turned(q.wrapping_add(p), s, c)
+            }
+
+            /// [`sin_cos_pi`] of two numbers: the sines, then the cosines.
+            #[inline(always)]
+            pub(crate) fn sin_cos_pi_of_two([a, b]: [$float; 2]) -> [[$float; 2]; 2] {
+                // What may branch comes first: the rest is one block, which a compiler packs.
+                let [(p, a), (q, b)] = [reduced_any(a), reduced_any(b)];
+                let [(sin_a, cos_a), (sin_b, cos_b)] = [kernel(a), kernel(b)];
+                let (s, c) = turned(p, sin_a[0] + sin_a[1], cos_a[0] + cos_a[1]);
+                let (t, d) = turned(q, sin_b[0] + sin_b[1], cos_b[0] + cos_b[1]);
+                [[s, t], [c, d]]
+            }
+
+            /// [`sin_cos_pi_minus`] of two numbers: the sines, then the cosines.
+            #[inline(always)]
+            pub(crate) fn sin_cos_pi_minus_of_two(h: [$float; 2], d: [$float; 2]) -> [[$float; 2]; 2] {
+                let near = |d: $float| if d.abs() < $near { d } else { wrapped(d) };
+                let ([a, b], [c, d]) = (h.map(reduced_any), d.map(near));
+                let [(s, u), (t, v)] = [less(a, c), less(b, d)];
+                [[s, t], [u, v]]
             }
 
             /// sin πh, h in half-turns, within 1.1 units in the last place.

@@ -39,7 +39,8 @@ impl<'a, S: Float> Driven<'a, S> {
     }
 
     fn contact(&self) -> ContactAt<S> {
-        self.chain.contact(self.modes, self.inverse_r, |_| ())
+        let chain = &self.chain;
+        chain.in_turn::<true>(self.modes, self.inverse_r, |_| ())
     }
 }
 

@@ -73,21 +73,28 @@ impl<S: Scalar> Mode<S> {
     /// The functions of the mode at r = 1/`inverse_r`; `index` only names values in emitted code.
     #[inline]
     pub fn response(&self, inverse_r: S, index: usize) -> ModeResponse<S> {
-        self.functions(inverse_r, true, index)
+        self.functions_of(self.kind, inverse_r, true, index)
     }
 
-    /// The same with 0 for g, which the limits do without: it is half of the work.
-    #[inline]
-    pub(crate) fn response_without_g(&self, inverse_r: S) -> ModeResponse<S> {
-        self.functions(inverse_r, false, 0)
-    }
-
+    /// The same with 0 for g unless `with_g`: the limits do without, and it is half of the work.
     #[inline(always)]
-    fn functions(&self, inverse_r: S, with_g: bool, index: usize) -> ModeResponse<S> {
+    pub(crate) fn functions(&self, inverse_r: S, with_g: bool) -> ModeResponse<S> {
+        self.functions_of(self.kind, inverse_r, with_g, 0)
+    }
+
+    /// The same of a mode that is known to be of this kind.
+    #[inline(always)]
+    pub(crate) fn functions_of(
+        &self,
+        kind: Kind,
+        inverse_r: S,
+        with_g: bool,
+        index: usize,
+    ) -> ModeResponse<S> {
         let at = Some(index);
         let (zeta, q) = (self.zeta, self.q);
         let x = (self.resonance * inverse_r).named("x", at);
-        match self.kind {
+        match kind {
             Kind::Undamped => undamped::response(x, at),
             Kind::Light => underdamped::response(x, zeta, q, Some(self.q_defect), with_g, at),
             Kind::Heavy => underdamped::response(x, zeta, q, None, with_g, at),
@@ -102,6 +109,17 @@ impl<S: Scalar> Mode<S> {
         let x = self.resonance * inverse_r;
         match self.kind {
             Kind::Undamped => undamped::detuning(x).abs(),
+            _ => denominator(x, self.zeta, None).1,
+        }
+    }
+
+    /// The same of a mode that is known to be of this kind, where the exact zero of an undamped mode stays.
+    #[inline(always)]
+    pub(crate) fn size_but_zero(&self, kind: Kind, inverse_r: S) -> S {
+        let x = self.resonance * inverse_r;
+        let one = S::constant(1.0);
+        match kind {
+            Kind::Undamped => ((x - one) * (x + one)).abs(),
             _ => denominator(x, self.zeta, None).1,
         }
     }

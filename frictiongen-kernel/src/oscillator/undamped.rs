@@ -14,7 +14,7 @@ pub(super) fn detuning<S: Scalar>(x: S) -> S {
 
 /// ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0.  The exact zeros of both divisors (x = 1, where v and u share the
 /// pole, and the odd x, where u has one of its own) are replaced, so that no quotient is 0/0.
-#[inline]
+#[inline(always)]
 pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     let zero = S::constant(0.0);
     let (s, c) = (x * S::constant(0.5)).sin_cos_pi();

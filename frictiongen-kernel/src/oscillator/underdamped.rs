@@ -9,7 +9,7 @@ use crate::number::special::versine_beside;
 
 /// 0 < ζ < 1, section 3 of `docs/derivation.md` with 1 + e^{−πx(ζ−iq)} written about its zeros:
 /// (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2) − i m sin(θ/2), θ = πqx.
-#[inline]
+#[inline(always)]
 pub(super) fn response<S: Scalar>(
     x: S,
     zeta: S,

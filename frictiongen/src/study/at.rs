@@ -1,5 +1,6 @@
 //! A run-time system as the scene of the kernel's response.
 
+use super::few::Few;
 use super::motion::{SystemMotion, SystemStuck};
 use super::orbit::SystemOrbit;
 use super::system::System;
@@ -10,6 +11,7 @@ use frictiongen_kernel::orbit::{self, Orbit, ProvidesOrbit, Start};
 use frictiongen_kernel::oscillator::decay::Damped;
 use frictiongen_kernel::response::{At, Numbers, ProvidesMotion, ProvidesStuck, Scene};
 use frictiongen_kernel::{Float, Plain};
+use frictiongen_model::reduced::Reduced;
 use std::ops::Deref;
 
 /// A system at one frequency ratio.
@@ -33,8 +35,8 @@ impl<'a, S: Float> Deref for SystemAt<'a, S> {
 impl<S: Float> Scene for &System<S> {
     type Scalar = S;
     type Decay = Damped<S>;
-    type Modes = Vec<ModeAt<S>>;
-    type Waves = Vec<Wave<S, Damped<S>>>;
+    type Modes = Few<ModeAt<S>>;
+    type Waves = Few<Wave<S, Damped<S>>>;
 
     fn numbers(&self) -> Numbers<'_, S> {
         self.reduced.numbers()
@@ -44,8 +46,29 @@ impl<S: Float> Scene for &System<S> {
         Some(self.reduced.shape(mass)).filter(|shape| !shape.is_empty())
     }
 
-    fn frequency_stage(&self, inverse_r: S) -> (ContactAt<S>, Vec<ModeAt<S>>) {
-        (&self.reduced).frequency_stage(inverse_r)
+    fn frequency_stage(&self, inverse_r: S) -> (ContactAt<S>, Few<ModeAt<S>>) {
+        let Reduced { chain, modes, .. } = &self.reduced;
+        match modes.as_slice() {
+            modes @ [_] => {
+                let mut one = [ModeAt::zero(); 1];
+                (
+                    chain.contact(modes, inverse_r, into(&mut one)),
+                    Few::One(one),
+                )
+            }
+            modes @ [_, _] => {
+                let mut two = [ModeAt::zero(); 2];
+                (
+                    chain.contact(modes, inverse_r, into(&mut two)),
+                    Few::Two(two),
+                )
+            }
+            modes => {
+                let mut many = Vec::with_capacity(modes.len());
+                let contact = chain.contact(modes, inverse_r, |mode| many.push(mode));
+                (contact, Few::Many(many))
+            }
+        }
     }
 
     fn contact_without_g(&self, inverse_r: S) -> ContactAt<S> {
@@ -56,18 +79,30 @@ impl<S: Float> Scene for &System<S> {
         self.range
     }
 
-    #[inline]
-    fn with_idle<R>(&self, search: impl FnOnce(&mut [Wave<S, Damped<S>>]) -> R) -> R {
-        // Beside a search over one or two modes an allocation counts.
-        match self.reduced.modes.as_slice() {
-            [only] => search(&mut [Wave::idle(only)]),
-            [first, second] => search(&mut [first, second].map(Wave::idle)),
-            _ => search(&mut self.idle()),
+    fn sliding_limit(&self, contact: &ContactAt<S>) -> S {
+        if self.pushed_where_it_rubs {
+            S::constant(1.0)
+        } else {
+            self.reduced.chain.sliding_limit(contact)
         }
     }
 
-    fn idle(&self) -> Vec<Wave<S, Damped<S>>> {
-        (&self.reduced).idle()
+    fn idle(&self) -> Few<Wave<S, Damped<S>>> {
+        match self.reduced.modes.as_slice() {
+            [only] => Few::One([Wave::idle(only)]),
+            [first, second] => Few::Two([first, second].map(Wave::idle)),
+            modes => Few::Many(modes.iter().map(Wave::idle).collect()),
+        }
+    }
+}
+
+/// Puts one value after the other into its place.
+fn into<T>(room: &mut [T]) -> impl FnMut(T) {
+    let mut places = room.iter_mut();
+    move |value| {
+        if let Some(place) = places.next() {
+            *place = value;
+        }
     }
 }
 

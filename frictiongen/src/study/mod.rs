@@ -7,6 +7,7 @@ mod compiled;
 mod curve;
 mod error;
 mod features;
+mod few;
 #[cfg(feature = "desk")]
 mod history;
 mod large;

@@ -46,6 +46,8 @@ pub struct System<S = f64> {
     pub(super) reference: S,
     /// The smallest and the largest 1/r at which the formulas are evaluated.
     pub(super) range: (S, S),
+    /// Whether V = H: the load acts on the mass that rubs, and β*_lim is 1.
+    pub(super) pushed_where_it_rubs: bool,
     transient: OnceLock<Transient<S>>,
     steps: OnceLock<Steps<S>>,
     loses_motion: OnceLock<bool>,
@@ -105,11 +107,21 @@ impl<S: Float> System<S> {
         let all = |values: Vec<T>| values.into_iter().map(&to).collect();
         let reduced = data.reduced(&to);
         let range = (&reduced).inverse_ratio_range();
+        // A number over itself is 1; over μ times itself it has a rounding, and a derivative may be that of μ.
+        let chain = &reduced.chain;
+        let pushed_where_it_rubs = !S::CARRIES
+            && chain.on_moving_base.is_none()
+            && chain.stiction == S::constant(1.0)
+            && reduced
+                .modes
+                .iter()
+                .all(|mode| mode.residue == mode.inverse_mass);
         Self {
             scene,
             modal,
             reduced,
             range,
+            pushed_where_it_rubs,
             resonances: all(data.resonances.clone()),
             reference: to(data.reference),
             transient: OnceLock::new(),

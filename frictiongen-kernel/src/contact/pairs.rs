@@ -1,0 +1,290 @@
+//! The contact's sums at run time, with neighbouring modes two by two.
+//!
+//! A processor takes two numbers at once where a compiler sees that the same is done to both.  In emitted code it sees
+//! much of that by itself; in a loop over modes it does not, so the formulas are read over [`Lanes`].  Every operation is
+//! that of one mode alone, and the sums are taken one mode after the other: the bits are those of emitted code.
+
+use crate::contact::sums::{Chain, ContactAt, ModeAt};
+use crate::number::complex::Complex;
+use crate::number::lanes::Lanes;
+use crate::number::scalar::{Float, Scalar};
+use crate::oscillator::mode::{Kind, Mode};
+
+/// A kind of damping that all modes share: a type, so that no loop asks for it.
+trait Uniform {
+    const KIND: Kind;
+    const DAMPED: bool;
+}
+
+struct Undamped;
+
+impl Uniform for Undamped {
+    const KIND: Kind = Kind::Undamped;
+    const DAMPED: bool = false;
+}
+
+struct Light;
+
+impl Uniform for Light {
+    const KIND: Kind = Kind::Light;
+    const DAMPED: bool = true;
+}
+
+impl<S: Float> Chain<S> {
+    /// The contact's sums over all modes (section 3 of `docs/derivation.md`: V, H, U, G, H_c).  `keep` is given the
+    /// functions of one mode after the other.
+    #[inline]
+    pub fn contact(
+        &self,
+        modes: &[Mode<S>],
+        inverse_r: S,
+        keep: impl FnMut(ModeAt<S>),
+    ) -> ContactAt<S> {
+        self.summed::<true>(modes, inverse_r, keep)
+    }
+
+    /// The same without G, of which the limits know nothing.
+    #[inline]
+    pub fn contact_without_g(&self, modes: &[Mode<S>], inverse_r: S) -> ContactAt<S> {
+        self.summed::<false>(modes, inverse_r, |_| ())
+    }
+
+    #[inline(always)]
+    fn summed<const WITH_G: bool>(
+        &self,
+        modes: &[Mode<S>],
+        inverse_r: S,
+        keep: impl FnMut(ModeAt<S>),
+    ) -> ContactAt<S> {
+        if S::PAIRS && !self.damped {
+            self.uniform::<Undamped, WITH_G>(modes, inverse_r, keep)
+        } else if S::PAIRS && modes.iter().all(|mode| mode.kind == Kind::Light) {
+            self.uniform::<Light, WITH_G>(modes, inverse_r, keep)
+        } else {
+            self.in_turn::<WITH_G>(modes, inverse_r, keep)
+        }
+    }
+
+    /// The same by the functions of one mode after the other: modes of several kinds, and programs in which size counts
+    /// for more.
+    pub(crate) fn in_turn<const WITH_G: bool>(
+        &self,
+        modes: &[Mode<S>],
+        inverse_r: S,
+        keep: impl FnMut(ModeAt<S>),
+    ) -> ContactAt<S> {
+        let scale = Self::scale_at(modes, inverse_r);
+        let responses = modes.iter().map(|mode| mode.functions(inverse_r, WITH_G));
+        self.contact_of(modes, responses, scale, inverse_r, WITH_G, keep)
+    }
+
+    /// The sums over modes of one kind.
+    #[inline(always)]
+    fn uniform<U: Uniform, const WITH_G: bool>(
+        &self,
+        modes: &[Mode<S>],
+        inverse_r: S,
+        mut keep: impl FnMut(ModeAt<S>),
+    ) -> ContactAt<S> {
+        let chain = Self {
+            damped: U::DAMPED,
+            ..*self
+        };
+        if let [mode] = modes {
+            let response = mode.functions_of(U::KIND, inverse_r, WITH_G, 0);
+            // It is its own scale.
+            let one = S::constant(1.0);
+            let scale = if mode.in_contact { response.size } else { one };
+            let at = chain.scaled(&response, scale, true, 0);
+            let sum = ContactAt::zero(scale);
+            let sum = chain.joined_by(&sum, mode, &response, &at, true, WITH_G);
+            keep(at);
+            return chain.completed(&sum, inverse_r);
+        }
+        let scale = smallest::<S, U>(modes, inverse_r);
+        let both = self.of_both();
+        let zero = Lanes::constant(0.0);
+        let (mut terms, mut at) = (ContactAt::zero(zero), ModeAt::zero());
+        let mut sum = ContactAt::zero(scale);
+        let (pairs, rest) = modes.as_chunks::<2>();
+        for pair in pairs {
+            of_two::<S, U, WITH_G>(&both, pair, inverse_r, scale, &mut terms, &mut at);
+            let ([first, second], [first_at, second_at]) = (terms.apart(), at.apart());
+            sum = chain.with_term(&sum, &first, WITH_G);
+            keep(first_at);
+            sum = chain.with_term(&sum, &second, WITH_G);
+            keep(second_at);
+        }
+        for mode in rest {
+            let response = mode.functions_of(U::KIND, inverse_r, WITH_G, 0);
+            let at = chain.scaled(&response, scale, false, 0);
+            sum = chain.joined_by(&sum, mode, &response, &at, false, WITH_G);
+            keep(at);
+        }
+        chain.completed(&sum, inverse_r)
+    }
+
+    /// What it says, of two modes.
+    #[inline(always)]
+    fn of_both(&self) -> Chain<Lanes<S>> {
+        Chain {
+            damped: self.damped,
+            on_moving_base: self.on_moving_base.map(Lanes::both),
+            inverse_mass: Lanes::both(self.inverse_mass),
+            stiction: Lanes::both(self.stiction),
+        }
+    }
+}
+
+/// The smallest size of the modes that the contact drives: the scale.  Which comes first does not count among numbers
+/// without derivatives.
+#[inline(always)]
+fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
+    let infinite = S::constant(f64::INFINITY);
+    let mut least = Lanes::both(infinite);
+    let (pairs, rest) = modes.as_chunks::<2>();
+    for pair in pairs {
+        let size = Mode::beside(pair).size_but_zero(U::KIND, Lanes::both(inverse_r));
+        let (Lanes([first, second]), [a, b]) = (size, pair);
+        if a.in_contact & b.in_contact {
+            least = least.min(size);
+        } else if a.in_contact {
+            least = least.min(Lanes::both(first));
+        } else if b.in_contact {
+            least = least.min(Lanes::both(second));
+        }
+    }
+    let Lanes([first, second]) = least;
+    let mut least = first.min(second);
+    for mode in rest {
+        if mode.in_contact {
+            least = least.min(mode.size_but_zero(U::KIND, inverse_r));
+        }
+    }
+    // An exact zero is the smallest whether it is replaced before or after: beside it no size is as small as what
+    // replaces it.
+    let least = if U::DAMPED {
+        least
+    } else {
+        least.detuning_off_pole()
+    };
+    S::select(least.lt(infinite), least, S::constant(1.0))
+}
+
+/// The terms of two modes and, with G, their functions at the scale.
+///
+/// Not inlined: the compiler packs what is stored side by side, and in a caller with registers of its own it stores
+/// nothing.  Inlined, ten damped modes took 1.3 times as long.
+#[inline(never)]
+fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
+    chain: &Chain<Lanes<S>>,
+    modes: &[Mode<S>; 2],
+    inverse_r: S,
+    scale: S,
+    terms: &mut ContactAt<Lanes<S>>,
+    kept: &mut ModeAt<Lanes<S>>,
+) {
+    let chain = Chain {
+        damped: U::DAMPED,
+        ..*chain
+    };
+    let (mode, scale) = (Mode::beside(modes), Lanes::both(scale));
+    let response = mode.functions_of(U::KIND, Lanes::both(inverse_r), WITH_G, 0);
+    let at = chain.scaled(&response, scale, false, 0);
+    let found = chain.term(scale, &mode, &response, &at, false, WITH_G);
+    // What is 0 without damping, and what nobody keeps, is left alone.
+    terms.v.re = found.v.re;
+    terms.h.re = found.h.re;
+    terms.u = found.u;
+    if U::DAMPED {
+        terms.v.im = found.v.im;
+        terms.h.im = found.h.im;
+        terms.reversal = found.reversal;
+    }
+    if WITH_G {
+        kept.x = at.x;
+        kept.response.re = at.response.re;
+        kept.u = at.u;
+        if U::DAMPED {
+            terms.g = found.g;
+            kept.response.im = at.response.im;
+            kept.g = at.g;
+        }
+    }
+}
+
+impl<S: Float> Mode<Lanes<S>> {
+    /// Two modes of a kind.
+    #[inline(always)]
+    fn beside([a, b]: &[Mode<S>; 2]) -> Self {
+        let of = |constant: fn(&Mode<S>) -> S| Lanes([constant(a), constant(b)]);
+        Self {
+            kind: a.kind,
+            in_contact: a.in_contact | b.in_contact,
+            resonance: of(|mode| mode.resonance),
+            zeta: of(|mode| mode.zeta),
+            q: of(|mode| mode.q),
+            q_defect: of(|mode| mode.q_defect),
+            load: of(|mode| mode.load),
+            contact: of(|mode| mode.contact),
+            residue: of(|mode| mode.residue),
+            inverse_mass: of(|mode| mode.inverse_mass),
+            static_residue: of(|mode| mode.static_residue),
+        }
+    }
+}
+
+/// The complex numbers of either mode.
+#[inline(always)]
+fn complex_apart<S: Float>(value: Complex<Lanes<S>>) -> [Complex<S>; 2] {
+    let (Lanes([re, other_re]), Lanes([im, other_im])) = (value.re, value.im);
+    [Complex::new(re, im), Complex::new(other_re, other_im)]
+}
+
+impl<S: Float> ContactAt<Lanes<S>> {
+    /// Those of either mode.
+    #[inline(always)]
+    fn apart(&self) -> [ContactAt<S>; 2] {
+        let ([v, other_v], [h, other_h]) = (complex_apart(self.v), complex_apart(self.h));
+        let (Lanes([scale, other_scale]), Lanes([u, other_u])) = (self.scale, self.u);
+        let (Lanes([g, other_g]), Lanes([reversal, other_reversal])) = (self.g, self.reversal);
+        let first = ContactAt {
+            scale,
+            v,
+            u,
+            g,
+            reversal,
+            h,
+        };
+        let second = ContactAt {
+            scale: other_scale,
+            v: other_v,
+            u: other_u,
+            g: other_g,
+            reversal: other_reversal,
+            h: other_h,
+        };
+        [first, second]
+    }
+}
+
+impl<S: Float> ModeAt<Lanes<S>> {
+    /// Those of either mode.
+    #[inline(always)]
+    fn apart(&self) -> [ModeAt<S>; 2] {
+        let [response, other_response] = complex_apart(self.response);
+        let (Lanes([x, other_x]), Lanes([u, other_u])) = (self.x, self.u);
+        let Lanes([g, other_g]) = self.g;
+        let first = ModeAt { x, response, u, g };
+        let second = ModeAt {
+            x: other_x,
+            response: other_response,
+            u: other_u,
+            g: other_g,
+        };
+        [first, second]
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,100 @@
+//! Two by two and one by one are the same to the last bit.
+
+use super::*;
+use crate::number::complex::Complex;
+
+/// A number from the place of a mode: neither regular nor on a resonance.
+fn scattered(index: usize, salt: usize) -> f64 {
+    ((index * 37 + salt * 11) as f64 * 0.618_033_988_749_894_9).fract() + 0.1
+}
+
+fn modes<S: Float>(count: usize, zeta: impl Fn(usize) -> f64, driven: usize) -> Vec<Mode<S>> {
+    let mode = |index: usize| {
+        let zeta = zeta(index);
+        let q = (1.0 - zeta * zeta).abs().sqrt();
+        let kind = match zeta {
+            0.0 => Kind::Undamped,
+            zeta if zeta < 0.5 => Kind::Light,
+            zeta if zeta < 1.0 => Kind::Heavy,
+            _ => Kind::Over,
+        };
+        let in_contact = driven >> index & 1 == 1;
+        let contact = if in_contact { scattered(index, 1) } else { 0.0 };
+        let of = S::constant;
+        Mode {
+            kind,
+            in_contact,
+            resonance: of(0.5 + index as f64 * 0.5),
+            zeta: of(zeta),
+            q: of(q),
+            q_defect: of(zeta * zeta / (1.0 + q)),
+            load: of(scattered(index, 2)),
+            contact: of(contact),
+            residue: of(contact * scattered(index, 2)),
+            inverse_mass: of(contact * contact),
+            static_residue: of(contact * scattered(index, 3)),
+        }
+    };
+    (0..count).map(mode).collect()
+}
+
+/// The bits of all that a frequency stage gives; an f32 has those of its f64.
+fn bits<S: Float>(contact: &ContactAt<S>, kept: &[ModeAt<S>]) -> Vec<u64> {
+    let of = |z: Complex<S>| [z.re, z.im];
+    let ContactAt {
+        scale,
+        v,
+        u,
+        g,
+        reversal,
+        h,
+    } = *contact;
+    let mut all = vec![scale, u, g, reversal];
+    all.extend([of(v), of(h)].concat());
+    for at in kept {
+        all.extend([at.x, at.u, at.g]);
+        all.extend(of(at.response));
+    }
+    all.iter().map(|value| value.to_f64().to_bits()).collect()
+}
+
+fn agree<S: Float>() -> usize {
+    let dampings: [fn(usize) -> f64; 4] = [
+        |_| 0.0,
+        |index| 0.01 + 0.04 * index as f64,
+        |index| 0.4 + 0.2 * index as f64,
+        |index| if index % 2 == 0 { 0.0 } else { 0.3 },
+    ];
+    let mut compared = 0;
+    for (count, zeta) in (1..=7).flat_map(|count| dampings.map(|zeta| (count, zeta))) {
+        for driven in [0b111_1111, 0b101_1101, 0b010_1010, 0] {
+            let modes = modes::<S>(count, zeta, driven);
+            for on_moving_base in [None, Some(S::constant(-0.3))] {
+                let chain = Chain {
+                    damped: modes.iter().any(|mode| mode.kind != Kind::Undamped),
+                    on_moving_base,
+                    inverse_mass: S::constant(0.9),
+                    stiction: S::constant(1.2),
+                };
+                // On resonances and sub-harmonics, beside them, and where no angle is left of x.
+                for inverse_r in [2.0, 1.0, 0.3, 0.7, 6.0, 1.0 + 1e-7, 1e-9, 3e5, 1e17] {
+                    let inverse_r = S::constant(inverse_r);
+                    let (mut by_two, mut in_turn) = (Vec::new(), Vec::new());
+                    let a = chain.contact(&modes, inverse_r, |at| by_two.push(at));
+                    let b = chain.in_turn::<true>(&modes, inverse_r, |at| in_turn.push(at));
+                    assert_eq!(bits(&a, &by_two), bits(&b, &in_turn), "{modes:?}");
+                    let a = chain.contact_without_g(&modes, inverse_r);
+                    let b = chain.in_turn::<false>(&modes, inverse_r, |_| ());
+                    assert_eq!(bits(&a, &[]), bits(&b, &[]), "{modes:?}");
+                    compared += 1;
+                }
+            }
+        }
+    }
+    compared
+}
+
+#[test]
+fn pairs_of_modes_have_the_bits_of_single_ones() {
+    assert_eq!(agree::<f64>() + agree::<f32>(), 2 * 7 * 4 * 4 * 2 * 9);
+}
