@@ -164,6 +164,13 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
     fn carried(self) -> Self {
         Self::constant(0.0)
     }
+    /// Whether it is no larger than another, neither of them negative or NaN.  Their bits then have the same order, and of
+    /// those a small processor need not fetch flags from its floating-point unit, or has none.
+    #[must_use]
+    #[inline]
+    fn at_most(self, other: Self) -> bool {
+        self <= other
+    }
     /// Whether the value is neither infinite nor NaN.
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()
