@@ -132,12 +132,13 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
         }
         None => "by the exact formulas".to_owned(),
     };
-    let motion = if tables.excitation.is_some() {
+    let motion = if tables.moves() {
         format!("motion          {}\n", tables.motion_proof.told())
     } else {
         String::new()
     };
     let functions = match tables.functions {
+        5 => "beta_lim, a, g, arg V and |V|",
         4 => "beta_lim, a, g and arg V",
         2 => "beta_lim and a sgn V",
         _ => "beta_lim",
@@ -205,7 +206,7 @@ fn data<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> Val
             "coefficients": of.collect::<Vec<_>>(),
         })
     });
-    let functions = ["beta_lim", "a", "g", "arg_V"];
+    let functions = ["beta_lim", "a", "g", "arg_V", "abs_V"];
     let functions = functions.get(..tables.functions).unwrap_or_default();
     json!({
         "version": 1,

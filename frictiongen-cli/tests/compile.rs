@@ -22,7 +22,7 @@ fn the_figures() {
     assert_eq!(lines[1], "range           r from 0.2 to 2.5");
     assert_eq!(lines[2], "accuracy        1e-4");
     assert!(
-        lines[3].starts_with("table           beta_lim, a, g and arg V: "),
+        lines[3].starts_with("table           beta_lim, a, g, arg V and |V|: "),
         "{text}"
     );
     assert!(
@@ -92,7 +92,7 @@ fn the_data() {
     assert_eq!(data["version"], 1);
     assert_eq!(
         data["functions"],
-        serde_json::json!(["beta_lim", "a", "g", "arg_V"])
+        serde_json::json!(["beta_lim", "a", "g", "arg_V", "abs_V"])
     );
     // A lookup by hand.
     let r = 0.9;

@@ -115,6 +115,7 @@ fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream
         ..
     } = emission;
     let table = match tables.functions {
+        5 => code!(Some(ContactTable::tabled(Self::TABLE.values(r)))),
         4 => code!(Some(ContactTable::damped(
             Self::TABLE.values(r),
             Self::EXCITATION.value(r)
@@ -221,6 +222,7 @@ fn quotient<S: Float>(emission: &Emission<'_>, product: &Product<S>) -> TokenStr
 fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     let (low, high) = tables.request.r;
     let functions = match tables.functions {
+        5 => "β_lim, a = β_lim·U/|V|, g = β_lim·G/|V|, arg V and |V|",
         4 => "β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V",
         2 => "β_lim and a·sgn V = β_lim·U/V",
         _ => "β_lim",

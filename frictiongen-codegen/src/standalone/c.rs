@@ -1,6 +1,6 @@
 //! Tables as C99.
 
-use super::{Numbers, about, quotient, snake, wrapped};
+use super::{Numbers, about, quotient, snake, sticks_late, wrapped};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::table::Tables;
@@ -19,7 +19,7 @@ pub fn c_header<S: Float>(scene: &Scene, tables: &Tables<S>) -> String {
         "double"
     };
     let about = about(tables).join("\n * ");
-    let contact = if tables.excitation.is_some() {
+    let contact = if tables.moves() {
         format!(
             "\n/* Amplitude (x k1/P; for base motion over Y) and phase (lag of the maximum behind the excitation's, rad) of the\n \
              * contact's relative motion at the friction ratio beta = F/P.  Returns 0; 1 for stick-slip, 2 for a stuck contact,\n \
@@ -88,8 +88,16 @@ pub fn c_source<S: Float>(
     }
     let pairs = terms / 2;
     let sliding = quotient(numbers, tables.sliding.as_ref()?, &format!("sqrt{letter}"));
-    let contact = tables.excitation.as_ref().map(|product| {
-        let excitation = quotient(numbers, product, &format!("sqrt{letter}"));
+    let contact = tables.moves().then(|| {
+        let excitation = match &tables.excitation {
+            Some(product) => quotient(numbers, product, &format!("sqrt{letter}")),
+            None => "polynomial(piece->c[4], t)".to_owned(),
+        };
+        let also = if sticks_late(scene) {
+            ""
+        } else {
+            " && beta < sliding_limit(r)"
+        };
         let (one, zero) = (numbers.write(1.0), numbers.write(0.0));
         let pi = numbers.write(std::f64::consts::PI);
         let turn = numbers.write(if numbers.single {
@@ -97,7 +105,7 @@ pub fn c_source<S: Float>(
         } else {
             2.0 * std::f64::consts::PI
         });
-        let (shares, displacement, direction) = if functions == 4 {
+        let (shares, displacement, direction) = if functions >= 4 {
             (
                 format!(
                     "    const {real} quadrature = polynomial(piece->c[1], t);\n    \
@@ -124,17 +132,16 @@ pub fn c_source<S: Float>(
              angle = {pi} < angle ? angle - {turn} : angle;\n    \
              return -{pi} < angle ? angle : angle + {turn};\n}}\n\n\
              int {name}_contact({real} r, {real} beta, {real} *amplitude, {real} *phase)\n{{\n    \
-             {real} continuous, sliding;\n    \
-             if (!({zero} <= beta) || {name}_limits(r, &continuous, &sliding) != 0)\n        return -1;\n    \
-             if (!(beta < sliding))\n        return 2;\n    \
-             if (!(beta < continuous))\n        return 1;\n    \
+             if (!({low} <= r && r <= {high} && {zero} <= beta))\n        return -1;\n    \
              const struct piece *piece = found(r);\n    \
              const {real} t = r - piece->origin;\n    \
+             const {real} continuous = polynomial(piece->c[0], t);\n    \
+             if (!(beta < continuous{also}))\n        return beta < sliding_limit(r) ? 1 : 2;\n    \
              const {real} excitation = {excitation};\n{shares}    \
              const {real} share = beta / continuous;\n    \
              const {real} turned = share * quadrature;\n    \
              const {real} product = ({one} - turned) * ({one} + turned);\n    \
-             const {real} in_phase = sqrt{letter}(product < {zero} ? {zero} : product);\n    \
+             const {real} in_phase = sqrt{letter}(fabs{letter}(product));\n    \
              *amplitude = fabs{letter}(excitation) * (in_phase - share * {displacement});\n    \
              *phase = wrapped(wrapped(atan2{letter}(-turned + {zero}, in_phase + {zero}) - {direction}));\n    \
              return 0;\n}}\n"
@@ -153,9 +160,8 @@ pub fn c_source<S: Float>(
          static const {narrow} buckets[BUCKETS] = {{\n    {buckets}\n}};\n\n\
          static const struct piece pieces[PIECES] = {{\n{pieces}}};\n\n\
          static const struct piece *found({real} r)\n{{\n    \
-         size_t bucket = (size_t)((r - {index_low}) * {density});\n    \
-         if (bucket > BUCKETS - 1)\n        bucket = BUCKETS - 1;\n    \
-         size_t index = buckets[bucket];\n    \
+         const size_t bucket = (size_t)((r - {index_low}) * {density});\n    \
+         size_t index = buckets[bucket & (BUCKETS - 1)];\n    \
          for (size_t step = (size_t)1 << {halvings} >> 1; step > 0; step >>= 1) {{\n        \
          const size_t further = index + step;\n        \
          if (further < PIECES && pieces[further].from <= r)\n            index = further;\n    }}\n    \
@@ -173,12 +179,14 @@ pub fn c_source<S: Float>(
          static inline {real} pair({real} r, {real} at, {real} rest, {real} off, {real} least)\n{{\n    \
          const {real} beside = ((r - at) - rest) * (r + at) + off;\n    \
          return beside * beside + least;\n}}\n\n\
+         /* beta*_lim at an r in the range. */\n\
+         static {real} sliding_limit({real} r)\n{{\n    \
+         (void)r;\n    (void)zero;\n    (void)pair;\n    return fabs{letter}({sliding});\n}}\n\n\
          int {name}_limits({real} r, {real} *continuous, {real} *sliding)\n{{\n    \
-         (void)zero;\n    (void)pair;\n    \
          if (!({low} <= r && r <= {high}))\n        return -1;\n    \
          const struct piece *piece = found(r);\n    \
          *continuous = polynomial(piece->c[0], r - piece->origin);\n    \
-         *sliding = fabs{letter}({sliding});\n    return 0;\n}}\n{contact}",
+         *sliding = sliding_limit(r);\n    return 0;\n}}\n{contact}",
         count = tables.pieces.len(),
         buckets_count = index.buckets.len(),
         buckets = wrapped(&index.buckets),

@@ -11,6 +11,7 @@ pub use rust::rust_source;
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
+use frictiongen_model::scene::Scene;
 use frictiongen_model::table::{Product, Tables};
 
 /// Numbers as a language writes them.
@@ -85,7 +86,7 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     if tables.sliding.is_some() {
         about.push(format!("beta*_lim: {}", tables.sliding_proof.told()));
     }
-    if tables.excitation.is_some() {
+    if tables.moves() {
         about.push(format!(
             "amplitude and phase of the contact: {}",
             tables.motion_proof.told()
@@ -139,6 +140,11 @@ fn quotient<S: Float>(numbers: Numbers, product: &Product<S>, root: &str) -> Str
     } else {
         format!("{gain} * ({value})")
     }
+}
+
+/// Whether a contact whose motion is continuous cannot stick as well: β_lim is then the smaller limit.
+fn sticks_late(scene: &Scene) -> bool {
+    scene.stiction <= 1.0
 }
 
 /// A name in the style of a function: `TwoStorey` becomes `two_storey`.

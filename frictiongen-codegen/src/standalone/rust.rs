@@ -1,6 +1,6 @@
 //! Tables as a Rust file without dependencies.
 
-use super::{Numbers, about, quotient, wrapped};
+use super::{Numbers, about, quotient, sticks_late, wrapped};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::table::Tables;
@@ -36,25 +36,34 @@ pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String
     }
     let root = format!("{real}::sqrt");
     let sliding = quotient(numbers, tables.sliding.as_ref()?, &root);
-    let contact = tables.excitation.as_ref().map(|product| {
-        let excitation = quotient(numbers, product, &root);
-        let (shares, displacement, direction) = if functions == 4 {
-            (
-                "    let [_, quadrature, displacement, direction] = piece.of.map(|of| polynomial(&of, t));\n"
-                    .to_owned(),
+    let sticks_late = sticks_late(scene);
+    let contact = tables.moves().then(|| {
+        let excitation = tables.excitation.as_ref();
+        let excitation = excitation.map_or_else(String::new, |product| {
+            let product = quotient(numbers, product, &root);
+            format!("    let excitation = {product};\n")
+        });
+        let (shares, displacement) = match functions {
+            5 => (
+                "    let [continuous, quadrature, displacement, direction, excitation] = piece.of.map(|of| polynomial(&of, t));\n",
                 "displacement",
-                "direction",
-            )
-        } else {
-            (
-                "    let [_, quadrature] = piece.of.map(|of| polynomial(&of, t));\n    \
+            ),
+            4 => (
+                "    let [continuous, quadrature, displacement, direction] = piece.of.map(|of| polynomial(&of, t));\n",
+                "displacement",
+            ),
+            _ => (
+                "    let [continuous, quadrature] = piece.of.map(|of| polynomial(&of, t));\n    \
                  let negative = excitation < 0.0;\n    \
                  let quadrature = if negative { -quadrature } else { quadrature };\n    \
-                 let direction = if negative { PI } else { 0.0 };\n"
-                    .to_owned(),
+                 let direction = if negative { PI } else { 0.0 };\n",
                 "0.0",
-                "direction",
-            )
+            ),
+        };
+        let also = if sticks_late {
+            ""
+        } else {
+            " && beta < sliding_limit(r)"
         };
         format!(
             "\n/// Why there is no continuous motion.\n#[derive(Clone, Copy, Debug, PartialEq, Eq)]\npub enum NotContinuous {{\n    \
@@ -63,17 +72,17 @@ pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String
              /// Amplitude (x̄ k₁/P; for base motion over Y) and phase (lag of the maximum behind the excitation's, rad) of the\n\
              /// contact's relative motion at the friction ratio β = F/P.\n///\n/// # Errors\n/// [`NotContinuous`] says which regime it is instead.\n\
              pub fn contact(r: {real}, beta: {real}) -> Result<({real}, {real}), NotContinuous> {{\n    \
-             let (continuous, sliding) = limits(r).ok_or(NotContinuous::OutOfDomain)?;\n    \
-             if !(0.0 <= beta) {{\n        return Err(NotContinuous::OutOfDomain);\n    }}\n    \
-             if !(beta < sliding) {{\n        return Err(NotContinuous::Stuck);\n    }}\n    \
-             if !(beta < continuous) {{\n        return Err(NotContinuous::StickSlip);\n    }}\n    \
-             let piece = found(r);\n    let t = r - piece.origin;\n    \
-             let excitation = {excitation};\n{shares}    \
+             if !({low} <= r && r <= {high} && 0.0 <= beta) {{\n        return Err(NotContinuous::OutOfDomain);\n    }}\n    \
+             let piece = found(r);\n    let t = r - piece.origin;\n\
+             {excitation}{shares}    \
+             if !(beta < continuous{also}) {{\n        \
+             let slides = beta < sliding_limit(r);\n        \
+             return Err(if slides {{ NotContinuous::StickSlip }} else {{ NotContinuous::Stuck }});\n    }}\n    \
              let share = beta / continuous;\n    let turned = share * quadrature;\n    \
              let product = (1.0 - turned) * (1.0 + turned);\n    \
-             let in_phase = if product < 0.0 {{ 0.0 }} else {{ product }}.sqrt();\n    \
+             let in_phase = product.abs().sqrt();\n    \
              let amplitude = {real}::abs(excitation) * (in_phase - share * {displacement});\n    \
-             let lag = {real}::atan2(-turned + 0.0, in_phase + 0.0) - {direction};\n    \
+             let lag = {real}::atan2(-turned + 0.0, in_phase + 0.0) - direction;\n    \
              Ok((amplitude, wrapped(wrapped(lag))))\n}}\n\n\
              const PI: {real} = std::{real}::consts::PI;\n\n\
              /// An angle moved by a turn into (−π, π].\n\
@@ -92,11 +101,13 @@ pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String
          pub fn limits(r: {real}) -> Option<({real}, {real})> {{\n    \
          if !({low} <= r && r <= {high}) {{\n        return None;\n    }}\n    \
          let piece = found(r);\n    let continuous = polynomial(&piece.of[0], r - piece.origin);\n    \
-         let sliding = {real}::abs({sliding});\n    Some((continuous, sliding))\n}}\n{contact}\n\
+         Some((continuous, sliding_limit(r)))\n}}\n\n\
+         /// β*_lim at an r in the range.\n\
+         fn sliding_limit(r: {real}) -> {real} {{\n    let _ = r;\n    {real}::abs({sliding})\n}}\n{contact}\n\
          struct Piece {{\n    from: {real},\n    origin: {real},\n    of: [[{real}; {terms}]; {functions}],\n}}\n\n\
          fn found(r: {real}) -> &'static Piece {{\n    \
          let bucket = ((r - {index_low}) * {density}) as usize;\n    \
-         let mut index = BUCKETS[bucket.min(BUCKETS.len() - 1)] as usize;\n    \
+         let mut index = BUCKETS[bucket & (BUCKETS.len() - 1)] as usize;\n    \
          let mut step = 1 << {halvings} >> 1;\n    while step > 0 {{\n        \
          let further = index + step;\n        \
          if further < PIECES.len() && PIECES[further].from <= r {{\n            index = further;\n        }}\n        \

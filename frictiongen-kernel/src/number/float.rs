@@ -221,6 +221,10 @@ macro_rules! real {
                 self.into()
             }
             #[inline(always)]
+            fn at_most(self, other: Self) -> bool {
+                self.to_bits() <= other.to_bits()
+            }
+            #[inline(always)]
             fn is_finite(self) -> bool {
                 $float::is_finite(self)
             }

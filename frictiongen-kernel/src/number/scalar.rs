@@ -178,6 +178,13 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
         let ((s, u), (t, v)) = (a.sin_cos_pi_minus(c), b.sin_cos_pi_minus(d));
         [[s, t], [u, v]]
     }
+    /// Whether it is no larger than another, neither of them negative or NaN.  Their bits then have the same order, and of
+    /// those a small processor need not fetch flags from its floating-point unit, or has none.
+    #[must_use]
+    #[inline]
+    fn at_most(self, other: Self) -> bool {
+        self <= other
+    }
     /// Whether the value is neither infinite nor NaN.
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()

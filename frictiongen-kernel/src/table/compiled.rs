@@ -2,7 +2,7 @@
 
 use crate::contact::regime::{self, Limits};
 use crate::errors::{OutOfDomain, Regime, StuckResonance};
-use crate::number::scalar::Scalar;
+use crate::number::scalar::{Float, Scalar};
 use crate::response::{At, ProvidesStuck, Scene};
 
 /// Where the tables of a scene hold, and what happens beyond.
@@ -48,7 +48,8 @@ impl<T: Tabled> Compiled<T> {
             exact_beyond,
             ..
         } = scene.domain();
-        let within = low <= r && r <= high;
+        // The difference is 0 where both are the same alone, and a lookup needs it.
+        let within = r - low >= T::Scalar::constant(0.0) && r <= high;
         if !within {
             let allowed = exact_beyond && r >= T::Scalar::constant(0.0);
             if !allowed {
@@ -161,13 +162,37 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
+    /// Whether β may be asked for and the motion is continuous, without more than that takes.
+    #[inline]
+    pub(super) fn is_admitted(&self, beta: T::Scalar, limit: T::Scalar) -> bool {
+        let domain = self.scene.domain();
+        let (low, high) = domain.beta;
+        // Below β_lim β is finite; a bound that is not there costs nothing.
+        let asked = beta >= T::Scalar::constant(0.0)
+            && (domain.exact_beyond || (low <= beta && (!high.is_finite() || beta <= high)));
+        // A contact that grips no better than it rubs cannot stick while it can slide all the time: the difference of both
+        // motions would lose energy for ever.  β_lim is then the smaller one, and β*_lim need not be known.
+        let one = T::Scalar::constant(1.0);
+        let decides = self.scene.numbers().chain.stiction <= one;
+        asked && beta < limit && (decides || beta < self.sliding_limit())
+    }
+
     /// The regime at β = F/P: right except within the declared accuracy of a limit.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β, and beyond the declared range.
     pub fn regime(&self, beta: T::Scalar) -> Result<Regime, OutOfDomain> {
         let beta = self.checked(beta)?;
-        self.limits().regime(beta)
+        if !self.within {
+            return self.limits().regime(beta);
+        }
+        Ok(if self.is_admitted(beta, self.continuous_limit()) {
+            Regime::Continuous
+        } else if beta < self.sliding_limit() {
+            Regime::StickSlip
+        } else {
+            Regime::Stuck
+        })
     }
 
     /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime.

@@ -40,7 +40,14 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Of a damped chain: β_lim, a, g and arg V from a table.
+    /// Of a damped chain: β_lim, a, g, arg V and |V| from a table.
+    #[inline]
+    #[must_use]
+    pub fn tabled([limit, quadrature, displacement, direction, excitation]: [S; 5]) -> Self {
+        Self::damped([limit, quadrature, displacement, direction], excitation)
+    }
+
+    /// Of a chain with undamped modes among damped ones, where |V| may have poles: β_lim, a, g and arg V from a table.
     #[inline]
     #[must_use]
     pub fn damped([limit, quadrature, displacement, direction]: [S; 4], excitation: S) -> Self {
@@ -58,9 +65,8 @@ impl<S: Float> ContactTable<S> {
     fn in_phase(&self, share: S) -> S {
         let one = S::constant(1.0);
         let quadrature = share * self.quadrature;
-        ((one - quadrature) * (one + quadrature))
-            .max(S::constant(0.0))
-            .sqrt()
+        // Negative within the accuracy of the limit alone, where its size is as good as 0.
+        ((one - quadrature) * (one + quadrature)).abs().sqrt()
     }
 
     /// Z, the amplitude of the contact's relative motion (2.21, 5.35, 7.20).
@@ -97,31 +103,40 @@ impl<T: TabledMotion> Compiled<T> {
     /// [`NotContinuous`] says which regime it is instead, or that an undamped resonance is unbounded at this β, or
     /// that β is out of the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Moving, NotContinuous> {
-        let beta = self.checked(beta)?;
         let mut table = None;
         if !self.is_within() {
             // The exact formulas have their own admission.
+            let beta = self.checked(beta)?;
             self.exact().admitted(beta)?;
         } else {
-            if !(beta < self.sliding_limit()) {
-                return Err(NotContinuous::Stuck);
-            }
             // One lookup for the admission and for the motion.
             table = self.scene().tabled_contact(self.frequency_ratio());
             let limit = match table {
                 Some(table) => table.limit,
                 None => self.continuous_limit(),
             };
-            if !(beta < limit) {
-                return Err(NotContinuous::StickSlip);
-            }
             let unbounded = self.scene().numbers().unbounded;
-            if unbounded.contains(&self.frequency_ratio()) {
-                return Err(NotContinuous::Unbounded);
+            let is_bounded = !unbounded.contains(&self.frequency_ratio());
+            if !(self.is_admitted(beta, limit) && is_bounded) {
+                return Err(self.refused(beta, limit));
             }
         }
         let at = self.clone();
         Ok(Moving { at, beta, table }.into())
+    }
+
+    /// Why there is no continuous motion within the tables' range.
+    #[cold]
+    fn refused(&self, beta: T::Scalar, limit: T::Scalar) -> NotContinuous {
+        if let Err(error) = self.checked(beta) {
+            error.into()
+        } else if self.is_admitted(beta, limit) {
+            NotContinuous::Unbounded
+        } else if beta < self.sliding_limit() {
+            NotContinuous::StickSlip
+        } else {
+            NotContinuous::Stuck
+        }
     }
 }
 

@@ -24,19 +24,19 @@ pub struct Table<'a, S, B, const F: usize, const C: usize> {
     pub density: S,
     /// How many comparisons find a piece among those of a bucket: at most 2^halvings − 1 begin within one.
     pub halvings: u32,
-    /// The piece in which each bucket begins.
+    /// The piece in which each bucket begins; a power of two of them.
     pub buckets: &'a [B],
     /// The pieces, ascending.
     pub pieces: &'a [Piece<S, F, C>],
 }
 
 impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, S, B, F, C> {
-    /// The piece that holds r: the first or the last one outside the range, none if there are no pieces.
+    /// The piece that holds r: any one outside the range, none if there are no pieces.
     #[inline(always)]
     #[must_use]
     pub fn piece(&self, r: S) -> Option<&Piece<S, F, C>> {
         let bucket = ((r - self.low) * self.density).to_index();
-        let bucket = bucket.min(self.buckets.len().saturating_sub(1));
+        let bucket = bucket & self.buckets.len().wrapping_sub(1);
         let first: usize = self.buckets.get(bucket).copied().map_or(0, Into::into);
         // Where the number of halvings is a constant, one of these remains, in straight lines.
         match self.halvings {
@@ -72,7 +72,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
             let begins = self
                 .pieces
                 .get(further)
-                .is_some_and(|piece| piece.from <= r);
+                .is_some_and(|piece| piece.from.at_most(r));
             index = if begins { further } else { index };
         }
         self.pieces.get(index)
@@ -90,7 +90,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
             put(&mut values, piece, 1, t);
             put(&mut values, piece, 2, t);
             put(&mut values, piece, 3, t);
-            for function in 4..F {
+            put(&mut values, piece, 4, t);
+            for function in 5..F {
                 put(&mut values, piece, function, t);
             }
         }
@@ -140,7 +141,7 @@ fn half<S: Float, const F: usize, const C: usize>(
 ) -> &[Piece<S, F, C>] {
     match pieces.split_at_checked(pieces.len() / 2) {
         Some((left, right)) => {
-            let begins = right.first().is_some_and(|piece| piece.from <= r);
+            let begins = right.first().is_some_and(|piece| piece.from.at_most(r));
             if begins { right } else { left }
         }
         None => pieces,
@@ -156,7 +157,10 @@ fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
     window: &[Piece<S, F, C>; W],
     r: S,
 ) -> usize {
-    let begun = |place: usize| usize::from(window.get(place).is_some_and(|piece| piece.from <= r));
+    let begun = |place: usize| {
+        let piece = window.get(place);
+        usize::from(piece.is_some_and(|piece| piece.from.at_most(r)))
+    };
     let quarters = |from: usize, step: usize| {
         step * (begun(from + step) + begun(from + 2 * step) + begun(from + 3 * step))
     };

@@ -35,7 +35,7 @@ pub(super) struct Cover<'a, 'm, S> {
     pub motion: f64,
     /// What the check allows of both.
     pub whole: (f64, f64),
-    /// |V|, or V with its sign, where the motion is asked for.
+    /// |V|, or V with its sign, where the motion is asked for and it is not among the functions.
     pub excitation: Option<Quotient<'a, S>>,
     /// No more pieces than this.
     pub most_pieces: usize,

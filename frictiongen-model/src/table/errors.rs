@@ -2,7 +2,7 @@
 
 use super::cover::Cover;
 use super::digits::above;
-use super::fit::{ANGLE, Fitted};
+use super::fit::{ANGLE, Fitted, SIZE};
 use super::split::Edge;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::ContactTable;
@@ -75,7 +75,7 @@ impl<S: Float> Cover<'_, '_, S> {
         let own = S::constant(r);
         let r = own.to_f64();
         let of_limit = self.limit_error(piece, own);
-        if !(of_limit <= 1.0) || self.excitation.is_none() {
+        if !(of_limit <= 1.0) || self.form.functions == 1 {
             return or_infinite(of_limit);
         }
         let of_motion = self.motion_error(&self.answer(piece, own), r);
@@ -153,7 +153,10 @@ impl<S: Float> Cover<'_, '_, S> {
             [0, 1, 2, ANGLE].map(|function| piece.value(function, r));
         let one = S::constant(1.0);
         let excitation = self.excitation.map_or(one, |quotient| quotient.value(r));
-        if self.form.functions > ANGLE {
+        if self.form.functions > SIZE {
+            let excitation = piece.value(SIZE, r);
+            ContactTable::tabled([limit, quadrature, displacement, direction, excitation])
+        } else if self.form.functions > ANGLE {
             ContactTable::damped([limit, quadrature, displacement, direction], excitation)
         } else {
             ContactTable::undamped([limit, quadrature], excitation)
@@ -176,8 +179,10 @@ fn apart<T: Float>(answer: &ContactTable<T>, exact: &ContactTable<f64>) -> [f64;
     for ((share, amplitude), phase) in FRICTION_SHARES.iter().zip(amplitudes).zip(phases) {
         let beta = T::constant(share * exact.limit);
         let expected = exact.amplitude(beta.to_f64());
-        *amplitude = (answer.amplitude(beta).to_f64() - expected).abs() / expected;
-        let turned = answer.phase(beta).to_f64() - exact.phase(beta.to_f64());
+        // An answer is asked for up to its own limit.
+        let own = beta.min(answer.limit);
+        *amplitude = (answer.amplitude(own).to_f64() - expected).abs() / expected;
+        let turned = answer.phase(own).to_f64() - exact.phase(beta.to_f64());
         *phase = (turned - (turned / (2.0 * PI)).round() * 2.0 * PI).abs();
     }
     apart

@@ -1,5 +1,6 @@
 //! The exact values that tables are made from and compared with.
 
+use super::fit::SIZE;
 use super::zeros::{Share, shares};
 use crate::modal::Modal;
 use crate::reduced::Reduced;
@@ -13,7 +14,7 @@ use std::collections::HashMap;
 /// Below this share of its terms a sum has lost digits that count.
 const CANCELS: f64 = 1e-2;
 
-/// The functions of r at one r: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V.  Of an undamped chain a is times
+/// The functions of r at one r: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V; |V| is known besides.  Of an undamped chain a is times
 /// sgn V, with which it is smooth across a resonance, and arg V is 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
@@ -25,18 +26,7 @@ pub(super) struct Sample {
     pub tau: Option<f64>,
 }
 
-impl Sample {
-    /// A function by its place in a table.
-    pub fn function(&self, place: usize) -> Option<f64> {
-        let functions = [
-            self.limit,
-            self.quadrature,
-            self.displacement,
-            self.direction,
-        ];
-        functions.get(place).copied()
-    }
-}
+impl Sample {}
 
 /// A scene that answers exactly, and remembers its answers.
 pub(super) struct Exact<'a> {
@@ -65,6 +55,12 @@ impl<'a> Exact<'a> {
 
     pub fn damped(&self) -> bool {
         self.reduced.chain.damped
+    }
+
+    /// Whether every mode that the contact drives is damped: |V| is then finite at every r.
+    pub fn all_damped(&self) -> bool {
+        let mut shares = self.shares.iter();
+        shares.all(|share| !share.driven.zeta.is_zero())
     }
 
     /// How many points have been looked at.
@@ -148,11 +144,32 @@ impl<'a> Exact<'a> {
         [excitation, receptance]
     }
 
-    /// What the contact's motion follows from, with |V| to the last digits.
-    pub fn contact(&mut self, sample: &Sample, r: f64) -> ContactTable<f64> {
+    /// A function at r by its place in a table.
+    pub fn function(&mut self, place: usize, r: f64) -> Option<f64> {
+        let sample = self.at(r)?;
+        let functions = [
+            sample.limit,
+            sample.quadrature,
+            sample.displacement,
+            sample.direction,
+        ];
+        if place == SIZE {
+            return Some(self.known_excitation(r));
+        }
+        functions.get(place).copied()
+    }
+
+    /// V as of [`excitation`](Self::excitation), remembered.
+    fn known_excitation(&mut self, r: f64) -> f64 {
         let known = self.excitations.get(&r.to_bits()).copied();
         let excitation = known.unwrap_or_else(|| self.excitation(r));
         self.excitations.insert(r.to_bits(), excitation);
+        excitation
+    }
+
+    /// What the contact's motion follows from, with |V| to the last digits.
+    pub fn contact(&mut self, sample: &Sample, r: f64) -> ContactTable<f64> {
+        let excitation = self.known_excitation(r);
         if self.damped() {
             let Sample {
                 limit,

@@ -11,6 +11,8 @@ use std::f64::consts::PI;
 const ORIGIN: f64 = 0.1;
 /// The place of arg V among the functions; those before it are divided by |V|/β_lim.
 pub(super) const ANGLE: usize = 3;
+/// The place of |V|, where it is among them.
+pub(super) const SIZE: usize = 4;
 
 /// A piece with its functions in vectors.
 #[derive(Clone, Debug)]
@@ -61,7 +63,9 @@ pub(super) fn fit<S: Float>(
         S::constant(zero.map_or_else(|| to_decimals(middle, ORIGIN * half), |zero| zero.at));
     let mut coefficients = Vec::with_capacity(form.functions);
     for function in 0..form.functions {
-        let zero = zero.filter(|_| function == 0);
+        // Of these the relative error counts, also beside the zero that they have in common.
+        let is_relative = function == 0 || function == SIZE;
+        let zero = zero.filter(|_| is_relative);
         // The quotient by the distance has one term less than β_lim.
         let terms = form.terms - usize::from(zero.is_some());
         let nodes: Vec<f64> = (0..terms)
@@ -69,7 +73,7 @@ pub(super) fn fit<S: Float>(
             .collect();
         let mut values = Vec::with_capacity(terms);
         for r in &nodes {
-            let value = exact.at(*r)?.function(function)?;
+            let value = exact.function(function, *r)?;
             let lift = if function < ANGLE { form.lift } else { 1.0 };
             values.push(lift * value / zero.map_or(1.0, |zero| zero.distance(*r)));
         }
@@ -82,7 +86,7 @@ pub(super) fn fit<S: Float>(
         let least = values
             .iter()
             .fold(f64::INFINITY, |least, value| least.min(value.abs()));
-        let least = if function == 0 { least } else { 1.0 };
+        let least = if is_relative { least } else { 1.0 };
         let mut power = 1.0;
         for coefficient in &mut through {
             *coefficient = to_decimals(*coefficient / power, form.rounding * least / power);

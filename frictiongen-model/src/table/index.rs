@@ -3,7 +3,7 @@
 use super::fit::Fitted;
 use frictiongen_kernel::Float;
 
-/// The numbers of buckets that are tried.
+/// The numbers of buckets that are tried: powers of two, so that a lookup finds one without a comparison.
 const BUCKETS: [usize; 8] = [8, 16, 32, 64, 128, 256, 512, 1024];
 /// There are no more buckets than this for each number in the pieces: they would outweigh what they save.
 const CROWDED: usize = 1;
@@ -47,9 +47,12 @@ impl<S: Float> Index<S> {
     }
 
     fn with(pieces: &[Fitted<S>], (low, high): (S, S), count: usize) -> Self {
-        let density = S::constant(count as f64 / (high - low).to_f64());
-        // As a lookup computes it: rising with r, whatever the rounding.
-        let bucket_of = |r: S| ((r - low) * density).to_index().min(count - 1);
+        let mut density = S::constant(count as f64 / (high - low).to_f64());
+        // As a lookup computes it: rising with r, whatever the rounding, and the end within the last bucket.
+        while ((high - low) * density).to_index() >= count {
+            density = S::constant(density.to_f64() * (1.0 - S::EPSILON));
+        }
+        let bucket_of = |r: S| ((r - low) * density).to_index();
         let mut begins = vec![0_usize; count];
         let mut within = vec![0_usize; count];
         for (place, piece) in pieces.iter().enumerate().skip(1) {

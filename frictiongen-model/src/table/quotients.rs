@@ -190,6 +190,7 @@ impl<S: Float> Products<S> {
         zeros: Option<&Zeros>,
         landmarks: &Landmarks,
         request: &Request,
+        with_excitation: bool,
         range: (f64, f64),
     ) -> Self {
         let allowed = EXACT_SHARE * request.accuracy;
@@ -232,7 +233,7 @@ impl<S: Float> Products<S> {
             |(_, product, proof)| (Some(product), proof),
         );
         let excitation = zeros
-            .filter(|_| request.motion)
+            .filter(|_| request.motion && with_excitation)
             .and_then(|zeros| excitation(exact, zeros, range, &to))
             .filter(|product| kept(product, &|r| exact.excitation(r).abs()).is_some());
         let of_excitation = excitation.as_ref().zip(receptances.as_ref());

@@ -49,7 +49,8 @@ pub struct Report {
 pub struct Tables<S> {
     /// What was asked.
     pub request: Request,
-    /// How many functions share the pieces: β_lim; with a motion a, and with damping g and arg V.
+    /// How many functions share the pieces: β_lim; with a motion a, with damping g and arg V, and where every mode is damped
+    /// |V|.
     pub functions: usize,
     /// Coefficients of each polynomial.
     pub terms: usize,
@@ -59,7 +60,7 @@ pub struct Tables<S> {
     pub index: Index<S>,
     /// β*_lim; none where only the sums over modes keep the accuracy.
     pub sliding: Option<Product<S>>,
-    /// |V|, for a motion.
+    /// |V|, for a motion, where it is not among the functions.
     pub excitation: Option<Product<S>>,
     /// What was built.
     pub report: Report,
@@ -69,7 +70,7 @@ pub struct Tables<S> {
     pub motion_proof: Proof,
     /// What is proven of β*_lim when it is built: that takes no work to speak of.
     pub sliding_proof: Proof,
-    /// The same of |V|, for a motion.
+    /// The same of |V|, where it is a product.
     pub excitation_proof: Proof,
     /// Where β_lim bends, ascending.
     pub(super) kinks: Vec<f64>,
@@ -109,6 +110,12 @@ impl<S: Float> Tables<S> {
             },
             other => other,
         })
+    }
+
+    /// Whether amplitude and phase of the contact follow from these tables.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        self.functions > 1
     }
 
     /// Additions and multiplications of one polynomial and its lookup.
@@ -202,7 +209,20 @@ impl<S: Float> Tables<S> {
         None
     }
 
+    /// With |V| among the functions where that will do: a product costs a root and an operation for every zero and pole.
     fn built(exact: &mut Exact<'_>, request: Request) -> Result<Self, TableError> {
+        if !(request.motion && exact.all_damped()) {
+            return Self::built_with(exact, request, false);
+        }
+        let tabled = Self::built_with(exact, request, true);
+        tabled.or_else(|_| Self::built_with(exact, request, false))
+    }
+
+    fn built_with(
+        exact: &mut Exact<'_>,
+        request: Request,
+        with_size: bool,
+    ) -> Result<Self, TableError> {
         let modal = exact.modal;
         // The ends that a lookup sees.
         let ends = (S::constant(request.r.0), S::constant(request.r.1));
@@ -215,8 +235,17 @@ impl<S: Float> Tables<S> {
             worst: off,
             points,
             proofs: [sliding_proof, excitation_proof],
-        } = Products::of(exact, zeros.as_ref(), &landmarks, &request, (low, high));
+        } = Products::of(
+            exact,
+            zeros.as_ref(),
+            &landmarks,
+            &request,
+            !with_size,
+            (low, high),
+        );
         let functions = match (&excitation, exact.damped()) {
+            // Of zeros that cannot be told apart one of |V| may be on the axis.
+            _ if with_size && zeros.is_some() => 5,
             (None, _) => 1,
             (Some(_), false) => 2,
             (Some(_), true) => 4,

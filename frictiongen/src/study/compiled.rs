@@ -14,8 +14,8 @@ use frictiongen_model::scene::Side;
 use frictiongen_model::table::{Fitted, Proof, Request, TableError, Tables, Work};
 use std::ops::{Deref, Range};
 
-/// The functions that share pieces: β_lim, a, g and arg V.
-const FUNCTIONS: usize = 4;
+/// The functions that share pieces: β_lim, a, g, arg V and |V|.
+const FUNCTIONS: usize = 5;
 
 /// Pieces of each degree that tables are built with.
 #[derive(Clone, Debug)]
@@ -224,19 +224,27 @@ impl<'a, S: Float> TabledMotion for &'a CompiledSystem<'a, S> {
     type Moving = CompiledMotion<'a, S>;
 
     fn tabled_contact(&self, r: S) -> Option<ContactTable<S>> {
-        let excitation = self.tables.excitation.as_ref()?.quotient().value(r);
+        let functions = self.tables.functions;
+        let excitation = self.tables.excitation.as_ref();
+        if functions < FUNCTIONS && excitation.is_none() {
+            return None;
+        }
         let values = match &self.pieces {
             Pieces::Cubic(pieces) => self.table(pieces).values(r),
             Pieces::Quintic(pieces) => self.table(pieces).values(r),
             Pieces::Septic(pieces) => self.table(pieces).values(r),
             Pieces::Nonic(pieces) => self.table(pieces).values(r),
         };
-        let [limit, quadrature, _, _] = values;
-        Some(if self.system.reduced.chain.damped {
-            ContactTable::damped(values, excitation)
-        } else {
-            ContactTable::undamped([limit, quadrature], excitation)
-        })
+        let [limit, quadrature, displacement, direction, _] = values;
+        Some(
+            match excitation.map(|product| product.quotient().value(r)) {
+                None => ContactTable::tabled(values),
+                Some(excitation) if functions == 4 => {
+                    ContactTable::damped([limit, quadrature, displacement, direction], excitation)
+                }
+                Some(excitation) => ContactTable::undamped([limit, quadrature], excitation),
+            },
+        )
     }
 }
 

@@ -27,6 +27,7 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
             "contact::regime::Limits::regime",
             "contact::regime::regime",
             "contact::regime::with_ends",
+            "number::scalar::Float::at_most",
             "number::scalar::Float::carried",
             "number::scalar::Float::primal",
             "number::scalar::Float::to_index",

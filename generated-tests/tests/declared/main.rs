@@ -6,5 +6,6 @@ mod emitted;
 mod proven;
 mod random;
 mod scenes;
+mod smaller;
 mod standalone;
 mod verified;

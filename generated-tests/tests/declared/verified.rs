@@ -23,27 +23,31 @@ fn a_wrong_coefficient() {
             let mut tables = Tables::<f64>::build(system.modal(), request).unwrap();
             let sound = tables.verify(system.modal());
             assert!(sound.error <= accuracy, "{}", sound.error);
+            let functions = tables.functions;
             for place in 0..tables.pieces.len() {
                 let next = tables.pieces.get(place + 1).map_or(2.5, |next| next.from);
-                let piece = &mut tables.pieces[place];
+                let piece = &tables.pieces[place];
                 let middle = 0.5 * (piece.from + next);
                 let t = middle - piece.origin;
                 let far = t
                     .abs()
                     .max((next - piece.origin).abs())
                     .max((piece.from - piece.origin).abs());
-                let limit = piece.value(0, middle).abs();
-                for power in 0..tables.terms {
-                    let coefficient = tables.pieces[place].coefficients[0][power];
-                    let wrong = 10.0 * accuracy * limit / far.powi(power as i32);
-                    tables.pieces[place].coefficients[0][power] = coefficient + wrong;
-                    let found = tables.verify_piece(system.modal(), place);
-                    assert!(
-                        found.error > accuracy,
-                        "{kind}{count} {accuracy:e}: coefficient {power} of piece {place} passes with {:e}",
-                        found.error
-                    );
-                    tables.pieces[place].coefficients[0][power] = coefficient;
+                // β_lim, and |V| where it is in the table.
+                for function in [0, 4].into_iter().filter(|place| *place < functions) {
+                    let size = tables.pieces[place].value(function, middle).abs();
+                    for power in 0..tables.terms {
+                        let coefficient = tables.pieces[place].coefficients[function][power];
+                        let wrong = 10.0 * accuracy * size / far.powi(power as i32);
+                        tables.pieces[place].coefficients[function][power] = coefficient + wrong;
+                        let found = tables.verify_piece(system.modal(), place);
+                        assert!(
+                            found.error > accuracy,
+                            "{kind}{count} {accuracy:e}: coefficient {power} of function {function} of piece {place} passes with {:e}",
+                            found.error
+                        );
+                        tables.pieces[place].coefficients[function][power] = coefficient;
+                    }
                 }
                 if place > 4 {
                     break;

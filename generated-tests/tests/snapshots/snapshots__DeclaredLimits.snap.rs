@@ -307,7 +307,7 @@ const _: () = {
         /// Largest error 8.8e-3, at r = 0.5696093440055847: checked at 573 points that the fit did not see.
         const TABLE: Table<'static, f32, ::core::primitive::u8, 1, 4> = Table {
             low: 0.5,
-            density: 5.3333335,
+            density: 5.333333,
             halvings: 2,
             buckets: &[0, 2, 2, 2, 3, 3, 4, 5],
             pieces: &[

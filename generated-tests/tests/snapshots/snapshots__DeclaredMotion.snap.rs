@@ -239,7 +239,7 @@ const _: () = {
         /// Largest error 7.0e-4, at r = 0.9948819864394244: checked at 720 points that the fit did not see.
         const TABLE: Table<'static, f64, ::core::primitive::u8, 2, 6> = Table {
             low: 0.5,
-            density: 5.333333333333333,
+            density: 5.333333333333332,
             halvings: 1,
             buckets: &[0, 0, 1, 1, 2, 2, 2, 3],
             pieces: &[
@@ -327,7 +327,7 @@ const _: () = {
         ///
         /// To 1e-3 up to β = 0.98·β_lim; nearer to it the error grows at most as 1/(1 − (β/β_lim)²).
         ///
-        /// Proven at every r: at most 8.65e-4 off, the bound being largest at r = 0.8371135615269771.
+        /// Proven at every r: at most 8.64e-4 off, the bound being largest at r = 0.8371135615269771.
         #[inline]
         fn tabled_contact(&self, r: f64) -> Option<ContactTable<f64>> {
             Some(

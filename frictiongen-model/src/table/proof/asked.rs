@@ -1,6 +1,7 @@
 //! What tables are asked about their proof.
 
 use super::super::exact::Exact;
+use super::super::fit::SIZE;
 use super::super::split::Landmarks;
 use super::super::tables::Tables;
 use super::super::zeros::Zeros;
@@ -53,7 +54,9 @@ impl<S: Float> Tables<S> {
         let excitation = self.excitation.as_ref().map(|_| &self.excitation_proof);
         let excitation = excitation
             .filter(|proof| proof.evidence != Evidence::Checked && proof.open_length() == 0.0)
-            .map(|proof| proof.bound.error);
+            .map(|proof| proof.bound.error)
+            // Among the functions it is compared with them.
+            .or((self.functions > SIZE).then_some(0.0));
         let mut prover = Prover::new(&mut exact, self.request, work, places.len(), excitation);
         for place in places {
             let Some(piece) = self.pieces.get(place) else {

@@ -5,7 +5,7 @@
 //! and α is the witness's but for the same: the share changes the difference by no more than itself.
 
 use super::super::errors::FRICTION_SHARES;
-use super::super::fit::{ANGLE, Fitted};
+use super::super::fit::{ANGLE, Fitted, SIZE};
 use super::super::worst::Worst;
 use super::ORDER;
 use super::compare::{CELLS, Compared, SHORT, divided, rounding};
@@ -29,7 +29,7 @@ const UP: f64 = 1.0 + 1e-9;
 /// What a part of the range asks for.
 pub(super) struct Moving<'a, S> {
     pub piece: &'a Fitted<S>,
-    /// What |V| is off at most, relative.
+    /// What |V| is off at most, relative, where it is a product.
     pub excitation: f64,
     /// Of amplitude (relative) and phase (rad).
     pub accuracy: f64,
@@ -40,6 +40,19 @@ pub(super) struct Moving<'a, S> {
     pub beside_zero: bool,
     /// By which share the largest constraint may exceed that of the witness.
     pub share: f64,
+}
+
+/// What is off and what is exact over a cell.
+struct Cell {
+    /// Of a and g.
+    off: [Interval; 2],
+    exact: [Interval; 2],
+    /// What |V| is off, relative.
+    size: Interval,
+    /// What arg V is off.
+    turned: Interval,
+    /// The least of β_table/b.
+    least: f64,
 }
 
 /// What is off and what is exact, at the centre of a part or over it.
@@ -66,6 +79,7 @@ impl<S: Float> Moving<'_, S> {
         let [square_at, square_over] = &limit.square;
         let sign = self.sign(at, over, away)?;
         let (angle, uncertain) = self.angle(at, over, away)?;
+        let size = self.size([at, over], r, away)?;
         let point = Interval::point(self.centre);
         let at = self.functions(at, seen_at, square_at, point, sign, &angle[0]);
         let over = self.functions(over, seen_over, square_over, r, sign, &angle[1]);
@@ -83,11 +97,16 @@ impl<S: Float> Moving<'_, S> {
             at: from,
         };
         for cell in away.parts(CELLS) {
-            let least = ratio.range(cell).sqrt().low;
-            let off = [quadrature[0].range(cell), displacement[0].range(cell)];
-            let exact = [quadrature[1].range(cell), displacement[1].range(cell)];
-            let turned = self.turned(angle.range(cell), uncertain);
-            let error = self.error(off, exact, turned, least, limit.rounding)?;
+            let error = self.error(
+                &Cell {
+                    off: [quadrature[0].range(cell), displacement[0].range(cell)],
+                    exact: [quadrature[1].range(cell), displacement[1].range(cell)],
+                    size: size.0.range(cell) + Interval::within(size.1),
+                    turned: self.turned(angle.range(cell), uncertain),
+                    least: ratio.range(cell).sqrt().low,
+                },
+                limit.rounding,
+            )?;
             if error > worst.error {
                 worst = Worst {
                     error,
@@ -98,15 +117,15 @@ impl<S: Float> Moving<'_, S> {
         Some(worst)
     }
 
-    /// The largest error over a cell of r; `least` is the least of β_table/b.
-    fn error(
-        &self,
-        off: [Interval; 2],
-        exact: [Interval; 2],
-        turned: Interval,
-        least: f64,
-        of_limit: f64,
-    ) -> Option<f64> {
+    /// The largest error over a cell of r.
+    fn error(&self, cell: &Cell, of_limit: f64) -> Option<f64> {
+        let Cell {
+            off,
+            exact,
+            size,
+            turned,
+            least,
+        } = *cell;
         let unit = 0.5 * S::EPSILON;
         // β_lim is b but for the share.
         let fewer = Interval::new(1.0 / (1.0 + self.share) * (2.0 - UP), 1.0);
@@ -133,10 +152,12 @@ impl<S: Float> Moving<'_, S> {
             }
             // The difference of the roots is that of their squares over their sum.
             let of_root = share * of_alpha * share * (alpha + tabled) / (own + other);
-            let off = (of_root + share * of_gamma) / amplitude;
+            let off = -(of_root + share * of_gamma) / amplitude;
             let rounded = OF_ROOT * unit * own.high / amplitude.low;
-            let off = off.size() + rounded;
-            let off = (off + self.excitation) * (1.0 + off) + 4.0 * unit;
+            let off = off + Interval::within(rounded * UP);
+            // Of the product with |V|: errors of different signs make up for each other.
+            let of_size = size + Interval::within(self.excitation);
+            let off = (off + of_size + off * of_size).size() + 4.0 * unit;
             // The lag is −asin ρα − arg V.
             let lag = share * of_alpha / own.hull(other) + turned;
             worst = worst.max(off * UP).max((lag.size() + OF_PHASE * unit) * UP);
@@ -194,6 +215,61 @@ impl<S: Float> Moving<'_, S> {
             displacement: [self.table(2, r) / ratio - displacement, displacement],
             angle: self.table(ANGLE, r) - *angle,
         }
+    }
+
+    /// What |V| of the table is off, relative, where it is among the functions: at the centre and over the part, and what its
+    /// evaluation rounds off.
+    fn size(
+        &self,
+        stages: [&Stage<ORDER>; 2],
+        r: Interval,
+        away: Interval,
+    ) -> Option<(Series<SHORT>, f64)> {
+        let one = Series::fixed(Interval::ONE);
+        if self.piece.coefficients.len() <= SIZE {
+            return Some((Series::fixed(Interval::ZERO), 0.0));
+        }
+        let coefficients = self.coefficients(SIZE);
+        let origin = self.piece.origin.to_f64();
+        let [at, over] = stages;
+        // Beside a zero both are divided by the distance from it.
+        let part = |series: &Series<ORDER>, at: &Series<ORDER>| {
+            if self.beside_zero {
+                divided(series) + Series::fixed(at.value() / away)
+            } else {
+                series.truncated()
+            }
+        };
+        let table = |r: Interval| {
+            let t = Series::<ORDER>::variable(r) - Series::fixed(Interval::point(origin));
+            polynomial(&coefficients, t)
+        };
+        let own = table(Interval::point(self.centre));
+        let sign = if self.beside_zero { away.sign() } else { 1 };
+        let side = Interval::point(f64::from(sign));
+        // |V| times r², as the stage has it.
+        let ratio = |r: Interval, stage: &Stage<ORDER>| {
+            let [re, im] = [0, 1].map(|place| {
+                let of = |stage: &Stage<ORDER>| stage.excitation.get(place).copied();
+                let zero = Series::fixed(Interval::ZERO);
+                part(&of(stage).unwrap_or(zero), &of(at).unwrap_or(zero))
+            });
+            let exact = (re.squared() + im.squared()).sqrt();
+            let table = part(&table(r), &own).times(side);
+            (table * Series::variable(r).squared() / exact, table)
+        };
+        let (first, table_at) = ratio(Interval::point(self.centre), at);
+        let (all, table_over) = ratio(r, over);
+        let least = Series::joined(&table_at, &table_over).range(away).low;
+        if !(0.0 < least) {
+            return None;
+        }
+        let nearest = self.beside_zero.then_some(away);
+        let rounded = rounding::<S>(&coefficients, origin, self.ends, nearest) / least;
+        let off = Series::joined(&(first - one), &(all - one));
+        // The roundings are relative to the table.
+        let most = 1.0 + off.range(away).size();
+        (rounded < 0.1).then_some((off, rounded * most * UP))
     }
 
     /// Of an undamped chain the sign of κV, by which a is multiplied.

@@ -10,7 +10,8 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::table::ContactTable;
 use std::f64::consts::PI;
 
-const KINDS: [(&str, usize, f64, f64); 7] = [
+const KINDS: [(&str, usize, f64, f64); 8] = [
+    ("Wall", 2, -0.02, 1.1),
     ("Wall", 1, 0.0, 1.0),
     ("Base", 1, 0.02, 1.0),
     ("Wall", 2, 0.0, 1.2),
@@ -32,11 +33,12 @@ fn tables<S: Float>(modal: &Modal, accuracy: f64, side: Side) -> Tables<S> {
 fn errors<S: Float>(tables: &Tables<S>, place: usize, exact: &mut Exact<'_>, r: S) -> [f64; 3] {
     let piece = &tables.pieces[place];
     let of = |function: usize| piece.value(function, r);
-    let excitation = tables.excitation.as_ref().unwrap().quotient().value(r);
-    let own = if tables.functions == 4 {
-        ContactTable::damped([of(0), of(1), of(2), of(3)], excitation)
-    } else {
-        ContactTable::undamped([of(0), of(1)], excitation)
+    let excitation = tables.excitation.as_ref();
+    let excitation = excitation.map(|product| product.quotient().value(r));
+    let own = match (excitation, tables.functions) {
+        (None, _) => ContactTable::tabled([of(0), of(1), of(2), of(3), of(4)]),
+        (Some(excitation), 4) => ContactTable::damped([of(0), of(1), of(2), of(3)], excitation),
+        (Some(excitation), _) => ContactTable::undamped([of(0), of(1)], excitation),
     };
     let r = r.to_f64();
     let sample = exact.at(r).unwrap();
@@ -61,7 +63,14 @@ fn held<S: Float>(accuracy: f64, side: Side) -> usize {
         let name = format!("{kind}{count}, {zeta}, {accuracy:e}: {}", proof.told());
         assert!(proof.evidence != Evidence::Checked, "{name}");
         assert!(proof.bound.error <= accuracy, "{name}");
-        let most = if zeta > 0.0 { 0.0 } else { 1e-6 };
+        // Beside a sub-harmonic of an undamped mode among damped ones a part of a piece stays open.
+        let most = if zeta > 0.0 {
+            0.0
+        } else if zeta < 0.0 {
+            0.01
+        } else {
+            1e-6
+        };
         assert!(proof.open_length() <= most, "{side:?} {name}");
         let mut exact = Exact::new(&modal);
         let mut state = 9;
@@ -141,7 +150,8 @@ fn wrong_coefficients_are_not_proven() {
             let far = (next - piece.origin)
                 .abs()
                 .max((ends.0 - piece.origin).abs());
-            let size = piece.value(0, 0.5 * (ends.0 + next)).abs();
+            let middle = 0.5 * (ends.0 + next);
+            let sizes = [0, 4].map(|function| piece.value(function, middle).abs());
             let [limit, motion] = tables.prove_piece(&modal, place, Work(300_000));
             let most = 1e-3 * (next - ends.0);
             assert!(
@@ -149,7 +159,12 @@ fn wrong_coefficients_are_not_proven() {
                 "{kind}{count}: piece {place}"
             );
             for function in 0..tables.functions {
-                let scale = if function == 0 { size } else { 1.0 };
+                // β_lim and |V| are relative.
+                let scale = match function {
+                    0 => sizes[0],
+                    4 => sizes[1],
+                    _ => 1.0,
+                };
                 for power in 0..tables.terms {
                     let sound = tables.pieces[place].coefficients[function][power];
                     let mut is_found = false;

@@ -35,7 +35,11 @@ pub(super) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal
         springs: (0..count).map(spring).collect(),
         contact: Contact { from, to },
         excitation,
-        damping: if zeta > 0.0 {
+        damping: if zeta < 0.0 {
+            // Every other mode.
+            let of = (0..count).map(|mode| -zeta * (mode % 2) as f64);
+            Damping::Modal(of.collect())
+        } else if zeta > 0.0 {
             Damping::Uniform(zeta)
         } else {
             Damping::None

@@ -13,7 +13,8 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::{Factor, Quotient};
 
-const KINDS: [(&str, usize, f64, f64); 12] = [
+/// A negative ζ is that of every other mode.
+const KINDS: [(&str, usize, f64, f64); 15] = [
     ("Wall", 1, 0.0, 1.0),
     ("Wall", 1, 0.02, 1.2),
     ("Base", 1, 0.0, 1.2),
@@ -26,6 +27,9 @@ const KINDS: [(&str, usize, f64, f64); 12] = [
     ("Wall", 10, 0.0, 1.0),
     ("Pair", 10, 0.02, 1.2),
     ("Base", 10, 0.0, 1.2),
+    ("Wall", 2, -0.02, 1.0),
+    ("Base", 3, -0.1, 1.2),
+    ("Pair", 5, -0.02, 1.0),
 ];
 
 fn asked(accuracy: f64, side: Side) -> super::Request {
@@ -89,7 +93,11 @@ fn held<S: Float>(accuracy: f64, side: Side) -> (usize, usize) {
             (&tables.excitation, &tables.excitation_proof),
         ];
         for (which, (product, proof)) in products.into_iter().enumerate() {
-            let product = product.as_ref().unwrap();
+            // Where every mode is damped |V| is in the table.
+            let Some(product) = product else {
+                assert!(which == 1 && tables.functions == 5, "{kind}{count}");
+                continue;
+            };
             let name = format!("{kind}{count}, {zeta}, {which}: {}", proof.told());
             println!("{name}");
             assert!(proof.evidence != Evidence::Checked, "{name}");
@@ -207,9 +215,10 @@ fn faults<S: Float>(accuracy: f64) -> usize {
         let (known, zeros) = (Exact::new(&modal), Zeros::of(&modal));
         let receptances = Receptances::of(&known, zeros.as_ref(), 2.5).unwrap();
         for which in 0..2 {
-            let own = [&tables.sliding, &tables.excitation][which]
-                .clone()
-                .unwrap();
+            let Some(own) = [&tables.sliding, &tables.excitation][which].clone() else {
+                assert!(which == 1 && tables.functions == 5, "{kind}{count}");
+                continue;
+            };
             let prove = |product: &Product<S>| match which {
                 0 => receptances.sliding(product, &asked),
                 _ => receptances.excitation(product, &asked),

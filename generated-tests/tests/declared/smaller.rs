@@ -1,0 +1,81 @@
+//! Which limit is the smaller one (section 10 of `docs/derivation.md`): with μ = 1 β_lim, which then admits a motion alone.
+
+use super::random;
+use super::scenes::scenes;
+use frictiongen::{LimitsAt, NotContinuous, Regime, System};
+use fuzzing::Random;
+
+/// What roundings may turn round where both are the same.
+const ROUNDINGS: f64 = 1e-9;
+
+/// Over r from 0.02 to 20: how often the limits were compared, and how often β*_lim was the smaller one by a percent.
+fn compared(text: &str, random: &mut Random, seen: &mut [usize; 2]) -> Vec<f64> {
+    let system: System = text.parse().unwrap();
+    let mut turned = Vec::new();
+    for _ in 0..150 {
+        let r = random.power(-1.7, 1.3);
+        let limits = system.at(r).unwrap().limits();
+        if system.scene().stiction == 1.0 {
+            assert!(
+                limits.continuous <= limits.sliding * (1.0 + ROUNDINGS),
+                "{limits:?} at r = {r} of {text}"
+            );
+        }
+        seen[0] += 1;
+        if limits.sliding < 0.99 * limits.continuous {
+            seen[1] += 1;
+            turned.push(r);
+        }
+    }
+    turned
+}
+
+/// Without more grip at rest the contact cannot stick where it can slide all the time.
+#[test]
+fn beta_lim_without_stiction() {
+    let mut random = Random(31);
+    let mut seen = [0; 2];
+    for (name, text) in scenes("f64") {
+        if name.ends_with(", 1") {
+            compared(&text, &mut random, &mut seen);
+        }
+    }
+    for _ in 0..40 {
+        let text = random::scene(&mut random);
+        let Some((before, _)) = text.split_once("stiction: ") else {
+            continue;
+        };
+        compared(&format!("{before}stiction: 1 }}"), &mut random, &mut seen);
+    }
+    assert!(seen[0] > 60 * 150 && seen[1] == 0, "{seen:?}");
+}
+
+/// With more of it both may be, beside a resonance from μ = 4/π on: stuck is what the tables answer, as the exact formulas do.
+#[test]
+fn stuck_where_both_are_possible() {
+    let mut random = Random(32);
+    let (mut seen, mut refused) = ([0; 2], 0);
+    for (name, text) in scenes("f64") {
+        if !name.ends_with(", 1.2") || !name.contains("0.02") {
+            continue;
+        }
+        let text = text.replace("stiction: 1.2", "stiction: 1.5");
+        let turned = compared(&text, &mut random, &mut seen);
+        let system: System = text.parse().unwrap();
+        let within = turned.into_iter().filter(|r| (0.2..2.5).contains(r));
+        let within: Vec<f64> = within.take(5).collect();
+        if within.is_empty() {
+            continue;
+        }
+        let compiled = system.compile(0.2..2.5, 1e-3).unwrap();
+        for r in within {
+            let limits = system.at(r).unwrap().limits();
+            let beta = 0.5 * (limits.continuous + limits.sliding);
+            let at = compiled.at(r).unwrap();
+            assert_eq!(at.motion(beta).err(), Some(NotContinuous::Stuck), "{name}");
+            assert_eq!(at.regime(beta), Ok(Regime::Stuck), "{name}");
+            refused += 1;
+        }
+    }
+    assert!(refused > 10, "{refused}, {seen:?}");
+}
