@@ -5,7 +5,7 @@
 //! g_i + (h_i/ω)s modulo the pair's polynomial.  Real throughout, also at a double root.
 
 use super::plain::Plain;
-use crate::modal::kind;
+use crate::reduced::kind;
 use crate::roots::{Driven, pairs};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;

@@ -4,7 +4,8 @@
 mod held;
 mod plain;
 
-use crate::modal::{self, Modal};
+use crate::modal::Modal;
+use crate::reduced;
 use crate::roots;
 use crate::scene::{Damping, Precision, Scene};
 use frictiongen_kernel::contact::sums::Chain;
@@ -104,7 +105,7 @@ impl<S: Scalar> Transient<S> {
         }
         let modes = plain
             .iter()
-            .map(|mode| modal::mode(mode.resonance, mode.zeta, mode.load, mode.contact, &to))
+            .map(|mode| reduced::mode(mode.resonance, mode.zeta, mode.load, mode.contact, &to))
             .collect();
         Self {
             modes,
