@@ -1,6 +1,6 @@
 //! A sum of modal motions over the half period, with bounds on what it can still do.
 
-use crate::modal_sum::mass_controlled;
+use crate::modal_sum::mass_controlled::{self, Polynomials};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 use crate::oscillator::mode::Mode;
@@ -43,11 +43,12 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// The mode's functions at an instant.
+    /// The mode's functions at an instant; what modes share there is formed by the first that asks.
     #[inline]
-    pub(crate) fn basis(&self, at: &Instant<S>) -> Basis<S> {
+    pub(crate) fn basis(&self, at: &Instant<S>, shared: &mut Option<Polynomials<S>>) -> Basis<S> {
         if self.mass_controlled {
-            mass_controlled::basis(self.x, self.decay.zeta(), at)
+            let polynomials = shared.get_or_insert_with(|| Polynomials::at(at));
+            mass_controlled::basis(self.x, self.decay.zeta(), at, polynomials)
         } else {
             self.decay.basis(self.x, at)
         }
@@ -153,8 +154,9 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     /// The value at an instant.
     pub fn value(&self, at: &Instant<S>) -> S {
         let mut sum = self.cosine * at.cosine + self.sine * at.sine;
+        let mut shared = None;
         for wave in self.waves {
-            sum = sum + wave.value(&wave.basis(at));
+            sum = sum + wave.value(&wave.basis(at, &mut shared));
         }
         sum
     }
@@ -162,8 +164,9 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     /// The derivative with respect to τ at an instant.
     pub fn slope(&self, at: &Instant<S>) -> S {
         let mut sum = self.sine * at.cosine - self.cosine * at.sine;
+        let mut shared = None;
         for wave in self.waves {
-            let basis = wave.basis(at);
+            let basis = wave.basis(at, &mut shared);
             let (curve, _) = differences(wave, &basis, curves(wave, &basis), at);
             sum = sum
                 + wave.free * basis.slope
@@ -187,8 +190,9 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
             curvature: -value,
             third: -slope,
         };
+        let mut shared = None;
         for wave in self.waves {
-            let basis = wave.basis(at);
+            let basis = wave.basis(at, &mut shared);
             let (x, loss) = (wave.x, (wave.decay.zeta() + wave.decay.zeta()) * wave.x);
             let (of_cosine, of_sine) = wave.forcing();
             let (value, slope) = (wave.value(&basis), wave.slope(&basis, at));
@@ -208,8 +212,9 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     pub(crate) fn start(&self) -> (S, S) {
         let mut value = self.cosine;
         let mut slope = self.sine;
+        let (at, mut shared) = (Instant::start(), None);
         for wave in self.waves.iter().filter(|wave| wave.mass_controlled) {
-            let basis = wave.basis(&Instant::new(S::constant(0.0)));
+            let basis = wave.basis(&at, &mut shared);
             value = value + wave.rise * basis.rise;
             slope = slope + wave.rise * basis.free;
         }

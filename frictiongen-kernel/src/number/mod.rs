@@ -7,7 +7,7 @@
 pub mod complex;
 pub mod dd;
 pub mod dual;
-mod euler;
+pub(crate) mod euler;
 mod float;
 pub(crate) mod pairs;
 pub(crate) mod phase;

@@ -25,6 +25,29 @@ impl<S: Float> Instant<S> {
             versine: versine_beside(t, cosine),
         }
     }
+
+    /// The beginning of the half period.
+    #[inline]
+    pub(crate) fn start() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            t: zero,
+            tau: zero,
+            sine: zero,
+            cosine: S::constant(1.0),
+            versine: zero,
+        }
+    }
+
+    /// The instant τ, without a sine where it is the beginning.
+    #[inline]
+    pub(crate) fn from_start(tau: S) -> Self {
+        if tau.is_zero() {
+            Self::start()
+        } else {
+            Self::new(tau * S::inverse_pi())
+        }
+    }
 }
 
 /// How the modes of a scene decay: a type, so that undamped scenes carry no exponentials.

@@ -37,7 +37,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let end = self.problem.end;
         let mut from = S::constant(0.0);
         while from < end && self.has_room() {
-            let bounds = Bounds::of(&self.sum, &Instant::new(from * S::inverse_pi()), end - from);
+            let bounds = Bounds::of(&self.sum, &Instant::from_start(from), end - from);
             // From h⁴/384 times the fourth derivative.
             let fourth = bounds.fourth + self.level();
             let width = (S::constant(384.0 * SLACK) * self.size(&bounds) / fourth)
@@ -106,7 +106,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let mut grid = Grid::blank(stretch, bounds);
         grid.fill(&self.sum);
         self.peak.evaluations += COST;
-        let mut open = self.open(&grid, [u32::MAX; 2]);
+        let mut open = if self.knows_nothing() {
+            [!(u32::MAX << stretch.cells()); 2]
+        } else {
+            self.open(&grid, [u32::MAX; 2])
+        };
         // What a summit leaves open beside it is for a finer grid: on this one it would be looked at again.
         let mut left = [u32::MAX; 2];
         for _ in 0..SUMMITS {
@@ -134,6 +138,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             *of &= !(cell | (cell << 1) | (cell >> 1));
         }
         self.open(&grid, open)
+    }
+
+    /// Whether a motion's largest value is known by nothing yet, so that no cell can be closed.
+    fn knows_nothing(&self) -> bool {
+        self.problem.weight == Weight::One && self.peak.value.is_zero()
     }
 
     /// Which of these cells may hold more than is known.

@@ -178,21 +178,26 @@ impl<S: Float> Grid<S> {
     /// The sum at the nodes.  In place: a grid that is handed on would stand on the stack twice.
     pub fn fill<D: Decay<S>>(&mut self, sum: &Sum<'_, S, D>) {
         let (zero, stretch) = (S::constant(0.0), self.stretch);
-        let at = &Instant::new(stretch.from * S::inverse_pi());
+        let at = &Instant::from_start(stretch.from);
         let width = stretch.width;
         let step = Instant::new(width * S::inverse_pi());
         self.turn(at, &step);
-        let four = Instant::new(width * S::constant(4.0) * S::inverse_pi());
+        // A row further; only a forced mode asks for it.
+        let mut four = None;
+        let mut shared = None;
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {
-            let (track, common) = Track::of(wave, at, stretch.forced);
+            let (track, common) = Track::of(wave, at, stretch.forced, &mut shared);
             let advance = |basis: &Basis<S>| {
                 let matrix = Matrix::of(track.x, track.loss, (basis.free, basis.slope));
                 (matrix, Gain::of(wave, track.loss, basis))
             };
             if is_forced(wave, stretch.forced) {
                 let near = advance(&wave.decay.basis(wave.x, &step));
-                let far = advance(&wave.decay.basis(wave.x, &four));
+                let four = four.get_or_insert_with(|| {
+                    Instant::new(width * S::constant(LANES as f64) * S::inverse_pi())
+                });
+                let far = advance(&wave.decay.basis(wave.x, four));
                 self.add_forced(&track, &near, &far);
             } else {
                 let free = wave.decay.free(wave.x, &step);
