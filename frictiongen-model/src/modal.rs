@@ -1,12 +1,9 @@
 //! The modal data of a scene: everything that needs linear algebra, done once, in double-double.
 
 use crate::jacobi::{self, Columns, dot};
-use crate::reduced::Reduced;
 use crate::scene::{Contact, Damping, Excitation, Node, Scene};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::contact::sums::Chain;
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Ends;
 
 /// Below this share of the largest that it could be, a residue is rounding noise: exactly zero.
@@ -264,58 +261,6 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// The modal data in a scalar, rounded once from double-double by `to`.
-    #[must_use]
-    pub fn reduced<S>(&self, to: impl Fn(T) -> S) -> Reduced<S> {
-        let zero = T::constant(0.0);
-        let driven: Vec<usize> = (0..self.resonances.len())
-            .filter(|i| {
-                let nonzero = |of: &[T]| of.get(*i).is_some_and(|value| !value.vanishes());
-                nonzero(&self.loads) || nonzero(&self.contacts)
-            })
-            .collect();
-        let pick = |of: &[T], i: usize| of.get(i).copied().unwrap_or(zero);
-        let modes = driven
-            .iter()
-            .map(|&i| {
-                let resonance = pick(&self.resonances, i);
-                let zeta = pick(&self.damping_ratios, i);
-                let (load, contact) = (pick(&self.loads, i), pick(&self.contacts, i));
-                mode(resonance, zeta, load, contact, &to)
-            })
-            .collect();
-        let masses = self.shapes.first().map_or(0, Vec::len);
-        let component = |mass: usize, i: usize| {
-            let shape = self.shapes.get(i);
-            to(shape.map_or(zero, |shape| pick(shape, mass)))
-        };
-        let shapes = (0..masses)
-            .flat_map(|mass| driven.iter().map(move |&i| (mass, i)))
-            .map(|(mass, i)| component(mass, i))
-            .collect();
-        let chain = Chain {
-            damped: self.is_damped(),
-            on_moving_base: self.on_moving_base.then(|| to(self.static_motion)),
-            inverse_mass: to(self.inverse_mass),
-            stiction: to(self.stiction),
-        };
-        let ends = self.ends();
-        Reduced {
-            modes,
-            shapes,
-            chain,
-            ends: Ends {
-                sliding_at_rest: to(ends.sliding_at_rest),
-                continuous_at_infinity: to(ends.continuous_at_infinity),
-                sliding_at_infinity: to(ends.sliding_at_infinity),
-            },
-            rubbing: self.rubbing(),
-            absorbs: self.has_absorber && !self.is_damped(),
-            unbounded: self.unbounded(false).into_iter().map(&to).collect(),
-            invisible: self.unbounded(true).into_iter().map(&to).collect(),
-        }
-    }
-
     /// The undamped resonances that the load drives: there the continuous motion is unbounded.  Of
     /// `invisible` modes, which the contact does not touch, even the motion with a stuck contact.
     #[must_use]
@@ -364,31 +309,6 @@ impl<T: Float> Modal<T> {
     }
 }
 
-/// The constants of a mode in a scalar, rounded once by `to`.
-pub(crate) fn mode<T: Float, S>(
-    resonance: T,
-    zeta: T,
-    load: T,
-    contact: T,
-    to: &impl Fn(T) -> S,
-) -> Mode<S> {
-    let one = T::constant(1.0);
-    let q = ((one - zeta) * (one + zeta)).abs().sqrt();
-    Mode {
-        kind: kind(zeta),
-        in_contact: !contact.vanishes(),
-        resonance: to(resonance),
-        zeta: to(zeta),
-        q: to(q),
-        q_defect: to(zeta * zeta / (one + q)),
-        load: to(load),
-        contact: to(contact),
-        residue: to(contact * load),
-        inverse_mass: to(contact * contact),
-        static_residue: to(contact * load / (resonance * resonance)),
-    }
-}
-
 /// A projection on a unit vector, exactly zero where only noise is left of it.
 fn projected(vector: &[Dd], on: &[Dd], noise: f64) -> Dd {
     cleaned(dot(vector, on), dot(on, on).sqrt(), noise)
@@ -419,23 +339,6 @@ fn cleaned<T: Float>(value: T, size: T, noise: f64) -> T {
         value.replaced(0.0)
     } else {
         value
-    }
-}
-
-pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
-    if zeta.vanishes() {
-        return Kind::Undamped;
-    }
-    // By the value that is rounded to, so that the form and the constant agree.
-    let zeta = zeta.to_f64();
-    if zeta < 0.5 {
-        Kind::Light
-    } else if zeta < 1.0 {
-        Kind::Heavy
-    } else if zeta == 1.0 {
-        Kind::Critical
-    } else {
-        Kind::Over
     }
 }
 

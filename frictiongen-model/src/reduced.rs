@@ -1,10 +1,11 @@
 //! What the steady response needs of a scene, in a solver's own scalar; and the kernel's scene over it.
 
+use crate::modal::Modal;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::sums::{Chain, ContactAt, ModeAt};
 use frictiongen_kernel::modal_sum::wave::Wave;
 use frictiongen_kernel::oscillator::decay::Damped;
-use frictiongen_kernel::oscillator::mode::Mode;
+use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::{
     Continuous, Ends, Numbers, ProvidesMotion, ProvidesStuck, Scene, Stuck,
 };
@@ -36,6 +37,102 @@ impl<S> Reduced<S> {
     pub fn shape(&self, mass: usize) -> &[S] {
         let mut shapes = self.shapes.chunks_exact(self.modes.len().max(1));
         shapes.nth(mass).unwrap_or_default()
+    }
+}
+
+impl<T: Float> Modal<T> {
+    /// The modal data in a scalar, rounded once from double-double by `to`.
+    #[must_use]
+    pub fn reduced<S>(&self, to: impl Fn(T) -> S) -> Reduced<S> {
+        let zero = T::constant(0.0);
+        let driven: Vec<usize> = (0..self.resonances.len())
+            .filter(|i| {
+                let nonzero = |of: &[T]| of.get(*i).is_some_and(|value| !value.vanishes());
+                nonzero(&self.loads) || nonzero(&self.contacts)
+            })
+            .collect();
+        let pick = |of: &[T], i: usize| of.get(i).copied().unwrap_or(zero);
+        let modes = driven
+            .iter()
+            .map(|&i| {
+                let resonance = pick(&self.resonances, i);
+                let zeta = pick(&self.damping_ratios, i);
+                let (load, contact) = (pick(&self.loads, i), pick(&self.contacts, i));
+                mode(resonance, zeta, load, contact, &to)
+            })
+            .collect();
+        let masses = self.shapes.first().map_or(0, Vec::len);
+        let component = |mass: usize, i: usize| {
+            let shape = self.shapes.get(i);
+            to(shape.map_or(zero, |shape| pick(shape, mass)))
+        };
+        let shapes = (0..masses)
+            .flat_map(|mass| driven.iter().map(move |&i| (mass, i)))
+            .map(|(mass, i)| component(mass, i))
+            .collect();
+        let chain = Chain {
+            damped: self.is_damped(),
+            on_moving_base: self.on_moving_base.then(|| to(self.static_motion)),
+            inverse_mass: to(self.inverse_mass),
+            stiction: to(self.stiction),
+        };
+        let ends = self.ends();
+        Reduced {
+            modes,
+            shapes,
+            chain,
+            ends: Ends {
+                sliding_at_rest: to(ends.sliding_at_rest),
+                continuous_at_infinity: to(ends.continuous_at_infinity),
+                sliding_at_infinity: to(ends.sliding_at_infinity),
+            },
+            rubbing: self.rubbing(),
+            absorbs: self.has_absorber && !self.is_damped(),
+            unbounded: self.unbounded(false).into_iter().map(&to).collect(),
+            invisible: self.unbounded(true).into_iter().map(&to).collect(),
+        }
+    }
+}
+
+/// The constants of a mode in a scalar, rounded once by `to`.
+pub(crate) fn mode<T: Float, S>(
+    resonance: T,
+    zeta: T,
+    load: T,
+    contact: T,
+    to: &impl Fn(T) -> S,
+) -> Mode<S> {
+    let one = T::constant(1.0);
+    let q = ((one - zeta) * (one + zeta)).abs().sqrt();
+    Mode {
+        kind: kind(zeta),
+        in_contact: !contact.vanishes(),
+        resonance: to(resonance),
+        zeta: to(zeta),
+        q: to(q),
+        q_defect: to(zeta * zeta / (one + q)),
+        load: to(load),
+        contact: to(contact),
+        residue: to(contact * load),
+        inverse_mass: to(contact * contact),
+        static_residue: to(contact * load / (resonance * resonance)),
+    }
+}
+
+pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
+    if zeta.vanishes() {
+        return Kind::Undamped;
+    }
+    // By the value that is rounded to, so that the form and the constant agree.
+    let zeta = zeta.to_f64();
+    if zeta < 0.5 {
+        Kind::Light
+    } else if zeta < 1.0 {
+        Kind::Heavy
+    } else if zeta == 1.0 {
+        Kind::Critical
+    } else {
+        Kind::Over
     }
 }
 

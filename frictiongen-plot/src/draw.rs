@@ -1,6 +1,6 @@
 //! The page: title, panels in rows, sketch and legend, caption.
 
-use crate::figure::{Figure, Page, Panel};
+use crate::figure::{Figure, Page, Panel, PanelFrame};
 use crate::frame::Frame;
 use crate::geometry::Rect;
 use crate::label::Label;
@@ -19,8 +19,49 @@ const CAPTION: f64 = 13.0;
 /// Distance of lines of text, in their size.
 const LEADING: f64 = 1.3;
 
+impl Figure {
+    /// The picture as SVG.  The same figure gives the same bytes everywhere.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        figure(self).0
+    }
+
+    /// The picture as SVG, and where the frame of each panel is in it: for a page on which values can be read off.
+    ///
+    /// ```
+    /// use frictiongen_plot::{Axis, Figure, Panel};
+    /// let panel = Panel::new("", Axis::new("*r*", 0.0, 2.0), Axis::new("*X̄*", 0.0, 5.0));
+    /// let (svg, frames) = Figure::new("", "", 1, vec![panel]).svg_with_frames();
+    /// assert!(svg.starts_with("<svg") && frames.len() == 1);
+    /// assert_eq!(frames[0].x, (0.0, 2.0));
+    /// ```
+    #[must_use]
+    pub fn svg_with_frames(&self) -> (String, Vec<PanelFrame>) {
+        let (svg, rects) = figure(self);
+        let frames = self.panels.iter().zip(rects);
+        let frames = frames.map(|(panel, rect)| PanelFrame {
+            left: rect.left,
+            top: rect.top,
+            width: rect.width,
+            height: rect.height,
+            x: panel.x.range(),
+            y: panel.y.range(),
+        });
+        (svg, frames.collect())
+    }
+
+    /// The picture as PNG, with so many pixels for each of the SVG's.  The same figure gives the same bytes everywhere.
+    ///
+    /// # Errors
+    /// Where the scale is not positive or the picture would be larger than 16384 pixels.
+    #[cfg(feature = "png")]
+    pub fn png(&self, scale: f32) -> Result<Vec<u8>, crate::PlotError> {
+        crate::png::render(&self.svg(), scale)
+    }
+}
+
 /// The whole figure as SVG, with the frames of its panels.
-pub(crate) fn figure(figure: &Figure) -> (String, Vec<Rect>) {
+fn figure(figure: &Figure) -> (String, Vec<Rect>) {
     let most = if figure.page == Page::Narrow { 1 } else { 2 };
     let columns = figure
         .columns

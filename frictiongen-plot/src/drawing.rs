@@ -1,11 +1,12 @@
 //! How the parts of a sketch look.
 
 use crate::geometry::Point;
+use crate::label::Label;
 use crate::layer::Anchor;
 use crate::palette::{INK, Rgb};
 use crate::pen::{Pen, TEXT};
 use crate::plan::{Above, HATCH, HEIGHT, PAD, Plan, WIDTH};
-use crate::sketch::{Contact, End, Excitation};
+use crate::sketch::{Contact, End, Excitation, Sketch};
 use crate::svg::Canvas;
 
 /// How far a spring above stands from its mass's middle.
@@ -13,6 +14,36 @@ const RISER: f64 = 11.0;
 const MASS: Rgb = Rgb(0xe9, 0xee, 0xf4);
 const FRICTION: Rgb = Rgb(0xb3, 0x3a, 0x1e);
 const FORCE: Rgb = Rgb(0x00, 0x5f, 0xad);
+
+/// Round a sketch alone.
+const MARGIN: f64 = 8.0;
+/// The room of a sketch alone.
+pub(crate) const ALONE: f64 = 1000.0;
+
+impl Sketch {
+    /// The sketch alone as SVG; nothing where there are no masses or too many.
+    #[must_use]
+    pub fn svg(&self) -> Option<String> {
+        let (width, height) = self.size(ALONE)?;
+        let mut canvas = Canvas::default();
+        self.draw(&mut canvas, (MARGIN, MARGIN), ALONE);
+        let masses: Vec<String> = self.masses.iter().map(Label::plain).collect();
+        let title = format!("Sketch of a chain of masses: {}", masses.join(", "));
+        Some(canvas.document((width + 2.0 * MARGIN, height + 2.0 * MARGIN), &title, ""))
+    }
+
+    /// Width and height in so much room, if it is drawn at all.
+    pub(crate) fn size(&self, room: f64) -> Option<(f64, f64)> {
+        Plan::new(self, room).map(|plan| plan.size())
+    }
+
+    /// Draws it with its upper left corner at a place.
+    pub(crate) fn draw(&self, canvas: &mut Canvas, corner: (f64, f64), room: f64) {
+        if let Some(plan) = Plan::new(self, room) {
+            plan.draw(canvas, corner);
+        }
+    }
+}
 
 impl Plan<'_> {
     pub(crate) fn draw(&self, canvas: &mut Canvas, (left, top): Point) {

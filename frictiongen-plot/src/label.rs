@@ -1,50 +1,7 @@
 //! Labels: text with real subscripts, superscripts and italic symbols.
 
-use crate::markup;
+use crate::face::{Face, Level};
 use crate::metrics::advance;
-
-/// How a run of text is cut.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Face {
-    /// Upright.
-    #[default]
-    Regular,
-    /// Slanted, for symbols.
-    Italic,
-    /// Heavy, for headings.
-    Bold,
-}
-
-/// Where a run of text stands.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Level {
-    /// On the line.
-    #[default]
-    Base,
-    /// Below it, smaller.
-    Sub,
-    /// Above it, smaller.
-    Sup,
-}
-
-impl Level {
-    /// The size of its letters, relative to the line's.
-    pub(crate) const fn size(self) -> f64 {
-        match self {
-            Self::Base => 1.0,
-            Self::Sub | Self::Sup => 0.74,
-        }
-    }
-
-    /// How far below the line it stands, relative to the line's size.
-    pub(crate) const fn drop(self) -> f64 {
-        match self {
-            Self::Base => 0.0,
-            Self::Sub => 0.22,
-            Self::Sup => -0.36,
-        }
-    }
-}
 
 /// A run of text of one kind.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -80,15 +37,6 @@ pub struct Label {
 }
 
 impl Label {
-    /// Reads markup.
-    #[must_use]
-    pub fn new(markup: &str) -> Self {
-        let mut label = Self::default();
-        let characters: Vec<char> = markup.chars().collect();
-        markup::read(&mut label, &characters, Face::Regular, Level::Base);
-        label
-    }
-
     /// Text that means just what it says.
     #[must_use]
     pub fn verbatim(text: &str) -> Self {

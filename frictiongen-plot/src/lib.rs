@@ -21,6 +21,7 @@ mod axis;
 pub mod desk;
 mod draw;
 mod drawing;
+mod face;
 mod figure;
 mod frame;
 mod geometry;
@@ -45,9 +46,10 @@ mod ticks;
 mod xml;
 
 pub use axis::{Axis, Scale, Unit};
+pub use face::{Face, Level};
 pub use figure::{Figure, Inset, Key, Page, Panel, PanelFrame, Sample};
 pub use geometry::Point;
-pub use label::{Face, Label, Level, Span};
+pub use label::{Label, Span};
 pub use layer::{Across, Anchor, Cells, Guide, Layer, Line, Markers, Note, Raster, Region};
 pub use palette::{Colour, Fill};
 #[cfg(feature = "png")]

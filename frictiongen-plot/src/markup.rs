@@ -1,9 +1,21 @@
 //! The markup of labels.
 
-use crate::label::{Face, Label, Level};
+use crate::face::{Face, Level};
+use crate::label::Label;
+
+impl Label {
+    /// Reads markup.
+    #[must_use]
+    pub fn new(markup: &str) -> Self {
+        let mut label = Self::default();
+        let characters: Vec<char> = markup.chars().collect();
+        read(&mut label, &characters, Face::Regular, Level::Base);
+        label
+    }
+}
 
 /// Appends what markup means.
-pub(crate) fn read(label: &mut Label, markup: &[char], face: Face, level: Level) {
+fn read(label: &mut Label, markup: &[char], face: Face, level: Level) {
     let mut rest = markup;
     while let [first, after @ ..] = rest {
         rest = match (*first, level) {
@@ -126,7 +138,8 @@ fn closed(markup: &[char], marks: usize) -> Option<(&[char], &[char])> {
 
 #[cfg(test)]
 mod tests {
-    use crate::label::{Face, Label, Level, Span};
+    use crate::face::{Face, Level};
+    use crate::label::{Label, Span};
 
     /// Runs as `face level text`, short.
     fn read(markup: &str) -> Vec<String> {

@@ -1,6 +1,6 @@
 //! How wide text is, in thousandths of its size: the advances of the embedded fonts.
 
-use crate::label::Face;
+use crate::face::Face;
 
 /// What an unlisted character is taken to be.
 const OTHER: u16 = 600;

@@ -64,7 +64,7 @@ fn options() -> usvg::Options<'static> {
 #[cfg(test)]
 mod tests {
     use super::{FONTS, PlotError, options, render, usvg};
-    use crate::label::Face;
+    use crate::face::Face;
     use crate::metrics::advance;
 
     /// How wide the renderer sets one character.

@@ -1,8 +1,6 @@
 //! Sketches of mechanical systems: masses in a row, springs, the friction contact, the excitation.
 
 use crate::label::Label;
-use crate::plan::Plan;
-use crate::svg::Canvas;
 
 /// What a spring or a contact ends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -93,38 +91,12 @@ impl Sketch {
 
     /// The most masses that are drawn with values.
     pub const MOST_WITH_VALUES: usize = 16;
-
-    /// The sketch alone as SVG; nothing where there are no masses or too many.
-    #[must_use]
-    pub fn svg(&self) -> Option<String> {
-        let (width, height) = self.size(ALONE)?;
-        let mut canvas = Canvas::default();
-        self.draw(&mut canvas, (MARGIN, MARGIN), ALONE);
-        let masses: Vec<String> = self.masses.iter().map(Label::plain).collect();
-        let title = format!("Sketch of a chain of masses: {}", masses.join(", "));
-        Some(canvas.document((width + 2.0 * MARGIN, height + 2.0 * MARGIN), &title, ""))
-    }
-
-    /// Width and height in so much room, if it is drawn at all.
-    pub(crate) fn size(&self, room: f64) -> Option<(f64, f64)> {
-        Plan::new(self, room).map(|plan| plan.size())
-    }
-
-    /// Draws it with its upper left corner at a place.
-    pub(crate) fn draw(&self, canvas: &mut Canvas, corner: (f64, f64), room: f64) {
-        if let Some(plan) = Plan::new(self, room) {
-            plan.draw(canvas, corner);
-        }
-    }
 }
-
-const MARGIN: f64 = 8.0;
-/// The room of a sketch alone.
-const ALONE: f64 = 1000.0;
 
 #[cfg(test)]
 mod tests {
-    use super::{ALONE, Contact, End, Excitation, Sketch, Spring};
+    use super::{Contact, End, Excitation, Sketch, Spring};
+    use crate::drawing::ALONE;
 
     fn chain(count: usize) -> Sketch {
         let ends = |index: usize| match index {

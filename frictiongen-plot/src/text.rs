@@ -1,7 +1,8 @@
 //! Text as text, with what SVG has no element for: subscripts and bars.
 
+use crate::face::Face;
 use crate::geometry::Point;
-use crate::label::{Face, Label, Span};
+use crate::label::{Label, Span};
 use crate::layer::Anchor;
 use crate::metrics::advance;
 use crate::palette::{INK, PAPER, Rgb};

@@ -108,6 +108,7 @@ mod in_time;
 #[cfg(feature = "measure")]
 pub mod measure;
 mod runs;
+mod steady;
 mod stepping;
 pub mod sweep;
 pub mod system;

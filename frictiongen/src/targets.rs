@@ -1,7 +1,7 @@
 //! What the types of emitted scenes and of a `System` hold, by which one implementation serves all of them: a scene
 //! at one r by the exact formulas or by tables, and its motion.
 
-use crate::system::{Of, Steady};
+use crate::steady::{Of, Steady};
 use crate::{Complex, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance};
 use core::ops::Deref;
 use frictiongen_kernel::Float;

@@ -4,16 +4,17 @@ use super::ask::{antiresonances, ask, chain, crossings, invariant_points, one_of
 use super::chapter4::ONE_STOREY;
 use super::row::{Row, added, claim, formula, number, words};
 use super::walls::thresholds;
+use crate::rig::STOREYS;
 use frictiongen::Of;
 use frictiongen::study::{Measured, System};
 use std::f64::consts::TAU;
 
 /// γ = m₂/m₁ of the rig, as printed.
-pub const GAMMA: f64 = 0.9772;
+pub const GAMMA: f64 = STOREYS[0];
 /// κ = k₂/k₁ of the rig, as printed.
-pub const KAPPA: f64 = 1.1119;
+pub const KAPPA: f64 = STOREYS[1];
 /// Printed as r₁ = (0.3419 s)ω.
-pub const RATIO: f64 = 0.3419;
+pub const RATIO: f64 = STOREYS[2];
 
 pub(super) fn rows() -> Vec<Row> {
     let system = chain(&[1.0, 0.5], &[1.0, 0.5], "m1 - m2", "m1", "");

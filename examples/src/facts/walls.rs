@@ -4,8 +4,8 @@ use super::ask::{
     amplitude, chain, continuous, fundamental, invariant_points, inversions, limit, one_of, peak,
     root, sliding_ranges, stuck, unit,
 };
-use super::moving::{GAMMA, KAPPA};
 use super::row::{Entry, ROUNDING, Row, added, formula, formula_at, number, words};
+use crate::rig::STOREYS;
 use frictiongen::Of;
 use frictiongen::study::{Condition, Measured, System};
 use std::f64::consts::SQRT_2;
@@ -188,7 +188,8 @@ fn upper() -> Vec<Row> {
         peak(difference, low, high)
     };
     let of_m2 = |r, beta| fundamental(&system, "m2", r, beta);
-    let rig = chain(&[1.0, GAMMA], &[1.0, KAPPA], "m2 - wall", "base", "");
+    let [gamma, kappa, _] = STOREYS;
+    let rig = chain(&[1.0, gamma], &[1.0, kappa], "m2 - wall", "base", "");
     let mut resting = Vec::new();
     for kappa in [1.0, 0.2, 3.5] {
         let system = chain(&[1.0, 1.0], &[1.0, kappa], "m2 - wall", "m1", "");

@@ -1,6 +1,6 @@
 //! Draws the residuals of an identification, and the motion under a recorded input.
 
-use super::drive::Driven;
+use super::driven::{Driven, Sample};
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::picture;
@@ -67,7 +67,7 @@ pub fn driven(
 ) -> Result<(), Failure> {
     let last = driven.samples.last().map_or(1.0, |sample| sample.time);
     let time = || Axis::new("time (s)", 0.0, last);
-    let track = |value: &dyn Fn(&super::drive::Sample) -> f64| -> Vec<(f64, f64)> {
+    let track = |value: &dyn Fn(&Sample) -> f64| -> Vec<(f64, f64)> {
         let samples = driven.samples.iter();
         samples.map(|sample| (sample.time, value(sample))).collect()
     };

@@ -4,6 +4,7 @@ mod decay;
 #[cfg(feature = "pictures")]
 mod draw;
 mod drive;
+mod driven;
 mod fit;
 mod identify;
 mod lines;

@@ -1,13 +1,14 @@
 //! The best friction for each mass that is shown.
 
+use super::answer::{Answer, Peak};
 use super::asked::Asked;
 use super::found::at_once;
 use super::response::Responses;
 use super::tried::Trial;
 use super::words::{Words, number, object};
 use crate::asked::Part;
-use frictiongen::study::{FrequencyBand, Optimum, OptimumKind, OptimumRequest, words};
-use frictiongen::{Error, Of, Regime};
+use frictiongen::study::{FrequencyBand, OptimumKind, OptimumRequest, words};
+use frictiongen::{Error, Of};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
@@ -17,44 +18,6 @@ const EXACT: usize = 4;
 const MOST_MASSES: usize = 16;
 /// The most motions whose best friction is looked for.
 const MOST_MOTIONS: usize = 4;
-
-/// A frequency at which the largest amplitude is reached.
-#[derive(Clone, Debug)]
-pub struct Peak {
-    /// r.
-    pub r: f64,
-    /// Over P/k₁, for base motion over Y.
-    pub amplitude: f64,
-    /// What the contact does there.
-    pub regime: Regime,
-    /// Whether it is an end of the range.
-    pub at_end: bool,
-}
-
-/// The best friction of a motion.
-#[derive(Clone, Debug)]
-pub struct Answer {
-    /// β.
-    pub beta: f64,
-    /// The largest amplitude with it.
-    pub amplitude: f64,
-    /// What limits it, if that is known.
-    pub kind: Option<OptimumKind>,
-    /// Where it is reached.
-    pub peaks: Vec<Peak>,
-    /// The largest amplitude without friction.
-    pub without_friction: f64,
-    /// And with the contact stuck.
-    pub with_contact_locked: f64,
-    /// Between these frictions the largest amplitude is at most a tenth above the best.
-    pub within: Option<(f64, f64)>,
-    /// Up to this friction a resonance is without bound.
-    pub unbounded_to: f64,
-    /// How many frictions were tried at how many frequencies; none of an exact answer.
-    pub tried: Option<(usize, usize)>,
-    /// The exact answer.
-    pub exact: Option<Box<Optimum>>,
-}
 
 /// The best friction for one motion, or why there is none.
 pub struct Best {
@@ -103,32 +66,6 @@ fn tried(asked: &Asked, parts: Vec<Part>) -> Result<Vec<Best>, Error> {
         Ok(Best { part, found })
     };
     parts.into_iter().enumerate().map(best).collect()
-}
-
-impl Answer {
-    fn exact(optimum: Optimum) -> Self {
-        let peaks = optimum.peaks.iter().map(|peak| Peak {
-            r: peak.r,
-            amplitude: peak.amplitude,
-            regime: peak.regime,
-            at_end: peak.at_end,
-        });
-        Self {
-            beta: optimum.beta,
-            amplitude: optimum.amplitude,
-            kind: Some(optimum.kind),
-            peaks: peaks.collect(),
-            without_friction: optimum.without_friction,
-            with_contact_locked: optimum.with_contact_locked,
-            within: optimum
-                .tolerances
-                .last()
-                .map(|widest| (widest.from, widest.to)),
-            unbounded_to: optimum.unbounded_to,
-            tried: None,
-            exact: Some(Box::new(optimum)),
-        }
-    }
 }
 
 /// Takes a larger amplitude that a curve with the best friction has: where steady states jump, a narrow peak may lie between

@@ -1,5 +1,6 @@
 //! `frictiongen report`: everything about a description on one page of HTML, without network.
 
+mod answer;
 mod asked;
 mod best;
 mod cost;

@@ -1,7 +1,7 @@
 //! The best friction of a longer chain: of many frictions tried at many frequencies, where the exact one takes minutes.
 
+use super::answer::{Answer, Peak};
 use super::asked::Asked;
-use super::best::{Answer, Peak};
 use super::found::{STUCK, found};
 use frictiongen::study::{Map, MapRequest, OptimumKind};
 use frictiongen::{Error, NoOrbit, NotContinuous, Of};

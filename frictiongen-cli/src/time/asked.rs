@@ -1,6 +1,6 @@
 //! What is asked of a motion over time: how much of it, and from where.
 
-use super::motion::Course;
+use super::course::Course;
 use crate::args::TimeArguments;
 use crate::asked::whole;
 use crate::failure::Failure;

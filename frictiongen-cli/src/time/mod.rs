@@ -1,6 +1,7 @@
 //! `frictiongen time`: displacements, velocities, the friction force and events over time, and spectra.
 
 mod asked;
+mod course;
 #[cfg(feature = "pictures")]
 mod draw;
 mod events;
@@ -20,11 +21,12 @@ use crate::measure::Measure;
 use crate::output;
 use crate::summary::Summary;
 use asked::{Asked, start};
+use course::Course;
 use events::EventsReport;
 use frictiongen::System;
 use frictiongen::study::scene::FrictionLaw;
 use frictiongen_codegen::Limits;
-use motion::{Course, Motion};
+use motion::Motion;
 use samples::SamplesReport;
 use spectrum::SpectrumReport;
 use std::io::Write;

@@ -1,34 +1,16 @@
 //! The motion over time that is written, in groups, and what it is counted in.
 
 use super::asked::{Asked, Start};
+use super::course::Course;
 use crate::asked::{CONTACT, MOST_HARMONICS, Part};
 use crate::failure::Failure;
-use crate::frequency::Frequency;
-use crate::friction::Friction;
 use crate::json::object;
-use crate::measure::Measure;
 use crate::number::{Value, computed};
 use crate::table::Column;
 use frictiongen::kernel::simulation::Contact;
 use frictiongen::study::{History, HistoryError, HistoryRequest, Spectrum, units, words};
 use frictiongen::{NoOrbit, Of, System};
 use serde_json::{Map, Value as Json, json};
-
-/// Where a motion is followed, whose, and what it is counted in.
-pub struct Course {
-    /// The names of the frequency's cells, and the frequency.
-    pub frequency: (&'static [&'static str], Frequency),
-    /// The names of the friction's cells, and the friction.
-    pub friction: (&'static [&'static str], Friction),
-    /// In which units.
-    pub measure: Measure,
-    /// Whose motions.
-    pub parts: Vec<Part>,
-    /// rad/s.
-    pub omega: f64,
-    /// Whether times are given in seconds too.
-    pub in_seconds: bool,
-}
 
 /// A motion over time.
 pub struct Motion {

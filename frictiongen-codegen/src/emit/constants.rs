@@ -1,6 +1,7 @@
 //! The type itself and everything that does not depend on the frequency.
 
-use super::{Emission, Part, limits, rounded};
+use super::emission::{Emission, Part, rounded};
+use super::limits;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_model::scene::{Beyond, Declared, Excitation, FrictionLaw, Scene, Stepping};
 use proc_macro2::{Literal, TokenStream};
@@ -86,9 +87,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             " β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force."
         }
     };
-    let at_frequency = scene.needs_frequency().then(|| at_frequency(emission));
-    let items = code! {
-        impl #name {
+    let associated = code! {
             /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
             pub const NATURAL_FREQUENCIES: [#scalar; #masses] = #frequencies;
             /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
@@ -112,15 +111,20 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             pub const fn friction_ratio(friction: #scalar, load: #scalar) -> #scalar {
                 friction / load
             }
-        }
-
-        #at_frequency
     };
-    Part { types, items }
+    let mut part = Part {
+        types,
+        associated,
+        items: TokenStream::new(),
+    };
+    if scene.needs_frequency() {
+        part.join(at_frequency(emission));
+    }
+    part
 }
 
 /// What a question at a frequency rests on, and the way to one.
-fn at_frequency(emission: &Emission<'_>) -> TokenStream {
+fn at_frequency(emission: &Emission<'_>) -> Part {
     let Emission {
         scene,
         scalar,
@@ -146,8 +150,7 @@ fn at_frequency(emission: &Emission<'_>) -> TokenStream {
     let sliding_at_infinity = emission.literal(ends.sliding_at_infinity);
     let names = scene.masses.iter().map(|mass| mass.name.as_str());
     let constructor = constructor(emission);
-    code! {
-        impl #name {
+    let associated = code! {
             /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
             /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
             /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -172,9 +175,12 @@ fn at_frequency(emission: &Emission<'_>) -> TokenStream {
             #constructor
 
             #slices
-        }
-
-        #facade::emitted_system!(#name, #at, #scalar, [#(#names),*]);
+    };
+    let items = code!(#facade::emitted_system!(#name, #at, #scalar, [#(#names),*]););
+    Part {
+        types: TokenStream::new(),
+        associated,
+        items,
     }
 }
 

@@ -1,7 +1,8 @@
 //! What the motion in time rests on, as constants: every mode, and the chain with its contact held.
 
 use super::constants::{kind, mode_constant, rubbing};
-use super::{Emission, rounded};
+use super::emission::{Emission, Wanted, rounded};
+use super::shapes;
 use frictiongen_kernel::oscillator::mode::Mode;
 use frictiongen_kernel::simulation::HeldMode;
 use frictiongen_model::transient::Transient;
@@ -9,20 +10,19 @@ use proc_macro2::{Literal, TokenStream};
 
 /// The constants, and how many of what there are.
 pub(super) struct Constants {
-    pub items: TokenStream,
+    pub associated: TokenStream,
     /// Modes that the contact drives.
     pub driven: usize,
     /// All modes and all held modes.
     pub parts: usize,
 }
 
-pub(super) fn emit(emission: &Emission<'_>) -> Constants {
+pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
     let Emission {
         scene,
         modal,
         precision,
         scalar,
-        name,
         ..
     } = emission;
     let transient = Transient::<f64>::of(scene, modal, |value| rounded(value, *precision));
@@ -30,29 +30,40 @@ pub(super) fn emit(emission: &Emission<'_>) -> Constants {
     let held = transient.held.iter().map(|mode| held(emission, mode));
     let shares = transient.shares.iter();
     let shares = shares.map(|pair| emission.list(pair.iter().copied()));
-    let shapes = emission.list(transient.shapes.iter().copied());
+    let known = emission.scene.needs_frequency() && wanted.shapes();
+    let (own_shapes, shapes) = if known && transient.shapes == emission.reduced.shapes {
+        (None, code!(Self::SHAPES))
+    } else {
+        let shapes = shapes::by_masses(emission, &transient.shapes);
+        let masses = count(scene.masses.len());
+        let own = code! {
+            /// φ of all modes, [mass][mode].
+            const ALL_SHAPES: [[#scalar; #masses]; #masses] = #shapes;
+        };
+        (Some(own), code!(Self::ALL_SHAPES))
+    };
     let weights = emission.list(transient.weights.iter().copied());
     let rubbing = rubbing(transient.rubbing);
-    let items = code! {
-        impl #name {
+    let associated = code! {
+            #own_shapes
+
             /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
             /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
             /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
             /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
             const DYNAMICS: Dynamics<'static, #scalar> = Dynamics {
-                chain: #name::CHAIN,
+                chain: Self::CHAIN,
                 modes: #modes,
                 held: &[#(#held),*],
                 shares: &[#(#shares),*],
-                shapes: &#shapes,
+                shapes: #shapes.as_flattened(),
                 weights: &#weights,
                 rubbing: #rubbing,
             };
-        }
     };
     let driven = transient.held.len() + 1;
     Constants {
-        items,
+        associated,
         driven,
         parts: transient.modes.len() + transient.held.len(),
     }

@@ -1,7 +1,9 @@
 //! The frequency stage: a scene at one r.
 
+use super::emission::Emission;
+use super::names::{field, local};
 use super::trace::{Tracer, contact_outputs, mode_outputs};
-use super::{Emission, field, legend, local, mode};
+use super::{legend, mode};
 use crate::graph::count::Count;
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::Scalar;
@@ -53,16 +55,15 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
         };
     }
     // Without damping G is 0.
-    let (body, choice, all, but_g) = if emission.damped() {
+    let (choice, all, but_g) = if emission.damped() {
         (
-            mode::with_choice(&body),
             code!(<const WITH_G: bool>),
             code!(::<true>),
             code!(::<false>),
         )
     } else {
         let none = TokenStream::new;
-        (body, none(), none(), none())
+        (none(), none(), none())
     };
     Stage {
         function: code! {
@@ -100,7 +101,8 @@ const TAKEN: [&str; 3] = ["inverse_r", "contact", "modes"];
 fn single(emission: &Emission<'_>) -> (TokenStream, String) {
     let graph = Graph::new(1);
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
-    let (contact, at) = tracer.frequency(graph.input("inverse_r"));
+    let with_g = |g| graph.where_asked(mode::WITH_G, g);
+    let (contact, at) = tracer.frequency(graph.input("inverse_r"), with_g);
     let mut outputs = contact_outputs(&contact);
     for at in &at {
         outputs.extend(mode_outputs(at));
@@ -121,9 +123,11 @@ fn single(emission: &Emission<'_>) -> (TokenStream, String) {
 /// The functions of each mode, then the sums.
 fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
     let graph = Graph::new(emission.modes());
-    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+    let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let (blocks, mut count) = blocks(emission);
-    let outputs = contact_outputs(&tracer.joined());
+    let mut contact = tracer.joined();
+    contact.g = graph.where_asked(mode::WITH_G, contact.g);
+    let outputs = contact_outputs(&contact);
     let (printed, operations) = tracer.print(
         &outputs,
         emission.precision,
@@ -143,15 +147,15 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
 /// The functions of each mode, the scale, and the modes at it: what sums over modes start from.
 fn blocks(emission: &Emission<'_>) -> (TokenStream, Count) {
     let mut count = Count::default();
-    let mut body = TokenStream::new();
-    let names = super::motion::mode_names(emission);
+    let mut body = emission.constants();
+    let names = emission.mode_names();
     for (index, name) in names.iter().enumerate() {
         let (call, operations) = mode::call(emission, index);
         count = count.and(&operations);
         body.extend(code!(let #name = #call;));
     }
     let graph = Graph::new(emission.modes());
-    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+    let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let chain = &tracer.reduced.chain;
     // E, of the modes that the contact drives.
     let responses: Vec<_> = (1..=names.len())

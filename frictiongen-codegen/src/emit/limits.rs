@@ -1,6 +1,6 @@
 //! The formulas of both limits, and a slice of them.
 
-use super::Emission;
+use super::emission::Emission;
 use super::trace::Tracer;
 use crate::graph::print::Printed;
 use crate::graph::{Expr, Graph};

@@ -1,6 +1,6 @@
 //! Methods that the scene does not provide: they cannot be called, and say what to add to `provide`.
 
-use super::{Emission, Wanted};
+use super::emission::{Emission, Wanted};
 use proc_macro2::{Ident, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
@@ -11,25 +11,30 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
         facade,
         ..
     } = emission;
-    let mut items = TokenStream::new();
+    let needs_frequency = emission.scene.needs_frequency();
     let of_at = [
         (wanted.motion.is_some(), code!(motion)),
         (wanted.stuck, code!(stuck)),
         (wanted.orbit, code!(orbit)),
     ];
-    let of_at = of_at.into_iter().filter(|(provided, _)| !provided);
-    let of_at: Vec<TokenStream> = of_at.map(|(_, method)| method).collect();
-    if !of_at.is_empty() && emission.scene.needs_frequency() {
-        items.extend(code!(#facade::kernel::not_provided!(#at: #(#of_at),*);));
-    }
-    if !emission.scene.needs_frequency() {
-        items.extend(code!(#facade::kernel::not_provided!(#name: limits);));
-    }
-    if !wanted.stepper {
-        items.extend(code!(#facade::kernel::not_provided!(#name: stepper);));
-    }
-    if !wanted.simulation {
-        items.extend(code!(#facade::kernel::not_provided!(#name: simulation);));
+    let of_scene = [
+        (needs_frequency, code!(limits)),
+        (wanted.simulation, code!(simulation)),
+        (wanted.stepper, code!(stepper)),
+    ];
+    let not_provided = |type_of: &Ident, methods: [(bool, TokenStream); 3]| {
+        let missing = methods.into_iter().filter(|(provided, _)| !provided);
+        let missing: Vec<TokenStream> = missing.map(|(_, method)| method).collect();
+        (!missing.is_empty()).then(|| code!(#type_of: #(#missing),*))
+    };
+    let of_at = needs_frequency.then(|| not_provided(at, of_at)).flatten();
+    let missing: Vec<TokenStream> = of_at
+        .into_iter()
+        .chain(not_provided(name, of_scene))
+        .collect();
+    let mut items = TokenStream::new();
+    if !missing.is_empty() {
+        items.extend(code!(#facade::kernel::not_provided!(#(#missing);*);));
     }
     if let Some(masses) = &wanted.motion {
         let left_out = |name: &&Ident| masses.iter().all(|(_, mass)| mass != name);

@@ -1,11 +1,13 @@
 //! The functions of one mode at one r: printed once for each kind of damping, called for each mode.
 
+use super::emission::Emission;
+use super::legend;
+use super::names::{field, local};
 use super::trace::Tracer;
-use super::{Emission, field, legend, local};
 use crate::graph::count::Count;
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
-use proc_macro2::{Literal, TokenStream, TokenTree};
+use proc_macro2::TokenStream;
 
 /// The functions of a mode, free of their pole: one function for each kind of damping, which several modes share.
 pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
@@ -20,15 +22,13 @@ pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
         }
         let graph = Graph::new(1);
         let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
-        let response = symbolic(&graph, *kind).response(graph.input("inverse_r"), 0);
+        let mut response = symbolic(&graph, *kind).response(graph.input("inverse_r"), 0);
+        response.g = graph.where_asked(WITH_G, response.g);
         let outputs = outputs(&response);
         let (printed, _) = tracer.print(&outputs, emission.precision, &["inverse_r", "mode"]);
-        let (mut statements, structure) = (printed.statements, structure(&printed.outputs));
+        let (statements, structure) = (printed.statements, structure(&printed.outputs));
         let (function, legend) = (local(function), legend::mode(*kind));
-        let choice = has_g(*kind).then(|| {
-            statements = with_choice(&statements);
-            code!(<const WITH_G: bool>)
-        });
+        let choice = has_g(*kind).then(|| code!(<const WITH_G: bool>));
         Some(code! {
             #[doc = #about]
             #(#[doc = #legend])*
@@ -47,23 +47,9 @@ pub(super) fn has_g(kind: Kind) -> bool {
     kind != Kind::Undamped
 }
 
-/// The statements with g only where `WITH_G` asks for it.  Limits without search need no g; left to the compiler, they took
-/// a sixth more instructions on a Cortex-M4F with five damped modes.
-pub(super) fn with_choice(statements: &TokenStream) -> TokenStream {
-    let tokens: Vec<TokenTree> = statements.clone().into_iter().collect();
-    let is_end =
-        |token: &TokenTree| matches!(token, TokenTree::Punct(sign) if sign.as_char() == ';');
-    let chosen = tokens.split_inclusive(is_end).map(|statement| {
-        let statement = statement.iter();
-        match statement.as_slice() {
-            [keyword, name, equals, value @ .., end] if name.to_string() == "g" => {
-                code!(#keyword #name #equals if WITH_G { #(#value)* } else { 0.0 } #end)
-            }
-            statement => code!(#(#statement)*),
-        }
-    });
-    chosen.collect()
-}
+/// The constant parameter that asks for g.  Limits without search need none; left to the compiler, they took a sixth more
+/// instructions on a Cortex-M4F with five damped modes.
+pub(super) const WITH_G: &str = "WITH_G";
 
 /// Each kind of damping: the function of its modes, and what that says of itself.
 const KINDS: [(Kind, &str, &str); 5] = [
@@ -119,11 +105,8 @@ pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, Count
     let response = constants.response(graph.input("inverse_r"), 0);
     let count = Count::of(&graph, &outputs(&response));
     let function = function_of(mode.kind, &code!(WITH_G));
-    let place = Literal::usize_unsuffixed(index);
-    (
-        code!(Self::#function(&Self::MODES[#place], inverse_r)),
-        count,
-    )
+    let constants = local(&format!("constants_{}", index + 1));
+    (code!(Self::#function(#constants, inverse_r)), count)
 }
 
 /// The outputs of a mode's functions, in the order in which they are emitted.

@@ -1,8 +1,12 @@
 //! The continuous motion: of the contact, and of the masses that the scene asks for.
 
+use super::arm::{self, Arm};
+use super::emission::{Emission, Part};
+use super::names::{field, local};
 use super::trace::Tracer;
-use super::{Emission, Part, field, local};
-use crate::graph::{Expr, Graph};
+use crate::graph::alternatives::{self, Alternative};
+use crate::graph::print::Printed;
+use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::response::coefficients::{Fundamental, ModalCoefficients};
 use proc_macro2::{Ident, Literal, TokenStream};
 
@@ -100,19 +104,27 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
             #(#methods)*
         }
     };
-    Part { types, items }
+    Part {
+        types,
+        associated: TokenStream::new(),
+        items,
+    }
 }
 
 /// The motions of a scene of few modes in straight lines, as methods of the kernel's `ProvidesMotion`.
 fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream {
     let scalar = &emission.scalar;
-    let contact = of_contact(emission);
-    let modes = mode_names(emission);
-    let masses: Vec<TokenStream> = masses
+    let modes = emission.mode_names();
+    let masses: Vec<usize> = masses
         .iter()
-        .filter(|(mass, _)| !emission.moves_as_contact(*mass))
-        .map(|(mass, _)| of_mass(emission, *mass))
+        .map(|(mass, _)| *mass)
+        .filter(|mass| !emission.moves_as_contact(*mass))
         .collect();
+    let graph = Graph::new(emission.modes());
+    let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
+    let body = of_masses(emission, &tracer, &masses);
+    let contact = of_contact(emission, &tracer);
+    let constants = (emission.damped() || tracer.names_constants()).then(|| emission.constants());
     let has_powers = emission.damped() || emission.reduced.chain.on_moving_base.is_some();
     let powers = has_powers.then(|| {
         code! {
@@ -123,7 +135,8 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
         code! {
             /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
             /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
-            /// is left out.  Where x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+            /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
+            /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
             #powers
             #[allow(unused_variables)]
             fn mass_motion(
@@ -132,11 +145,9 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
                 mass: usize,
             ) -> Option<MotionOf<Self>> {
                 let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+                #constants
                 let [#(#modes),*] = at.modes();
-                let (fundamental, waves) = match mass {
-                    #(#masses)*
-                    _ => return None,
-                };
+                #body
                 Some(Motion::of_mass(*friction, fundamental, waves))
             }
         }
@@ -148,6 +159,7 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<#scalar>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            #constants
             let [#(#modes),*] = at.modes();
             #contact
             Motion::of_contact(*friction, fundamental, waves)
@@ -157,12 +169,6 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
     }
 }
 
-/// `mode_1`, `mode_2`, …
-pub(super) fn mode_names(emission: &Emission<'_>) -> Vec<Ident> {
-    let modes = 1..=emission.modes();
-    modes.map(|mode| local(&format!("mode_{mode}"))).collect()
-}
-
 /// The coefficients that all modes share, and each mode's.
 struct Coefficients<'g> {
     fundamental: Fundamental<Expr<'g>>,
@@ -170,14 +176,12 @@ struct Coefficients<'g> {
     shares: Vec<Option<ModalCoefficients<Expr<'g>>>>,
 }
 
-fn of_contact(emission: &Emission<'_>) -> TokenStream {
-    let graph = Graph::new(emission.modes());
-    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> TokenStream {
     let contact = tracer.contact("contact");
     let friction = tracer.friction();
     let chain = &tracer.reduced.chain;
     let modes = tracer.reduced.modes.iter().zip(tracer.modes_at());
-    let inverse_r = graph.input("inverse_r");
+    let inverse_r = tracer.graph.input("inverse_r");
     let coefficients = Coefficients {
         fundamental: chain.contact_fundamental(&contact, &friction),
         shares: modes
@@ -190,11 +194,9 @@ fn of_contact(emission: &Emission<'_>) -> TokenStream {
             })
             .collect(),
     };
-    let Lines {
-        statements,
-        fundamental,
-        waves,
-    } = lines(emission, &tracer, &coefficients, &code!(motion_wave));
+    let (printed, _) = tracer.print(&coefficients.outputs(), emission.precision, &TAKEN);
+    let (fundamental, waves) = coefficients.structures(emission, &printed, &code!(motion_wave));
+    let statements = printed.statements;
     code! {
         #statements
         let fundamental = #fundamental;
@@ -202,15 +204,43 @@ fn of_contact(emission: &Emission<'_>) -> TokenStream {
     }
 }
 
-fn of_mass(emission: &Emission<'_>, mass: usize) -> TokenStream {
-    let graph = Graph::new(emission.modes());
-    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+/// What the masses' motions have in common, and what each has of its own.
+fn of_masses(emission: &Emission<'_>, tracer: &Tracer<'_>, masses: &[usize]) -> TokenStream {
+    let motions = masses.iter().map(|mass| {
+        let coefficients = of_mass(tracer, *mass);
+        let alternative = Alternative::of(tracer.graph, coefficients.outputs());
+        ((*mass, coefficients), alternative)
+    });
+    let (motions, alternatives) = alternatives::grouped(motions);
+    let (common, printed) = alternatives::print(&alternatives, emission.precision, &TAKEN);
+    let arms = motions.iter().zip(&printed).map(|(motions, printed)| {
+        let masses = motions.iter().map(|(mass, _)| *mass).collect();
+        let structures = motions
+            .first()
+            .map(|(_, coefficients)| coefficients.structures(emission, printed, &code!(mass_wave)));
+        let (fundamental, waves) = structures.unwrap_or_default();
+        Arm {
+            masses,
+            statements: printed.statements.clone(),
+            value: code!((#fundamental, #waves)),
+        }
+    });
+    let arms: Vec<Arm> = arms.collect();
+    let (statements, value) = arm::chosen(&arms);
+    code! {
+        #common
+        #statements
+        let (fundamental, waves) = #value;
+    }
+}
+
+fn of_mass<'g>(tracer: &Tracer<'g>, mass: usize) -> Coefficients<'g> {
     let contact = tracer.contact("contact");
-    let (friction, inverse_r) = (tracer.friction(), graph.input("inverse_r"));
+    let (friction, inverse_r) = (tracer.friction(), tracer.graph.input("inverse_r"));
     let (chain, at) = (&tracer.reduced.chain, tracer.modes_at());
     let (shape, modes) = (tracer.reduced.shape(mass), &tracer.reduced.modes);
     let parts = modes.iter().zip(&at).zip(shape).enumerate();
-    let coefficients = Coefficients {
+    Coefficients {
         fundamental: chain.fundamental(shape, modes, &at, &contact, &friction, inverse_r),
         shares: parts
             .map(|(index, ((mode, at), component))| {
@@ -221,58 +251,39 @@ fn of_mass(emission: &Emission<'_>, mass: usize) -> TokenStream {
                 })
             })
             .collect(),
-    };
-    let Lines {
-        statements,
-        fundamental,
-        waves,
-    } = lines(emission, &tracer, &coefficients, &code!(mass_wave));
-    let mass = Literal::usize_unsuffixed(mass);
-    code! {
-        #mass => {
-            #statements
-            (#fundamental, #waves)
-        }
     }
 }
 
-/// A motion's coefficients as statements and expressions.
-struct Lines {
-    statements: TokenStream,
-    fundamental: TokenStream,
-    waves: TokenStream,
-}
-
-fn lines<'g>(
-    emission: &Emission<'_>,
-    tracer: &Tracer<'g>,
-    coefficients: &Coefficients<'g>,
-    wave: &TokenStream,
-) -> Lines {
-    let Fundamental {
-        cosine,
-        sine,
-        response,
-    } = coefficients.fundamental;
-    let mut outputs = vec![cosine, sine, response.re, response.im];
-    for share in coefficients.shares.iter().flatten() {
-        outputs.extend([share.rise, share.fall, share.swing, share.gain]);
-    }
-    let outputs: Vec<_> = outputs.into_iter().map(Expr::operand).collect();
-    let (printed, _) = tracer.print(&outputs, emission.precision, &TAKEN);
-    let (fundamental, shares) = printed.outputs.split_at(printed.outputs.len().min(4));
-    let fundamental = match fundamental {
-        [cosine, sine, re, im] => {
-            code!(Fundamental { cosine: #cosine, sine: #sine, response: Complex { re: #re, im: #im } })
+impl Coefficients<'_> {
+    fn outputs(&self) -> Vec<Operand> {
+        let Fundamental {
+            cosine,
+            sine,
+            response,
+        } = self.fundamental;
+        let mut outputs = vec![cosine, sine, response.re, response.im];
+        for share in self.shares.iter().flatten() {
+            outputs.extend([share.rise, share.fall, share.swing, share.gain]);
         }
-        _ => TokenStream::new(),
-    };
-    let mut shares = shares.chunks(4);
-    let waves = coefficients
-        .shares
-        .iter()
-        .enumerate()
-        .map(|(index, share)| {
+        outputs.into_iter().map(Expr::operand).collect()
+    }
+
+    /// The printed outputs as the fundamental component and the modes' waves.
+    fn structures(
+        &self,
+        emission: &Emission<'_>,
+        printed: &Printed,
+        wave: &TokenStream,
+    ) -> (TokenStream, TokenStream) {
+        let (fundamental, shares) = printed.outputs.split_at(printed.outputs.len().min(4));
+        let fundamental = match fundamental {
+            [cosine, sine, re, im] => {
+                code!(Fundamental { cosine: #cosine, sine: #sine, response: Complex { re: #re, im: #im } })
+            }
+            _ => TokenStream::new(),
+        };
+        let mut shares = shares.chunks(4);
+        let waves = self.shares.iter().enumerate().map(|(index, share)| {
             let mode = local(&format!("mode_{}", index + 1));
             let decay = decay(emission, index);
             match share.and_then(|_| shares.next()) {
@@ -284,10 +295,7 @@ fn lines<'g>(
                 _ => code!(Wave::rest(#mode.x, #decay)),
             }
         });
-    Lines {
-        statements: printed.statements,
-        fundamental,
-        waves: code!([#(#waves),*]),
+        (fundamental, code!([#(#waves),*]))
     }
 }
 
@@ -296,6 +304,6 @@ fn decay(emission: &Emission<'_>, mode: usize) -> TokenStream {
     if !emission.damped() {
         return code!(Undamped);
     }
-    let (scalar, mode) = (&emission.scalar, Literal::usize_unsuffixed(mode));
-    code!(<Damped<#scalar> as Decay<#scalar>>::of(&Self::MODES[#mode]))
+    let (scalar, constants) = (&emission.scalar, local(&format!("constants_{}", mode + 1)));
+    code!(<Damped<#scalar> as Decay<#scalar>>::of(#constants))
 }

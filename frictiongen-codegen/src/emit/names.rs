@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
 /// What emitted code imports: a scene may have the same name.
-pub(super) const IMPORTED: [&str; 85] = [
+pub(super) const IMPORTED: [&str; 86] = [
     "Complex",
     "Scalar",
     "Chain",
@@ -77,6 +77,7 @@ pub(super) const IMPORTED: [&str; 85] = [
     "Table",
     "Tabled",
     "TabledMotion",
+    "transposed",
     "From",
     "IntoIterator",
     "Iterator",

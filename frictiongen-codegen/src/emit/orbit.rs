@@ -1,8 +1,9 @@
 //! The steady state in any regime.
 
 use super::dynamics::{Constants, count};
-use super::{Emission, Part};
+use super::emission::{Emission, Part};
 use frictiongen_kernel::orbit::numbers;
+use proc_macro2::TokenStream;
 
 pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let Emission {
@@ -81,5 +82,9 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             #(#methods)*
         }
     };
-    Part { types, items }
+    Part {
+        types,
+        associated: TokenStream::new(),
+        items,
+    }
 }

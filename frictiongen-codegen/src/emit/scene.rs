@@ -1,9 +1,10 @@
 //! The scene as the kernel's response knows it: constants and specialised formulas.
 
-use super::{Emission, Wanted, frequency, limits, mode};
+use super::emission::{Emission, Part, Wanted};
+use super::{frequency, limits, mode, shapes};
 use proc_macro2::{Literal, TokenStream};
 
-pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
+pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
     let Emission {
         name,
         at,
@@ -20,7 +21,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
     let (low, high) = (emission.literal(low), emission.literal(high));
     let stage = frequency::emit(emission);
     let formulas = limits::formulas(emission);
-    let shapes = shapes(emission, wanted);
+    let Shapes { constant, methods } = shapes(emission, wanted);
     let kept = (wanted.stuck || wanted.motion.is_some()).then(|| {
         code! {
             /// A copy of the modes for a motion to keep.
@@ -35,22 +36,12 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
     } else {
         code!(#facade::kernel::wraps!(#at, At of #name, Copy);)
     };
-    let functions = [mode::functions(emission), stage.function];
-    let functions = functions
-        .iter()
-        .any(|functions| !functions.is_empty())
-        .then(|| {
-            code! {
-                impl #name {
-                    #(#functions)*
-                }
-            }
-        });
+    let mut associated = constant.unwrap_or_default();
+    associated.extend(mode::functions(emission));
+    associated.extend(stage.function);
     let frequency = stage.methods;
-    code! {
+    let items = code! {
         #wraps
-
-        #functions
 
         impl Scene for #name {
             type Scalar = #scalar;
@@ -63,7 +54,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
                 Self::NUMBERS
             }
 
-            #shapes
+            #methods
 
             /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
             #[inline]
@@ -82,45 +73,51 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
             #frequency
             #formulas
         }
+    };
+    Part {
+        types: TokenStream::new(),
+        associated,
+        items,
     }
 }
 
-/// The shapes of the masses of which something is asked.
-fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
+/// The shapes of the masses of which something is asked: as a constant, and by methods of the kernel's `Scene`.
+struct Shapes {
+    constant: Option<TokenStream>,
+    methods: TokenStream,
+}
+
+fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Shapes {
     let scalar = &emission.scalar;
+    if !wanted.shapes() {
+        return Shapes {
+            constant: None,
+            methods: code! {
+                /// φ of a mass, by modes: of none here, as no motion of a mass is provided.
+                #[inline]
+                fn shape(&self, _: usize) -> Option<&[#scalar]> {
+                    None
+                }
+            },
+        };
+    }
+    let masses = emission.scene.masses.len();
+    let modes = Literal::usize_unsuffixed(emission.modes());
     let moving: Vec<usize> = wanted
         .motion
         .iter()
         .flatten()
         .map(|(mass, _)| *mass)
         .collect();
-    let masses = 0..emission.scene.masses.len();
-    let asked = masses
-        .clone()
-        .filter(|mass| wanted.stuck || moving.contains(mass));
-    let shapes = asked.map(|mass| {
-        let shape = emission.list(emission.reduced.shape(mass).iter().copied());
-        let mass = Literal::usize_unsuffixed(mass);
-        code!(#mass => Some(&#shape),)
-    });
-    let shapes: TokenStream = shapes.collect();
-    let mass = if shapes.is_empty() {
-        code!(_)
+    let all = wanted.stuck || moving.len() == masses;
+    let body = if all {
+        code!(Self::SHAPES.get(mass).map(<[#scalar; #modes]>::as_slice))
     } else {
-        code!(mass)
-    };
-    let about = if shapes.is_empty() {
-        " φ of a mass, by modes: of none here, as no motion of a mass is provided."
-    } else {
-        " φ of a mass, by modes."
-    };
-    let body = if shapes.is_empty() {
-        code!(None)
-    } else {
-        code!(match mass { #shapes _ => None })
+        let moving = moving.iter().copied().map(Literal::usize_unsuffixed);
+        code!(match mass { #(#moving => Some(&Self::SHAPES[#moving]),)* _ => None })
     };
     // Where `stuck` has shapes of masses whose motion is not provided.
-    let partly = wanted.stuck && wanted.motion.is_some() && moving.len() < masses.len();
+    let partly = wanted.stuck && wanted.motion.is_some() && moving.len() < masses;
     let moves = partly.then(|| {
         let moving = moving.into_iter().map(Literal::usize_unsuffixed);
         code! {
@@ -131,14 +128,22 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
             }
         }
     });
-    code! {
-        #[doc = #about]
-        #[inline]
-        fn shape(&self, #mass: usize) -> Option<&[#scalar]> {
-            #body
-        }
+    let masses = Literal::usize_unsuffixed(masses);
+    let shapes = shapes::by_masses(emission, &emission.reduced.shapes);
+    Shapes {
+        constant: Some(code! {
+            /// φ of `MODES`, [mass][mode].
+            const SHAPES: [[#scalar; #modes]; #masses] = #shapes;
+        }),
+        methods: code! {
+            /// φ of a mass, by modes.
+            #[inline]
+            fn shape(&self, mass: usize) -> Option<&[#scalar]> {
+                #body
+            }
 
-        #moves
+            #moves
+        },
     }
 }
 

@@ -1,7 +1,7 @@
 //! The exact motion in time.
 
 use super::dynamics::{Constants, count};
-use super::{Emission, Part, rounded};
+use super::emission::{Emission, Part, rounded};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::scene::FrictionLaw;
 use frictiongen_model::stepping::Steps;
@@ -57,8 +57,6 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         starts_under(emission, &parts)
     };
     let items = code! {
-        #starts
-
         #facade::kernel::wraps!(#simulation, #target of #scalar, #parts);
 
         impl #simulation {
@@ -82,7 +80,11 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
         }
     };
-    Part { types, items }
+    Part {
+        types,
+        associated: starts,
+        items,
+    }
 }
 
 /// How a run starts where the kinetic level is constant.
@@ -96,7 +98,6 @@ fn starts(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
     } = emission;
     let masses = count(emission.scene.masses.len());
     let starts = code! {
-        impl #name {
             /// The exact motion in time from rest, the excitation at its maximum.
             ///
             /// # Errors
@@ -119,7 +120,6 @@ fn starts(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
                 let start = Some((&state.0[..], &state.1[..]));
                 Simulation::new(Self::DYNAMICS, r, beta, start, parts).map(From::from)
             }
-        }
     };
     let trait_of = code! {
         impl #facade::Simulates for #name {
@@ -154,7 +154,6 @@ fn starts_under(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
     });
     let speed = number(steps.speed);
     let starts = code! {
-        impl #name {
             /// The points of the friction law: speed, and kinetic friction over F.
             const LAW: &'static [[#scalar; 2]] = &[#(#law),*];
 
@@ -198,7 +197,6 @@ fn starts_under(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
                 let parts = [Part::empty(); #parts];
                 Simulation::along(Self::DYNAMICS, r, beta, lines, state, parts).map(From::from)
             }
-        }
     };
     let trait_of = code! {
         impl #facade::SimulatesUnder for #name {

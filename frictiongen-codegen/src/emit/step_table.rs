@@ -1,7 +1,7 @@
 //! What each oscillator does over a declared step: tables as constants, computed in double-double and rounded once.
 
 use super::dynamics::count;
-use super::{Emission, rounded};
+use super::emission::{Emission, rounded};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{
@@ -43,6 +43,10 @@ pub(super) fn emit(
     }
 }
 
+/// What rounding leaves of a sum of double-doubles that vanishes is less than this part of its terms: so much an input
+/// accelerates a contact that its force does not act on.
+const ROUNDING: f64 = 1e-26;
+
 fn table<const D: usize>(
     emission: &Emission<'_>,
     scene: &StepScene<'_, Dd>,
@@ -64,6 +68,14 @@ fn table<const D: usize>(
         (&mut loads, &mut held_loads, &mut channels),
     )
     .ok()?;
+    for (place, channel) in channels.iter_mut().enumerate() {
+        let rows = modes.iter().zip(loads.iter().skip(place).step_by(inputs));
+        let terms = rows.map(|(mode, load)| (mode.contact * *load / mode.gain).abs());
+        let size = terms.fold(Dd::ZERO, |sum, term| sum + term);
+        if channel.residue.abs() <= size * Dd::from(ROUNDING) {
+            channel.residue = Dd::ZERO;
+        }
+    }
     let write = Writer(emission);
     let terms = match emission.precision {
         Precision::F64 => terms::<f64>(emission, step),

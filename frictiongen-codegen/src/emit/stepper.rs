@@ -1,9 +1,9 @@
 //! The stepper: a fixed step in physical time, under any input.
 
 use super::dynamics::{Constants, count};
+use super::emission::{Emission, Part, rounded};
 use super::names::local;
 use super::step_table::{self, Sizes};
-use super::{Emission, Part, rounded};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{
     Cost, Input, MAX_EVENTS, MAX_PARTS, MAX_STRETCHES, StepScene, Units, series_terms,
@@ -74,8 +74,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     };
     let loaded = steps.forces.iter().map(|mass| count(*mass));
     let on_base = steps.on_base;
-    let items = code! {
-        impl #name {
+    let associated = code! {
             #step_scene
             #tables
 
@@ -108,8 +107,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
                 let state = Some((&state.0[..], &state.1[..]));
                 Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), state).map(From::from)
             }
-        }
-
+    };
+    let items = code! {
         #facade::kernel::wraps!(#stepper, FixedStepper of #scalar, #literals);
 
         impl #stepper {
@@ -142,7 +141,11 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
 
         #facade::emitted_stepper!(#name, #stepper, #scalar, #on_base, [#(#loaded),*]);
     };
-    Part { types, items }
+    Part {
+        types,
+        associated,
+        items,
+    }
 }
 
 /// What a step costs.

@@ -1,9 +1,10 @@
 //! The response while the contact is stuck.
 
-use super::motion::mode_names;
+use super::arm::{self, Arm};
+use super::emission::{Emission, Part};
 use super::trace::Tracer;
-use super::{Emission, Part};
-use crate::graph::Graph;
+use crate::graph::alternatives::{self, Alternative};
+use crate::graph::{Expr, Graph};
 use frictiongen_model::scene::Excitation;
 use proc_macro2::{Literal, TokenStream};
 
@@ -68,58 +69,69 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             #(#methods)*
         }
     };
-    Part { types, items }
+    Part {
+        types,
+        associated: TokenStream::new(),
+        items,
+    }
 }
 
 /// The response of a scene of few modes in straight lines, as a method of the kernel's `ProvidesStuck`.
 fn in_lines(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
-    let modes = mode_names(emission);
+    let modes = emission.mode_names();
+    let graph = Graph::new(emission.modes());
+    let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let masses = 0..emission.scene.masses.len();
-    let masses = masses
-        .filter(|mass| emission.reduced.rubbing != Some(*mass))
-        .map(|mass| of_mass(emission, mass));
-    let masses: Vec<TokenStream> = masses.collect();
+    let masses = masses.filter(|mass| emission.reduced.rubbing != Some(*mass));
+    let masses: Vec<usize> = masses.collect();
     if masses.is_empty() {
         return TokenStream::new();
     }
+    let amplitudes = masses
+        .into_iter()
+        .map(|mass| (mass, of_mass(&tracer, mass)));
+    let (masses, amplitudes) = alternatives::grouped(amplitudes);
+    let taken = ["at", "inverse_r", "contact", "modes"];
+    let (common, amplitudes) = alternatives::print(&amplitudes, emission.precision, &taken);
+    let arms = masses.into_iter().zip(&amplitudes);
+    let arms = arms.filter_map(|(masses, printed)| {
+        let [re, im] = printed.outputs.as_slice() else {
+            return None;
+        };
+        Some(Arm {
+            masses,
+            statements: printed.statements.clone(),
+            value: code!(Complex { re: #re, im: #im }),
+        })
+    });
+    let arms: Vec<Arm> = arms.collect();
+    let (statements, amplitude) = arm::chosen(&arms);
+    let constants = tracer.names_constants().then(|| emission.constants());
     code! {
         /// x̄* = (V_kH − H_kV)/H: `numerator` has each mode's products with the others, as those with itself would cancel.
+        /// `driven` is a mode's part of V_k, `held_back` of −H_k; `v_term` and `h_term` of V and H.
         #[allow(unused_variables)]
         #[inline]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<#scalar>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            #constants
             let [#(#modes),*] = at.modes();
-            Some(match mass {
-                #(#masses)*
-                _ => return None,
-            })
+            #common
+            #statements
+            Some(#amplitude)
         }
     }
 }
 
-fn of_mass(emission: &Emission<'_>, mass: usize) -> TokenStream {
-    let graph = Graph::new(emission.modes());
-    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+fn of_mass(tracer: &Tracer<'_>, mass: usize) -> Alternative {
     let amplitude = tracer.reduced.chain.stuck(
         tracer.reduced.shape(mass),
         &tracer.reduced.modes,
         &tracer.modes_at(),
         &tracer.contact("contact"),
-        graph.input("inverse_r"),
+        tracer.graph.input("inverse_r"),
     );
-    let outputs = [amplitude.re.operand(), amplitude.im.operand()];
-    let taken = ["at", "inverse_r", "contact", "modes"];
-    let (printed, _) = tracer.print(&outputs, emission.precision, &taken);
-    let statements = printed.statements;
-    let [re, im] = printed.outputs.as_slice() else {
-        return TokenStream::new();
-    };
-    let mass = Literal::usize_unsuffixed(mass);
-    code! {
-        #mass => {
-            #statements
-            Complex { re: #re, im: #im }
-        }
-    }
+    let outputs = [amplitude.re, amplitude.im].map(Expr::operand);
+    Alternative::of(tracer.graph, outputs.to_vec())
 }

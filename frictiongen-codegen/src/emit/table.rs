@@ -1,6 +1,6 @@
 //! The tables of a declared accuracy.
 
-use super::Emission;
+use super::emission::{Emission, Part};
 use crate::lower::SceneTables;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
@@ -9,15 +9,15 @@ use frictiongen_model::table::{FRICTION_SHARES, Product, Report, Tables};
 use proc_macro2::{Literal, TokenStream};
 
 /// The tables as constants, and what answers from them; nothing for an exact scene.
-pub(super) fn emit(emission: &Emission<'_>, motion: bool) -> TokenStream {
+pub(super) fn emit(emission: &Emission<'_>, motion: bool) -> Part {
     match &emission.description.tables {
-        None => TokenStream::new(),
+        None => Part::default(),
         Some(SceneTables::Double(tables)) => tabled(emission, tables, motion),
         Some(SceneTables::Single(tables)) => tabled(emission, tables, motion),
     }
 }
 
-fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -> TokenStream {
+fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -> Part {
     let Emission { name, scalar, .. } = emission;
     let number = |value: S| emission.literal(value.to_f64());
     let functions = Literal::usize_unsuffixed(tables.functions);
@@ -72,8 +72,7 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -
         })
     };
     let contact = motion.then(|| contact(emission, tables));
-    code! {
-        impl #name {
+    let associated = code! {
             #(#[doc = #about])*
             const TABLE: Table<'static, #scalar, ::core::primitive::#bucket, #functions, #terms> = Table {
                 low: #low,
@@ -84,8 +83,8 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -
             };
             #sliding
             #excitation
-        }
-
+    };
+    let items = code! {
         impl Tabled for #name {
             #domain
 
@@ -103,6 +102,11 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -
         }
 
         #contact
+    };
+    Part {
+        types: TokenStream::new(),
+        associated,
+        items,
     }
 }
 

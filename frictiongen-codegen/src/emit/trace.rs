@@ -1,6 +1,6 @@
 //! The formulas read as code: each emitted function as a graph with named outputs.
 
-use super::rounded;
+use super::emission::rounded;
 use crate::graph::count::Count;
 use crate::graph::print::{Printed, print};
 use crate::graph::{Expr, Graph, Operand};
@@ -25,6 +25,44 @@ impl<'g> Tracer<'g> {
             graph,
             reduced: modal.reduced(|value| Expr::Number(rounded(value, precision))),
         }
+    }
+
+    /// The same where `constants_1`, `constants_2`, … are the modes' constants: residues and inverse masses go by their
+    /// names there, but for those that fold away.
+    pub fn over_constants(graph: &'g Graph, modal: &Modal, precision: Precision) -> Self {
+        let mut tracer = Self::new(graph, modal, precision);
+        let modes = &mut tracer.reduced.modes;
+        let same = modes
+            .iter()
+            .all(|mode| mode.residue.operand() == mode.inverse_mass.operand());
+        for (number, mode) in (1..).zip(modes) {
+            let named = |value: Expr<'g>, field: &str| match value {
+                Expr::Number(value) if value.abs() != 1.0 && value != 0.0 => {
+                    graph.input(format!("constants_{number}.{field}"))
+                }
+                folds => folds,
+            };
+            mode.inverse_mass = named(mode.inverse_mass, "inverse_mass");
+            mode.static_residue = named(mode.static_residue, "static_residue");
+            // V and H are the same sum then.
+            mode.residue = if same {
+                mode.inverse_mass
+            } else {
+                named(mode.residue, "residue")
+            };
+        }
+        tracer
+    }
+
+    /// Whether formulas have names of constants in them.
+    pub fn names_constants(&self) -> bool {
+        let mut modes = self.reduced.modes.iter();
+        modes.any(|mode| {
+            let constants = [mode.residue, mode.inverse_mass];
+            constants
+                .iter()
+                .any(|value| matches!(value, Expr::Node(..)))
+        })
     }
 
     pub fn count(&self) -> usize {
@@ -102,13 +140,21 @@ impl<'g> Tracer<'g> {
         }
     }
 
-    /// The whole frequency stage, unrolled.
-    pub fn frequency(&self, inverse_r: Expr<'g>) -> (ContactAt<Expr<'g>>, Vec<ModeAt<Expr<'g>>>) {
+    /// The whole frequency stage, unrolled, with what `g` makes of each mode's g.
+    pub fn frequency(
+        &self,
+        inverse_r: Expr<'g>,
+        g: impl Fn(Expr<'g>) -> Expr<'g>,
+    ) -> (ContactAt<Expr<'g>>, Vec<ModeAt<Expr<'g>>>) {
         let Reduced { modes, chain, .. } = &self.reduced;
-        let responses = modes.iter().enumerate();
-        let responses: Vec<ModeResponse<Expr<'g>>> = responses
-            .map(|(index, mode)| mode.response(inverse_r, index))
-            .collect();
+        let responses = modes.iter().enumerate().map(|(index, mode)| {
+            let response = mode.response(inverse_r, index);
+            ModeResponse {
+                g: g(response.g),
+                ..response
+            }
+        });
+        let responses: Vec<ModeResponse<Expr<'g>>> = responses.collect();
         let sizes = responses.iter().map(|response| response.size);
         let scale = Chain::scale(modes.iter().zip(sizes)).named("scale", None);
         let mut at = Vec::with_capacity(modes.len());
@@ -182,7 +228,7 @@ pub fn traces<S: frictiongen_kernel::Float>(
     let graph = Graph::new(scene.masses.len());
     let tracer = Tracer::new(&graph, &modal, scene.precision);
     let inverse = graph.input("inverse_r");
-    let (contact, at) = tracer.frequency(inverse);
+    let (contact, at) = tracer.frequency(inverse, |g| g);
     let chain = &tracer.reduced.chain;
     let friction = chain.friction(&contact, inverse, graph.input("beta"));
     let limit = chain.continuous_limit(&contact, chain.break_away(&contact));

@@ -1,6 +1,6 @@
 //! How many operations an emitted function performs, on its worst path.
 
-use super::{Binary, Graph, Node, Operand, Unary};
+use super::{Binary, Graph, Id, Node, Operand, Unary};
 use std::collections::BTreeMap;
 
 /// Operations by kind.
@@ -12,8 +12,18 @@ impl Count {
     #[must_use]
     pub fn of(graph: &Graph, outputs: &[Operand]) -> Self {
         let mut count = Self::default();
-        for (_, node, _) in graph.reachable(outputs) {
-            if let Some(kind) = kind(&node) {
+        let nodes = graph.reachable(outputs);
+        let is_input = |condition: &Id| {
+            let place = nodes.binary_search_by_key(condition, |(id, ..)| *id);
+            let node = place.ok().and_then(|place| nodes.get(place));
+            matches!(node, Some((_, Node::Input(_), _)))
+        };
+        for (_, node, _) in &nodes {
+            // What a constant parameter decides is decided before the code runs.
+            if matches!(node, Node::Select(condition, ..) if is_input(condition)) {
+                continue;
+            }
+            if let Some(kind) = kind(node) {
                 *count.0.entry(kind).or_default() += 1;
             }
         }

@@ -22,6 +22,31 @@ pub enum Condition<'g> {
     Node(&'g Graph, Id),
 }
 
+impl Graph {
+    /// A value from outside, by the Rust expression that names it.
+    pub fn input(&self, text: impl Into<String>) -> Expr<'_> {
+        Expr::Node(self, self.record(Node::Input(text.into())))
+    }
+
+    /// A value of which code is only made where the constant parameter `flag` asks for it, otherwise 0; it takes the
+    /// value's name.
+    #[must_use]
+    pub fn where_asked<'g>(&'g self, flag: &str, value: Expr<'g>) -> Expr<'g> {
+        let Expr::Node(_, id) = value else {
+            return value;
+        };
+        let flag = self.record(Node::Input(flag.to_owned()));
+        let chosen = self.record(Node::Select(flag, Operand::Node(id), Operand::number(0.0)));
+        let mut inner = self.inner.borrow_mut();
+        let name = inner.names.get_mut(id.0).and_then(Option::take);
+        if let Some(slot) = inner.names.get_mut(chosen.0) {
+            *slot = name;
+        }
+        drop(inner);
+        Expr::Node(self, chosen)
+    }
+}
+
 impl<'g> Expr<'g> {
     /// The operand that stands for this value.
     #[must_use]

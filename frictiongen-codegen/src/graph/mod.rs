@@ -2,11 +2,13 @@
 //!
 //! [`Expr`] is a scalar like any other.  Evaluating a formula with it records the operations;
 //! constants fold on the way, equal operations are recorded once.  A recorded [`Graph`] can be
-//! interpreted in numbers ([`interpret`]), counted ([`count`]) and printed as Rust ([`mod@print`]).
+//! interpreted in numbers ([`interpret`]), counted ([`count`]) and printed as Rust ([`mod@print`]; [`alternatives`]).
 
+pub mod alternatives;
 pub mod count;
 pub mod expr;
 pub mod interpret;
+pub mod literal;
 pub mod print;
 
 use std::cell::RefCell;
@@ -86,6 +88,9 @@ pub enum Node {
     Select(Id, Operand, Operand),
 }
 
+/// A recorded operation with its place and its name.
+pub(crate) type Recorded = (Id, Node, Option<String>);
+
 #[derive(Default)]
 struct Inner {
     nodes: Vec<Node>,
@@ -109,11 +114,6 @@ impl Graph {
             inner: RefCell::default(),
             numbered: modes > 1,
         }
-    }
-
-    /// A value from outside, by the Rust expression that names it.
-    pub fn input(&self, text: impl Into<String>) -> Expr<'_> {
-        Expr::Node(self, self.record(Node::Input(text.into())))
     }
 
     pub(crate) fn record(&self, node: Node) -> Id {
@@ -140,8 +140,13 @@ impl Graph {
         }
     }
 
+    /// Takes all names away: what is recorded from here on gives its own, also to operations that are there.
+    pub(crate) fn unname(&self) {
+        self.inner.borrow_mut().names.fill(None);
+    }
+
     /// The recorded operations that `outputs` need, operands first.
-    pub(crate) fn reachable(&self, outputs: &[Operand]) -> Vec<(Id, Node, Option<String>)> {
+    pub(crate) fn reachable(&self, outputs: &[Operand]) -> Vec<Recorded> {
         let inner = self.inner.borrow();
         let mut needed = vec![false; inner.nodes.len()];
         let mut open: Vec<Id> = outputs.iter().filter_map(operand_id).collect();

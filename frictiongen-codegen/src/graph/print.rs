@@ -1,8 +1,9 @@
 //! Prints a graph as Rust: `let` for what has a name or several uses, the rest in place.
 
-use super::{Binary, Graph, Id, Node, Operand, Unary, operands};
+use super::literal::literal;
+use super::{Binary, Graph, Id, Node, Operand, Recorded, Unary, operands};
 use frictiongen_model::scene::Precision;
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A printed expression and how tightly it binds.
@@ -30,104 +31,85 @@ pub struct Printed {
     pub outputs: Vec<TokenStream>,
 }
 
-/// A number as a literal: the shortest text that reads back to the same bits.
-#[must_use]
-pub fn literal(value: f64, precision: Precision) -> TokenStream {
-    #[allow(clippy::cast_possible_truncation, reason = "the scene's scalar is f32")]
-    let (text, negative) = match precision {
-        Precision::F64 => (format!("{:?}", value.abs()), value.is_sign_negative()),
-        Precision::F32 => (
-            format!("{:?}", (value as f32).abs()),
-            value.is_sign_negative(),
-        ),
-    };
-    let scalar = scalar(precision);
-    if text == "inf" {
-        return if negative {
-            code!(#scalar::NEG_INFINITY)
-        } else {
-            code!(#scalar::INFINITY)
-        };
-    }
-    let number = text
-        .parse::<Literal>()
-        .map_or_else(|_| code!(#scalar::NAN), |number| code!(#number));
-    if negative { code!(-#number) } else { number }
-}
-
-/// `f64` or `f32`.
-#[must_use]
-pub fn scalar(precision: Precision) -> TokenStream {
-    match precision {
-        Precision::F64 => code!(f64),
-        Precision::F32 => code!(f32),
-    }
-}
-
 /// Prints what `outputs` need.  `taken` are names that the surrounding code uses.
 #[must_use]
 pub fn print(graph: &Graph, outputs: &[Operand], precision: Precision, taken: &[&str]) -> Printed {
-    let nodes = graph.reachable(outputs);
-    let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
-    for (_, node, _) in &nodes {
-        for operand in operands(node) {
-            *uses.entry(operand).or_default() += 1;
-        }
-    }
-    for output in outputs {
-        if let Operand::Node(id) = output {
-            *uses.entry(*id).or_default() += 1;
-        }
-    }
-    let mut printer = Printer {
-        precision,
-        texts: BTreeMap::new(),
-        pairs: BTreeMap::new(),
-        names: taken.iter().map(|name| (*name).to_owned()).collect(),
-        statements: TokenStream::new(),
-    };
-    for (id, node, _) in &nodes {
-        if let Node::Part(pair, second) = node {
-            let parts = printer.pairs.entry(*pair).or_default();
-            if *second {
-                parts.1 = Some(*id)
-            } else {
-                parts.0 = Some(*id)
-            }
-        }
-    }
-    let names: BTreeMap<Id, String> = nodes
-        .iter()
-        .filter_map(|(id, _, name)| Some((*id, name.clone()?)))
-        .collect();
-    for (id, node, name) in &nodes {
-        printer.visit(
-            *id,
-            node,
-            name.as_deref(),
-            uses.get(id).copied().unwrap_or(0),
-            &names,
-        );
-    }
-    let outputs = outputs
-        .iter()
-        .map(|output| printer.text(output).tokens)
-        .collect();
-    Printed {
-        statements: printer.statements,
-        outputs,
-    }
+    let mut printer = Printer::new(precision, taken);
+    printer.visit_all(&graph.reachable(outputs), outputs, 1);
+    printer.printed(outputs)
 }
 
-struct Printer {
+/// What is bound so far, and how it is called.
+#[derive(Clone)]
+pub(super) struct Printer {
     precision: Precision,
     texts: BTreeMap<Id, Text>,
     pairs: BTreeMap<Id, (Option<Id>, Option<Id>)>,
     names: BTreeSet<String>,
+    visited: BTreeSet<Id>,
     statements: TokenStream,
 }
 
 impl Printer {
+    pub(super) fn new(precision: Precision, taken: &[&str]) -> Self {
+        Self {
+            precision,
+            texts: BTreeMap::new(),
+            pairs: BTreeMap::new(),
+            names: taken.iter().map(|name| (*name).to_owned()).collect(),
+            visited: BTreeSet::new(),
+            statements: TokenStream::new(),
+        }
+    }
+
+    /// Binds what has a name, and what is used more than once if each output counts for so many uses.
+    pub(super) fn visit_all(&mut self, nodes: &[Recorded], outputs: &[Operand], each: usize) {
+        let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
+        for (_, node, _) in nodes {
+            for operand in operands(node) {
+                *uses.entry(operand).or_default() += 1;
+            }
+        }
+        for output in outputs {
+            if let Operand::Node(id) = output {
+                *uses.entry(*id).or_default() += each;
+            }
+        }
+        for (id, node, _) in nodes {
+            if let Node::Part(pair, second) = node {
+                let parts = self.pairs.entry(*pair).or_default();
+                if *second {
+                    parts.1 = Some(*id)
+                } else {
+                    parts.0 = Some(*id)
+                }
+            }
+        }
+        let names: BTreeMap<Id, String> = nodes
+            .iter()
+            .filter_map(|(id, _, name)| Some((*id, name.clone()?)))
+            .collect();
+        for (id, node, name) in nodes {
+            if self.visited.insert(*id) {
+                let uses = uses.get(id).copied().unwrap_or(0);
+                self.visit(*id, node, name.as_deref(), uses, &names);
+            }
+        }
+    }
+
+    /// What was bound since the last call.
+    pub(super) fn statements(&mut self) -> TokenStream {
+        std::mem::take(&mut self.statements)
+    }
+
+    pub(super) fn printed(mut self, outputs: &[Operand]) -> Printed {
+        let outputs = outputs.iter().map(|output| self.text(output).tokens);
+        Printed {
+            outputs: outputs.collect(),
+            statements: self.statements(),
+        }
+    }
+
     fn visit(
         &mut self,
         id: Id,

@@ -1,5 +1,6 @@
 //! From what was written to a scene that makes physical sense.
 
+mod limits;
 mod places;
 mod resolve;
 mod settings;
@@ -13,34 +14,14 @@ use frictiongen_model::scene::{Precision, Scene};
 use frictiongen_model::stepping::refused_step;
 use frictiongen_model::table::{TableError, Tables, Work};
 use frictiongen_model::transient::excess_loss;
-use frictiongen_model::validate::{MOST_MASSES, may_name};
+use frictiongen_model::validate::may_name;
 use proc_macro2::{Ident, Span, TokenStream};
 
 use crate::diagnostics::{Diagnostics, Failure, Partial, Problems};
 use crate::parse;
 use crate::parse::syntax::{AccuracyEntry, Syntax};
 
-/// How large a scene may be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Limits {
-    /// The most masses.
-    pub masses: usize,
-    /// Whether the tables of a declared accuracy are built.
-    pub tables: bool,
-}
-
-impl Limits {
-    /// What a macro expands: each mass becomes a method and a stretch of code.
-    pub const MACRO: Self = Self {
-        masses: 64,
-        tables: true,
-    };
-    /// What is computed at run time.
-    pub const RUN_TIME: Self = Self {
-        masses: MOST_MASSES,
-        tables: false,
-    };
-}
+pub use limits::Limits;
 
 /// A description that has been read and found to make physical sense.
 pub struct Description {

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use frictiongen_model::scene::{Contact, Excitation, Mass, Node, Scene, Spring};
 use frictiongen_model::validate::{Checks, Path, validate_known};
 
-use super::Limits;
+use super::limits::Limits;
 use super::places::Places;
 use crate::diagnostics::{Problems, Reported};
 use crate::parse::suggest;

@@ -9,6 +9,9 @@ use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::scalar::Float;
 use crate::oscillator::mode::Mode;
 
+/// Roundings of a sum over modes that vanishes, over the sum of its terms' sizes.
+const ROUNDINGS: f64 = 64.0;
+
 /// Nearer to a common zero than this, relative to the sums, the series is the more accurate: it leaves out
 /// the fourth power of the distance, and the quotient loses a rounding over it.
 fn near<S: Float>() -> S {
@@ -60,7 +63,7 @@ impl<S: Float> Chain<S> {
         }
         // V must have the same zero, to rounding.
         let rest = v - d * (v1 - v2 * d + v3 * d * d);
-        let noise = S::constant(64.0 * S::EPSILON) * (v_size + d.abs() * slope_size);
+        let noise = S::constant(ROUNDINGS * S::EPSILON) * (v_size + d.abs() * slope_size);
         let truncated = d * d * d * d * slope_size;
         if rest.abs() > noise + truncated {
             return None;

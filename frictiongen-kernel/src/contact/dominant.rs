@@ -191,7 +191,7 @@ impl<S: Scalar> Chain<S> {
             let Some(at_rest) = self.on_moving_base else {
                 return sums;
             };
-            let r2 = S::constant(1.0) / (inverse_r * inverse_r);
+            let r2 = (S::constant(1.0) / (inverse_r * inverse_r)).named("r_squared", None);
             let kept = complex::real((at_rest - static_residue) * contact.scale);
             let v = complex::scale(self.plus(sums.v, kept), r2);
             Terms { v, ..sums }
@@ -203,19 +203,22 @@ impl<S: Scalar> Chain<S> {
                 let own = without(none, first.static_residue);
                 return DominantSums {
                     which: Which::Only,
-                    own: self.in_full(first, &at, partner, contact, &own),
+                    own: self.in_full(first, &at, partner, contact, &own, 0),
                     rest: none,
                 };
             };
-            let others =
-                |mode: &Mode<S>, at: &ModeAt<S>, other: &Mode<S>, at_other: &ModeAt<S>, index| {
-                    let others = without(self.own(other, at_other, index), mode.static_residue);
-                    self.in_full(mode, at, partner, contact, &others)
-                };
+            let others = |mode: &Mode<S>,
+                          at: &ModeAt<S>,
+                          other: &Mode<S>,
+                          at_other: &ModeAt<S>,
+                          [it, its]: [usize; 2]| {
+                let others = without(self.own(other, at_other, its), mode.static_residue);
+                self.in_full(mode, at, partner, contact, &others, it)
+            };
             return DominantSums {
                 which: Which::First,
-                own: others(first, &at, second, &at_second, 1),
-                rest: others(second, &at_second, first, &at, 0),
+                own: others(first, &at, second, &at_second, [0, 1]),
+                rest: others(second, &at_second, first, &at, [1, 0]),
             };
         }
         let zero = S::constant(0.0);
@@ -305,25 +308,33 @@ impl<S: Scalar> Chain<S> {
         partner: Partner,
         contact: &ContactAt<S>,
         others: &Terms<S>,
+        index: usize,
     ) -> Terms<S> {
+        let index = Some(index);
+        let v = Complex::new(
+            others.v.re.named("v_others_re", index),
+            others.v.im.named("v_others_im", index),
+        );
         match partner {
-            Partner::U => Terms {
-                u: S::select(
-                    is_mass_controlled(mode.kind, mode.zeta, at.x),
-                    contact.u,
-                    others.u,
-                ),
-                ..*others
-            },
-            Partner::H => *others,
+            Partner::U => {
+                let slow = is_mass_controlled(mode.kind, mode.zeta, at.x);
+                let u = S::select(slow, contact.u, others.u).named("u_others", index);
+                Terms { v, u, ..*others }
+            }
+            Partner::H => Terms { v, ..*others },
         }
     }
 
     fn own(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> Terms<S> {
+        let named = |value: Complex<S>, re, im| {
+            let index = Some(index);
+            Complex::new(value.re.named(re, index), value.im.named(im, index))
+        };
+        let h = complex::scale(at.response, mode.inverse_mass);
         Terms {
-            v: self.load_term(mode, at),
+            v: named(self.load_term(mode, at), "v_term_re", "v_term_im"),
             u: (mode.inverse_mass * at.u).named("u_term", Some(index)),
-            h: complex::scale(at.response, mode.inverse_mass),
+            h: named(h, "h_term_re", "h_term_im"),
         }
     }
 

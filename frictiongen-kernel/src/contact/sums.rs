@@ -256,7 +256,7 @@ impl<S: Scalar> Chain<S> {
     pub fn completed(&self, sum: &ContactAt<S>, inverse_r: S) -> ContactAt<S> {
         let mut sum = *sum;
         if let Some(at_rest) = self.on_moving_base {
-            let r2 = S::constant(1.0) / (inverse_r * inverse_r);
+            let r2 = (S::constant(1.0) / (inverse_r * inverse_r)).named("r_squared", None);
             sum.v = complex::scale(self.plus(sum.v, complex::real(at_rest * sum.scale)), r2);
         }
         sum.v = Complex::new(sum.v.re.named("v_re", None), sum.v.im.named("v_im", None));

@@ -92,7 +92,10 @@ pub trait AddMassToMotion {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! not_provided {
-    ($type:ident: $($method:ident),*) => {
+    ($($type:ident: $($method:ident),*);*) => {
+        $($crate::not_provided!(@ $type: $($method),*);)*
+    };
+    (@ $type:ident: $($method:ident),*) => {
         $($crate::not_provided!(@ $type $method);)*
     };
     (@ $type:ident motion) => {
@@ -141,18 +144,18 @@ macro_rules! not_provided {
     };
     (@ $type:ident limits) => {
         $crate::not_provided!(
-            @ $type AddLimitsToProvide: at(T), limits_without_search(T), limits_into(T, U, V)
+            @ $type of AddLimitsToProvide: at(T), limits_without_search(T), limits_into(T, U, V)
         );
     };
     (@ $type:ident stepper) => {
-        $crate::not_provided!(@ $type AddStepperToProvide: stepper(T), stepper_from(T, U));
+        $crate::not_provided!(@ $type of AddStepperToProvide: stepper(T), stepper_from(T, U));
     };
     (@ $type:ident simulation) => {
         $crate::not_provided!(
-            @ $type AddSimulationToProvide: simulation(T, U), simulation_from(T, U, V)
+            @ $type of AddSimulationToProvide: simulation(T, U), simulation_from(T, U, V)
         );
     };
-    (@ $type:ident $missing:ident: $($function:ident($($argument:ident),*)),*) => {
+    (@ $type:ident of $missing:ident: $($function:ident($($argument:ident),*)),*) => {
         impl $type {
             $(
                 #[doc(hidden)]

@@ -2,6 +2,7 @@
 
 pub mod locals;
 pub mod missing;
+mod shapes;
 
 // Local variables may have the names of the user's constants: these hide them.
 pub use crate::Complex;
@@ -36,6 +37,7 @@ pub use core::option::Option::{self, None, Some};
 pub use core::primitive::{bool, f32, f64, usize};
 pub use core::result::Result::{self, Err, Ok};
 pub use locals::*;
+pub use shapes::transposed;
 
 /// An emitted type around one of the kernel's, whose queries it has by `Deref`.
 #[doc(hidden)]

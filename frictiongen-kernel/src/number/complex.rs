@@ -64,7 +64,7 @@ pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
     if damped {
         inverse(a).0
     } else {
-        real(S::constant(1.0) / a.re)
+        real((S::constant(1.0) / a.re).named("inverse_re", None))
     }
 }
 

@@ -31,14 +31,16 @@ fn sqrt_f32(x: f32) -> f32 {
 /// integers, says by which.
 #[cfg(any(test, not(feature = "std")))]
 fn root(x: f32) -> f32 {
+    const TWO_TO_24: f32 = 16_777_216.0;
+    const TWO_TO_12: f32 = 4096.0;
     const FRACTION: u32 = 0x007f_ffff;
     const ONE: u32 = 0x0080_0000;
     const INFINITE: u32 = 0x7f80_0000;
     let bits = x.to_bits();
     if bits.wrapping_sub(ONE) >= INFINITE - ONE {
         return if x > 0.0 && x < f32::MIN_POSITIVE {
-            // Both scalings are exact: by 2^24, and by 2^−12.
-            root(x * 16_777_216.0) / 4096.0
+            // Both scalings are exact.
+            root(x * TWO_TO_24) / TWO_TO_12
         } else if x >= 0.0 {
             x
         } else {

@@ -1,9 +1,10 @@
 //! From a scene, r and β to its steady state.
 
+use super::candidate::{Found, ON_CIRCLE};
 use super::cycle_map::CycleMap;
 use super::newton::{Map, Workspace, multipliers, same};
 use super::record::{Record, Recorded};
-use super::shooting::{Found, MAX_STEPS, ON_CIRCLE, Settled, settle};
+use super::shooting::{MAX_STEPS, Settled, settle};
 use super::{MAX_SEGMENTS, Orbit, SegmentStart};
 use crate::errors::NoOrbit;
 use crate::number::complex::Complex;

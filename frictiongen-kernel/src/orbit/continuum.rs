@@ -12,6 +12,11 @@ use crate::errors::NoOrbit;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
+/// So many roundings a half cycle leaves between a member of a continuum and itself.
+const ROUNDINGS: f64 = 256.0;
+/// The half-period map is inverted so far beside its multiplier 1.
+const SHIFT: f64 = 1e-8;
+
 /// The cycle map stands on the symmetric member, and `workspace.state` is the motion in the same section; sets
 /// the cycle map to the member that the motion tends to.  `monotone` says that μ = 1: with more, a stop does not
 /// shrink, because the contact holds until the force has grown, and only a motion that never stops stays.
@@ -40,7 +45,7 @@ pub(super) fn member<S: Float>(
         for (other, state) in workspace.other.iter_mut().zip(workspace.state.iter()) {
             *other = *state;
         }
-        let shift = one + S::constant(1e-8_f64.max(256.0 * S::EPSILON));
+        let shift = one + S::constant(SHIFT.max(ROUNDINGS * S::EPSILON));
         if !Matrix::new(workspace.matrix, size).solve_shifted(shift, workspace.other) {
             return Err(NoOrbit::Unsettled);
         }
@@ -81,7 +86,7 @@ pub(super) fn member<S: Float>(
                     }
                 });
         set(cycle_map);
-        let tolerance = S::constant(256.0 * S::EPSILON);
+        let tolerance = S::constant(ROUNDINGS * S::EPSILON);
         Ok(pattern.stops == 0 && distance <= scale * tolerance)
     };
     if shifted(cycle_map, one)? {
@@ -100,7 +105,7 @@ pub(super) fn member<S: Float>(
         }
     }
     // A little less: at the very end rounding decides whether it stops.
-    let inside = inside * (one - S::constant(256.0 * S::EPSILON));
+    let inside = inside * (one - S::constant(ROUNDINGS * S::EPSILON));
     if inside.is_zero() || !shifted(cycle_map, inside)? {
         return Err(NoOrbit::Unsettled);
     }

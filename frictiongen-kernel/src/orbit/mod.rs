@@ -6,6 +6,7 @@
 //! is a symmetric steady state, or on the period map, finishes in a few steps.
 
 mod build;
+mod candidate;
 mod carrying;
 mod closed;
 mod continuum;
@@ -21,10 +22,11 @@ mod segments;
 mod shooting;
 mod variational;
 
+pub use candidate::MAX_PERIOD;
 pub use carrying::NoDerivative;
 pub use motion::OrbitMotion;
 pub use provides::{ProvidesOrbit, Start};
-pub use shooting::{MAX_CYCLES, MAX_PERIOD, MAX_STEPS};
+pub use shooting::{MAX_CYCLES, MAX_STEPS};
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
@@ -81,7 +83,7 @@ impl<S: Float> SegmentStart<S> {
 
 /// How much longer than a period a segment may seem to be.
 fn slack<S: Float>() -> S {
-    S::constant(1e-9_f64.max(1024.0 * S::EPSILON))
+    newton::agreement()
 }
 
 /// A steady state: a motion that repeats after one cycle of the excitation, or after [`Orbit::period`] of them.
@@ -283,7 +285,7 @@ where
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.settled
-            && self.largest_multiplier() <= S::constant(1.0 + shooting::ON_CIRCLE * S::EPSILON)
+            && self.largest_multiplier() <= S::constant(1.0 + candidate::ON_CIRCLE * S::EPSILON)
     }
 
     /// Whether some deviation stays for good, or dies more slowly than any power: the state is a

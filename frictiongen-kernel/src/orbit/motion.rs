@@ -8,6 +8,11 @@ use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Part, Sum, lift, rotated};
 
+/// Amplitudes that differ by so many roundings are equal,
+const ROUNDINGS: f64 = 64.0;
+/// and lags by so much, or in `f32` by so many roundings.
+const SAME_LAG: f64 = 1e-9;
+
 /// The steady motion of the contact or of a mass, in an [`Orbit`].
 #[derive(Debug)]
 pub struct OrbitMotion<'o, 'a, S, P, V, C> {
@@ -283,7 +288,7 @@ impl<S: Float> Best<S> {
     /// Notes a value at an instant, in half-turns of the excitation.
     fn note(&mut self, t: S, value: S) {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
-        let near = S::constant(1.0 - 64.0 * S::EPSILON);
+        let near = S::constant(1.0 - ROUNDINGS * S::EPSILON);
         let size = value.abs();
         if size < self.value * near {
             return;
@@ -294,7 +299,7 @@ impl<S: Float> Best<S> {
         let clear = self.value < size * near;
         self.value = self.value.max(size);
         // Twins differ by rounding: of lags of nearly equal size the positive one counts.
-        let same = S::constant(1e-9_f64.max(64.0 * S::EPSILON));
+        let same = S::constant(SAME_LAG.max(ROUNDINGS * S::EPSILON));
         let better = match self.lag {
             Some(known) if !clear => {
                 let gain = known.abs() - lag.abs();

@@ -10,9 +10,25 @@ use crate::simulation::{Contact, ContactState};
 
 const NEWTON_STEPS: u32 = 12;
 
+/// What two ways to the same state or instant may differ by,
+const AGREEMENT: f64 = 1e-9;
+/// and in `f32`, in roundings: the events of a cycle add theirs.
+const AGREEING_ROUNDINGS: f64 = 1024.0;
+/// A step of Newton's method is small from here on,
+const SMALL_STEP: f64 = 1e-11;
+/// and in `f32` from so many roundings on,
+const SMALL_ROUNDINGS: f64 = 256.0;
+/// and no step can be below so many.
+const LEAST_ROUNDINGS: f64 = 4.0;
+
+/// How far apart, relative to their size, two are that rounding alone parts.
+pub(super) fn agreement<S: Float>() -> S {
+    S::constant(AGREEMENT.max(AGREEING_ROUNDINGS * S::EPSILON))
+}
+
 /// States of this size that differ by no more than this are the same.
 pub(super) fn same<S: Float>(scale: S) -> S {
-    scale * S::constant(1e-9_f64.max(1024.0 * S::EPSILON))
+    scale * agreement::<S>()
 }
 
 /// Working space: the matrix, two states, and the multipliers.
@@ -107,9 +123,9 @@ pub(super) fn newton<S: Float>(
         }
         contact_state.t = start.t;
         cycle_map.restore(workspace.other, &contact_state);
-        let small = step <= scale * S::constant(1e-11_f64.max(256.0 * S::EPSILON));
+        let small = step <= scale * S::constant(SMALL_STEP.max(SMALL_ROUNDINGS * S::EPSILON));
         // Below rounding, or as far down as rounding lets it come.
-        if step <= scale * S::constant(4.0 * S::EPSILON)
+        if step <= scale * S::constant(LEAST_ROUNDINGS * S::EPSILON)
             || (small && last * S::constant(0.25) < step)
             || step <= scale * S::constant(1e-9) && step <= last * last / scale
         {

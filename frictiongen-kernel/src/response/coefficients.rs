@@ -252,7 +252,7 @@ impl<S: Scalar> Chain<S> {
         };
         // Products of sums: a far mass moves by V_k U − U_k V, and what is common must stay so.
         let part = |driven, u: S, rubbed: Complex<S>, v| {
-            let (u, rubbed) = (u * drop, rubbed.re * drop);
+            let (u, rubbed) = ((u * drop).named("u_in_range", None), rubbed.re * drop);
             self.plus(complex::scale(driven, u), complex::scale(v, rubbed))
         };
         let mismatch = self.plus(
@@ -265,6 +265,7 @@ impl<S: Scalar> Chain<S> {
         let vanishes = self.damped && !on_base;
         let lift = if vanishes { S::constant(LIFT) } else { one };
         let v = complex::scale(contact.v, lift);
+        let v = named(v, ["v_in_range_re", "v_in_range_im"], None);
         let inverse_v = complex::reciprocal(v, self.damped);
         let response = complex::scale(ratio, friction.unscale);
         let ratio = complex::mul(ratio, inverse_v, self.damped);
@@ -275,10 +276,11 @@ impl<S: Scalar> Chain<S> {
             unscale,
             ..
         } = *friction;
-        let (root, raised) = (root * drop * lift, unscale * rise);
+        let root = (root * drop * lift).named("root_in_range", None);
+        let raised = (unscale * rise).named("unscale_in_range", None);
         if self.damped {
             let weight = (beta * unscale).named("friction_weight", None);
-            let beta = beta * lift;
+            let beta = (beta * lift).named("beta_in_range", None);
             let (_, (near, far)) = complex::inverse(v);
             let turned = |driven: Complex<S>, v: Complex<S>| {
                 let v = complex::scale(complex::scale(v, lift), far);
@@ -315,8 +317,10 @@ impl<S: Scalar> Chain<S> {
         let (mut driven, mut rubbed) = (DominantParts::zero(), DominantParts::zero());
         for (index, (component, (mode, at))) in shape.iter().zip(known).enumerate() {
             let free = complex::scale(at.response, *component * mode.load);
+            let free = named(free, ["driven_re", "driven_im"], Some(index));
             driven = driven.with(self, &sums, index, free);
             let back = complex::scale(at.response, -(*component * mode.contact));
+            let back = named(back, ["held_back_re", "held_back_im"], Some(index));
             rubbed = rubbed.with(self, &sums, index, back);
         }
         let part = |driven, h, rubbed, v| {

@@ -5,6 +5,7 @@
 
 use super::law::Line;
 use super::lines::{Crossing, Lines};
+use super::local::ROUNDINGS;
 use super::part::Part;
 use super::power::{Power, TERMS};
 use super::segment::{ContactState, Outcome, Sought, advanced, phase};
@@ -193,7 +194,7 @@ impl<S: Float> Setting<'_, S> {
         constant.beta = self.beta * line.level;
         let mut sum = constant.slide(modes, &sought.contact_state, reach);
         sum.constant = -line.low;
-        sum.noise = sum.noise + line.low * S::constant(4.0 * S::EPSILON);
+        sum.noise = sum.noise + line.low * S::constant(ROUNDINGS * S::EPSILON);
         match first_zero(&sum, Start::Anywhere, &mut sought.steps) {
             Walk::Zero(at, _) => (at, Crossing::Slower),
             Walk::Until(at) => (at, Crossing::None),

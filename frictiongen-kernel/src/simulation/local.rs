@@ -2,6 +2,9 @@
 
 use crate::number::scalar::Float;
 
+/// Roundings of a sum over modes, for each unit of its terms' sizes.
+pub(super) const ROUNDINGS: f64 = 4.0;
+
 /// A function about one instant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Local<S> {

@@ -1,6 +1,6 @@
 //! A function of the contact as a power series about an instant, in the way in which a walk follows it.
 
-use super::local::{Local, ORDER, Series};
+use super::local::{Local, ORDER, ROUNDINGS, Series};
 use super::walk::Walked;
 use crate::number::scalar::Float;
 
@@ -51,7 +51,7 @@ impl<S: Float> Power<S> {
             n = n - one;
             bound = bound * reach + term.abs() * n * (n - one) * (n - two);
         }
-        let noise = (self.size + level.abs()) * S::constant(4.0 * S::EPSILON);
+        let noise = (self.size + level.abs()) * S::constant(ROUNDINGS * S::EPSILON);
         Seen {
             power: self,
             sign,

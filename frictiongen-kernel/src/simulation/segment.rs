@@ -10,6 +10,9 @@ use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Turn;
 
+/// Roundings of a velocity that vanishes, over the sum of its terms' sizes.
+const ROUNDINGS: f64 = 8.0;
+
 /// How the contact stands at an instant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ContactState<S> {
@@ -63,7 +66,7 @@ impl<S: Float> Setting<'_, S> {
             departing: None,
             wedged: false,
         };
-        if velocity.abs() <= size * S::constant(8.0 * S::EPSILON) {
+        if velocity.abs() <= size * S::constant(ROUNDINGS * S::EPSILON) {
             let force = self.holding(parts, at);
             if force.abs() <= self.grip() {
                 contact_state.contact = Contact::Stuck;

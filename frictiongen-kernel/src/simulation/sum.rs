@@ -1,7 +1,7 @@
 //! A function of time between two events: a fundamental component at the excitation's frequency and a sum over
 //! oscillators, with its derivatives and what the third of them cannot exceed.
 
-use super::local::{Local, ORDER, Series};
+use super::local::{Local, ORDER, ROUNDINGS, Series};
 use super::part::Part;
 use super::walk::Walked;
 use crate::number::scalar::Float;
@@ -57,7 +57,7 @@ impl<'a, S: Float> Sum<'a, S> {
             sine,
             phase,
             reach,
-            noise: noise * S::constant(4.0 * S::EPSILON),
+            noise: noise * S::constant(ROUNDINGS * S::EPSILON),
             rate,
             bound,
         }

@@ -1,7 +1,7 @@
 //! From event to event, none missed: each step goes as far as what the third derivative can do keeps
 //! the function positive.  The steps shrink onto the zero from the left and are its root finder too.
 
-use super::local::{Local, Series};
+use super::local::{Local, ROUNDINGS, Series};
 use super::step;
 use crate::number::scalar::Float;
 
@@ -109,7 +109,7 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     steps: &mut u32,
 ) -> Walk<S> {
     let zero = S::constant(0.0);
-    let noise = sum.noise() + level * S::constant(4.0 * S::EPSILON);
+    let noise = sum.noise() + level * S::constant(ROUNDINGS * S::EPSILON);
     let level = match start {
         Start::Wedged => level + noise * S::constant(16.0),
         _ => level,

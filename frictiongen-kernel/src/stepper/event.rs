@@ -1,7 +1,7 @@
 //! One part of a step, looked through: from event to event.
 
 use super::drive::derived;
-use super::part::Through;
+use super::part::{ROUNDINGS, Through};
 use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Start, Walk, first_reach, first_zero, law};
@@ -64,7 +64,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let speed = rate.abs() * S::constant(f64::from(pace.parts)) / pace.step;
         self.status.contact = Contact::along(rate);
         self.status.line = law::place(self.scene.law, speed);
-        if rate.abs() <= velocity.size * S::constant(8.0 * S::EPSILON) {
+        if rate.abs() <= velocity.size * S::constant(ROUNDINGS * S::EPSILON) {
             // Whether it leaves at once, the force that holds it will say.
             self.grip(None);
         }
@@ -77,7 +77,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let force = self.force();
         let grip = self.status.friction * self.status.stiction;
         let now = force.term(0);
-        let noise = (force.size + grip) * S::constant(8.0 * S::EPSILON);
+        let noise = (force.size + grip) * S::constant(ROUNDINGS * S::EPSILON);
         let wedged = self.status.wedged;
         self.status.wedged = false;
         let (tau, breaks) = if !wedged && grip + noise < now.abs() {

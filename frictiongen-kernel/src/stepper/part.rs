@@ -10,6 +10,9 @@ use crate::number::scalar::Float;
 use crate::simulation::Contact;
 use crate::simulation::law::{self, Line};
 
+/// Roundings of a sum over modes, for each unit of its terms' sizes.
+pub(super) const ROUNDINGS: f64 = 8.0;
+
 /// A stepper on its way through one part of a step.
 pub(super) struct Through<'t, 'a, S, const D: usize> {
     pub scene: &'t StepScene<'a, S>,
@@ -171,7 +174,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             }
         }
         let least = (sign * start).min(sign * (start + rise));
-        let room = bend * S::constant(0.125) + size * S::constant(8.0 * S::EPSILON);
+        let room = bend * S::constant(0.125) + size * S::constant(ROUNDINGS * S::EPSILON);
         if !(line.low + room < least) {
             return false;
         }
@@ -216,7 +219,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
         let grip = self.status.friction * self.status.stiction;
         let most = start.abs().max(end.abs());
-        let room = bend * S::constant(0.125) + (size + grip) * S::constant(8.0 * S::EPSILON);
+        let room = bend * S::constant(0.125) + (size + grip) * S::constant(ROUNDINGS * S::EPSILON);
         if !(most + room < grip) {
             return false;
         }

@@ -4,8 +4,8 @@
 //! it alone moves, mode i moves by η_i = g_i y + h_i u, where w_i/(s² + 2ζ_iσ_i s + λ_i) =
 //! g_i + (h_i/ω)s modulo the pair's polynomial.  Real throughout, also at a double root.
 
-use super::Plain;
-use crate::modal::kind;
+use super::plain::Plain;
+use crate::reduced::kind;
 use crate::roots::{Driven, pairs};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;

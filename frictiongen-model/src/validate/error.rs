@@ -1,6 +1,6 @@
 //! The messages: what is wrong, in the engineer's words, and what to write instead.
 
-use super::Path;
+use super::path::Path;
 
 /// One thing that keeps a scene from making physical sense.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

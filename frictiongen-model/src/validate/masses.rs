@@ -2,8 +2,10 @@
 
 use std::collections::HashSet;
 
+use super::checks::{Checks, LARGEST, SMALLEST};
+use super::error::SceneError;
 use super::names::{is_keyword, is_name, is_reserved};
-use super::{Checks, LARGEST, Path, SMALLEST, SceneError};
+use super::path::Path;
 use crate::scene::Scene;
 
 /// Checks the masses.

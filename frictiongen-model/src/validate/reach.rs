@@ -5,8 +5,10 @@
 
 use std::collections::{BTreeMap, HashSet};
 
+use super::checks::Checks;
+use super::error::SceneError;
 use super::names::may_name;
-use super::{Checks, Path, SceneError};
+use super::path::Path;
 use crate::scene::{Excitation, Node, Scene};
 
 /// Checks that every mass is held and that the contact can slide.

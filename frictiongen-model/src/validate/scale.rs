@@ -1,6 +1,8 @@
 //! Scenes whose numbers lie so far apart, or whose modes so close, that no answer means anything.
 
-use super::{Checks, LARGEST, Path, SMALLEST, SceneError};
+use super::checks::{Checks, LARGEST, SMALLEST};
+use super::error::SceneError;
+use super::path::Path;
 use crate::modal::Modal;
 use crate::scene::{Precision, Scene};
 

@@ -2,7 +2,9 @@
 
 use std::collections::HashSet;
 
-use super::{Checks, LARGEST, Path, SceneError, check_node};
+use super::checks::{Checks, LARGEST, check_node};
+use super::error::SceneError;
+use super::path::Path;
 use crate::scene::{Accuracy, Beyond, Damping, Node, Precision, Provide, Range, Scene, Side};
 use crate::table::{COARSEST, FINEST, FINEST_SINGLE};
 

@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-use super::{Checks, LARGEST, Path, SMALLEST, SceneError, check_node};
+use super::checks::{Checks, LARGEST, SMALLEST, check_node};
+use super::error::SceneError;
+use super::path::Path;
 use crate::scene::{Node, Scene, Spring};
 
 /// Checks the springs.

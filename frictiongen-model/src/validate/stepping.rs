@@ -2,8 +2,10 @@
 
 use std::collections::HashSet;
 
+use super::checks::{Checks, LARGEST, SMALLEST, check_node};
+use super::error::SceneError;
+use super::path::Path;
 use super::settings::item_name;
-use super::{Checks, LARGEST, Path, SMALLEST, SceneError, check_node};
 use crate::scene::{Accuracy, Excitation, FrictionLaw, Node, Precision, Provide, Scene, StepInput};
 
 /// Checks the friction law, the step, the input and the loads.

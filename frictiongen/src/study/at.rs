@@ -4,7 +4,9 @@ use super::few::Few;
 use super::motion::{SystemMotion, SystemStuck};
 use super::orbit::SystemOrbit;
 use super::system::System;
-use crate::{Complex, NoOrbit};
+use crate::system::FrictionSystem;
+use crate::{Complex, NoOrbit, OutOfDomain};
+use frictiongen_kernel::contact::regime::Limits;
 use frictiongen_kernel::contact::sums::{ContactAt, ModeAt};
 use frictiongen_kernel::modal_sum::wave::Wave;
 use frictiongen_kernel::orbit::{self, Orbit, ProvidesOrbit, Start};
@@ -143,5 +145,38 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
             vec![Complex::new(zero, zero); 2 * driven],
         )?;
         Ok(SystemOrbit { system, orbit })
+    }
+}
+
+impl<S: Float> System<S> {
+    /// The scene at the frequency ratio r.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.  Also for `friction: stribeck`, as the
+    /// exact continuous response needs a constant kinetic level.
+    pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
+        self.constant_level()?;
+        At::new(self, r).map(SystemAt::from)
+    }
+}
+
+impl<S: Float> FrictionSystem for System<S> {
+    type Scalar = S;
+    type At<'a> = SystemAt<'a, S>;
+
+    fn resonances(&self) -> &[S] {
+        Self::resonances(self)
+    }
+    fn masses(&self) -> usize {
+        self.scene.masses.len()
+    }
+    fn mass_name(&self, index: usize) -> Option<&str> {
+        self.scene.masses.get(index).map(|mass| mass.name.as_str())
+    }
+    fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
+        Self::at(self, r)
+    }
+    fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
+        Self::limits_without_search(self, r)
     }
 }

@@ -1,6 +1,5 @@
 //! What goes wrong at run time.
 
-use super::units::LoadError;
 use crate::{Error, NoOrbit, NotContinuous, OutOfDomain, StuckResonance};
 use frictiongen_codegen::Diagnostics;
 use frictiongen_kernel::orbit::NoDerivative;
@@ -58,6 +57,36 @@ impl std::fmt::Display for InvalidScene {
 }
 
 impl std::error::Error for InvalidScene {}
+
+/// Why a load does not fit a scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LoadError {
+    /// It is a force, and the base moves.
+    DrivenByBase,
+    /// It is a base motion, and a force drives the mass of this name.
+    DrivenByForce(String),
+    /// It is not above 0 and finite.
+    Amplitude,
+    /// P/k₁ or k₁Y is too small or too large for the scalar.
+    OutOfRange,
+}
+
+impl std::fmt::Display for LoadError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::DrivenByBase => write!(f, "the scene is driven by its base"),
+            Self::DrivenByForce(mass) => write!(f, "the scene is driven by a force on `{mass}`"),
+            Self::Amplitude => write!(f, "the amplitude of a load is above 0 and finite"),
+            Self::OutOfRange => write!(
+                f,
+                "with the first spring's stiffness it makes a length or a force too small or too large to compute with"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for LoadError {}
 
 /// So that one function can use `?` on everything that a run-time system answers.
 #[derive(Clone, Debug, PartialEq)]

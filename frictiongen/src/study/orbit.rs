@@ -9,6 +9,11 @@ use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 use frictiongen_kernel::simulation::Part;
 use std::ops::Deref;
 
+/// Lags that differ by so much are equal,
+const SAME_LAG: f64 = 1e-9;
+/// and in `f32` by so many roundings.
+const ROUNDINGS: f64 = 64.0;
+
 /// A steady state of a system, as the kernel holds it.
 pub type SystemOrbitState<'a, S = f64> = Orbit<'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>>;
 
@@ -79,7 +84,7 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         let (amplitude, phase) = contact.largest();
         let (zero, turn) = (S::constant(0.0), S::constant(2.0) * S::pi());
         // Within rounding of the farthest, and of equal lags.
-        let same = S::constant(1e-9_f64.max(64.0 * S::EPSILON));
+        let same = S::constant(SAME_LAG.max(ROUNDINGS * S::EPSILON));
         let mut best = reversed_phase(phase);
         let mut note = |lag: S| {
             let lag = if S::pi() < lag { lag - turn } else { lag };

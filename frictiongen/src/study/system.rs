@@ -1,10 +1,8 @@
 //! The run-time system: the same closed forms, over vectors instead of arrays.
 
-use super::at::SystemAt;
 use super::error::{InvalidScene, UnknownMass};
 use super::large;
 use crate::OutOfDomain;
-use crate::system::FrictionSystem;
 use frictiongen_codegen::{Diagnostics, parse_text};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::regime::Limits;
@@ -211,16 +209,6 @@ impl<S: Float> System<S> {
         friction / load
     }
 
-    /// The scene at the frequency ratio r.
-    ///
-    /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.  Also for `friction: stribeck`, as the
-    /// exact continuous response needs a constant kinetic level.
-    pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
-        self.constant_level()?;
-        At::new(self, r).map(SystemAt::from)
-    }
-
     /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and β*_lim
     /// (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
     ///
@@ -311,26 +299,5 @@ impl<S: Float> System<S> {
                 .map(|mass| mass.name.clone())
                 .collect(),
         }
-    }
-}
-
-impl<S: Float> FrictionSystem for System<S> {
-    type Scalar = S;
-    type At<'a> = SystemAt<'a, S>;
-
-    fn resonances(&self) -> &[S] {
-        &self.resonances
-    }
-    fn masses(&self) -> usize {
-        self.scene.masses.len()
-    }
-    fn mass_name(&self, index: usize) -> Option<&str> {
-        self.scene.masses.get(index).map(|mass| mass.name.as_str())
-    }
-    fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
-        Self::at(self, r)
-    }
-    fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
-        Self::limits_without_search(self, r)
     }
 }

@@ -4,6 +4,7 @@
 //! angular frequency in rad/s. The groups refer to the first mass m₁ and the first spring k₁ of the description, so
 //! another order of masses or springs gives other groups. What is physical stays the same.
 
+pub use super::error::LoadError;
 use super::system::System;
 use crate::Complex;
 use frictiongen_kernel::Float;
@@ -28,36 +29,6 @@ impl<S: Copy> Load<S> {
         }
     }
 }
-
-/// Why a load does not fit a scene.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum LoadError {
-    /// It is a force, and the base moves.
-    DrivenByBase,
-    /// It is a base motion, and a force drives the mass of this name.
-    DrivenByForce(String),
-    /// It is not above 0 and finite.
-    Amplitude,
-    /// P/k₁ or k₁Y is too small or too large for the scalar.
-    OutOfRange,
-}
-
-impl std::fmt::Display for LoadError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::DrivenByBase => write!(f, "the scene is driven by its base"),
-            Self::DrivenByForce(mass) => write!(f, "the scene is driven by a force on `{mass}`"),
-            Self::Amplitude => write!(f, "the amplitude of a load is above 0 and finite"),
-            Self::OutOfRange => write!(
-                f,
-                "with the first spring's stiffness it makes a length or a force too small or too large to compute with"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for LoadError {}
 
 /// What a load makes of the dimensionless answers: see [`System::load_scale`].
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -82,16 +82,14 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    ::frictiongen::kernel::not_provided!(Bowed : limits);
-    ::frictiongen::kernel::not_provided!(Bowed : simulation);
-    impl Bowed {
+        /// φ of all modes, [mass][mode].
+        const ALL_SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
         /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
         /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
         /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
         const DYNAMICS: Dynamics<'static, f64> = Dynamics {
-            chain: Bowed::CHAIN,
+            chain: Self::CHAIN,
             modes: &[
                 Mode {
                     kind: Kind::Light,
@@ -135,12 +133,10 @@ const _: () = {
                 },
             ],
             shares: &[[-1.0, 0.016414813299717747], [-0.5, 0.008207406649858874]],
-            shapes: &[0.0, 1.0, 0.5, 0.0],
+            shapes: Self::ALL_SHAPES.as_flattened(),
             weights: &[0.0, 2.0, 1.0, 0.0],
             rubbing: None,
         };
-    }
-    impl Bowed {
         /// The step of which the tables are constants, in s.
         pub const STEP: f64 = 0.0005;
         /// What a stepper is told of the scene: `units`: k₁, √(k₁/m₁) in rad/s and the springs to the base over k₁;
@@ -308,6 +304,7 @@ const _: () = {
                 .map(From::from)
         }
     }
+    ::frictiongen::kernel::not_provided!(Bowed : limits, simulation);
     ::frictiongen::kernel::wraps!(BowedStepper, FixedStepper of f64, 2, 2, 1, 2);
     impl BowedStepper {
         /// Says what the input is before the first step; otherwise it is none.

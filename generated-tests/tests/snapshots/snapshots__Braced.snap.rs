@@ -64,8 +64,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl Braced {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -141,10 +139,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(Braced, BracedAt, f64, ["left", "right"]);
-    ::frictiongen::kernel::wraps!(BracedAt, At of Braced, Copy);
-    impl Braced {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
@@ -187,6 +183,8 @@ const _: () = {
             let u_times_r = 4.0 / mode.q * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
             let u = u_times_r / x;
+            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                * pole_weight + mode.zeta * u_times_r;
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -195,8 +193,6 @@ const _: () = {
             } else {
                 0.0
             };
-            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                * pole_weight + mode.zeta * u_times_r;
             ModeResponse {
                 x,
                 denominator: Complex { re: detuning, im: loss },
@@ -216,31 +212,34 @@ const _: () = {
         fn functions<const WITH_G: bool>(
             inverse_r: f64,
         ) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            let mode_1 = Self::damped_mode::<WITH_G>(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::damped_mode::<WITH_G>(&Self::MODES[1], inverse_r);
+            let [constants_1, constants_2] = &Self::MODES;
+            let mode_1 = Self::damped_mode::<WITH_G>(constants_1, inverse_r);
+            let mode_2 = Self::damped_mode::<WITH_G>(constants_2, inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
-            let v_re = at_1.response.re * 1.15584951693735
-                + at_2.response.re * -0.5308495169373498;
-            let v_im = at_1.response.im * 1.15584951693735
-                + at_2.response.im * -0.5308495169373498;
-            let h_re = at_1.response.re * 1.5597443968718145
-                + at_2.response.re * 0.9402556031281853;
-            let h_im = at_1.response.im * 1.5597443968718145
-                + at_2.response.im * 0.9402556031281853;
-            let u = 1.5597443968718145 * at_1.u + 0.9402556031281853 * at_2.u;
+            let v_re = at_1.response.re * constants_1.residue
+                + at_2.response.re * constants_2.residue;
+            let v_im = at_1.response.im * constants_1.residue
+                + at_2.response.im * constants_2.residue;
+            let h_re = at_1.response.re * constants_1.inverse_mass
+                + at_2.response.re * constants_2.inverse_mass;
+            let h_im = at_1.response.im * constants_1.inverse_mass
+                + at_2.response.im * constants_2.inverse_mass;
+            let u = constants_1.inverse_mass * at_1.u
+                + constants_2.inverse_mass * at_2.u;
+            let reversal = constants_1.inverse_mass
+                * (mode_1.reversal * (scale / mode_1.size))
+                + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
             let g = if WITH_G {
-                1.5597443968718145 * (at_1.g / (at_1.x * at_1.x))
-                    + 0.9402556031281853 * (at_2.g / (at_2.x * at_2.x))
+                constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
+                    + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
             } else {
                 0.0
             };
-            let reversal = 1.5597443968718145 * (mode_1.reversal * (scale / mode_1.size))
-                + 0.9402556031281853 * (mode_2.reversal * (scale / mode_2.size));
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: v_im },
@@ -252,6 +251,8 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::emitted_system!(Braced, BracedAt, f64, ["left", "right"]);
+    ::frictiongen::kernel::wraps!(BracedAt, At of Braced, Copy);
     impl Scene for Braced {
         type Scalar = f64;
         type Decay = Damped<f64>;
@@ -264,11 +265,7 @@ const _: () = {
         /// φ of a mass, by modes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
-            match mass {
-                0 => Some(&[0.613271751551687, 0.7898719888366252]),
-                1 => Some(&[1.2488972723454137, -0.9696677797721163]),
-                _ => None,
-            }
+            Self::SHAPES.get(mass).map(<[f64; 2]>::as_slice)
         }
         /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
@@ -316,9 +313,9 @@ const _: () = {
             modulus_v / modulus_h
         }
     }
-    ::frictiongen::kernel::not_provided!(BracedAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(Braced : stepper);
-    ::frictiongen::kernel::not_provided!(Braced : simulation);
+    ::frictiongen::kernel::not_provided!(
+        BracedAt : stuck, orbit; Braced : simulation, stepper
+    );
     impl ProvidesMotion for Braced {
         type Motion = BracedMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
@@ -327,13 +324,14 @@ const _: () = {
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
             let friction_weight = friction.beta * friction.unscale;
-            let mode_1_friction_force = friction_weight * 1.5597443968718145;
+            let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
             let mode_1_fall = mode_1_friction_force * (mode_1.g / (mode_1.x * mode_1.x));
             let mode_1_rise = mode_1_friction_force * contact.scale;
             let mode_1_swing = mode_1_friction_force * mode_1.u;
-            let mode_2_friction_force = friction_weight * 0.9402556031281853;
+            let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
             let mode_2_fall = mode_2_friction_force * (mode_2.g / (mode_2.x * mode_2.x));
             let mode_2_rise = mode_2_friction_force * contact.scale;
             let mode_2_swing = mode_2_friction_force * mode_2.u;
@@ -348,22 +346,22 @@ const _: () = {
             let waves = [
                 motion_wave(
                     mode_1.x,
-                    <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
+                    <Damped<f64> as Decay<f64>>::of(constants_1),
                     ModalCoefficients {
                         rise: mode_1_rise,
                         fall: mode_1_fall,
                         swing: mode_1_swing,
-                        gain: 1.5597443968718145 * inverse_r * inverse_r,
+                        gain: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
                 motion_wave(
                     mode_2.x,
-                    <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
+                    <Damped<f64> as Decay<f64>>::of(constants_2),
                     ModalCoefficients {
                         rise: mode_2_rise,
                         fall: mode_2_fall,
                         swing: mode_2_swing,
-                        gain: 0.9402556031281853 * inverse_r * inverse_r,
+                        gain: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
             ];
@@ -371,7 +369,8 @@ const _: () = {
         }
         /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
         /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
-        /// is left out.  Where x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+        /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
+        /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
         /// Powers of 2 keep products within the scalar's range, and cancel.
         #[allow(unused_variables)]
         fn mass_motion(
@@ -380,144 +379,140 @@ const _: () = {
             mass: usize,
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
-            let (fundamental, waves) = match mass {
-                0 => {
-                    let product = mode_2.response.re * -0.5308495169373498;
-                    let product_2 = mode_2.response.im * -0.5308495169373498;
-                    let mode_2_u_term = 0.9402556031281853 * mode_2.u;
-                    let choice = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
-                    let product_3 = mode_1.response.re * 1.15584951693735;
-                    let product_4 = mode_1.response.im * 1.15584951693735;
-                    let mode_1_u_term = 1.5597443968718145 * mode_1.u;
-                    let choice_2 = if mode_2.x < 0.5 {
-                        contact.u
-                    } else {
-                        mode_1_u_term
-                    };
-                    let mode_1_driven_re = mode_1.response.re * 0.5675805956811232;
-                    let mode_1_driven_im = mode_1.response.im * 0.5675805956811232;
-                    let mode_1_offset = if mode_1.x < 0.5 { 0.0 } else { mode_1.g };
-                    let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-                    let mode_1_rubbed_back = -(0.7659134177193961 * mode_1_u_in_sum);
-                    let ratio = mode_1_offset / (mode_1.x * mode_1.x);
-                    let mode_2_driven_re = mode_2.response.re * 0.4324194043188768;
-                    let mode_2_driven_im = mode_2.response.im * 0.4324194043188768;
-                    let mode_2_offset = if mode_2.x < 0.5 { 0.0 } else { mode_2.g };
-                    let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
-                    let mode_2_rubbed_back = -(-0.7659134177193963 * mode_2_u_in_sum);
-                    let ratio_2 = mode_2_offset / (mode_2.x * mode_2.x);
-                    let response_re = mode_1_driven_re + mode_2_driven_re;
-                    let response_im = mode_1_driven_im + mode_2_driven_im;
-                    let mismatch_re = mode_1_driven_re * choice
-                        + product * mode_1_rubbed_back
-                        + (mode_2_driven_re * choice_2 + product_3 * mode_2_rubbed_back);
-                    let mismatch_im = mode_1_driven_im * choice
-                        + product_2 * mode_1_rubbed_back
-                        + (mode_2_driven_im * choice_2 + product_4 * mode_2_rubbed_back);
-                    let product_5 = contact.v.re * 16777216.0;
-                    let product_6 = contact.v.im * 16777216.0;
-                    let inverse_size = 1.0
-                        / (Scalar::abs(product_5) + Scalar::abs(product_6));
-                    let unit_re = product_5 * inverse_size;
-                    let unit_im = product_6 * inverse_size;
-                    let inverse_modulus = inverse_size
-                        / (unit_re * unit_re + unit_im * unit_im);
-                    let inverse_re = unit_re * inverse_modulus;
-                    let inverse_im = -(unit_im * inverse_modulus);
-                    let product_7 = friction.root * 16777216.0;
-                    let friction_weight = friction.beta * friction.unscale;
-                    let product_8 = friction.beta * 16777216.0;
-                    let v_size = Scalar::abs(contact.v.re) + Scalar::abs(contact.v.im);
-                    let turning_re = if Scalar::abs(product_3) + Scalar::abs(product_4)
-                        < v_size
-                    {
-                        product_3
-                    } else {
-                        contact.v.re
-                    };
-                    let turning_im = if Scalar::abs(product_3) + Scalar::abs(product_4)
-                        < v_size
-                    {
-                        product_4
-                    } else {
-                        contact.v.im
-                    };
-                    let turning_re_2 = if Scalar::abs(product) + Scalar::abs(product_2)
-                        < v_size
-                    {
-                        product
-                    } else {
-                        contact.v.re
-                    };
-                    let turning_im_2 = if Scalar::abs(product) + Scalar::abs(product_2)
-                        < v_size
-                    {
-                        product_2
-                    } else {
-                        contact.v.im
-                    };
-                    let in_phase_share = product_7 * inverse_size;
-                    let mode_1_friction_force = friction_weight * 0.7659134177193961;
-                    let mode_1_fall = mode_1_friction_force * ratio;
-                    let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
-                    let mode_2_friction_force = friction_weight * -0.7659134177193963;
-                    let mode_2_fall = mode_2_friction_force * ratio_2;
-                    let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
-                    (
-                        Fundamental {
-                            cosine: (product_7
-                                * (response_re * inverse_re - response_im * inverse_im)
-                                + product_8
-                                    * (mismatch_re * inverse_im + mismatch_im * inverse_re))
-                                * friction.unscale
-                                + (-(0.7659134177193961 * ratio)
-                                    - -0.7659134177193963 * ratio_2) * friction_weight,
-                            sine: (product_8
-                                * (mismatch_re * inverse_re - mismatch_im * inverse_im)
-                                - in_phase_share
-                                    * (mode_1_driven_im
-                                        * (turning_re_2 * 16777216.0 * inverse_modulus)
-                                        - mode_1_driven_re
-                                            * (turning_im_2 * 16777216.0 * inverse_modulus)
-                                        + (mode_2_driven_im
-                                            * (turning_re * 16777216.0 * inverse_modulus)
-                                            - mode_2_driven_re
-                                                * (turning_im * 16777216.0 * inverse_modulus))))
-                                * friction.unscale,
-                            response: Complex {
-                                re: response_re * friction.unscale,
-                                im: response_im * friction.unscale,
-                            },
-                        },
-                        [
-                            mass_wave(
-                                mode_1.x,
-                                <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
-                                ModalCoefficients {
-                                    rise: mode_1_rise,
-                                    fall: mode_1_fall,
-                                    swing: mode_1_swing,
-                                    gain: 0.7659134177193961 * inverse_r * inverse_r,
-                                },
-                            ),
-                            mass_wave(
-                                mode_2.x,
-                                <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
-                                ModalCoefficients {
-                                    rise: mode_2_rise,
-                                    fall: mode_2_fall,
-                                    swing: mode_2_swing,
-                                    gain: -0.7659134177193963 * inverse_r * inverse_r,
-                                },
-                            ),
-                        ],
-                    )
-                }
-                _ => return None,
+            if mass != 0 {
+                return None;
+            }
+            let mode_2_v_term_re = mode_2.response.re * constants_2.residue;
+            let mode_2_v_term_im = mode_2.response.im * constants_2.residue;
+            let mode_2_u_term = constants_2.inverse_mass * mode_2.u;
+            let mode_1_u_others = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
+            let mode_1_v_term_re = mode_1.response.re * constants_1.residue;
+            let mode_1_v_term_im = mode_1.response.im * constants_1.residue;
+            let mode_1_u_term = constants_1.inverse_mass * mode_1.u;
+            let mode_2_u_others = if mode_2.x < 0.5 { contact.u } else { mode_1_u_term };
+            let mode_1_driven_re = mode_1.response.re * 0.5675805956811232;
+            let mode_1_driven_im = mode_1.response.im * 0.5675805956811232;
+            let mode_1_offset = if mode_1.x < 0.5 { 0.0 } else { mode_1.g };
+            let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+            let mode_1_rubbed_back = -(0.7659134177193961 * mode_1_u_in_sum);
+            let ratio = mode_1_offset / (mode_1.x * mode_1.x);
+            let mode_2_driven_re = mode_2.response.re * 0.4324194043188768;
+            let mode_2_driven_im = mode_2.response.im * 0.4324194043188768;
+            let mode_2_offset = if mode_2.x < 0.5 { 0.0 } else { mode_2.g };
+            let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+            let mode_2_rubbed_back = -(-0.7659134177193963 * mode_2_u_in_sum);
+            let ratio_2 = mode_2_offset / (mode_2.x * mode_2.x);
+            let response_re = mode_1_driven_re + mode_2_driven_re;
+            let response_im = mode_1_driven_im + mode_2_driven_im;
+            let mismatch_re = mode_1_driven_re * mode_1_u_others
+                + mode_2_v_term_re * mode_1_rubbed_back
+                + (mode_2_driven_re * mode_2_u_others
+                    + mode_1_v_term_re * mode_2_rubbed_back);
+            let mismatch_im = mode_1_driven_im * mode_1_u_others
+                + mode_2_v_term_im * mode_1_rubbed_back
+                + (mode_2_driven_im * mode_2_u_others
+                    + mode_1_v_term_im * mode_2_rubbed_back);
+            let v_in_range_re = contact.v.re * 16777216.0;
+            let v_in_range_im = contact.v.im * 16777216.0;
+            let inverse_size = 1.0
+                / (Scalar::abs(v_in_range_re) + Scalar::abs(v_in_range_im));
+            let unit_re = v_in_range_re * inverse_size;
+            let unit_im = v_in_range_im * inverse_size;
+            let inverse_modulus = inverse_size / (unit_re * unit_re + unit_im * unit_im);
+            let inverse_re = unit_re * inverse_modulus;
+            let inverse_im = -(unit_im * inverse_modulus);
+            let root_in_range = friction.root * 16777216.0;
+            let friction_weight = friction.beta * friction.unscale;
+            let beta_in_range = friction.beta * 16777216.0;
+            let v_size = Scalar::abs(contact.v.re) + Scalar::abs(contact.v.im);
+            let turning_re = if Scalar::abs(mode_1_v_term_re)
+                + Scalar::abs(mode_1_v_term_im) < v_size
+            {
+                mode_1_v_term_re
+            } else {
+                contact.v.re
             };
+            let turning_im = if Scalar::abs(mode_1_v_term_re)
+                + Scalar::abs(mode_1_v_term_im) < v_size
+            {
+                mode_1_v_term_im
+            } else {
+                contact.v.im
+            };
+            let turning_re_2 = if Scalar::abs(mode_2_v_term_re)
+                + Scalar::abs(mode_2_v_term_im) < v_size
+            {
+                mode_2_v_term_re
+            } else {
+                contact.v.re
+            };
+            let turning_im_2 = if Scalar::abs(mode_2_v_term_re)
+                + Scalar::abs(mode_2_v_term_im) < v_size
+            {
+                mode_2_v_term_im
+            } else {
+                contact.v.im
+            };
+            let in_phase_share = root_in_range * inverse_size;
+            let mode_1_friction_force = friction_weight * 0.7659134177193961;
+            let mode_1_fall = mode_1_friction_force * ratio;
+            let mode_1_rise = mode_1_friction_force * contact.scale;
+            let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
+            let mode_2_friction_force = friction_weight * -0.7659134177193963;
+            let mode_2_fall = mode_2_friction_force * ratio_2;
+            let mode_2_rise = mode_2_friction_force * contact.scale;
+            let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
+            let (fundamental, waves) = (
+                Fundamental {
+                    cosine: (root_in_range
+                        * (response_re * inverse_re - response_im * inverse_im)
+                        + beta_in_range
+                            * (mismatch_re * inverse_im + mismatch_im * inverse_re))
+                        * friction.unscale
+                        + (-(0.7659134177193961 * ratio) - -0.7659134177193963 * ratio_2)
+                            * friction_weight,
+                    sine: (beta_in_range
+                        * (mismatch_re * inverse_re - mismatch_im * inverse_im)
+                        - in_phase_share
+                            * (mode_1_driven_im
+                                * (turning_re_2 * 16777216.0 * inverse_modulus)
+                                - mode_1_driven_re
+                                    * (turning_im_2 * 16777216.0 * inverse_modulus)
+                                + (mode_2_driven_im
+                                    * (turning_re * 16777216.0 * inverse_modulus)
+                                    - mode_2_driven_re
+                                        * (turning_im * 16777216.0 * inverse_modulus))))
+                        * friction.unscale,
+                    response: Complex {
+                        re: response_re * friction.unscale,
+                        im: response_im * friction.unscale,
+                    },
+                },
+                [
+                    mass_wave(
+                        mode_1.x,
+                        <Damped<f64> as Decay<f64>>::of(constants_1),
+                        ModalCoefficients {
+                            rise: mode_1_rise,
+                            fall: mode_1_fall,
+                            swing: mode_1_swing,
+                            gain: 0.7659134177193961 * inverse_r * inverse_r,
+                        },
+                    ),
+                    mass_wave(
+                        mode_2.x,
+                        <Damped<f64> as Decay<f64>>::of(constants_2),
+                        ModalCoefficients {
+                            rise: mode_2_rise,
+                            fall: mode_2_fall,
+                            swing: mode_2_swing,
+                            gain: -0.7659134177193963 * inverse_r * inverse_r,
+                        },
+                    ),
+                ],
+            );
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }

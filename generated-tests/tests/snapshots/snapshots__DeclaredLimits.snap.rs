@@ -58,8 +58,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
             friction / load
         }
-    }
-    impl DeclaredLimits {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -135,14 +133,6 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             Compiled::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(
-        DeclaredLimits, DeclaredLimitsAt, f32, ["lower", "upper"]
-    );
-    ::frictiongen::kernel::wraps!(
-        DeclaredLimitsAt, Compiled of tabled DeclaredLimits, Copy
-    );
-    impl DeclaredLimits {
         /// The functions of a lightly damped mode, ζ < 1/2.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
@@ -185,6 +175,8 @@ const _: () = {
             let u_times_r = 4.0 / mode.q * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
             let u = u_times_r / x;
+            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                * pole_weight + mode.zeta * u_times_r;
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -193,8 +185,6 @@ const _: () = {
             } else {
                 0.0
             };
-            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                * pole_weight + mode.zeta * u_times_r;
             ModeResponse {
                 x,
                 denominator: Complex { re: detuning, im: loss },
@@ -214,27 +204,34 @@ const _: () = {
         fn functions<const WITH_G: bool>(
             inverse_r: f32,
         ) -> (ContactAt<f32>, [ModeAt<f32>; 2]) {
-            let mode_1 = Self::damped_mode::<WITH_G>(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::damped_mode::<WITH_G>(&Self::MODES[1], inverse_r);
+            let [constants_1, constants_2] = &Self::MODES;
+            let mode_1 = Self::damped_mode::<WITH_G>(constants_1, inverse_r);
+            let mode_2 = Self::damped_mode::<WITH_G>(constants_2, inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
-            let v_re = at_1.response.re * 0.4472136 + at_2.response.re * -0.4472136;
-            let v_im = at_1.response.im * 0.4472136 + at_2.response.im * -0.4472136;
-            let h_re = at_1.response.re * 0.7236068 + at_2.response.re * 0.2763932;
-            let h_im = at_1.response.im * 0.7236068 + at_2.response.im * 0.2763932;
-            let u = 0.7236068 * at_1.u + 0.2763932 * at_2.u;
+            let v_re = at_1.response.re * constants_1.residue
+                + at_2.response.re * constants_2.residue;
+            let v_im = at_1.response.im * constants_1.residue
+                + at_2.response.im * constants_2.residue;
+            let h_re = at_1.response.re * constants_1.inverse_mass
+                + at_2.response.re * constants_2.inverse_mass;
+            let h_im = at_1.response.im * constants_1.inverse_mass
+                + at_2.response.im * constants_2.inverse_mass;
+            let u = constants_1.inverse_mass * at_1.u
+                + constants_2.inverse_mass * at_2.u;
+            let reversal = constants_1.inverse_mass
+                * (mode_1.reversal * (scale / mode_1.size))
+                + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
             let g = if WITH_G {
-                0.7236068 * (at_1.g / (at_1.x * at_1.x))
-                    + 0.2763932 * (at_2.g / (at_2.x * at_2.x))
+                constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
+                    + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
             } else {
                 0.0
             };
-            let reversal = 0.7236068 * (mode_1.reversal * (scale / mode_1.size))
-                + 0.2763932 * (mode_2.reversal * (scale / mode_2.size));
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: v_im },
@@ -245,63 +242,6 @@ const _: () = {
             };
             (contact, modes)
         }
-    }
-    impl Scene for DeclaredLimits {
-        type Scalar = f32;
-        type Decay = Damped<f32>;
-        type Modes = [ModeAt<f32>; 2];
-        type Waves = [Wave<f32, Damped<f32>>; 2];
-        #[inline]
-        fn numbers(&self) -> Numbers<'static, f32> {
-            Self::NUMBERS
-        }
-        /// φ of a mass, by modes: of none here, as no motion of a mass is provided.
-        #[inline]
-        fn shape(&self, _: usize) -> Option<&[f32]> {
-            None
-        }
-        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
-        #[inline]
-        fn inverse_ratio_range(&self) -> (f32, f32) {
-            (8.881784e-16, 1125899900000000.0)
-        }
-        /// Working space of the searches, and of the waves of a motion.
-        #[inline]
-        fn idle(&self) -> Self::Waves {
-            Self::MODES.map(|mode| Wave::idle(&mode))
-        }
-        /// All functions of the contact at 1/r, and of its modes.
-        #[inline]
-        fn frequency_stage(&self, inverse_r: f32) -> (ContactAt<f32>, [ModeAt<f32>; 2]) {
-            Self::functions::<true>(inverse_r)
-        }
-        /// Those of the contact without G, which only a motion needs.
-        #[inline]
-        fn contact_without_g(&self, inverse_r: f32) -> ContactAt<f32> {
-            Self::functions::<false>(inverse_r).0
-        }
-        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
-        #[inline]
-        fn break_away(&self, contact: &ContactAt<f32>) -> f32 {
-            contact.reversal + contact.scale
-        }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
-        /// `constraint` is r²E times that maximum.
-        #[inline]
-        fn continuous_limit(&self, contact: &ContactAt<f32>, constraint: f32) -> f32 {
-            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
-            modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
-        }
-        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
-        #[inline]
-        fn sliding_limit(&self, contact: &ContactAt<f32>) -> f32 {
-            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
-            let modulus_h = Scalar::hypot(contact.h.re, contact.h.im);
-            modulus_v / modulus_h
-        }
-    }
-    impl DeclaredLimits {
         /// β_lim over r from 0.5 to 2, to 1e-2:
         /// 6 pieces of degree 3, each Σ coefficients[j]·(r − origin)^j, and 8 buckets of 1/density; with β*_lim 176 bytes.
         /// Largest error 8.8e-3, at r = 0.5696093440055847: checked at 573 points that the fit did not see.
@@ -359,6 +299,67 @@ const _: () = {
             ],
         };
     }
+    ::frictiongen::emitted_system!(
+        DeclaredLimits, DeclaredLimitsAt, f32, ["lower", "upper"]
+    );
+    ::frictiongen::kernel::wraps!(
+        DeclaredLimitsAt, Compiled of tabled DeclaredLimits, Copy
+    );
+    impl Scene for DeclaredLimits {
+        type Scalar = f32;
+        type Decay = Damped<f32>;
+        type Modes = [ModeAt<f32>; 2];
+        type Waves = [Wave<f32, Damped<f32>>; 2];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f32> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes: of none here, as no motion of a mass is provided.
+        #[inline]
+        fn shape(&self, _: usize) -> Option<&[f32]> {
+            None
+        }
+        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f32, f32) {
+            (8.881784e-16, 1125899900000000.0)
+        }
+        /// Working space of the searches, and of the waves of a motion.
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// All functions of the contact at 1/r, and of its modes.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f32) -> (ContactAt<f32>, [ModeAt<f32>; 2]) {
+            Self::functions::<true>(inverse_r)
+        }
+        /// Those of the contact without G, which only a motion needs.
+        #[inline]
+        fn contact_without_g(&self, inverse_r: f32) -> ContactAt<f32> {
+            Self::functions::<false>(inverse_r).0
+        }
+        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f32>) -> f32 {
+            contact.reversal + contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
+        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// `constraint` is r²E times that maximum.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f32>, constraint: f32) -> f32 {
+            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f32>) -> f32 {
+            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            let modulus_h = Scalar::hypot(contact.h.re, contact.h.im);
+            modulus_v / modulus_h
+        }
+    }
     impl Tabled for DeclaredLimits {
         #[inline]
         fn domain(&self) -> Domain<f32> {
@@ -387,7 +388,7 @@ const _: () = {
             Some(Self::SLIDING_LIMIT.size(r))
         }
     }
-    ::frictiongen::kernel::not_provided!(DeclaredLimitsAt : motion, stuck, orbit);
-    ::frictiongen::kernel::not_provided!(DeclaredLimits : stepper);
-    ::frictiongen::kernel::not_provided!(DeclaredLimits : simulation);
+    ::frictiongen::kernel::not_provided!(
+        DeclaredLimitsAt : motion, stuck, orbit; DeclaredLimits : simulation, stepper
+    );
 };

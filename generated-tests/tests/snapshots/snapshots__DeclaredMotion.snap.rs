@@ -59,8 +59,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl DeclaredMotion {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -123,12 +121,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             Compiled::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(DeclaredMotion, DeclaredMotionAt, f64, ["block"]);
-    ::frictiongen::kernel::wraps!(
-        DeclaredMotionAt, Compiled of tabled DeclaredMotion, Copy
-    );
-    impl DeclaredMotion {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 1]; 1] = transposed(&Self::MODE_SHAPES);
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: H, U, G and r²H_c of (φᵀw)² times `response`,
@@ -150,7 +144,8 @@ const _: () = {
             let size = Scalar::abs(detuning);
             let u = sine * size / (inverse_r * cosine);
             let h_re = Scalar::copysign(1.0, detuning);
-            let v_re = h_re * (1.0 / (inverse_r * inverse_r));
+            let r_squared = 1.0 / (inverse_r * inverse_r);
+            let v_re = h_re * r_squared;
             let contact = ContactAt {
                 scale: size,
                 v: Complex { re: v_re, im: 0.0 },
@@ -169,71 +164,6 @@ const _: () = {
             ];
             (contact, modes)
         }
-    }
-    impl Scene for DeclaredMotion {
-        type Scalar = f64;
-        type Decay = Undamped;
-        type Modes = [ModeAt<f64>; 1];
-        type Waves = [Wave<f64, Undamped>; 1];
-        #[inline]
-        fn numbers(&self) -> Numbers<'static, f64> {
-            Self::NUMBERS
-        }
-        /// φ of a mass, by modes.
-        #[inline]
-        fn shape(&self, mass: usize) -> Option<&[f64]> {
-            match mass {
-                0 => Some(&[1.0]),
-                _ => None,
-            }
-        }
-        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
-        #[inline]
-        fn inverse_ratio_range(&self) -> (f64, f64) {
-            (3.8725919148493183e-121, 2.5822498780869086e120)
-        }
-        /// Working space of the searches, and of the waves of a motion.
-        #[inline]
-        fn idle(&self) -> Self::Waves {
-            Self::MODES.map(|mode| Wave::idle(&mode))
-        }
-        /// A copy of the modes for a motion to keep.
-        #[inline]
-        fn kept(modes: &Self::Modes) -> Self::Modes {
-            *modes
-        }
-        /// All functions of the contact at 1/r, and of its modes.
-        #[inline]
-        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
-            Self::functions(inverse_r)
-        }
-        /// Those of the contact without G, which only a motion needs.
-        #[inline]
-        fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
-            Self::functions(inverse_r).0
-        }
-        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
-        #[inline]
-        fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
-            1.2 * contact.scale
-        }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
-        /// `constraint` is r²E times that maximum.
-        #[inline]
-        fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
-            let modulus_v = Scalar::abs(contact.v.re);
-            modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
-        }
-        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
-        #[inline]
-        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
-            let modulus_v = Scalar::abs(contact.v.re);
-            let modulus_h = Scalar::abs(contact.h.re);
-            modulus_v / (1.2 * modulus_h)
-        }
-    }
-    impl DeclaredMotion {
         /// β_lim and a·sgn V = β_lim·U/V over r from 0.5 to 2, to 1e-3:
         /// 4 pieces of degree 5, each Σ coefficients[j]·(r − origin)^j, and 8 buckets of 1/density; with β*_lim 504 bytes.
         /// Largest error 7.0e-4, at r = 0.9948819864394244: checked at 720 points that the fit did not see.
@@ -293,6 +223,70 @@ const _: () = {
             denominator: &[Factor::Zero { at: 1.0, rest: 0.0 }],
         };
     }
+    ::frictiongen::emitted_system!(DeclaredMotion, DeclaredMotionAt, f64, ["block"]);
+    ::frictiongen::kernel::wraps!(
+        DeclaredMotionAt, Compiled of tabled DeclaredMotion, Copy
+    );
+    impl Scene for DeclaredMotion {
+        type Scalar = f64;
+        type Decay = Undamped;
+        type Modes = [ModeAt<f64>; 1];
+        type Waves = [Wave<f64, Undamped>; 1];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f64> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f64]> {
+            Self::SHAPES.get(mass).map(<[f64; 1]>::as_slice)
+        }
+        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f64, f64) {
+            (3.8725919148493183e-121, 2.5822498780869086e120)
+        }
+        /// Working space of the searches, and of the waves of a motion.
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// A copy of the modes for a motion to keep.
+        #[inline]
+        fn kept(modes: &Self::Modes) -> Self::Modes {
+            *modes
+        }
+        /// All functions of the contact at 1/r, and of its modes.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
+            Self::functions(inverse_r)
+        }
+        /// Those of the contact without G, which only a motion needs.
+        #[inline]
+        fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
+            Self::functions(inverse_r).0
+        }
+        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
+            1.2 * contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
+        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// `constraint` is r²E times that maximum.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            let modulus_v = Scalar::abs(contact.v.re);
+            modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            let modulus_v = Scalar::abs(contact.v.re);
+            let modulus_h = Scalar::abs(contact.h.re);
+            modulus_v / (1.2 * modulus_h)
+        }
+    }
     impl Tabled for DeclaredMotion {
         #[inline]
         fn domain(&self) -> Domain<f64> {
@@ -335,9 +329,9 @@ const _: () = {
             )
         }
     }
-    ::frictiongen::kernel::not_provided!(DeclaredMotionAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(DeclaredMotion : stepper);
-    ::frictiongen::kernel::not_provided!(DeclaredMotion : simulation);
+    ::frictiongen::kernel::not_provided!(
+        DeclaredMotionAt : stuck, orbit; DeclaredMotion : simulation, stepper
+    );
     impl ProvidesMotion for DeclaredMotion {
         type Motion = Continuous<Self>;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
@@ -374,7 +368,8 @@ const _: () = {
         }
         /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
         /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
-        /// is left out.  Where x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+        /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
+        /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
         /// Powers of 2 keep products within the scalar's range, and cancel.
         #[allow(unused_variables)]
         fn mass_motion(
@@ -384,47 +379,47 @@ const _: () = {
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [mode_1] = at.modes();
-            let (fundamental, waves) = match mass {
-                0 => {
-                    let product = inverse_r * inverse_r;
-                    let u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-                    let rubbed_back = -u_in_sum;
-                    let mismatch_re = mode_1.response.re
-                        * ((if mode_1.x < 0.5 { contact.u } else { 0.0 })
-                            * 5.960464477539063e-8)
-                        + -contact.scale * (1.0 / product)
-                            * (rubbed_back * 5.960464477539063e-8);
-                    let ratio = 1.0 / contact.v.re;
-                    let product_2 = friction.unscale * 16777216.0;
-                    let friction_weight = friction.beta * friction.unscale;
-                    let rise = friction_weight * contact.scale;
-                    let swing = friction_weight * u_in_sum;
-                    (
-                        Fundamental {
-                            cosine: friction.root * 5.960464477539063e-8
-                                * (mode_1.response.re * ratio) * product_2,
-                            sine: friction.beta * (mismatch_re * ratio) * product_2,
-                            response: Complex {
-                                re: mode_1.response.re * friction.unscale,
-                                im: 0.0,
-                            },
+            if mass != 0 {
+                return None;
+            }
+            let product = inverse_r * inverse_r;
+            let r_squared = 1.0 / product;
+            let v_others_re = -contact.scale * r_squared;
+            let u_others = if mode_1.x < 0.5 { contact.u } else { 0.0 };
+            let u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+            let rubbed_back = -u_in_sum;
+            let u_in_range = u_others * 5.960464477539063e-8;
+            let mismatch_re = mode_1.response.re * u_in_range
+                + v_others_re * (rubbed_back * 5.960464477539063e-8);
+            let inverse_re = 1.0 / contact.v.re;
+            let root_in_range = friction.root * 5.960464477539063e-8;
+            let unscale_in_range = friction.unscale * 16777216.0;
+            let friction_weight = friction.beta * friction.unscale;
+            let rise = friction_weight * contact.scale;
+            let swing = friction_weight * u_in_sum;
+            let (fundamental, waves) = (
+                Fundamental {
+                    cosine: root_in_range * (mode_1.response.re * inverse_re)
+                        * unscale_in_range,
+                    sine: friction.beta * (mismatch_re * inverse_re) * unscale_in_range,
+                    response: Complex {
+                        re: mode_1.response.re * friction.unscale,
+                        im: 0.0,
+                    },
+                },
+                [
+                    mass_wave(
+                        mode_1.x,
+                        Undamped,
+                        ModalCoefficients {
+                            rise,
+                            fall: 0.0,
+                            swing,
+                            gain: product,
                         },
-                        [
-                            mass_wave(
-                                mode_1.x,
-                                Undamped,
-                                ModalCoefficients {
-                                    rise,
-                                    fall: 0.0,
-                                    swing,
-                                    gain: product,
-                                },
-                            ),
-                        ],
-                    )
-                }
-                _ => return None,
-            };
+                    ),
+                ],
+            );
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }

@@ -109,8 +109,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl Five {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -225,10 +223,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(Five, FiveAt, f64, ["m1", "m2", "m3", "m4", "m5"]);
-    ::frictiongen::kernel::wraps!(FiveAt, At of Five, Copy);
-    impl Five {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 5]; 5] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
@@ -271,6 +267,8 @@ const _: () = {
             let u_times_r = 4.0 / mode.q * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
             let u = u_times_r / x;
+            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                * pole_weight + mode.zeta * u_times_r;
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -279,8 +277,6 @@ const _: () = {
             } else {
                 0.0
             };
-            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                * pole_weight + mode.zeta * u_times_r;
             ModeResponse {
                 x,
                 denominator: Complex { re: detuning, im: loss },
@@ -300,11 +296,12 @@ const _: () = {
         fn functions<const WITH_G: bool>(
             inverse_r: f64,
         ) -> (ContactAt<f64>, [ModeAt<f64>; 5]) {
-            let mode_1 = Self::damped_mode::<WITH_G>(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::damped_mode::<WITH_G>(&Self::MODES[1], inverse_r);
-            let mode_3 = Self::damped_mode::<WITH_G>(&Self::MODES[2], inverse_r);
-            let mode_4 = Self::damped_mode::<WITH_G>(&Self::MODES[3], inverse_r);
-            let mode_5 = Self::damped_mode::<WITH_G>(&Self::MODES[4], inverse_r);
+            let [constants_1, constants_2, constants_3, constants_4, constants_5] = &Self::MODES;
+            let mode_1 = Self::damped_mode::<WITH_G>(constants_1, inverse_r);
+            let mode_2 = Self::damped_mode::<WITH_G>(constants_2, inverse_r);
+            let mode_3 = Self::damped_mode::<WITH_G>(constants_3, inverse_r);
+            let mode_4 = Self::damped_mode::<WITH_G>(constants_4, inverse_r);
+            let mode_5 = Self::damped_mode::<WITH_G>(constants_5, inverse_r);
             let scale = Scalar::min(
                 Scalar::min(
                     Scalar::min(Scalar::min(mode_1.size, mode_2.size), mode_3.size),
@@ -320,34 +317,34 @@ const _: () = {
                 Self::CHAIN.at_scale(&mode_5, scale),
             ];
             let [at_1, at_2, at_3, at_4, at_5] = &modes;
-            let v_re = at_1.response.re * 0.028862994030694332
-                + at_2.response.re * 0.20769360695877911
-                + at_3.response.re * 0.35627144974809044
-                + at_4.response.re * 0.30088376980823367
-                + at_5.response.re * 0.10628817945420246;
-            let v_im = at_1.response.im * 0.028862994030694332
-                + at_2.response.im * 0.20769360695877911
-                + at_3.response.im * 0.35627144974809044
-                + at_4.response.im * 0.30088376980823367
-                + at_5.response.im * 0.10628817945420246;
-            let u = 0.028862994030694332 * at_1.u + 0.20769360695877911 * at_2.u
-                + 0.35627144974809044 * at_3.u + 0.30088376980823367 * at_4.u
-                + 0.10628817945420246 * at_5.u;
+            let v_re = at_1.response.re * constants_1.inverse_mass
+                + at_2.response.re * constants_2.inverse_mass
+                + at_3.response.re * constants_3.inverse_mass
+                + at_4.response.re * constants_4.inverse_mass
+                + at_5.response.re * constants_5.inverse_mass;
+            let v_im = at_1.response.im * constants_1.inverse_mass
+                + at_2.response.im * constants_2.inverse_mass
+                + at_3.response.im * constants_3.inverse_mass
+                + at_4.response.im * constants_4.inverse_mass
+                + at_5.response.im * constants_5.inverse_mass;
+            let u = constants_1.inverse_mass * at_1.u + constants_2.inverse_mass * at_2.u
+                + constants_3.inverse_mass * at_3.u + constants_4.inverse_mass * at_4.u
+                + constants_5.inverse_mass * at_5.u;
+            let reversal = constants_1.inverse_mass
+                * (mode_1.reversal * (scale / mode_1.size))
+                + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size))
+                + constants_3.inverse_mass * (mode_3.reversal * (scale / mode_3.size))
+                + constants_4.inverse_mass * (mode_4.reversal * (scale / mode_4.size))
+                + constants_5.inverse_mass * (mode_5.reversal * (scale / mode_5.size));
             let g = if WITH_G {
-                0.028862994030694332 * (at_1.g / (at_1.x * at_1.x))
-                    + 0.20769360695877911 * (at_2.g / (at_2.x * at_2.x))
-                    + 0.35627144974809044 * (at_3.g / (at_3.x * at_3.x))
-                    + 0.30088376980823367 * (at_4.g / (at_4.x * at_4.x))
-                    + 0.10628817945420246 * (at_5.g / (at_5.x * at_5.x))
+                constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
+                    + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
+                    + constants_3.inverse_mass * (at_3.g / (at_3.x * at_3.x))
+                    + constants_4.inverse_mass * (at_4.g / (at_4.x * at_4.x))
+                    + constants_5.inverse_mass * (at_5.g / (at_5.x * at_5.x))
             } else {
                 0.0
             };
-            let reversal = 0.028862994030694332
-                * (mode_1.reversal * (scale / mode_1.size))
-                + 0.20769360695877911 * (mode_2.reversal * (scale / mode_2.size))
-                + 0.35627144974809044 * (mode_3.reversal * (scale / mode_3.size))
-                + 0.30088376980823367 * (mode_4.reversal * (scale / mode_4.size))
-                + 0.10628817945420246 * (mode_5.reversal * (scale / mode_5.size));
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: v_im },
@@ -359,6 +356,8 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::emitted_system!(Five, FiveAt, f64, ["m1", "m2", "m3", "m4", "m5"]);
+    ::frictiongen::kernel::wraps!(FiveAt, At of Five, Copy);
     impl Scene for Five {
         type Scalar = f64;
         type Decay = Damped<f64>;
@@ -371,64 +370,7 @@ const _: () = {
         /// φ of a mass, by modes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
-            match mass {
-                0 => {
-                    Some(
-                        &[
-                            0.16989112404918136,
-                            0.4557341406552499,
-                            0.5968847876668415,
-                            0.5485287319805897,
-                            0.32601867960931696,
-                        ],
-                    )
-                }
-                1 => {
-                    Some(
-                        &[
-                            0.32601867960931696,
-                            0.5968847876668415,
-                            0.16989112404918136,
-                            -0.4557341406552499,
-                            -0.5485287319805897,
-                        ],
-                    )
-                }
-                2 => {
-                    Some(
-                        &[
-                            0.4557341406552499,
-                            0.32601867960931696,
-                            -0.5485287319805897,
-                            -0.16989112404918136,
-                            0.5968847876668415,
-                        ],
-                    )
-                }
-                3 => {
-                    Some(
-                        &[
-                            0.5485287319805897,
-                            -0.16989112404918136,
-                            -0.32601867960931696,
-                            0.5968847876668415,
-                            -0.4557341406552499,
-                        ],
-                    )
-                }
-                4 => {
-                    Some(
-                        &[
-                            0.5968847876668415,
-                            -0.5485287319805897,
-                            0.4557341406552499,
-                            -0.32601867960931696,
-                            0.16989112404918136,
-                        ],
-                    )
-                }
-                _ => None,
-            }
+            Self::SHAPES.get(mass).map(<[f64; 5]>::as_slice)
         }
         /// Whether the motion of this mass is provided; others have shapes for the stuck response alone.
         #[inline]
@@ -484,9 +426,7 @@ const _: () = {
             1.0
         }
     }
-    ::frictiongen::kernel::not_provided!(FiveAt : orbit);
-    ::frictiongen::kernel::not_provided!(Five : stepper);
-    ::frictiongen::kernel::not_provided!(Five : simulation);
+    ::frictiongen::kernel::not_provided!(FiveAt : orbit; Five : simulation, stepper);
     ::frictiongen::kernel::left_out!(FiveMotion : m1, m2, m3, m4);
     impl ProvidesMotion for Five {
         type Motion = FiveMotion;

@@ -58,8 +58,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
             friction / load
         }
-    }
-    impl LimitsOnly {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -135,10 +133,6 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(LimitsOnly, LimitsOnlyAt, f32, ["lower", "upper"]);
-    ::frictiongen::kernel::wraps!(LimitsOnlyAt, At of LimitsOnly, Copy);
-    impl LimitsOnly {
         /// The functions of an undamped mode.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.
@@ -169,17 +163,21 @@ const _: () = {
         /// Operations: 40: 18 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline(always)]
         fn functions(inverse_r: f32) -> (ContactAt<f32>, [ModeAt<f32>; 2]) {
-            let mode_1 = Self::undamped_mode(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::undamped_mode(&Self::MODES[1], inverse_r);
+            let [constants_1, constants_2] = &Self::MODES;
+            let mode_1 = Self::undamped_mode(constants_1, inverse_r);
+            let mode_2 = Self::undamped_mode(constants_2, inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
-            let v_re = at_1.response.re * 0.4472136 + at_2.response.re * -0.4472136;
-            let h_re = at_1.response.re * 0.7236068 + at_2.response.re * 0.2763932;
-            let u = 0.7236068 * at_1.u + 0.2763932 * at_2.u;
+            let v_re = at_1.response.re * constants_1.residue
+                + at_2.response.re * constants_2.residue;
+            let h_re = at_1.response.re * constants_1.inverse_mass
+                + at_2.response.re * constants_2.inverse_mass;
+            let u = constants_1.inverse_mass * at_1.u
+                + constants_2.inverse_mass * at_2.u;
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: 0.0 },
@@ -191,6 +189,8 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::emitted_system!(LimitsOnly, LimitsOnlyAt, f32, ["lower", "upper"]);
+    ::frictiongen::kernel::wraps!(LimitsOnlyAt, At of LimitsOnly, Copy);
     impl Scene for LimitsOnly {
         type Scalar = f32;
         type Decay = Undamped;
@@ -246,7 +246,7 @@ const _: () = {
             modulus_v / modulus_h
         }
     }
-    ::frictiongen::kernel::not_provided!(LimitsOnlyAt : motion, stuck, orbit);
-    ::frictiongen::kernel::not_provided!(LimitsOnly : stepper);
-    ::frictiongen::kernel::not_provided!(LimitsOnly : simulation);
+    ::frictiongen::kernel::not_provided!(
+        LimitsOnlyAt : motion, stuck, orbit; LimitsOnly : simulation, stepper
+    );
 };

@@ -70,8 +70,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl OneMotion {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -160,10 +158,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(OneMotion, OneMotionAt, f64, ["m1", "m2", "m3"]);
-    ::frictiongen::kernel::wraps!(OneMotionAt, At of OneMotion, Copy);
-    impl OneMotion {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 3]; 3] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
@@ -206,6 +202,8 @@ const _: () = {
             let u_times_r = 4.0 / mode.q * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
             let u = u_times_r / x;
+            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                * pole_weight + mode.zeta * u_times_r;
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -214,8 +212,6 @@ const _: () = {
             } else {
                 0.0
             };
-            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                * pole_weight + mode.zeta * u_times_r;
             ModeResponse {
                 x,
                 denominator: Complex { re: detuning, im: loss },
@@ -235,9 +231,10 @@ const _: () = {
         fn functions<const WITH_G: bool>(
             inverse_r: f64,
         ) -> (ContactAt<f64>, [ModeAt<f64>; 3]) {
-            let mode_1 = Self::damped_mode::<WITH_G>(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::damped_mode::<WITH_G>(&Self::MODES[1], inverse_r);
-            let mode_3 = Self::damped_mode::<WITH_G>(&Self::MODES[2], inverse_r);
+            let [constants_1, constants_2, constants_3] = &Self::MODES;
+            let mode_1 = Self::damped_mode::<WITH_G>(constants_1, inverse_r);
+            let mode_2 = Self::damped_mode::<WITH_G>(constants_2, inverse_r);
+            let mode_3 = Self::damped_mode::<WITH_G>(constants_3, inverse_r);
             let scale = Scalar::min(Scalar::min(mode_1.size, mode_2.size), mode_3.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
@@ -245,30 +242,31 @@ const _: () = {
                 Self::CHAIN.at_scale(&mode_3, scale),
             ];
             let [at_1, at_2, at_3] = &modes;
-            let v_re = at_1.response.re * 0.10746102403131443
-                + at_2.response.re * -0.0700949313135159
-                + at_3.response.re * -0.037366092717798526;
-            let v_im = at_1.response.im * 0.10746102403131443
-                + at_2.response.im * -0.0700949313135159
-                + at_3.response.im * -0.037366092717798526;
-            let h_re = at_1.response.re * 0.3489205086309713
-                + at_2.response.re * 0.005132254926116756
-                + at_3.response.re * 0.14594723644291194;
-            let h_im = at_1.response.im * 0.3489205086309713
-                + at_2.response.im * 0.005132254926116756
-                + at_3.response.im * 0.14594723644291194;
-            let u = 0.3489205086309713 * at_1.u + 0.005132254926116756 * at_2.u
-                + 0.14594723644291194 * at_3.u;
+            let v_re = at_1.response.re * constants_1.residue
+                + at_2.response.re * constants_2.residue
+                + at_3.response.re * constants_3.residue;
+            let v_im = at_1.response.im * constants_1.residue
+                + at_2.response.im * constants_2.residue
+                + at_3.response.im * constants_3.residue;
+            let h_re = at_1.response.re * constants_1.inverse_mass
+                + at_2.response.re * constants_2.inverse_mass
+                + at_3.response.re * constants_3.inverse_mass;
+            let h_im = at_1.response.im * constants_1.inverse_mass
+                + at_2.response.im * constants_2.inverse_mass
+                + at_3.response.im * constants_3.inverse_mass;
+            let u = constants_1.inverse_mass * at_1.u + constants_2.inverse_mass * at_2.u
+                + constants_3.inverse_mass * at_3.u;
+            let reversal = constants_1.inverse_mass
+                * (mode_1.reversal * (scale / mode_1.size))
+                + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size))
+                + constants_3.inverse_mass * (mode_3.reversal * (scale / mode_3.size));
             let g = if WITH_G {
-                0.3489205086309713 * (at_1.g / (at_1.x * at_1.x))
-                    + 0.005132254926116756 * (at_2.g / (at_2.x * at_2.x))
-                    + 0.14594723644291194 * (at_3.g / (at_3.x * at_3.x))
+                constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
+                    + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
+                    + constants_3.inverse_mass * (at_3.g / (at_3.x * at_3.x))
             } else {
                 0.0
             };
-            let reversal = 0.3489205086309713 * (mode_1.reversal * (scale / mode_1.size))
-                + 0.005132254926116756 * (mode_2.reversal * (scale / mode_2.size))
-                + 0.14594723644291194 * (mode_3.reversal * (scale / mode_3.size));
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: v_im },
@@ -280,6 +278,8 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::emitted_system!(OneMotion, OneMotionAt, f64, ["m1", "m2", "m3"]);
+    ::frictiongen::kernel::wraps!(OneMotionAt, At of OneMotion, Copy);
     impl Scene for OneMotion {
         type Scalar = f64;
         type Decay = Damped<f64>;
@@ -293,9 +293,7 @@ const _: () = {
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
             match mass {
-                2 => {
-                    Some(&[0.6199803993960765, -0.21513493245568865, 0.9989558017116655])
-                }
+                2 => Some(&Self::SHAPES[2]),
                 _ => None,
             }
         }
@@ -345,9 +343,9 @@ const _: () = {
             modulus_v / (1.5 * modulus_h)
         }
     }
-    ::frictiongen::kernel::not_provided!(OneMotionAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(OneMotion : stepper);
-    ::frictiongen::kernel::not_provided!(OneMotion : simulation);
+    ::frictiongen::kernel::not_provided!(
+        OneMotionAt : stuck, orbit; OneMotion : simulation, stepper
+    );
     ::frictiongen::kernel::left_out!(OneMotionMotion : m1, m2);
     impl ProvidesMotion for OneMotion {
         type Motion = OneMotionMotion;

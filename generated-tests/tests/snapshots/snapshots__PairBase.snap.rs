@@ -65,8 +65,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl PairBase {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -142,10 +140,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(PairBase, PairBaseAt, f64, ["lower", "upper"]);
-    ::frictiongen::kernel::wraps!(PairBaseAt, At of PairBase, Copy);
-    impl PairBase {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of an undamped mode.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.
@@ -177,20 +173,22 @@ const _: () = {
         /// Operations: 43: 20 ×, 7 +, 5 compare, 5 ÷, 4 sign, 2 sin_cos_pi.
         #[inline(always)]
         fn functions(inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            let mode_1 = Self::undamped_mode(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::undamped_mode(&Self::MODES[1], inverse_r);
+            let [constants_1, constants_2] = &Self::MODES;
+            let mode_1 = Self::undamped_mode(constants_1, inverse_r);
+            let mode_2 = Self::undamped_mode(constants_2, inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
-            let h_re = at_1.response.re * 0.29660811378401175
-                + at_2.response.re * 0.7033918862159882;
-            let u = 0.29660811378401175 * at_1.u + 0.7033918862159882 * at_2.u;
-            let v_re = (at_1.response.re * 0.7519713814184001
-                + at_2.response.re * 0.2480286185815999)
-                * (1.0 / (inverse_r * inverse_r));
+            let h_re = at_1.response.re * constants_1.inverse_mass
+                + at_2.response.re * constants_2.inverse_mass;
+            let u = constants_1.inverse_mass * at_1.u
+                + constants_2.inverse_mass * at_2.u;
+            let r_squared = 1.0 / (inverse_r * inverse_r);
+            let v_re = (at_1.response.re * constants_1.static_residue
+                + at_2.response.re * constants_2.static_residue) * r_squared;
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: 0.0 },
@@ -202,6 +200,8 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::emitted_system!(PairBase, PairBaseAt, f64, ["lower", "upper"]);
+    ::frictiongen::kernel::wraps!(PairBaseAt, At of PairBase, Copy);
     impl Scene for PairBase {
         type Scalar = f64;
         type Decay = Undamped;
@@ -214,11 +214,7 @@ const _: () = {
         /// φ of a mass, by modes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
-            match mass {
-                0 => Some(&[0.5446174012864552, 0.8386846166563378]),
-                1 => Some(&[0.8412612267718186, -0.5462905769681745]),
-                _ => None,
-            }
+            Self::SHAPES.get(mass).map(<[f64; 2]>::as_slice)
         }
         /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
@@ -266,9 +262,9 @@ const _: () = {
             modulus_v / modulus_h
         }
     }
-    ::frictiongen::kernel::not_provided!(PairBaseAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(PairBase : stepper);
-    ::frictiongen::kernel::not_provided!(PairBase : simulation);
+    ::frictiongen::kernel::not_provided!(
+        PairBaseAt : stuck, orbit; PairBase : simulation, stepper
+    );
     impl ProvidesMotion for PairBase {
         type Motion = PairBaseMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
@@ -277,12 +273,13 @@ const _: () = {
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
             let friction_weight = friction.beta * friction.unscale;
-            let mode_1_friction_force = friction_weight * 0.29660811378401175;
+            let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
             let mode_1_rise = mode_1_friction_force * contact.scale;
             let mode_1_swing = mode_1_friction_force * mode_1.u;
-            let mode_2_friction_force = friction_weight * 0.7033918862159882;
+            let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
             let mode_2_rise = mode_2_friction_force * contact.scale;
             let mode_2_swing = mode_2_friction_force * mode_2.u;
             let fundamental = Fundamental {
@@ -301,7 +298,7 @@ const _: () = {
                         rise: mode_1_rise,
                         fall: 0.0,
                         swing: mode_1_swing,
-                        gain: 0.29660811378401175 * inverse_r * inverse_r,
+                        gain: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
                 motion_wave(
@@ -311,7 +308,7 @@ const _: () = {
                         rise: mode_2_rise,
                         fall: 0.0,
                         swing: mode_2_swing,
-                        gain: 0.7033918862159882 * inverse_r * inverse_r,
+                        gain: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
             ];
@@ -319,7 +316,8 @@ const _: () = {
         }
         /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
         /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
-        /// is left out.  Where x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+        /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
+        /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
         /// Powers of 2 keep products within the scalar's range, and cancel.
         #[allow(unused_variables)]
         fn mass_motion(
@@ -328,34 +326,40 @@ const _: () = {
             mass: usize,
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
+            let mode_2_v_term_re = mode_2.response.re * constants_2.static_residue;
+            let mode_2_u_term = constants_2.inverse_mass * mode_2.u;
+            let r_squared = 1.0 / (inverse_r * inverse_r);
+            let mode_1_v_others_re = (mode_2_v_term_re
+                + -constants_1.static_residue * contact.scale) * r_squared;
+            let mode_1_u_others = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
+            let mode_1_v_term_re = mode_1.response.re * constants_1.static_residue;
+            let mode_1_u_term = constants_1.inverse_mass * mode_1.u;
+            let mode_2_v_others_re = (mode_1_v_term_re
+                + -constants_2.static_residue * contact.scale) * r_squared;
+            let mode_2_u_others = if mode_2.x < 0.5 { contact.u } else { mode_1_u_term };
+            let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+            let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+            let u_in_range = mode_1_u_others * 5.960464477539063e-8;
+            let u_in_range_2 = mode_2_u_others * 5.960464477539063e-8;
+            let inverse_re = 1.0 / contact.v.re;
+            let root_in_range = friction.root * 5.960464477539063e-8;
+            let unscale_in_range = friction.unscale * 16777216.0;
+            let friction_weight = friction.beta * friction.unscale;
             let (fundamental, waves) = match mass {
                 0 => {
-                    let mode_2_u_term = 0.7033918862159882 * mode_2.u;
-                    let mode_2_driven_re = mode_2.response.re * 0.7033918862159882;
-                    let ratio = 1.0 / (inverse_r * inverse_r);
-                    let mode_1_u_term = 0.29660811378401175 * mode_1.u;
                     let mode_1_driven_re = mode_1.response.re * 0.29660811378401175;
-                    let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
                     let mode_1_rubbed_back = -(0.29660811378401175 * mode_1_u_in_sum);
-                    let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+                    let mode_2_driven_re = mode_2.response.re * 0.7033918862159882;
                     let mode_2_rubbed_back = -(0.7033918862159882 * mode_2_u_in_sum);
                     let response_re = mode_1_driven_re + mode_2_driven_re;
-                    let mismatch_re = mode_1_driven_re
-                        * ((if mode_1.x < 0.5 { contact.u } else { mode_2_u_term })
-                            * 5.960464477539063e-8)
-                        + (mode_2.response.re * 0.2480286185815999
-                            + -0.7519713814184001 * contact.scale) * ratio
+                    let mismatch_re = mode_1_driven_re * u_in_range
+                        + mode_1_v_others_re
                             * (mode_1_rubbed_back * 5.960464477539063e-8)
-                        + (mode_2_driven_re
-                            * ((if mode_2.x < 0.5 { contact.u } else { mode_1_u_term })
-                                * 5.960464477539063e-8)
-                            + (mode_1.response.re * 0.7519713814184001
-                                + -0.2480286185815999 * contact.scale) * ratio
+                        + (mode_2_driven_re * u_in_range_2
+                            + mode_2_v_others_re
                                 * (mode_2_rubbed_back * 5.960464477539063e-8));
-                    let ratio_2 = 1.0 / contact.v.re;
-                    let product = friction.unscale * 16777216.0;
-                    let friction_weight = friction.beta * friction.unscale;
                     let mode_1_friction_force = friction_weight * 0.29660811378401175;
                     let mode_1_rise = mode_1_friction_force * contact.scale;
                     let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
@@ -364,9 +368,10 @@ const _: () = {
                     let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
                     (
                         Fundamental {
-                            cosine: friction.root * 5.960464477539063e-8
-                                * (response_re * ratio_2) * product,
-                            sine: friction.beta * (mismatch_re * ratio_2) * product,
+                            cosine: root_in_range * (response_re * inverse_re)
+                                * unscale_in_range,
+                            sine: friction.beta * (mismatch_re * inverse_re)
+                                * unscale_in_range,
                             response: Complex {
                                 re: response_re * friction.unscale,
                                 im: 0.0,
@@ -397,31 +402,17 @@ const _: () = {
                     )
                 }
                 1 => {
-                    let mode_2_u_term = 0.7033918862159882 * mode_2.u;
-                    let ratio = 1.0 / (inverse_r * inverse_r);
-                    let mode_1_u_term = 0.29660811378401175 * mode_1.u;
                     let mode_1_driven_re = mode_1.response.re * 0.4581655031275231;
-                    let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
                     let mode_1_rubbed_back = -(0.4581655031275231 * mode_1_u_in_sum);
                     let mode_2_driven_re = mode_2.response.re * -0.458165503127523;
-                    let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
                     let mode_2_rubbed_back = -(-0.458165503127523 * mode_2_u_in_sum);
                     let response_re = mode_1_driven_re + mode_2_driven_re;
-                    let mismatch_re = mode_1_driven_re
-                        * ((if mode_1.x < 0.5 { contact.u } else { mode_2_u_term })
-                            * 5.960464477539063e-8)
-                        + (mode_2.response.re * 0.2480286185815999
-                            + -0.7519713814184001 * contact.scale) * ratio
+                    let mismatch_re = mode_1_driven_re * u_in_range
+                        + mode_1_v_others_re
                             * (mode_1_rubbed_back * 5.960464477539063e-8)
-                        + (mode_2_driven_re
-                            * ((if mode_2.x < 0.5 { contact.u } else { mode_1_u_term })
-                                * 5.960464477539063e-8)
-                            + (mode_1.response.re * 0.7519713814184001
-                                + -0.2480286185815999 * contact.scale) * ratio
+                        + (mode_2_driven_re * u_in_range_2
+                            + mode_2_v_others_re
                                 * (mode_2_rubbed_back * 5.960464477539063e-8));
-                    let ratio_2 = 1.0 / contact.v.re;
-                    let product = friction.unscale * 16777216.0;
-                    let friction_weight = friction.beta * friction.unscale;
                     let mode_1_friction_force = friction_weight * 0.4581655031275231;
                     let mode_1_rise = mode_1_friction_force * contact.scale;
                     let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
@@ -430,9 +421,10 @@ const _: () = {
                     let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
                     (
                         Fundamental {
-                            cosine: friction.root * 5.960464477539063e-8
-                                * (response_re * ratio_2) * product,
-                            sine: friction.beta * (mismatch_re * ratio_2) * product,
+                            cosine: root_in_range * (response_re * inverse_re)
+                                * unscale_in_range,
+                            sine: friction.beta * (mismatch_re * inverse_re)
+                                * unscale_in_range,
                             response: Complex {
                                 re: response_re * friction.unscale,
                                 im: 0.0,

@@ -80,16 +80,14 @@ const _: () = {
         pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
             friction / load
         }
-    }
-    ::frictiongen::kernel::not_provided!(Pushed : limits);
-    ::frictiongen::kernel::not_provided!(Pushed : simulation);
-    impl Pushed {
+        /// φ of all modes, [mass][mode].
+        const ALL_SHAPES: [[f32; 1]; 1] = transposed(&Self::MODE_SHAPES);
         /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
         /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
         /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
         /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
         const DYNAMICS: Dynamics<'static, f32> = Dynamics {
-            chain: Pushed::CHAIN,
+            chain: Self::CHAIN,
             modes: &[
                 Mode {
                     kind: Kind::Undamped,
@@ -107,12 +105,10 @@ const _: () = {
             ],
             held: &[],
             shares: &[],
-            shapes: &[1.0],
+            shapes: Self::ALL_SHAPES.as_flattened(),
             weights: &[1.0],
             rubbing: Some(0),
         };
-    }
-    impl Pushed {
         /// What a stepper is told of the scene: `units`: k₁, √(k₁/m₁) in rad/s and the springs to the base over k₁;
         /// `forces`: the loaded masses; `law`: Stribeck's points, speed and kinetic friction over F.
         const STEP_SCENE: StepScene<'static, f32> = StepScene {
@@ -156,6 +152,7 @@ const _: () = {
                 .map(From::from)
         }
     }
+    ::frictiongen::kernel::not_provided!(Pushed : limits, simulation);
     ::frictiongen::kernel::wraps!(PushedStepper, FixedStepper of f32, 1, 1, 0, 1);
     impl PushedStepper {
         /// Says what the input is before the first step; otherwise it is none.

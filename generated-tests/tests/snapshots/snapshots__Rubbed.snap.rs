@@ -57,16 +57,14 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    ::frictiongen::kernel::not_provided!(Rubbed : limits);
-    ::frictiongen::kernel::not_provided!(Rubbed : stepper);
-    impl Rubbed {
+        /// φ of all modes, [mass][mode].
+        const ALL_SHAPES: [[f64; 1]; 1] = transposed(&Self::MODE_SHAPES);
         /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
         /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
         /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
         /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
         const DYNAMICS: Dynamics<'static, f64> = Dynamics {
-            chain: Rubbed::CHAIN,
+            chain: Self::CHAIN,
             modes: &[
                 Mode {
                     kind: Kind::Undamped,
@@ -84,12 +82,10 @@ const _: () = {
             ],
             held: &[],
             shares: &[],
-            shapes: &[1.0],
+            shapes: Self::ALL_SHAPES.as_flattened(),
             weights: &[1.0],
             rubbing: Some(0),
         };
-    }
-    impl Rubbed {
         /// The points of the friction law: speed, and kinetic friction over F.
         const LAW: &'static [[f64; 2]] = &[[0.02, 0.7], [0.1, 0.55]];
         /// The velocity for which dz̄/dτ is 1, where r and the load's amplitude are.
@@ -131,6 +127,7 @@ const _: () = {
                 .map(From::from)
         }
     }
+    ::frictiongen::kernel::not_provided!(Rubbed : limits, stepper);
     ::frictiongen::kernel::wraps!(RubbedSimulation, FixedLinesSimulation of f64, 1);
     impl RubbedSimulation {
         /// Displacement and velocity of mass `block` now.

@@ -59,8 +59,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl SdofBase {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -123,10 +121,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(SdofBase, SdofBaseAt, f64, ["block"]);
-    ::frictiongen::kernel::wraps!(SdofBaseAt, At of SdofBase, Copy);
-    impl SdofBase {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 1]; 1] = transposed(&Self::MODE_SHAPES);
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: H, U, G and r²H_c of (φᵀw)² times `response`,
@@ -148,7 +144,8 @@ const _: () = {
             let size = Scalar::abs(detuning);
             let u = sine * size / (inverse_r * cosine);
             let h_re = Scalar::copysign(1.0, detuning);
-            let v_re = h_re * (1.0 / (inverse_r * inverse_r));
+            let r_squared = 1.0 / (inverse_r * inverse_r);
+            let v_re = h_re * r_squared;
             let contact = ContactAt {
                 scale: size,
                 v: Complex { re: v_re, im: 0.0 },
@@ -168,6 +165,8 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::emitted_system!(SdofBase, SdofBaseAt, f64, ["block"]);
+    ::frictiongen::kernel::wraps!(SdofBaseAt, At of SdofBase, Copy);
     impl Scene for SdofBase {
         type Scalar = f64;
         type Decay = Undamped;
@@ -180,10 +179,7 @@ const _: () = {
         /// φ of a mass, by modes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
-            match mass {
-                0 => Some(&[1.0]),
-                _ => None,
-            }
+            Self::SHAPES.get(mass).map(<[f64; 1]>::as_slice)
         }
         /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
@@ -231,9 +227,9 @@ const _: () = {
             modulus_v / modulus_h
         }
     }
-    ::frictiongen::kernel::not_provided!(SdofBaseAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(SdofBase : stepper);
-    ::frictiongen::kernel::not_provided!(SdofBase : simulation);
+    ::frictiongen::kernel::not_provided!(
+        SdofBaseAt : stuck, orbit; SdofBase : simulation, stepper
+    );
     impl ProvidesMotion for SdofBase {
         type Motion = SdofBaseMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
@@ -270,7 +266,8 @@ const _: () = {
         }
         /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
         /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
-        /// is left out.  Where x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+        /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
+        /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
         /// Powers of 2 keep products within the scalar's range, and cancel.
         #[allow(unused_variables)]
         fn mass_motion(
@@ -280,47 +277,47 @@ const _: () = {
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [mode_1] = at.modes();
-            let (fundamental, waves) = match mass {
-                0 => {
-                    let product = inverse_r * inverse_r;
-                    let u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-                    let rubbed_back = -u_in_sum;
-                    let mismatch_re = mode_1.response.re
-                        * ((if mode_1.x < 0.5 { contact.u } else { 0.0 })
-                            * 5.960464477539063e-8)
-                        + -contact.scale * (1.0 / product)
-                            * (rubbed_back * 5.960464477539063e-8);
-                    let ratio = 1.0 / contact.v.re;
-                    let product_2 = friction.unscale * 16777216.0;
-                    let friction_weight = friction.beta * friction.unscale;
-                    let rise = friction_weight * contact.scale;
-                    let swing = friction_weight * u_in_sum;
-                    (
-                        Fundamental {
-                            cosine: friction.root * 5.960464477539063e-8
-                                * (mode_1.response.re * ratio) * product_2,
-                            sine: friction.beta * (mismatch_re * ratio) * product_2,
-                            response: Complex {
-                                re: mode_1.response.re * friction.unscale,
-                                im: 0.0,
-                            },
+            if mass != 0 {
+                return None;
+            }
+            let product = inverse_r * inverse_r;
+            let r_squared = 1.0 / product;
+            let v_others_re = -contact.scale * r_squared;
+            let u_others = if mode_1.x < 0.5 { contact.u } else { 0.0 };
+            let u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+            let rubbed_back = -u_in_sum;
+            let u_in_range = u_others * 5.960464477539063e-8;
+            let mismatch_re = mode_1.response.re * u_in_range
+                + v_others_re * (rubbed_back * 5.960464477539063e-8);
+            let inverse_re = 1.0 / contact.v.re;
+            let root_in_range = friction.root * 5.960464477539063e-8;
+            let unscale_in_range = friction.unscale * 16777216.0;
+            let friction_weight = friction.beta * friction.unscale;
+            let rise = friction_weight * contact.scale;
+            let swing = friction_weight * u_in_sum;
+            let (fundamental, waves) = (
+                Fundamental {
+                    cosine: root_in_range * (mode_1.response.re * inverse_re)
+                        * unscale_in_range,
+                    sine: friction.beta * (mismatch_re * inverse_re) * unscale_in_range,
+                    response: Complex {
+                        re: mode_1.response.re * friction.unscale,
+                        im: 0.0,
+                    },
+                },
+                [
+                    mass_wave(
+                        mode_1.x,
+                        Undamped,
+                        ModalCoefficients {
+                            rise,
+                            fall: 0.0,
+                            swing,
+                            gain: product,
                         },
-                        [
-                            mass_wave(
-                                mode_1.x,
-                                Undamped,
-                                ModalCoefficients {
-                                    rise,
-                                    fall: 0.0,
-                                    swing,
-                                    gain: product,
-                                },
-                            ),
-                        ],
-                    )
-                }
-                _ => return None,
-            };
+                    ),
+                ],
+            );
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }

@@ -58,8 +58,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl SdofDamped {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -122,10 +120,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(SdofDamped, SdofDampedAt, f64, ["block"]);
-    ::frictiongen::kernel::wraps!(SdofDampedAt, At of SdofDamped, Copy);
-    impl SdofDamped {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 1]; 1] = transposed(&Self::MODE_SHAPES);
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
@@ -171,6 +167,8 @@ const _: () = {
             let u_times_r = 4.005009394574071 * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
             let u = u_times_r / inverse_r;
+            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                * pole_weight + 0.05 * u_times_r;
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -179,8 +177,6 @@ const _: () = {
             } else {
                 0.0
             };
-            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                * pole_weight + 0.05 * u_times_r;
             let inverse_size = 1.0 / size;
             let unit_re = detuning * inverse_size;
             let unit_im = loss * inverse_size;
@@ -216,6 +212,8 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::emitted_system!(SdofDamped, SdofDampedAt, f64, ["block"]);
+    ::frictiongen::kernel::wraps!(SdofDampedAt, At of SdofDamped, Copy);
     impl Scene for SdofDamped {
         type Scalar = f64;
         type Decay = Damped<f64>;
@@ -228,10 +226,7 @@ const _: () = {
         /// φ of a mass, by modes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
-            match mass {
-                0 => Some(&[1.0]),
-                _ => None,
-            }
+            Self::SHAPES.get(mass).map(<[f64; 1]>::as_slice)
         }
         /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
@@ -279,9 +274,9 @@ const _: () = {
             1.0
         }
     }
-    ::frictiongen::kernel::not_provided!(SdofDampedAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(SdofDamped : stepper);
-    ::frictiongen::kernel::not_provided!(SdofDamped : simulation);
+    ::frictiongen::kernel::not_provided!(
+        SdofDampedAt : stuck, orbit; SdofDamped : simulation, stepper
+    );
     impl ProvidesMotion for SdofDamped {
         type Motion = SdofDampedMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
@@ -290,6 +285,7 @@ const _: () = {
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1] = &Self::MODES;
             let [mode_1] = at.modes();
             let friction_weight = friction.beta * friction.unscale;
             let fall = friction_weight * (mode_1.g / (mode_1.x * mode_1.x));
@@ -306,7 +302,7 @@ const _: () = {
             let waves = [
                 motion_wave(
                     mode_1.x,
-                    <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
+                    <Damped<f64> as Decay<f64>>::of(constants_1),
                     ModalCoefficients {
                         rise,
                         fall,

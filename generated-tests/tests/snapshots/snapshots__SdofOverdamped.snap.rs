@@ -60,8 +60,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl SdofOverdamped {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -124,10 +122,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(SdofOverdamped, SdofOverdampedAt, f64, ["block"]);
-    ::frictiongen::kernel::wraps!(SdofOverdampedAt, At of SdofOverdamped, Copy);
-    impl SdofOverdamped {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 1]; 1] = transposed(&Self::MODE_SHAPES);
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
@@ -158,6 +154,8 @@ const _: () = {
                 / 1.118033988749895 * pole_weight;
             let decay_minus_one = Scalar::exp_m1(-(fast_decay * 0.5));
             let u = u_times_r / inverse_r;
+            let reversal = -Scalar::exp_m1(-(9.42477796076938 * inverse_r)) * pole_weight
+                + 1.5 * u_times_r;
             let g = if WITH_G {
                 (decay_minus_one * decay_minus_one * -Scalar::exp_m1(slow_exponent)
                     + 2.0 * (1.0 + decay_minus_one)
@@ -168,8 +166,6 @@ const _: () = {
             } else {
                 0.0
             };
-            let reversal = -Scalar::exp_m1(-(9.42477796076938 * inverse_r)) * pole_weight
-                + 1.5 * u_times_r;
             let inverse_size = 1.0 / size;
             let unit_re = detuning * inverse_size;
             let unit_im = loss * inverse_size;
@@ -205,6 +201,8 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::emitted_system!(SdofOverdamped, SdofOverdampedAt, f64, ["block"]);
+    ::frictiongen::kernel::wraps!(SdofOverdampedAt, At of SdofOverdamped, Copy);
     impl Scene for SdofOverdamped {
         type Scalar = f64;
         type Decay = Damped<f64>;
@@ -217,10 +215,7 @@ const _: () = {
         /// φ of a mass, by modes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
-            match mass {
-                0 => Some(&[1.0]),
-                _ => None,
-            }
+            Self::SHAPES.get(mass).map(<[f64; 1]>::as_slice)
         }
         /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
@@ -268,9 +263,9 @@ const _: () = {
             1.0
         }
     }
-    ::frictiongen::kernel::not_provided!(SdofOverdampedAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(SdofOverdamped : stepper);
-    ::frictiongen::kernel::not_provided!(SdofOverdamped : simulation);
+    ::frictiongen::kernel::not_provided!(
+        SdofOverdampedAt : stuck, orbit; SdofOverdamped : simulation, stepper
+    );
     impl ProvidesMotion for SdofOverdamped {
         type Motion = SdofOverdampedMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
@@ -279,6 +274,7 @@ const _: () = {
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1] = &Self::MODES;
             let [mode_1] = at.modes();
             let friction_weight = friction.beta * friction.unscale;
             let fall = friction_weight * (mode_1.g / (mode_1.x * mode_1.x));
@@ -295,7 +291,7 @@ const _: () = {
             let waves = [
                 motion_wave(
                     mode_1.x,
-                    <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
+                    <Damped<f64> as Decay<f64>>::of(constants_1),
                     ModalCoefficients {
                         rise,
                         fall,

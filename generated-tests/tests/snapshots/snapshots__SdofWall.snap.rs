@@ -58,8 +58,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl SdofWall {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -122,10 +120,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(SdofWall, SdofWallAt, f64, ["block"]);
-    ::frictiongen::kernel::wraps!(SdofWallAt, At of SdofWall, Copy);
-    impl SdofWall {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 1]; 1] = transposed(&Self::MODE_SHAPES);
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
@@ -165,6 +161,8 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::emitted_system!(SdofWall, SdofWallAt, f64, ["block"]);
+    ::frictiongen::kernel::wraps!(SdofWallAt, At of SdofWall, Copy);
     impl Scene for SdofWall {
         type Scalar = f64;
         type Decay = Undamped;
@@ -177,10 +175,7 @@ const _: () = {
         /// φ of a mass, by modes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
-            match mass {
-                0 => Some(&[1.0]),
-                _ => None,
-            }
+            Self::SHAPES.get(mass).map(<[f64; 1]>::as_slice)
         }
         /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
@@ -228,9 +223,9 @@ const _: () = {
             1.0
         }
     }
-    ::frictiongen::kernel::not_provided!(SdofWallAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(SdofWall : stepper);
-    ::frictiongen::kernel::not_provided!(SdofWall : simulation);
+    ::frictiongen::kernel::not_provided!(
+        SdofWallAt : stuck, orbit; SdofWall : simulation, stepper
+    );
     impl ProvidesMotion for SdofWall {
         type Motion = SdofWallMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and

@@ -88,16 +88,14 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    ::frictiongen::kernel::not_provided!(Shaken : limits);
-    ::frictiongen::kernel::not_provided!(Shaken : simulation);
-    impl Shaken {
+        /// φ of all modes, [mass][mode].
+        const ALL_SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
         /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
         /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
         /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
         const DYNAMICS: Dynamics<'static, f64> = Dynamics {
-            chain: Shaken::CHAIN,
+            chain: Self::CHAIN,
             modes: &[
                 Mode {
                     kind: Kind::Light,
@@ -144,12 +142,7 @@ const _: () = {
                 [-0.6493709202128115, 0.010770429057713646],
                 [-1.0, 0.01658594298337838],
             ],
-            shapes: &[
-                0.5446174012864552,
-                0.8386846166563378,
-                0.8412612267718186,
-                -0.5462905769681745,
-            ],
+            shapes: Self::ALL_SHAPES.as_flattened(),
             weights: &[
                 0.5446174012864552,
                 0.8361158981677096,
@@ -158,8 +151,6 @@ const _: () = {
             ],
             rubbing: Some(1),
         };
-    }
-    impl Shaken {
         /// The step of which the tables are constants, in s.
         pub const STEP: f64 = 0.001;
         /// What a stepper is told of the scene: `units`: k₁, √(k₁/m₁) in rad/s and the springs to the base over k₁;
@@ -456,7 +447,7 @@ const _: () = {
             ],
             channels: [
                 Channel {
-                    residue: -1.232595164407831e-32,
+                    residue: 0.0,
                     lift: 0.5264623955431755,
                 },
             ],
@@ -493,6 +484,7 @@ const _: () = {
                 .map(From::from)
         }
     }
+    ::frictiongen::kernel::not_provided!(Shaken : limits, simulation);
     ::frictiongen::kernel::wraps!(ShakenStepper, FixedStepper of f64, 4, 2, 1, 1);
     impl ShakenStepper {
         /// Says what the input is before the first step; otherwise it is none.

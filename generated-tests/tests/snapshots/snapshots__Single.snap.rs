@@ -61,8 +61,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
             friction / load
         }
-    }
-    impl Single {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -138,10 +136,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(Single, SingleAt, f32, ["lower", "upper"]);
-    ::frictiongen::kernel::wraps!(SingleAt, At of Single, Copy);
-    impl Single {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f32; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of an undamped mode.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.
@@ -172,17 +168,21 @@ const _: () = {
         /// Operations: 40: 18 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline(always)]
         fn functions(inverse_r: f32) -> (ContactAt<f32>, [ModeAt<f32>; 2]) {
-            let mode_1 = Self::undamped_mode(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::undamped_mode(&Self::MODES[1], inverse_r);
+            let [constants_1, constants_2] = &Self::MODES;
+            let mode_1 = Self::undamped_mode(constants_1, inverse_r);
+            let mode_2 = Self::undamped_mode(constants_2, inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
-            let v_re = at_1.response.re * 0.4472136 + at_2.response.re * -0.4472136;
-            let h_re = at_1.response.re * 0.7236068 + at_2.response.re * 0.2763932;
-            let u = 0.7236068 * at_1.u + 0.2763932 * at_2.u;
+            let v_re = at_1.response.re * constants_1.residue
+                + at_2.response.re * constants_2.residue;
+            let h_re = at_1.response.re * constants_1.inverse_mass
+                + at_2.response.re * constants_2.inverse_mass;
+            let u = constants_1.inverse_mass * at_1.u
+                + constants_2.inverse_mass * at_2.u;
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: 0.0 },
@@ -194,6 +194,8 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::emitted_system!(Single, SingleAt, f32, ["lower", "upper"]);
+    ::frictiongen::kernel::wraps!(SingleAt, At of Single, Copy);
     impl Scene for Single {
         type Scalar = f32;
         type Decay = Undamped;
@@ -206,11 +208,7 @@ const _: () = {
         /// φ of a mass, by modes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f32]> {
-            match mass {
-                0 => Some(&[0.5257311, 0.8506508]),
-                1 => Some(&[0.8506508, -0.5257311]),
-                _ => None,
-            }
+            Self::SHAPES.get(mass).map(<[f32; 2]>::as_slice)
         }
         /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
@@ -258,9 +256,9 @@ const _: () = {
             modulus_v / modulus_h
         }
     }
-    ::frictiongen::kernel::not_provided!(SingleAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(Single : stepper);
-    ::frictiongen::kernel::not_provided!(Single : simulation);
+    ::frictiongen::kernel::not_provided!(
+        SingleAt : stuck, orbit; Single : simulation, stepper
+    );
     impl ProvidesMotion for Single {
         type Motion = SingleMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
@@ -269,12 +267,13 @@ const _: () = {
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f32>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
             let friction_weight = friction.beta * friction.unscale;
-            let mode_1_friction_force = friction_weight * 0.7236068;
+            let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
             let mode_1_rise = mode_1_friction_force * contact.scale;
             let mode_1_swing = mode_1_friction_force * mode_1.u;
-            let mode_2_friction_force = friction_weight * 0.2763932;
+            let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
             let mode_2_rise = mode_2_friction_force * contact.scale;
             let mode_2_swing = mode_2_friction_force * mode_2.u;
             let fundamental = Fundamental {
@@ -293,7 +292,7 @@ const _: () = {
                         rise: mode_1_rise,
                         fall: 0.0,
                         swing: mode_1_swing,
-                        gain: 0.7236068 * inverse_r * inverse_r,
+                        gain: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
                 motion_wave(
@@ -303,7 +302,7 @@ const _: () = {
                         rise: mode_2_rise,
                         fall: 0.0,
                         swing: mode_2_swing,
-                        gain: 0.2763932 * inverse_r * inverse_r,
+                        gain: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
             ];
@@ -311,7 +310,8 @@ const _: () = {
         }
         /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
         /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
-        /// is left out.  Where x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+        /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
+        /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
         #[allow(unused_variables)]
         fn mass_motion(
             at: &At<Self>,
@@ -319,69 +319,69 @@ const _: () = {
             mass: usize,
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
-            let (fundamental, waves) = match mass {
-                0 => {
-                    let mode_2_u_term = 0.2763932 * mode_2.u;
-                    let mode_1_u_term = 0.7236068 * mode_1.u;
-                    let mode_1_driven_re = mode_1.response.re * 0.27639318;
-                    let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-                    let mode_1_rubbed_back = -(0.44721356 * mode_1_u_in_sum);
-                    let mode_2_driven_re = mode_2.response.re * 0.72360677;
-                    let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
-                    let mode_2_rubbed_back = -(-0.44721356 * mode_2_u_in_sum);
-                    let response_re = mode_1_driven_re + mode_2_driven_re;
-                    let mismatch_re = mode_1_driven_re
-                        * (if mode_1.x < 0.5 { contact.u } else { mode_2_u_term })
-                        + mode_2.response.re * -0.4472136 * mode_1_rubbed_back
-                        + (mode_2_driven_re
-                            * (if mode_2.x < 0.5 { contact.u } else { mode_1_u_term })
-                            + mode_1.response.re * 0.4472136 * mode_2_rubbed_back);
-                    let ratio = 1.0 / contact.v.re;
-                    let friction_weight = friction.beta * friction.unscale;
-                    let mode_1_friction_force = friction_weight * 0.44721356;
-                    let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
-                    let mode_2_friction_force = friction_weight * -0.44721356;
-                    let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
-                    (
-                        Fundamental {
-                            cosine: friction.root * (response_re * ratio)
-                                * friction.unscale,
-                            sine: friction.beta * (mismatch_re * ratio)
-                                * friction.unscale,
-                            response: Complex {
-                                re: response_re * friction.unscale,
-                                im: 0.0,
-                            },
+            if mass != 0 {
+                return None;
+            }
+            let mode_2_v_term_re = mode_2.response.re * constants_2.residue;
+            let mode_2_u_term = constants_2.inverse_mass * mode_2.u;
+            let mode_1_u_others = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
+            let mode_1_v_term_re = mode_1.response.re * constants_1.residue;
+            let mode_1_u_term = constants_1.inverse_mass * mode_1.u;
+            let mode_2_u_others = if mode_2.x < 0.5 { contact.u } else { mode_1_u_term };
+            let mode_1_driven_re = mode_1.response.re * 0.27639318;
+            let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+            let mode_1_rubbed_back = -(0.44721356 * mode_1_u_in_sum);
+            let mode_2_driven_re = mode_2.response.re * 0.72360677;
+            let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+            let mode_2_rubbed_back = -(-0.44721356 * mode_2_u_in_sum);
+            let response_re = mode_1_driven_re + mode_2_driven_re;
+            let mismatch_re = mode_1_driven_re * mode_1_u_others
+                + mode_2_v_term_re * mode_1_rubbed_back
+                + (mode_2_driven_re * mode_2_u_others
+                    + mode_1_v_term_re * mode_2_rubbed_back);
+            let inverse_re = 1.0 / contact.v.re;
+            let friction_weight = friction.beta * friction.unscale;
+            let mode_1_friction_force = friction_weight * 0.44721356;
+            let mode_1_rise = mode_1_friction_force * contact.scale;
+            let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
+            let mode_2_friction_force = friction_weight * -0.44721356;
+            let mode_2_rise = mode_2_friction_force * contact.scale;
+            let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
+            let (fundamental, waves) = (
+                Fundamental {
+                    cosine: friction.root * (response_re * inverse_re)
+                        * friction.unscale,
+                    sine: friction.beta * (mismatch_re * inverse_re) * friction.unscale,
+                    response: Complex {
+                        re: response_re * friction.unscale,
+                        im: 0.0,
+                    },
+                },
+                [
+                    mass_wave(
+                        mode_1.x,
+                        Undamped,
+                        ModalCoefficients {
+                            rise: mode_1_rise,
+                            fall: 0.0,
+                            swing: mode_1_swing,
+                            gain: 0.44721356 * inverse_r * inverse_r,
                         },
-                        [
-                            mass_wave(
-                                mode_1.x,
-                                Undamped,
-                                ModalCoefficients {
-                                    rise: mode_1_rise,
-                                    fall: 0.0,
-                                    swing: mode_1_swing,
-                                    gain: 0.44721356 * inverse_r * inverse_r,
-                                },
-                            ),
-                            mass_wave(
-                                mode_2.x,
-                                Undamped,
-                                ModalCoefficients {
-                                    rise: mode_2_rise,
-                                    fall: 0.0,
-                                    swing: mode_2_swing,
-                                    gain: -0.44721356 * inverse_r * inverse_r,
-                                },
-                            ),
-                        ],
-                    )
-                }
-                _ => return None,
-            };
+                    ),
+                    mass_wave(
+                        mode_2.x,
+                        Undamped,
+                        ModalCoefficients {
+                            rise: mode_2_rise,
+                            fall: 0.0,
+                            swing: mode_2_swing,
+                            gain: -0.44721356 * inverse_r * inverse_r,
+                        },
+                    ),
+                ],
+            );
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }

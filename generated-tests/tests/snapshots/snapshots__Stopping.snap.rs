@@ -73,8 +73,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl Stopping {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -150,10 +148,6 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(Stopping, StoppingAt, f64, ["lower", "upper"]);
-    ::frictiongen::kernel::wraps!(StoppingAt, At of Stopping, Copy);
-    impl Stopping {
         /// The functions of a lightly damped mode, ζ < 1/2.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
@@ -196,6 +190,8 @@ const _: () = {
             let u_times_r = 4.0 / mode.q * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
             let u = u_times_r / x;
+            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                * pole_weight + mode.zeta * u_times_r;
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -204,8 +200,6 @@ const _: () = {
             } else {
                 0.0
             };
-            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                * pole_weight + mode.zeta * u_times_r;
             ModeResponse {
                 x,
                 denominator: Complex { re: detuning, im: loss },
@@ -225,31 +219,34 @@ const _: () = {
         fn functions<const WITH_G: bool>(
             inverse_r: f64,
         ) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            let mode_1 = Self::damped_mode::<WITH_G>(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::damped_mode::<WITH_G>(&Self::MODES[1], inverse_r);
+            let [constants_1, constants_2] = &Self::MODES;
+            let mode_1 = Self::damped_mode::<WITH_G>(constants_1, inverse_r);
+            let mode_2 = Self::damped_mode::<WITH_G>(constants_2, inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
-            let v_re = at_1.response.re * 0.4929168375036549
-                + at_2.response.re * -0.4929168375036549;
-            let v_im = at_1.response.im * 0.4929168375036549
-                + at_2.response.im * -0.4929168375036549;
-            let h_re = at_1.response.re * 0.7522243947615592
-                + at_2.response.re * 0.3588867163495518;
-            let h_im = at_1.response.im * 0.7522243947615592
-                + at_2.response.im * 0.3588867163495518;
-            let u = 0.7522243947615592 * at_1.u + 0.3588867163495518 * at_2.u;
+            let v_re = at_1.response.re * constants_1.residue
+                + at_2.response.re * constants_2.residue;
+            let v_im = at_1.response.im * constants_1.residue
+                + at_2.response.im * constants_2.residue;
+            let h_re = at_1.response.re * constants_1.inverse_mass
+                + at_2.response.re * constants_2.inverse_mass;
+            let h_im = at_1.response.im * constants_1.inverse_mass
+                + at_2.response.im * constants_2.inverse_mass;
+            let u = constants_1.inverse_mass * at_1.u
+                + constants_2.inverse_mass * at_2.u;
+            let reversal = constants_1.inverse_mass
+                * (mode_1.reversal * (scale / mode_1.size))
+                + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
             let g = if WITH_G {
-                0.7522243947615592 * (at_1.g / (at_1.x * at_1.x))
-                    + 0.3588867163495518 * (at_2.g / (at_2.x * at_2.x))
+                constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
+                    + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
             } else {
                 0.0
             };
-            let reversal = 0.7522243947615592 * (mode_1.reversal * (scale / mode_1.size))
-                + 0.3588867163495518 * (mode_2.reversal * (scale / mode_2.size));
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: v_im },
@@ -260,7 +257,66 @@ const _: () = {
             };
             (contact, modes)
         }
+        /// φ of all modes, [mass][mode].
+        const ALL_SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
+        /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
+        /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
+        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
+        /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
+        const DYNAMICS: Dynamics<'static, f64> = Dynamics {
+            chain: Self::CHAIN,
+            modes: &Self::MODES,
+            held: &[
+                HeldMode {
+                    kind: Kind::Light,
+                    frequency: 1.449137674618944,
+                    zeta: 0.010995103927964253,
+                    q: 0.9999395520178274,
+                    force: 1.337251750218044,
+                    inverse: [
+                        0.015221582697280134,
+                        0.46646859015104253,
+                        -0.025479323952963484,
+                    ],
+                },
+            ],
+            shares: &[
+                [-0.6907246979374844, 0.011264683757455306],
+                [-1.0, 0.016308500030608204],
+            ],
+            shapes: Self::ALL_SHAPES.as_flattened(),
+            weights: &[
+                0.5683291693328758,
+                0.7805778370904871,
+                0.8228012854179333,
+                -0.5391643907410216,
+            ],
+            rubbing: Some(1),
+        };
+        /// The exact motion in time from rest, the excitation at its maximum.
+        ///
+        /// # Errors
+        /// `OutOfDomain` unless r is positive and finite, and β finite and not negative.
+        pub fn simulation(r: f64, beta: f64) -> Result<StoppingSimulation, OutOfDomain> {
+            let parts = [Part::empty(); 3];
+            Simulation::new(Self::DYNAMICS, r, beta, None, parts).map(From::from)
+        }
+        /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+        ///
+        /// # Errors
+        /// `OutOfDomain` also for a state that is not finite.
+        pub fn simulation_from(
+            r: f64,
+            beta: f64,
+            state: (&[f64; 2], &[f64; 2]),
+        ) -> Result<StoppingSimulation, OutOfDomain> {
+            let parts = [Part::empty(); 3];
+            let start = Some((&state.0[..], &state.1[..]));
+            Simulation::new(Self::DYNAMICS, r, beta, start, parts).map(From::from)
+        }
     }
+    ::frictiongen::emitted_system!(Stopping, StoppingAt, f64, ["lower", "upper"]);
+    ::frictiongen::kernel::wraps!(StoppingAt, At of Stopping, Copy);
     impl Scene for Stopping {
         type Scalar = f64;
         type Decay = Damped<f64>;
@@ -316,72 +372,7 @@ const _: () = {
             modulus_v / (1.2 * modulus_h)
         }
     }
-    ::frictiongen::kernel::not_provided!(StoppingAt : motion, stuck);
-    ::frictiongen::kernel::not_provided!(Stopping : stepper);
-    impl Stopping {
-        /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
-        /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
-        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
-        /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
-        const DYNAMICS: Dynamics<'static, f64> = Dynamics {
-            chain: Stopping::CHAIN,
-            modes: &Self::MODES,
-            held: &[
-                HeldMode {
-                    kind: Kind::Light,
-                    frequency: 1.449137674618944,
-                    zeta: 0.010995103927964253,
-                    q: 0.9999395520178274,
-                    force: 1.337251750218044,
-                    inverse: [
-                        0.015221582697280134,
-                        0.46646859015104253,
-                        -0.025479323952963484,
-                    ],
-                },
-            ],
-            shares: &[
-                [-0.6907246979374844, 0.011264683757455306],
-                [-1.0, 0.016308500030608204],
-            ],
-            shapes: &[
-                0.5683291693328758,
-                0.8228012854179333,
-                0.8673087078783189,
-                -0.5990715452678017,
-            ],
-            weights: &[
-                0.5683291693328758,
-                0.7805778370904871,
-                0.8228012854179333,
-                -0.5391643907410216,
-            ],
-            rubbing: Some(1),
-        };
-    }
-    impl Stopping {
-        /// The exact motion in time from rest, the excitation at its maximum.
-        ///
-        /// # Errors
-        /// `OutOfDomain` unless r is positive and finite, and β finite and not negative.
-        pub fn simulation(r: f64, beta: f64) -> Result<StoppingSimulation, OutOfDomain> {
-            let parts = [Part::empty(); 3];
-            Simulation::new(Self::DYNAMICS, r, beta, None, parts).map(From::from)
-        }
-        /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
-        ///
-        /// # Errors
-        /// `OutOfDomain` also for a state that is not finite.
-        pub fn simulation_from(
-            r: f64,
-            beta: f64,
-            state: (&[f64; 2], &[f64; 2]),
-        ) -> Result<StoppingSimulation, OutOfDomain> {
-            let parts = [Part::empty(); 3];
-            let start = Some((&state.0[..], &state.1[..]));
-            Simulation::new(Self::DYNAMICS, r, beta, start, parts).map(From::from)
-        }
-    }
+    ::frictiongen::kernel::not_provided!(StoppingAt : motion, stuck; Stopping : stepper);
     ::frictiongen::kernel::wraps!(StoppingSimulation, FixedSimulation of f64, 3);
     impl StoppingSimulation {
         /// Displacement and velocity of mass `lower` now.

@@ -74,8 +74,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl Symmetric {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -151,12 +149,10 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(
-        Symmetric, SymmetricAt, f64, ["left", "middle", "right"]
-    );
-    ::frictiongen::kernel::wraps!(SymmetricAt, At of Symmetric, Copy);
-    impl Symmetric {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 2]; 3] = transposed(
+            &[Self::MODE_SHAPES[0], Self::MODE_SHAPES[2]],
+        );
         /// The functions of an undamped mode.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.
@@ -187,16 +183,19 @@ const _: () = {
         /// Operations: 37: 16 ×, 6 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline(always)]
         fn functions(inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            let mode_1 = Self::undamped_mode(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::undamped_mode(&Self::MODES[1], inverse_r);
+            let [constants_1, constants_2] = &Self::MODES;
+            let mode_1 = Self::undamped_mode(constants_1, inverse_r);
+            let mode_2 = Self::undamped_mode(constants_2, inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
-            let v_re = at_1.response.re * 0.5 + at_2.response.re * 0.5;
-            let u = 0.5 * at_1.u + 0.5 * at_2.u;
+            let v_re = at_1.response.re * constants_1.inverse_mass
+                + at_2.response.re * constants_2.inverse_mass;
+            let u = constants_1.inverse_mass * at_1.u
+                + constants_2.inverse_mass * at_2.u;
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: 0.0 },
@@ -208,6 +207,10 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::emitted_system!(
+        Symmetric, SymmetricAt, f64, ["left", "middle", "right"]
+    );
+    ::frictiongen::kernel::wraps!(SymmetricAt, At of Symmetric, Copy);
     impl Scene for Symmetric {
         type Scalar = f64;
         type Decay = Undamped;
@@ -220,12 +223,7 @@ const _: () = {
         /// φ of a mass, by modes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
-            match mass {
-                0 => Some(&[0.5, 0.5]),
-                1 => Some(&[0.7071067811865476, -0.7071067811865476]),
-                2 => Some(&[0.5, 0.5]),
-                _ => None,
-            }
+            Self::SHAPES.get(mass).map(<[f64; 2]>::as_slice)
         }
         /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
@@ -273,9 +271,9 @@ const _: () = {
             1.0
         }
     }
-    ::frictiongen::kernel::not_provided!(SymmetricAt : orbit);
-    ::frictiongen::kernel::not_provided!(Symmetric : stepper);
-    ::frictiongen::kernel::not_provided!(Symmetric : simulation);
+    ::frictiongen::kernel::not_provided!(
+        SymmetricAt : orbit; Symmetric : simulation, stepper
+    );
     impl ProvidesMotion for Symmetric {
         type Motion = SymmetricMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
@@ -284,13 +282,15 @@ const _: () = {
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
             let friction_weight = friction.beta * friction.unscale;
-            let mode_1_friction_force = friction_weight * 0.5;
+            let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
             let mode_1_rise = mode_1_friction_force * contact.scale;
             let mode_1_swing = mode_1_friction_force * mode_1.u;
-            let product = 0.5 * inverse_r * inverse_r;
-            let mode_2_swing = mode_1_friction_force * mode_2.u;
+            let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
+            let mode_2_rise = mode_2_friction_force * contact.scale;
+            let mode_2_swing = mode_2_friction_force * mode_2.u;
             let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
@@ -307,17 +307,17 @@ const _: () = {
                         rise: mode_1_rise,
                         fall: 0.0,
                         swing: mode_1_swing,
-                        gain: product,
+                        gain: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
                 motion_wave(
                     mode_2.x,
                     Undamped,
                     ModalCoefficients {
-                        rise: mode_1_rise,
+                        rise: mode_2_rise,
                         fall: 0.0,
                         swing: mode_2_swing,
-                        gain: product,
+                        gain: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
             ];
@@ -325,7 +325,8 @@ const _: () = {
         }
         /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
         /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
-        /// is left out.  Where x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+        /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
+        /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
         #[allow(unused_variables)]
         fn mass_motion(
             at: &At<Self>,
@@ -333,128 +334,69 @@ const _: () = {
             mass: usize,
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
-            let (fundamental, waves) = match mass {
-                0 => {
-                    let mode_2_u_term = 0.5 * mode_2.u;
-                    let mode_1_u_term = 0.5 * mode_1.u;
-                    let mode_1_driven_re = mode_1.response.re * 0.3535533905932738;
-                    let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-                    let mode_1_rubbed_back = -(0.3535533905932738 * mode_1_u_in_sum);
-                    let mode_2_driven_re = mode_2.response.re * -0.3535533905932738;
-                    let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
-                    let mode_2_rubbed_back = -(-0.3535533905932738 * mode_2_u_in_sum);
-                    let response_re = mode_1_driven_re + mode_2_driven_re;
-                    let mismatch_re = mode_1_driven_re
-                        * (if mode_1.x < 0.5 { contact.u } else { mode_2_u_term })
-                        + mode_2.response.re * 0.5 * mode_1_rubbed_back
-                        + (mode_2_driven_re
-                            * (if mode_2.x < 0.5 { contact.u } else { mode_1_u_term })
-                            + mode_1.response.re * 0.5 * mode_2_rubbed_back);
-                    let ratio = 1.0 / contact.v.re;
-                    let friction_weight = friction.beta * friction.unscale;
-                    let mode_1_friction_force = friction_weight * 0.3535533905932738;
-                    let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
-                    let mode_2_friction_force = friction_weight * -0.3535533905932738;
-                    let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
-                    (
-                        Fundamental {
-                            cosine: friction.root * (response_re * ratio)
-                                * friction.unscale,
-                            sine: friction.beta * (mismatch_re * ratio)
-                                * friction.unscale,
-                            response: Complex {
-                                re: response_re * friction.unscale,
-                                im: 0.0,
-                            },
+            if mass != 0 && mass != 2 {
+                return None;
+            }
+            let mode_2_v_term_re = mode_2.response.re * constants_2.inverse_mass;
+            let mode_2_u_term = constants_2.inverse_mass * mode_2.u;
+            let mode_1_u_others = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
+            let mode_1_v_term_re = mode_1.response.re * constants_1.inverse_mass;
+            let mode_1_u_term = constants_1.inverse_mass * mode_1.u;
+            let mode_2_u_others = if mode_2.x < 0.5 { contact.u } else { mode_1_u_term };
+            let mode_1_driven_re = mode_1.response.re * 0.3535533905932738;
+            let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+            let mode_1_rubbed_back = -(0.3535533905932738 * mode_1_u_in_sum);
+            let mode_2_driven_re = mode_2.response.re * -0.3535533905932738;
+            let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+            let mode_2_rubbed_back = -(-0.3535533905932738 * mode_2_u_in_sum);
+            let response_re = mode_1_driven_re + mode_2_driven_re;
+            let mismatch_re = mode_1_driven_re * mode_1_u_others
+                + mode_2_v_term_re * mode_1_rubbed_back
+                + (mode_2_driven_re * mode_2_u_others
+                    + mode_1_v_term_re * mode_2_rubbed_back);
+            let inverse_re = 1.0 / contact.v.re;
+            let friction_weight = friction.beta * friction.unscale;
+            let mode_1_friction_force = friction_weight * 0.3535533905932738;
+            let mode_1_rise = mode_1_friction_force * contact.scale;
+            let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
+            let mode_2_friction_force = friction_weight * -0.3535533905932738;
+            let mode_2_rise = mode_2_friction_force * contact.scale;
+            let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
+            let (fundamental, waves) = (
+                Fundamental {
+                    cosine: friction.root * (response_re * inverse_re)
+                        * friction.unscale,
+                    sine: friction.beta * (mismatch_re * inverse_re) * friction.unscale,
+                    response: Complex {
+                        re: response_re * friction.unscale,
+                        im: 0.0,
+                    },
+                },
+                [
+                    mass_wave(
+                        mode_1.x,
+                        Undamped,
+                        ModalCoefficients {
+                            rise: mode_1_rise,
+                            fall: 0.0,
+                            swing: mode_1_swing,
+                            gain: 0.3535533905932738 * inverse_r * inverse_r,
                         },
-                        [
-                            mass_wave(
-                                mode_1.x,
-                                Undamped,
-                                ModalCoefficients {
-                                    rise: mode_1_rise,
-                                    fall: 0.0,
-                                    swing: mode_1_swing,
-                                    gain: 0.3535533905932738 * inverse_r * inverse_r,
-                                },
-                            ),
-                            mass_wave(
-                                mode_2.x,
-                                Undamped,
-                                ModalCoefficients {
-                                    rise: mode_2_rise,
-                                    fall: 0.0,
-                                    swing: mode_2_swing,
-                                    gain: -0.3535533905932738 * inverse_r * inverse_r,
-                                },
-                            ),
-                        ],
-                    )
-                }
-                2 => {
-                    let mode_2_u_term = 0.5 * mode_2.u;
-                    let mode_1_u_term = 0.5 * mode_1.u;
-                    let mode_1_driven_re = mode_1.response.re * 0.3535533905932738;
-                    let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-                    let mode_1_rubbed_back = -(0.3535533905932738 * mode_1_u_in_sum);
-                    let mode_2_driven_re = mode_2.response.re * -0.3535533905932738;
-                    let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
-                    let mode_2_rubbed_back = -(-0.3535533905932738 * mode_2_u_in_sum);
-                    let response_re = mode_1_driven_re + mode_2_driven_re;
-                    let mismatch_re = mode_1_driven_re
-                        * (if mode_1.x < 0.5 { contact.u } else { mode_2_u_term })
-                        + mode_2.response.re * 0.5 * mode_1_rubbed_back
-                        + (mode_2_driven_re
-                            * (if mode_2.x < 0.5 { contact.u } else { mode_1_u_term })
-                            + mode_1.response.re * 0.5 * mode_2_rubbed_back);
-                    let ratio = 1.0 / contact.v.re;
-                    let friction_weight = friction.beta * friction.unscale;
-                    let mode_1_friction_force = friction_weight * 0.3535533905932738;
-                    let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
-                    let mode_2_friction_force = friction_weight * -0.3535533905932738;
-                    let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
-                    (
-                        Fundamental {
-                            cosine: friction.root * (response_re * ratio)
-                                * friction.unscale,
-                            sine: friction.beta * (mismatch_re * ratio)
-                                * friction.unscale,
-                            response: Complex {
-                                re: response_re * friction.unscale,
-                                im: 0.0,
-                            },
+                    ),
+                    mass_wave(
+                        mode_2.x,
+                        Undamped,
+                        ModalCoefficients {
+                            rise: mode_2_rise,
+                            fall: 0.0,
+                            swing: mode_2_swing,
+                            gain: -0.3535533905932738 * inverse_r * inverse_r,
                         },
-                        [
-                            mass_wave(
-                                mode_1.x,
-                                Undamped,
-                                ModalCoefficients {
-                                    rise: mode_1_rise,
-                                    fall: 0.0,
-                                    swing: mode_1_swing,
-                                    gain: 0.3535533905932738 * inverse_r * inverse_r,
-                                },
-                            ),
-                            mass_wave(
-                                mode_2.x,
-                                Undamped,
-                                ModalCoefficients {
-                                    rise: mode_2_rise,
-                                    fall: 0.0,
-                                    swing: mode_2_swing,
-                                    gain: -0.3535533905932738 * inverse_r * inverse_r,
-                                },
-                            ),
-                        ],
-                    )
-                }
-                _ => return None,
-            };
+                    ),
+                ],
+            );
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }
@@ -481,44 +423,32 @@ const _: () = {
     impl ProvidesStuck for Symmetric {
         type Stuck = SymmetricStuck;
         /// x̄* = (V_kH − H_kV)/H: `numerator` has each mode's products with the others, as those with itself would cancel.
+        /// `driven` is a mode's part of V_k, `held_back` of −H_k; `v_term` and `h_term` of V and H.
         #[allow(unused_variables)]
         #[inline]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f64>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
-            Some(
-                match mass {
-                    0 => {
-                        let product = mode_2.response.re * 0.5;
-                        let product_2 = mode_1.response.re * 0.5;
-                        let numerator_re = mode_1.response.re * 0.3535533905932738
-                            * product
-                            + mode_1.response.re * -0.3535533905932738 * product
-                            + (mode_2.response.re * -0.3535533905932738 * product_2
-                                + mode_2.response.re * 0.3535533905932738 * product_2);
-                        let unscale = inverse_r * inverse_r / contact.scale;
-                        Complex {
-                            re: numerator_re * (1.0 / contact.h.re) * unscale,
-                            im: 0.0,
-                        }
-                    }
-                    2 => {
-                        let product = mode_2.response.re * 0.5;
-                        let product_2 = mode_1.response.re * 0.5;
-                        let numerator_re = mode_1.response.re * 0.3535533905932738
-                            * product
-                            + mode_1.response.re * -0.3535533905932738 * product
-                            + (mode_2.response.re * -0.3535533905932738 * product_2
-                                + mode_2.response.re * 0.3535533905932738 * product_2);
-                        let unscale = inverse_r * inverse_r / contact.scale;
-                        Complex {
-                            re: numerator_re * (1.0 / contact.h.re) * unscale,
-                            im: 0.0,
-                        }
-                    }
-                    _ => return None,
-                },
-            )
+            if mass != 0 && mass != 2 {
+                return None;
+            }
+            let mode_2_v_term_re = mode_2.response.re * constants_2.inverse_mass;
+            let mode_1_v_term_re = mode_1.response.re * constants_1.inverse_mass;
+            let mode_1_driven_re = mode_1.response.re * 0.3535533905932738;
+            let mode_1_held_back_re = mode_1.response.re * -0.3535533905932738;
+            let mode_2_driven_re = mode_2.response.re * -0.3535533905932738;
+            let mode_2_held_back_re = mode_2.response.re * 0.3535533905932738;
+            let numerator_re = mode_1_driven_re * mode_2_v_term_re
+                + mode_1_held_back_re * mode_2_v_term_re
+                + (mode_2_driven_re * mode_1_v_term_re
+                    + mode_2_held_back_re * mode_1_v_term_re);
+            let inverse_re = 1.0 / contact.h.re;
+            let unscale = inverse_r * inverse_r / contact.scale;
+            Some(Complex {
+                re: numerator_re * inverse_re * unscale,
+                im: 0.0,
+            })
         }
     }
     ::frictiongen::kernel::wraps!(SymmetricStuck, Stuck of Symmetric, Copy);

@@ -418,8 +418,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl Tall {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -690,13 +688,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(
-        Tall, TallAt, f64, ["m1", "m2", "m3", "m4", "m5", "m6", "m7", "m8", "m9", "m10",
-        "m11", "m12", "m13", "m14", "m15", "m16", "m17"]
-    );
-    ::frictiongen::kernel::wraps!(TallAt, At of Tall, Copy);
-    impl Tall {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 17]; 17] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
@@ -739,6 +732,8 @@ const _: () = {
             let u_times_r = 4.0 / mode.q * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
             let u = u_times_r / x;
+            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                * pole_weight + mode.zeta * u_times_r;
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -747,8 +742,6 @@ const _: () = {
             } else {
                 0.0
             };
-            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                * pole_weight + mode.zeta * u_times_r;
             ModeResponse {
                 x,
                 denominator: Complex { re: detuning, im: loss },
@@ -759,6 +752,11 @@ const _: () = {
             }
         }
     }
+    ::frictiongen::emitted_system!(
+        Tall, TallAt, f64, ["m1", "m2", "m3", "m4", "m5", "m6", "m7", "m8", "m9", "m10",
+        "m11", "m12", "m13", "m14", "m15", "m16", "m17"]
+    );
+    ::frictiongen::kernel::wraps!(TallAt, At of Tall, Copy);
     impl Scene for Tall {
         type Scalar = f64;
         type Decay = Damped<f64>;
@@ -772,29 +770,7 @@ const _: () = {
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
             match mass {
-                2 => {
-                    Some(
-                        &[
-                            0.0899368687780915,
-                            0.2443492617838555,
-                            0.32958578921362314,
-                            0.3215157844936519,
-                            0.222423885431443,
-                            0.06036324774007196,
-                            -0.11878637103073232,
-                            -0.2643072815554236,
-                            -0.33500216295215196,
-                            -0.31085712372515767,
-                            -0.19870768273666328,
-                            -0.03030361732426425,
-                            0.14667947526908878,
-                            0.2821372545060723,
-                            0.33772129625267205,
-                            0.2976956241774572,
-                            0.1733916026187133,
-                        ],
-                    )
-                }
+                2 => Some(&Self::SHAPES[2]),
                 _ => None,
             }
         }
@@ -904,9 +880,9 @@ const _: () = {
             modulus_v / modulus_h
         }
     }
-    ::frictiongen::kernel::not_provided!(TallAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(Tall : stepper);
-    ::frictiongen::kernel::not_provided!(Tall : simulation);
+    ::frictiongen::kernel::not_provided!(
+        TallAt : stuck, orbit; Tall : simulation, stepper
+    );
     ::frictiongen::kernel::left_out!(
         TallMotion : m1, m2, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16,
         m17

@@ -70,8 +70,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl Thesis {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -160,10 +158,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(Thesis, ThesisAt, f64, ["first", "second", "third"]);
-    ::frictiongen::kernel::wraps!(ThesisAt, At of Thesis, Copy);
-    impl Thesis {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 3]; 3] = transposed(&Self::MODE_SHAPES);
         /// The functions of an undamped mode.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.
@@ -194,9 +190,10 @@ const _: () = {
         /// Operations: 62: 27 ×, 12 +, 8 compare, 6 sign, 6 ÷, 3 sin_cos_pi.
         #[inline(always)]
         fn functions(inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 3]) {
-            let mode_1 = Self::undamped_mode(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::undamped_mode(&Self::MODES[1], inverse_r);
-            let mode_3 = Self::undamped_mode(&Self::MODES[2], inverse_r);
+            let [constants_1, constants_2, constants_3] = &Self::MODES;
+            let mode_1 = Self::undamped_mode(constants_1, inverse_r);
+            let mode_2 = Self::undamped_mode(constants_2, inverse_r);
+            let mode_3 = Self::undamped_mode(constants_3, inverse_r);
             let scale = Scalar::min(Scalar::min(mode_1.size, mode_2.size), mode_3.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
@@ -204,14 +201,14 @@ const _: () = {
                 Self::CHAIN.at_scale(&mode_3, scale),
             ];
             let [at_1, at_2, at_3] = &modes;
-            let v_re = at_1.response.re * 0.19384226684174422
-                + at_2.response.re * 0.2417173530900137
-                + at_3.response.re * -0.4355596199317579;
-            let h_re = at_1.response.re * 0.34929169541608984
-                + at_2.response.re * 0.10757434232607613
-                + at_3.response.re * 0.5431339622578341;
-            let u = 0.34929169541608984 * at_1.u + 0.10757434232607613 * at_2.u
-                + 0.5431339622578341 * at_3.u;
+            let v_re = at_1.response.re * constants_1.residue
+                + at_2.response.re * constants_2.residue
+                + at_3.response.re * constants_3.residue;
+            let h_re = at_1.response.re * constants_1.inverse_mass
+                + at_2.response.re * constants_2.inverse_mass
+                + at_3.response.re * constants_3.inverse_mass;
+            let u = constants_1.inverse_mass * at_1.u + constants_2.inverse_mass * at_2.u
+                + constants_3.inverse_mass * at_3.u;
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: 0.0 },
@@ -223,6 +220,8 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::emitted_system!(Thesis, ThesisAt, f64, ["first", "second", "third"]);
+    ::frictiongen::kernel::wraps!(ThesisAt, At of Thesis, Copy);
     impl Scene for Thesis {
         type Scalar = f64;
         type Decay = Undamped;
@@ -235,16 +234,7 @@ const _: () = {
         /// φ of a mass, by modes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
-            match mass {
-                0 => Some(&[0.32798527760568175, 0.7369762290995783, 0.5910090485061035]),
-                1 => {
-                    Some(&[0.5910090485061035, 0.32798527760568175, -0.7369762290995783])
-                }
-                2 => {
-                    Some(&[0.7369762290995783, -0.5910090485061035, 0.32798527760568175])
-                }
-                _ => None,
-            }
+            Self::SHAPES.get(mass).map(<[f64; 3]>::as_slice)
         }
         /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
         #[inline]
@@ -292,9 +282,9 @@ const _: () = {
             modulus_v / modulus_h
         }
     }
-    ::frictiongen::kernel::not_provided!(ThesisAt : stuck, orbit);
-    ::frictiongen::kernel::not_provided!(Thesis : stepper);
-    ::frictiongen::kernel::not_provided!(Thesis : simulation);
+    ::frictiongen::kernel::not_provided!(
+        ThesisAt : stuck, orbit; Thesis : simulation, stepper
+    );
     impl ProvidesMotion for Thesis {
         type Motion = ThesisMotion;
     }

@@ -68,8 +68,6 @@ const _: () = {
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-    }
-    impl Mount {
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
         /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
@@ -145,10 +143,8 @@ const _: () = {
         ) -> Result<(), OutOfDomain> {
             At::limits_into(Self, rs, continuous, sliding)
         }
-    }
-    ::frictiongen::emitted_system!(Mount, MountAt, f64, ["frame", "machine"]);
-    ::frictiongen::kernel::wraps!(MountAt, At of Mount, Copy);
-    impl Mount {
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
         /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
@@ -191,6 +187,8 @@ const _: () = {
             let u_times_r = 4.0 / mode.q * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
             let u = u_times_r / x;
+            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                * pole_weight + mode.zeta * u_times_r;
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -199,8 +197,6 @@ const _: () = {
             } else {
                 0.0
             };
-            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
-                * pole_weight + mode.zeta * u_times_r;
             ModeResponse {
                 x,
                 denominator: Complex { re: detuning, im: loss },
@@ -220,31 +216,34 @@ const _: () = {
         fn functions<const WITH_G: bool>(
             inverse_r: f64,
         ) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            let mode_1 = Self::damped_mode::<WITH_G>(&Self::MODES[0], inverse_r);
-            let mode_2 = Self::damped_mode::<WITH_G>(&Self::MODES[1], inverse_r);
+            let [constants_1, constants_2] = &Self::MODES;
+            let mode_1 = Self::damped_mode::<WITH_G>(constants_1, inverse_r);
+            let mode_2 = Self::damped_mode::<WITH_G>(constants_2, inverse_r);
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
-            let v_re = at_1.response.re * 0.45845862609232785
-                + at_2.response.re * -1.4584586260923278;
-            let v_im = at_1.response.im * 0.45845862609232785
-                + at_2.response.im * -1.4584586260923278;
-            let h_re = at_1.response.re * 1.7898797104430517
-                + at_2.response.re * 2.4101202895569482;
-            let h_im = at_1.response.im * 1.7898797104430517
-                + at_2.response.im * 2.4101202895569482;
-            let u = 1.7898797104430517 * at_1.u + 2.4101202895569482 * at_2.u;
+            let v_re = at_1.response.re * constants_1.residue
+                + at_2.response.re * constants_2.residue;
+            let v_im = at_1.response.im * constants_1.residue
+                + at_2.response.im * constants_2.residue;
+            let h_re = at_1.response.re * constants_1.inverse_mass
+                + at_2.response.re * constants_2.inverse_mass;
+            let h_im = at_1.response.im * constants_1.inverse_mass
+                + at_2.response.im * constants_2.inverse_mass;
+            let u = constants_1.inverse_mass * at_1.u
+                + constants_2.inverse_mass * at_2.u;
+            let reversal = constants_1.inverse_mass
+                * (mode_1.reversal * (scale / mode_1.size))
+                + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
             let g = if WITH_G {
-                1.7898797104430517 * (at_1.g / (at_1.x * at_1.x))
-                    + 2.4101202895569482 * (at_2.g / (at_2.x * at_2.x))
+                constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
+                    + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
             } else {
                 0.0
             };
-            let reversal = 1.7898797104430517 * (mode_1.reversal * (scale / mode_1.size))
-                + 2.4101202895569482 * (mode_2.reversal * (scale / mode_2.size));
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: v_im },
@@ -255,7 +254,43 @@ const _: () = {
             };
             (contact, modes)
         }
+        /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
+        /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
+        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
+        /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
+        const DYNAMICS: Dynamics<'static, f64> = Dynamics {
+            chain: Self::CHAIN,
+            modes: &Self::MODES,
+            held: &[
+                HeldMode {
+                    kind: Kind::Light,
+                    frequency: 0.8728715609439696,
+                    zeta: 0.015074980551220883,
+                    q: 0.99988636602435,
+                    force: 0.27464447784205487,
+                    inverse: [
+                        0.04287888540748418,
+                        0.6540151732676781,
+                        -0.06259741744191138,
+                    ],
+                },
+            ],
+            shares: &[
+                [-1.0, 0.03272999580865182],
+                [-0.8617723648393789, 0.02820580588920484],
+            ],
+            shapes: Self::SHAPES.as_flattened(),
+            weights: &[
+                0.3426795800926145,
+                0.5251698253266358,
+                0.9394523433296388,
+                -0.1915637088970424,
+            ],
+            rubbing: None,
+        };
     }
+    ::frictiongen::emitted_system!(Mount, MountAt, f64, ["frame", "machine"]);
+    ::frictiongen::kernel::wraps!(MountAt, At of Mount, Copy);
     impl Scene for Mount {
         type Scalar = f64;
         type Decay = Damped<f64>;
@@ -269,7 +304,7 @@ const _: () = {
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
             match mass {
-                1 => Some(&[1.6805434410452347, -0.6130038684705358]),
+                1 => Some(&Self::SHAPES[1]),
                 _ => None,
             }
         }
@@ -319,51 +354,8 @@ const _: () = {
             modulus_v / (1.15 * modulus_h)
         }
     }
-    ::frictiongen::kernel::not_provided!(MountAt : stuck);
-    ::frictiongen::kernel::not_provided!(Mount : stepper);
-    ::frictiongen::kernel::not_provided!(Mount : simulation);
+    ::frictiongen::kernel::not_provided!(MountAt : stuck; Mount : simulation, stepper);
     ::frictiongen::kernel::left_out!(MountMotion : frame);
-    impl Mount {
-        /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
-        /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
-        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
-        /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
-        const DYNAMICS: Dynamics<'static, f64> = Dynamics {
-            chain: Mount::CHAIN,
-            modes: &Self::MODES,
-            held: &[
-                HeldMode {
-                    kind: Kind::Light,
-                    frequency: 0.8728715609439696,
-                    zeta: 0.015074980551220883,
-                    q: 0.99988636602435,
-                    force: 0.27464447784205487,
-                    inverse: [
-                        0.04287888540748418,
-                        0.6540151732676781,
-                        -0.06259741744191138,
-                    ],
-                },
-            ],
-            shares: &[
-                [-1.0, 0.03272999580865182],
-                [-0.8617723648393789, 0.02820580588920484],
-            ],
-            shapes: &[
-                0.3426795800926145,
-                0.9394523433296388,
-                1.6805434410452347,
-                -0.6130038684705358,
-            ],
-            weights: &[
-                0.3426795800926145,
-                0.5251698253266358,
-                0.9394523433296388,
-                -0.1915637088970424,
-            ],
-            rubbing: None,
-        };
-    }
     impl ProvidesMotion for Mount {
         type Motion = MountMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
@@ -372,13 +364,14 @@ const _: () = {
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
             let friction_weight = friction.beta * friction.unscale;
-            let mode_1_friction_force = friction_weight * 1.7898797104430517;
+            let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
             let mode_1_fall = mode_1_friction_force * (mode_1.g / (mode_1.x * mode_1.x));
             let mode_1_rise = mode_1_friction_force * contact.scale;
             let mode_1_swing = mode_1_friction_force * mode_1.u;
-            let mode_2_friction_force = friction_weight * 2.4101202895569482;
+            let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
             let mode_2_fall = mode_2_friction_force * (mode_2.g / (mode_2.x * mode_2.x));
             let mode_2_rise = mode_2_friction_force * contact.scale;
             let mode_2_swing = mode_2_friction_force * mode_2.u;
@@ -393,22 +386,22 @@ const _: () = {
             let waves = [
                 motion_wave(
                     mode_1.x,
-                    <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
+                    <Damped<f64> as Decay<f64>>::of(constants_1),
                     ModalCoefficients {
                         rise: mode_1_rise,
                         fall: mode_1_fall,
                         swing: mode_1_swing,
-                        gain: 1.7898797104430517 * inverse_r * inverse_r,
+                        gain: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
                 motion_wave(
                     mode_2.x,
-                    <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
+                    <Damped<f64> as Decay<f64>>::of(constants_2),
                     ModalCoefficients {
                         rise: mode_2_rise,
                         fall: mode_2_fall,
                         swing: mode_2_swing,
-                        gain: 2.4101202895569482 * inverse_r * inverse_r,
+                        gain: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
             ];
@@ -416,7 +409,8 @@ const _: () = {
         }
         /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
         /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
-        /// is left out.  Where x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+        /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
+        /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
         /// Powers of 2 keep products within the scalar's range, and cancel.
         #[allow(unused_variables)]
         fn mass_motion(
@@ -425,144 +419,140 @@ const _: () = {
             mass: usize,
         ) -> Option<MotionOf<Self>> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
-            let (fundamental, waves) = match mass {
-                1 => {
-                    let product = mode_2.response.re * -1.4584586260923278;
-                    let product_2 = mode_2.response.im * -1.4584586260923278;
-                    let mode_2_u_term = 2.4101202895569482 * mode_2.u;
-                    let choice = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
-                    let product_3 = mode_1.response.re * 0.45845862609232785;
-                    let product_4 = mode_1.response.im * 0.45845862609232785;
-                    let mode_1_u_term = 1.7898797104430517 * mode_1.u;
-                    let choice_2 = if mode_2.x < 0.5 {
-                        contact.u
-                    } else {
-                        mode_1_u_term
-                    };
-                    let mode_1_driven_re = mode_1.response.re * 0.5758879207047785;
-                    let mode_1_driven_im = mode_1.response.im * 0.5758879207047785;
-                    let mode_1_offset = if mode_1.x < 0.5 { 0.0 } else { mode_1.g };
-                    let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-                    let mode_1_rubbed_back = -(2.2483383365353795 * mode_1_u_in_sum);
-                    let ratio = mode_1_offset / (mode_1.x * mode_1.x);
-                    let mode_2_driven_re = mode_2.response.re * -0.5758879207047786;
-                    let mode_2_driven_im = mode_2.response.im * -0.5758879207047786;
-                    let mode_2_offset = if mode_2.x < 0.5 { 0.0 } else { mode_2.g };
-                    let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
-                    let mode_2_rubbed_back = -(0.9516616634646204 * mode_2_u_in_sum);
-                    let ratio_2 = mode_2_offset / (mode_2.x * mode_2.x);
-                    let response_re = mode_1_driven_re + mode_2_driven_re;
-                    let response_im = mode_1_driven_im + mode_2_driven_im;
-                    let mismatch_re = mode_1_driven_re * choice
-                        + product * mode_1_rubbed_back
-                        + (mode_2_driven_re * choice_2 + product_3 * mode_2_rubbed_back);
-                    let mismatch_im = mode_1_driven_im * choice
-                        + product_2 * mode_1_rubbed_back
-                        + (mode_2_driven_im * choice_2 + product_4 * mode_2_rubbed_back);
-                    let product_5 = contact.v.re * 16777216.0;
-                    let product_6 = contact.v.im * 16777216.0;
-                    let inverse_size = 1.0
-                        / (Scalar::abs(product_5) + Scalar::abs(product_6));
-                    let unit_re = product_5 * inverse_size;
-                    let unit_im = product_6 * inverse_size;
-                    let inverse_modulus = inverse_size
-                        / (unit_re * unit_re + unit_im * unit_im);
-                    let inverse_re = unit_re * inverse_modulus;
-                    let inverse_im = -(unit_im * inverse_modulus);
-                    let product_7 = friction.root * 16777216.0;
-                    let friction_weight = friction.beta * friction.unscale;
-                    let product_8 = friction.beta * 16777216.0;
-                    let v_size = Scalar::abs(contact.v.re) + Scalar::abs(contact.v.im);
-                    let turning_re = if Scalar::abs(product_3) + Scalar::abs(product_4)
-                        < v_size
-                    {
-                        product_3
-                    } else {
-                        contact.v.re
-                    };
-                    let turning_im = if Scalar::abs(product_3) + Scalar::abs(product_4)
-                        < v_size
-                    {
-                        product_4
-                    } else {
-                        contact.v.im
-                    };
-                    let turning_re_2 = if Scalar::abs(product) + Scalar::abs(product_2)
-                        < v_size
-                    {
-                        product
-                    } else {
-                        contact.v.re
-                    };
-                    let turning_im_2 = if Scalar::abs(product) + Scalar::abs(product_2)
-                        < v_size
-                    {
-                        product_2
-                    } else {
-                        contact.v.im
-                    };
-                    let in_phase_share = product_7 * inverse_size;
-                    let mode_1_friction_force = friction_weight * 2.2483383365353795;
-                    let mode_1_fall = mode_1_friction_force * ratio;
-                    let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
-                    let mode_2_friction_force = friction_weight * 0.9516616634646204;
-                    let mode_2_fall = mode_2_friction_force * ratio_2;
-                    let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
-                    (
-                        Fundamental {
-                            cosine: (product_7
-                                * (response_re * inverse_re - response_im * inverse_im)
-                                + product_8
-                                    * (mismatch_re * inverse_im + mismatch_im * inverse_re))
-                                * friction.unscale
-                                + (-(2.2483383365353795 * ratio)
-                                    - 0.9516616634646204 * ratio_2) * friction_weight,
-                            sine: (product_8
-                                * (mismatch_re * inverse_re - mismatch_im * inverse_im)
-                                - in_phase_share
-                                    * (mode_1_driven_im
-                                        * (turning_re_2 * 16777216.0 * inverse_modulus)
-                                        - mode_1_driven_re
-                                            * (turning_im_2 * 16777216.0 * inverse_modulus)
-                                        + (mode_2_driven_im
-                                            * (turning_re * 16777216.0 * inverse_modulus)
-                                            - mode_2_driven_re
-                                                * (turning_im * 16777216.0 * inverse_modulus))))
-                                * friction.unscale,
-                            response: Complex {
-                                re: response_re * friction.unscale,
-                                im: response_im * friction.unscale,
-                            },
-                        },
-                        [
-                            mass_wave(
-                                mode_1.x,
-                                <Damped<f64> as Decay<f64>>::of(&Self::MODES[0]),
-                                ModalCoefficients {
-                                    rise: mode_1_rise,
-                                    fall: mode_1_fall,
-                                    swing: mode_1_swing,
-                                    gain: 2.2483383365353795 * inverse_r * inverse_r,
-                                },
-                            ),
-                            mass_wave(
-                                mode_2.x,
-                                <Damped<f64> as Decay<f64>>::of(&Self::MODES[1]),
-                                ModalCoefficients {
-                                    rise: mode_2_rise,
-                                    fall: mode_2_fall,
-                                    swing: mode_2_swing,
-                                    gain: 0.9516616634646204 * inverse_r * inverse_r,
-                                },
-                            ),
-                        ],
-                    )
-                }
-                _ => return None,
+            if mass != 1 {
+                return None;
+            }
+            let mode_2_v_term_re = mode_2.response.re * constants_2.residue;
+            let mode_2_v_term_im = mode_2.response.im * constants_2.residue;
+            let mode_2_u_term = constants_2.inverse_mass * mode_2.u;
+            let mode_1_u_others = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
+            let mode_1_v_term_re = mode_1.response.re * constants_1.residue;
+            let mode_1_v_term_im = mode_1.response.im * constants_1.residue;
+            let mode_1_u_term = constants_1.inverse_mass * mode_1.u;
+            let mode_2_u_others = if mode_2.x < 0.5 { contact.u } else { mode_1_u_term };
+            let mode_1_driven_re = mode_1.response.re * 0.5758879207047785;
+            let mode_1_driven_im = mode_1.response.im * 0.5758879207047785;
+            let mode_1_offset = if mode_1.x < 0.5 { 0.0 } else { mode_1.g };
+            let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+            let mode_1_rubbed_back = -(2.2483383365353795 * mode_1_u_in_sum);
+            let ratio = mode_1_offset / (mode_1.x * mode_1.x);
+            let mode_2_driven_re = mode_2.response.re * -0.5758879207047786;
+            let mode_2_driven_im = mode_2.response.im * -0.5758879207047786;
+            let mode_2_offset = if mode_2.x < 0.5 { 0.0 } else { mode_2.g };
+            let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+            let mode_2_rubbed_back = -(0.9516616634646204 * mode_2_u_in_sum);
+            let ratio_2 = mode_2_offset / (mode_2.x * mode_2.x);
+            let response_re = mode_1_driven_re + mode_2_driven_re;
+            let response_im = mode_1_driven_im + mode_2_driven_im;
+            let mismatch_re = mode_1_driven_re * mode_1_u_others
+                + mode_2_v_term_re * mode_1_rubbed_back
+                + (mode_2_driven_re * mode_2_u_others
+                    + mode_1_v_term_re * mode_2_rubbed_back);
+            let mismatch_im = mode_1_driven_im * mode_1_u_others
+                + mode_2_v_term_im * mode_1_rubbed_back
+                + (mode_2_driven_im * mode_2_u_others
+                    + mode_1_v_term_im * mode_2_rubbed_back);
+            let v_in_range_re = contact.v.re * 16777216.0;
+            let v_in_range_im = contact.v.im * 16777216.0;
+            let inverse_size = 1.0
+                / (Scalar::abs(v_in_range_re) + Scalar::abs(v_in_range_im));
+            let unit_re = v_in_range_re * inverse_size;
+            let unit_im = v_in_range_im * inverse_size;
+            let inverse_modulus = inverse_size / (unit_re * unit_re + unit_im * unit_im);
+            let inverse_re = unit_re * inverse_modulus;
+            let inverse_im = -(unit_im * inverse_modulus);
+            let root_in_range = friction.root * 16777216.0;
+            let friction_weight = friction.beta * friction.unscale;
+            let beta_in_range = friction.beta * 16777216.0;
+            let v_size = Scalar::abs(contact.v.re) + Scalar::abs(contact.v.im);
+            let turning_re = if Scalar::abs(mode_1_v_term_re)
+                + Scalar::abs(mode_1_v_term_im) < v_size
+            {
+                mode_1_v_term_re
+            } else {
+                contact.v.re
             };
+            let turning_im = if Scalar::abs(mode_1_v_term_re)
+                + Scalar::abs(mode_1_v_term_im) < v_size
+            {
+                mode_1_v_term_im
+            } else {
+                contact.v.im
+            };
+            let turning_re_2 = if Scalar::abs(mode_2_v_term_re)
+                + Scalar::abs(mode_2_v_term_im) < v_size
+            {
+                mode_2_v_term_re
+            } else {
+                contact.v.re
+            };
+            let turning_im_2 = if Scalar::abs(mode_2_v_term_re)
+                + Scalar::abs(mode_2_v_term_im) < v_size
+            {
+                mode_2_v_term_im
+            } else {
+                contact.v.im
+            };
+            let in_phase_share = root_in_range * inverse_size;
+            let mode_1_friction_force = friction_weight * 2.2483383365353795;
+            let mode_1_fall = mode_1_friction_force * ratio;
+            let mode_1_rise = mode_1_friction_force * contact.scale;
+            let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
+            let mode_2_friction_force = friction_weight * 0.9516616634646204;
+            let mode_2_fall = mode_2_friction_force * ratio_2;
+            let mode_2_rise = mode_2_friction_force * contact.scale;
+            let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
+            let (fundamental, waves) = (
+                Fundamental {
+                    cosine: (root_in_range
+                        * (response_re * inverse_re - response_im * inverse_im)
+                        + beta_in_range
+                            * (mismatch_re * inverse_im + mismatch_im * inverse_re))
+                        * friction.unscale
+                        + (-(2.2483383365353795 * ratio) - 0.9516616634646204 * ratio_2)
+                            * friction_weight,
+                    sine: (beta_in_range
+                        * (mismatch_re * inverse_re - mismatch_im * inverse_im)
+                        - in_phase_share
+                            * (mode_1_driven_im
+                                * (turning_re_2 * 16777216.0 * inverse_modulus)
+                                - mode_1_driven_re
+                                    * (turning_im_2 * 16777216.0 * inverse_modulus)
+                                + (mode_2_driven_im
+                                    * (turning_re * 16777216.0 * inverse_modulus)
+                                    - mode_2_driven_re
+                                        * (turning_im * 16777216.0 * inverse_modulus))))
+                        * friction.unscale,
+                    response: Complex {
+                        re: response_re * friction.unscale,
+                        im: response_im * friction.unscale,
+                    },
+                },
+                [
+                    mass_wave(
+                        mode_1.x,
+                        <Damped<f64> as Decay<f64>>::of(constants_1),
+                        ModalCoefficients {
+                            rise: mode_1_rise,
+                            fall: mode_1_fall,
+                            swing: mode_1_swing,
+                            gain: 2.2483383365353795 * inverse_r * inverse_r,
+                        },
+                    ),
+                    mass_wave(
+                        mode_2.x,
+                        <Damped<f64> as Decay<f64>>::of(constants_2),
+                        ModalCoefficients {
+                            rise: mode_2_rise,
+                            fall: mode_2_fall,
+                            swing: mode_2_swing,
+                            gain: 0.9516616634646204 * inverse_r * inverse_r,
+                        },
+                    ),
+                ],
+            );
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }

@@ -1,6 +1,6 @@
 //! Residuals over their deviations: what was measured less what a scene does, made independent and of deviation 1.
 
-use super::{Datum, Observation, Using};
+use super::observation::{Datum, Observation, Using};
 use crate::Complex;
 use crate::study::Load;
 use nalgebra::{DMatrix, DVector};

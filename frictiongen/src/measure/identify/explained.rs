@@ -1,8 +1,9 @@
 //! Whether a scene explains a measurement at all, and each observation beside it.
 
+use super::answer::Explained;
 use super::friction::{PLACES, Problem};
 use super::model;
-use super::{Explained, Using};
+use super::observation::Using;
 use crate::measure::MeasureError;
 use crate::study::System;
 use crate::study::units::polar;

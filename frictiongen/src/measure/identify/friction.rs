@@ -1,8 +1,10 @@
 //! The friction force alone: the sum of squares over its whole range.
 
+use super::answer::{Estimate, Explained, Identified, Verdict};
 use super::data::Weighed;
 use super::model::{self, Along, Direction};
-use super::{Estimate, Explained, Identified, IdentifyRequest, Observation, Using, Verdict};
+use super::observation::{Observation, Using};
+use super::request::IdentifyRequest;
 use crate::measure::MeasureError;
 use crate::measure::statistics::{CHI, excess};
 use crate::study::System;

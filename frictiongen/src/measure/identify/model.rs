@@ -1,6 +1,7 @@
 //! What a scene does where something was measured, and how that moves with each unknown.
 
-use super::{Observation, Unknown};
+use super::observation::Observation;
+use super::request::Unknown;
 use crate::study::scene::{Damping, Scene};
 use crate::study::units::angular_frequency;
 use crate::study::{Load, Quantity, Sensitive, System, SystemResponse, Varied};

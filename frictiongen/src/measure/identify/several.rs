@@ -1,9 +1,10 @@
 //! The friction force together with other unknowns.
 
+use super::answer::{Estimate, Identified};
 use super::data::Weighed;
 use super::friction::{Alone, Problem, verdict};
 use super::model::{self, Along, Direction};
-use super::{Estimate, Identified, Unknown};
+use super::request::Unknown;
 use crate::Complex;
 use crate::measure::MeasureError;
 use crate::measure::least_squares::{Fit, Linearised, minimise};

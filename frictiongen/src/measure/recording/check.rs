@@ -1,6 +1,7 @@
 //! What a recording must not be.
 
-use super::{Channel, Dimension};
+use super::channel::Channel;
+use super::unit::Dimension;
 use crate::measure::MeasureError;
 use std::f64::consts::PI;
 

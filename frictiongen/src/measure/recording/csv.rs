@@ -1,7 +1,9 @@
 //! Recordings and sweeps as text: a line of names with units, then numbers.
 
+use super::channel::Channel;
 use super::rate::even_rate;
-use super::{Channel, Dimension, Recording, Unit};
+use super::series::Recording;
+use super::unit::{Dimension, Unit};
 use crate::measure::MeasureError;
 use std::fmt::Write as _;
 
@@ -182,13 +184,13 @@ impl Recording {
     #[must_use]
     pub fn to_csv(&self) -> String {
         let mut text = String::from("time_s");
-        for channel in &self.channels {
+        for channel in self.channels() {
             let _ = write!(text, ",{}_{}", channel.name, channel.unit.ending());
         }
         text.push('\n');
         for index in 0..self.len() {
-            let _ = write!(text, "{:?}", index as f64 / self.rate);
-            for channel in &self.channels {
+            let _ = write!(text, "{:?}", index as f64 / self.rate());
+            for channel in self.channels() {
                 let value = channel.samples.get(index).copied().unwrap_or(f64::NAN);
                 let _ = write!(text, ",{value:?}");
             }

@@ -121,7 +121,7 @@ impl Recording {
     #[must_use]
     pub fn to_uff58(&self) -> String {
         let mut text = String::new();
-        for channel in &self.channels {
+        for channel in self.channels() {
             let ordinate = match channel.unit.dimension() {
                 Dimension::Displacement => 8,
                 Dimension::Velocity => 11,
@@ -148,7 +148,7 @@ impl Recording {
                 0
             );
             let count = channel.samples.len();
-            let (start, step) = (exponential(0.0, 5), exponential(1.0 / self.rate, 5));
+            let (start, step) = (exponential(0.0, 5), exponential(1.0 / self.rate(), 5));
             let _ = writeln!(
                 text,
                 "{:>10}{count:>10}{:>10}{start:>13}{step:>13}{start:>13}",

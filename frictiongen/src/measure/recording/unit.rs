@@ -1,7 +1,5 @@
 //! The units of recordings.
 
-use crate::measure::MeasureError;
-
 /// What a channel measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Dimension {
@@ -39,7 +37,7 @@ const GRAVITY: f64 = 9.806_65;
 use Dimension::{Acceleration, Displacement, Force, Time, Velocity};
 
 /// Every unit, as it is written and as the end of a column's name.
-const UNITS: [(&str, &str, Dimension, f64); 15] = [
+pub(super) const UNITS: [(&str, &str, Dimension, f64); 15] = [
     ("m", "m", Displacement, 1.0),
     ("cm", "cm", Displacement, 1e-2),
     ("mm", "mm", Displacement, 1e-3),
@@ -69,7 +67,9 @@ impl Unit {
     /// N.
     pub const NEWTON: Self = Self::of(UNITS[9]);
 
-    const fn of((name, _, dimension, scale): (&'static str, &str, Dimension, f64)) -> Self {
+    pub(super) const fn of(
+        (name, _, dimension, scale): (&'static str, &str, Dimension, f64),
+    ) -> Self {
         Self {
             name,
             dimension,
@@ -105,46 +105,5 @@ impl Unit {
     pub(super) fn ending(&self) -> &'static str {
         let found = UNITS.iter().find(|unit| unit.0 == self.name);
         found.map_or("", |unit| unit.1)
-    }
-
-    /// The name of a column and the unit in which it ends; the longest ending counts.
-    pub(super) fn split(header: &str) -> (&str, Option<Self>) {
-        if let Some((name, unit)) = bracketed(header) {
-            return (name, unit.parse().ok());
-        }
-        let ends = |ending: &str| {
-            let rest = header.strip_suffix(ending)?;
-            rest.strip_suffix('_').filter(|rest| !rest.is_empty())
-        };
-        let fitting = UNITS
-            .iter()
-            .filter_map(|unit| Some((ends(unit.1)?, Self::of(*unit))));
-        let longest = fitting.min_by_key(|(rest, _)| rest.len());
-        longest.map_or((header, None), |(rest, unit)| (rest, Some(unit)))
-    }
-}
-
-/// `name (unit)` and `name [unit]`.
-fn bracketed(header: &str) -> Option<(&str, &str)> {
-    [('(', ')'), ('[', ']')]
-        .into_iter()
-        .find_map(|(open, close)| {
-            let (name, unit) = header.strip_suffix(close)?.rsplit_once(open)?;
-            Some((name.trim(), unit.trim()))
-        })
-}
-
-impl std::str::FromStr for Unit {
-    type Err = MeasureError;
-
-    fn from_str(text: &str) -> Result<Self, MeasureError> {
-        let plain = text.trim().replace(['^', ' '], "").replace('²', "2");
-        let plain = plain.replace("s**2", "s2").replace(['µ', 'μ'], "u");
-        let found = UNITS.iter().find(|unit| {
-            unit.0 == plain || unit.1 == plain || unit.0.replace("s2", "s/s") == plain
-        });
-        found
-            .map(|unit| Self::of(*unit))
-            .ok_or_else(|| MeasureError::UnknownUnit(text.trim().to_owned()))
     }
 }

@@ -1,6 +1,6 @@
 //! What a fit says, with intervals.
 
-use super::SweepFit;
+use super::answer::SweepFit;
 use super::model::Sweep;
 use crate::Complex;
 use crate::measure::identify::Estimate;

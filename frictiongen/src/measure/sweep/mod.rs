@@ -1,42 +1,18 @@
 //! A scene's frequencies, masses and springs from sweeps without friction (thesis 4.3.1, 6.4.2, appendix A).
 
+mod answer;
 mod fit;
 mod judged;
 mod model;
 mod points;
 
+pub use answer::SweepFit;
 pub use points::SweepPoint;
 
 use super::MeasureError;
-use super::identify::Estimate;
 use crate::study::System;
 use crate::study::scene::Excitation;
 use model::Sweep;
-
-/// What a sweep without friction says.
-#[derive(Clone, Debug)]
-pub struct SweepFit {
-    /// √(k₁/m₁)/2π, Hz: r = f over this; for one storey the natural frequency (4.1).
-    pub reference: Estimate,
-    /// γ_i = m_i/m₁ of the masses from the second on.
-    pub masses: Vec<Estimate>,
-    /// κ_e = k_e/k₁ of the springs from the second on.
-    pub springs: Vec<Estimate>,
-    /// ζ, one for all modes, if it was asked for.
-    pub damping: Option<Estimate>,
-    /// The natural frequencies, Hz.
-    pub natural: Vec<Estimate>,
-    /// The sum of squares over the degrees of freedom, where deviations were given.
-    pub misfit: Option<f64>,
-    /// The root of the mean square of the relative residuals.
-    pub scatter: f64,
-    /// The condition of the fit.
-    pub condition: f64,
-    /// Measured less computed amplitude, in the order of the points.
-    pub residuals: Vec<f64>,
-    /// The scene with what was found; its first mass as it was.
-    pub system: System,
-}
 
 /// √(k₁/m₁) in rad/s, γ and κ of two storeys from ω₀, ω₁ and ω₂ (6.17 to 6.20).
 ///

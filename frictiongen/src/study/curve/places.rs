@@ -1,6 +1,7 @@
 //! Where a curve is cut, and where its refinement starts.
 
-use super::{CurveRequest, End};
+use super::answer::End;
+use super::request::CurveRequest;
 use crate::study::system::System;
 use crate::{Of, Regime};
 

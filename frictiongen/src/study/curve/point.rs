@@ -1,6 +1,6 @@
 //! A point of a curve.
 
-use super::CurveRequest;
+use super::request::CurveRequest;
 use crate::study::response::{Size, Swing, SystemResponse};
 use crate::{Complex, Of, Regime};
 

@@ -1,8 +1,9 @@
 //! Points between two places, as many as the curve bends.
 
+use super::answer::{Curve, End, Gap, Piece};
 use super::places::Place;
 use super::point::CurvePoint;
-use super::{Curve, CurveRequest, End, Gap, Piece};
+use super::request::CurveRequest;
 use crate::study::response::Swing;
 use crate::study::system::System;
 use crate::{Error, OutOfDomain};

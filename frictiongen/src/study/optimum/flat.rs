@@ -1,7 +1,7 @@
 //! How flat an optimum is.
 
-use super::Tolerance;
 use super::amplitude::Friction;
+use super::answer::Tolerance;
 use super::peaks::Band;
 use super::scan::Scanned;
 use super::search::Least;

@@ -1,10 +1,12 @@
 //! A question that makes sense, and what is told of the friction found.
 
 use super::amplitude::Friction;
+use super::answer::{Optimum, OptimumKind, OptimumPeak};
+use super::flat;
 use super::peaks::Band;
+use super::request::{FrequencyBand, OptimumError, OptimumRequest};
 use super::scan::{self, Scanned};
 use super::search::{self, Kind, Least};
-use super::{FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumPeak, OptimumRequest, flat};
 use crate::study::parameter::{OperatingPoint, Parameter, Slope};
 use crate::study::physical::ResponseSensitivities;
 use crate::study::system::System;

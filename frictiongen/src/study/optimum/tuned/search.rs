@@ -1,7 +1,8 @@
 //! The value of the number at which the least of the largest amplitude over all friction is least.
 
+use super::answer::{TunedOptimum, TunedPoint, Tuning};
 use super::tried::{Groups, Search, Tried, near};
-use super::{TunedOptimum, TunedPoint, Tuning};
+
 use crate::study::optimum::OptimumError;
 use crate::study::optimum::problem::Problem;
 use std::sync::atomic::Ordering;

@@ -1,6 +1,6 @@
 //! The best friction at one value of the number, and how its amplitude moves with it.
 
-use super::Tuning;
+use super::answer::Tuning;
 use crate::study::optimum::amplitude::Friction;
 use crate::study::optimum::peaks::Band;
 use crate::study::optimum::problem::{Problem, equal_peaks, slope, weights};

@@ -1,0 +1,38 @@
+//! Mode shapes by masses, as the kernel reads them: out of `MODE_SHAPES`, where they are the same numbers.
+
+use super::emission::{Emission, rounded};
+use proc_macro2::{Literal, TokenStream};
+
+/// `[mass][mode]` of shapes that follow each other mass after mass.
+pub(super) fn by_masses(emission: &Emission<'_>, shapes: &[f64]) -> TokenStream {
+    let masses = emission.scene.masses.len();
+    let modes = shapes.len() / masses.max(1);
+    let places: Option<Vec<usize>> = (0..modes)
+        .map(|mode| place(emission, shapes.iter().skip(mode).step_by(modes)))
+        .collect();
+    match places {
+        Some(places) if places.iter().copied().eq(0..masses) => {
+            code!(transposed(&Self::MODE_SHAPES))
+        }
+        Some(places) => {
+            let places = places.into_iter().map(Literal::usize_unsuffixed);
+            code!(transposed(&[#(Self::MODE_SHAPES[#places]),*]))
+        }
+        // Equal modes are turned, so that the contact drives one of them alone.
+        None => {
+            let masses = shapes.chunks(modes.max(1));
+            let masses = masses.map(|shape| emission.list(shape.iter().copied()));
+            code!([#(#masses),*])
+        }
+    }
+}
+
+/// Where a shape stands in `MODE_SHAPES`.
+fn place<'a>(emission: &Emission<'_>, shape: impl Iterator<Item = &'a f64>) -> Option<usize> {
+    let shape: Vec<u64> = shape.map(|component| component.to_bits()).collect();
+    emission.modal.shapes.iter().position(|known| {
+        let known = known.iter();
+        let known = known.map(|component| rounded(*component, emission.precision).to_bits());
+        known.eq(shape.iter().copied())
+    })
+}

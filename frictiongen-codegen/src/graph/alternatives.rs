@@ -1,0 +1,98 @@
+//! Prints several answers of which code gives one: what all of them need once, before the choice.
+
+use super::print::{Printed, Printer};
+use super::{Graph, Id, Operand, Recorded, operands};
+use frictiongen_model::scene::Precision;
+use proc_macro2::TokenStream;
+use std::collections::BTreeSet;
+
+/// One of several answers, with the names that its formula gave.
+pub struct Alternative {
+    nodes: Vec<Recorded>,
+    outputs: Vec<Operand>,
+}
+
+impl Alternative {
+    /// What was recorded last.  The next formula names its operations anew: a value that two of them have in common may
+    /// stand for different things.
+    #[must_use]
+    pub fn of(graph: &Graph, outputs: Vec<Operand>) -> Self {
+        let nodes = graph.reachable(&outputs);
+        graph.unname();
+        Self { nodes, outputs }
+    }
+
+    fn has(&self, (id, _, name): &Recorded) -> bool {
+        let place = self.nodes.binary_search_by_key(id, |(id, ..)| *id);
+        let node = place.ok().and_then(|place| self.nodes.get(place));
+        matches!(node, Some((_, _, same)) if same == name)
+    }
+}
+
+/// Equal alternatives once, with all that lead to each.
+pub fn grouped<T>(all: impl Iterator<Item = (T, Alternative)>) -> (Vec<Vec<T>>, Vec<Alternative>) {
+    let (mut groups, mut alternatives): (Vec<Vec<T>>, Vec<Alternative>) = (Vec::new(), Vec::new());
+    for (of, alternative) in all {
+        let mut known = groups.iter_mut().zip(&alternatives);
+        let same = known.find(|(_, known)| known.outputs == alternative.outputs);
+        if let Some((group, _)) = same {
+            group.push(of);
+        } else {
+            groups.push(vec![of]);
+            alternatives.push(alternative);
+        }
+    }
+    (groups, alternatives)
+}
+
+/// The statements that come first, and each alternative with its own.
+#[must_use]
+pub fn print(
+    alternatives: &[Alternative],
+    precision: Precision,
+    taken: &[&str],
+) -> (TokenStream, Vec<Printed>) {
+    let mut printer = Printer::new(precision, taken);
+    let common = common(alternatives);
+    let ids: BTreeSet<Id> = common.iter().map(|(id, ..)| *id).collect();
+    // Bound are those of them that the rest uses.
+    let mut border = BTreeSet::new();
+    for Alternative { nodes, outputs } in alternatives {
+        let rest = nodes.iter().filter(|(id, ..)| !ids.contains(id));
+        border.extend(rest.flat_map(|(_, node, _)| operands(node)));
+        border.extend(outputs.iter().filter_map(super::operand_id));
+    }
+    let bound: Vec<Operand> = border
+        .intersection(&ids)
+        .map(|id| Operand::Node(*id))
+        .collect();
+    printer.visit_all(&common, &bound, 2);
+    let statements = printer.statements();
+    let alternatives = alternatives.iter().map(|Alternative { nodes, outputs }| {
+        let mut printer = printer.clone();
+        printer.visit_all(nodes, outputs, 1);
+        printer.printed(outputs)
+    });
+    (statements, alternatives.collect())
+}
+
+/// What all alternatives need, under the same names; nothing if there is only one.
+fn common(alternatives: &[Alternative]) -> Vec<Recorded> {
+    let [first, others @ ..] = alternatives else {
+        return Vec::new();
+    };
+    if others.is_empty() {
+        return Vec::new();
+    }
+    let mut common: Vec<Recorded> = Vec::new();
+    let mut ids = BTreeSet::new();
+    // Operands come before their users.
+    for node in &first.nodes {
+        let whole = operands(&node.1).iter().all(|id| ids.contains(id));
+        if whole && others.iter().all(|other| other.has(node)) {
+            ids.insert(node.0);
+            common.push(node.clone());
+        }
+    }
+    common
+}

@@ -1,0 +1,105 @@
+//! The modes in double-double, those that the contact drives first.
+
+use crate::modal::Modal;
+use crate::roots::Driven;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dd::Dd;
+
+/// Modes whose constants agree to this count as equal: beyond, rounding alone tells them apart.
+pub(super) const EQUAL: f64 = 1e-24;
+
+/// Below this share of the largest that it could be, a component is rounding noise.
+const NOISE: f64 = 1e-26;
+
+/// A mode in double-double, alone or with derivatives.
+#[derive(Clone, Debug)]
+pub(super) struct Plain<T> {
+    pub resonance: T,
+    pub zeta: T,
+    pub load: T,
+    pub contact: T,
+    pub shape: Vec<T>,
+}
+
+/// Those that the contact drives first; a stable sort: both groups stay ascending.
+pub(super) fn sorted<T: Float>(mut modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
+    modes.sort_by_key(|mode| mode.contact.is_zero());
+    modes
+}
+
+pub(super) fn in_contact<T: Float>(modes: &[Plain<T>]) -> impl Iterator<Item = &Plain<T>> {
+    modes.iter().filter(|mode| !mode.contact.is_zero())
+}
+
+/// The modes that the contact drives, as the search for the held ones reads them.
+pub(super) fn driven<T: Float>(modes: &[Plain<T>], value: impl Fn(T) -> Dd) -> Vec<Driven> {
+    let driven = in_contact(modes).map(|mode| {
+        let contact = value(mode.contact);
+        Driven {
+            sigma: value(mode.resonance),
+            zeta: value(mode.zeta),
+            inverse_mass: contact * contact,
+        }
+    });
+    driven.collect()
+}
+
+pub(super) fn plain_modes<T: Float>(modal: &Modal<T>) -> Vec<Plain<T>> {
+    let zero = T::constant(0.0);
+    let pick = |of: &[T], i: usize| of.get(i).copied().unwrap_or(zero);
+    modal
+        .shapes
+        .iter()
+        .enumerate()
+        .map(|(i, shape)| Plain {
+            resonance: pick(&modal.resonances, i),
+            zeta: pick(&modal.damping_ratios, i),
+            load: pick(&modal.loads, i),
+            contact: pick(&modal.contacts, i),
+            shape: shape.clone(),
+        })
+        .collect()
+}
+
+/// Whether two constants of modes count as equal.
+pub(super) fn close<T: Float>(a: T, b: T) -> bool {
+    (a - b).abs() <= (a.abs() + b.abs()) * T::constant(EQUAL)
+}
+
+/// Equal modes may be mixed at will: they are turned so that the contact drives one alone, since
+/// the others then move on freely whatever the contact does.
+pub(super) fn turned<T: Float>(modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
+    let mut out: Vec<Plain<T>> = Vec::with_capacity(modes.len());
+    for mut mode in modes {
+        let zero = T::constant(0.0);
+        let twin = out.iter_mut().find(|known| {
+            known.contact != zero
+                && mode.contact != zero
+                && close(known.resonance, mode.resonance)
+                && close(known.zeta, mode.zeta)
+        });
+        if let Some(twin) = twin {
+            let length = (twin.contact * twin.contact + mode.contact * mode.contact).sqrt();
+            let (c, s) = (twin.contact / length, mode.contact / length);
+            let mix = |a: &mut T, b: &mut T| {
+                let size = a.abs() + b.abs();
+                let (first, second) = (*a * c + *b * s, *b * c - *a * s);
+                let clean = |value: T| {
+                    if value.abs() <= size * T::constant(NOISE) {
+                        zero
+                    } else {
+                        value
+                    }
+                };
+                (*a, *b) = (clean(first), clean(second));
+            };
+            mix(&mut twin.load, &mut mode.load);
+            for (a, b) in twin.shape.iter_mut().zip(&mut mode.shape) {
+                mix(a, b);
+            }
+            (twin.contact, mode.contact) = (length, zero);
+        }
+        out.push(mode);
+    }
+    out
+}

@@ -1,0 +1,58 @@
+//! The part of a scene that an error is about.
+
+/// The part of a scene that an error is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Path {
+    /// The scene as a whole.
+    Scene,
+    /// The list of masses.
+    Masses,
+    /// The value of a mass.
+    Mass(usize),
+    /// The name of a mass.
+    MassName(usize),
+    /// The list of springs.
+    Springs,
+    /// The stiffness of a spring.
+    Spring(usize),
+    /// The first end of a spring.
+    SpringFrom(usize),
+    /// The second end of a spring.
+    SpringTo(usize),
+    /// The contact as a whole.
+    Contact,
+    /// The first side of the contact.
+    ContactFrom,
+    /// The second side of the contact.
+    ContactTo,
+    /// The excitation.
+    Excitation,
+    /// The damping as a whole, or one of its numbers.
+    Damping(Option<usize>),
+    /// The ratio μ of static to kinetic friction.
+    Stiction,
+    /// The list of what to emit, or one of its items.
+    Provide(Option<usize>),
+    /// The accuracy.
+    Accuracy,
+    /// The range over which it is declared.
+    Range,
+    /// The range of the frequency ratio.
+    RangeOfRatio,
+    /// The range of the friction ratio.
+    RangeOfFriction,
+    /// The side of the exact limits.
+    Side,
+    /// The bytes in place of an accuracy.
+    Budget,
+    /// What happens outside the range.
+    Beyond,
+    /// The friction law as a whole, or one of its numbers: speed and level of each point in turn.
+    Friction(Option<usize>),
+    /// The stepper's step.
+    Step,
+    /// The stepper's input between samples.
+    Input,
+    /// The list of masses that the stepper may load, or one of them.
+    Force(Option<usize>),
+}

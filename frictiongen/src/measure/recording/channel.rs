@@ -1,0 +1,14 @@
+//! One measured signal.
+
+use super::unit::Unit;
+
+/// One channel of a recording.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channel {
+    /// What it is of: `base`, `force` or the name of a mass.
+    pub name: String,
+    /// The unit of its samples.
+    pub unit: Unit,
+    /// The samples, in that unit.
+    pub samples: Vec<f64>,
+}
