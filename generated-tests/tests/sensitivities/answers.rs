@@ -1,6 +1,9 @@
 //! Everything that a scene answers at r and β, by name.
 
-use frictiongen::study::{SystemAt, SystemSteady};
+use frictiongen::study::SystemAt;
+use frictiongen_kernel::modal_sum::wave::Wave;
+use frictiongen_kernel::oscillator::decay::Damped;
+use frictiongen_kernel::response::motion::Motion;
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::data::{Data, DataMotion};
 
@@ -17,7 +20,11 @@ fn complex<S: Float>(all: &mut Answers<S>, name: String, value: Complex<S>) {
     all.push((format!("{name} im"), value.im));
 }
 
-fn steady<S: Float>(all: &mut Answers<S>, name: &str, motion: &SystemSteady<S>) {
+fn steady<S: Float, W: AsRef<[Wave<S, Damped<S>>]>>(
+    all: &mut Answers<S>,
+    name: &str,
+    motion: &Motion<S, Damped<S>, W>,
+) {
     let [early, late] = [0.7, 2.6].map(S::constant);
     for (question, value) in [
         ("amplitude", motion.amplitude()),
