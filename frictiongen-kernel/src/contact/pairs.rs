@@ -74,7 +74,14 @@ impl<S: Float> Chain<S> {
         keep: impl FnMut(ModeAt<S>),
     ) -> ContactAt<S> {
         let scale = Self::scale_at(modes, inverse_r);
-        let responses = modes.iter().map(|mode| mode.functions(inverse_r, WITH_G));
+        let responses = modes.iter().map(|mode| {
+            if WITH_G {
+                // A call: here size counts.
+                mode.response(inverse_r, 0)
+            } else {
+                mode.functions(inverse_r, false)
+            }
+        });
         self.contact_of(modes, responses, scale, inverse_r, WITH_G, keep)
     }
 

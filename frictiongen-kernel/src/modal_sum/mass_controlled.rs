@@ -12,7 +12,6 @@
 //! far from load and contact moves.  The polynomials vanish where the sums do.
 
 use crate::number::complex::{self, Complex};
-use crate::number::euler::ORDERS as EULER_ORDERS;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Basis, Instant};
 use crate::oscillator::mode::Kind;
@@ -35,75 +34,40 @@ pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Con
     rate.lt(S::constant(SLOW))
 }
 
-/// The polynomials e_2m at one instant, and their derivatives e_2m−1, m = 1, 2, …: they are the same for all modes.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Polynomials<S> {
-    even: [S; EULER_ORDERS],
-    odd: [S; EULER_ORDERS],
-    /// How many the scalar asks for.
-    orders: usize,
-}
-
-impl<S: Float> Polynomials<S> {
-    pub fn at(at: &Instant<S>) -> Self {
-        let (zero, half, one) = (S::constant(0.0), S::constant(0.5), S::constant(1.0));
-        let w = at.tau * (S::pi() * (one - at.t));
-        let w_slope = (S::pi() + S::pi()) * (half - at.t);
-        // At the beginning only the last term of each counts; a derivative has others.
-        let starts = at.t.is_zero() && !S::CARRIES;
-        let mut of = Self {
-            even: [zero; EULER_ORDERS],
-            odd: [zero; EULER_ORDERS],
-            orders: 0,
-        };
-        let (mut rest, mut degree) = (S::euler_terms(), one);
-        for (even, odd) in of.even.iter_mut().zip(&mut of.odd) {
-            let order = of.orders + 1;
-            let Some((row, others)) = rest.split_at_checked(order) else {
-                break;
-            };
-            if starts {
-                *odd = row.last().map_or(zero, |last| *last * w_slope);
-            } else {
-                let (mut of_even, mut of_odd, mut power) = (zero, zero, degree);
-                for term in row {
-                    of_even = of_even * w + *term;
-                    of_odd = of_odd * w + *term * power;
-                    power = power - one;
-                }
-                (*even, *odd) = (of_even * w, of_odd * w_slope);
-            }
-            (rest, degree, of.orders) = (others, degree + one, order);
-        }
-        of
-    }
-
-    fn pairs(&self) -> impl Iterator<Item = (S, S)> {
-        let pairs = self.even.iter().copied().zip(self.odd.iter().copied());
-        pairs.take(self.orders)
-    }
-}
-
 /// y as the return from rest, y′ and y″ as its derivatives.
-pub(crate) fn basis<S: Float>(
-    x: S,
-    zeta: S,
-    at: &Instant<S>,
-    polynomials: &Polynomials<S>,
-) -> Basis<S> {
-    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
+    let (zero, half, one) = (S::constant(0.0), S::constant(0.5), S::constant(1.0));
+    let w = at.tau * (S::pi() * (one - at.t));
+    let w_slope = (S::pi() + S::pi()) * (half - at.t);
+    // At the beginning w is 0, and the last term of each is all of it; a derivative has others.
+    let starts = at.t.is_zero() && !S::CARRIES;
     let (loss, square) = (-((zeta + zeta) * x), x * x);
     // h_2m−4, h_2m−3, h_2m−2, and e_2m−2.
     let (mut first, mut before, mut now, mut last) = (zero, zero, one, one);
     let (mut value, mut slope) = (zero, zero);
+    let (mut rest, mut order, mut degree) = (S::euler_terms(), 1, one);
     // (−1)^m
     let mut sign = one;
-    for (even, odd) in polynomials.pairs() {
+    while let Some((row, others)) = rest.split_at_checked(order) {
+        // e_2m, and e_2m−1, which is its derivative.
+        let (mut even, mut odd, mut power) = (zero, zero, degree);
+        let row = if starts {
+            power = one;
+            row.last().map_or(row, core::slice::from_ref)
+        } else {
+            row
+        };
+        for term in row {
+            even = even * w + *term;
+            odd = odd * w + *term * power;
+            power = power - one;
+        }
+        let (even, odd) = (even * w, odd * w_slope);
         value = value + (before * odd + now * even);
         slope = slope + (before * last + now * odd);
         let next = loss * now - square * before;
         (first, before, now, last) = (now, next, loss * next - square * now, even);
-        sign = -sign;
+        (rest, order, degree, sign) = (others, order + 1, degree + one, -sign);
     }
     // The rest: 4/π Im[(−1)^m i (h_N−1 + i x²h_N−2) e^{iτ}/(x² − 1 + 2iζx)], N = 2m.
     let denominator = Complex::new((x - one) * (x + one), -loss);
@@ -174,8 +138,7 @@ mod tests {
                 }
                 for t in [0.0, 1e-9, 0.1, 0.499_999, 0.5, 0.7, 1.0 - 1e-9, 1.0] {
                     let (value, slope) = put_together(&mode(zeta.into()), x.into(), t.into());
-                    let at = Instant::new(t);
-                    let got = basis(x, zeta, &at, &Polynomials::at(&at));
+                    let got = basis(x, zeta, &Instant::new(t));
                     for (got, want) in [(got.rise, value), (got.free, slope)] {
                         // What double-double leaves of the sums.
                         let lost = 1e-30 / (x * x);
@@ -199,8 +162,7 @@ mod tests {
             let (t, x, zeta) = (t as f32, x as f32, zeta as f32);
             let wide = |value: f32| Dd::from(f64::from(value));
             let (value, slope) = put_together(&mode(wide(zeta)), wide(x), wide(t));
-            let at = Instant::new(t);
-            let got = basis(x, zeta, &at, &Polynomials::at(&at));
+            let got = basis(x, zeta, &Instant::new(t));
             let (s, c) = (3.0 * core::f64::consts::PI * f64::from(t)).sin_cos();
             let off = f64::from(got.rise) - value.to_f64();
             sine = (sine.0 + off * s, sine.1 + off * c);
@@ -238,8 +200,7 @@ mod tests {
                 }
                 for t in [0.0_f32, 1e-4, 0.1, 0.4999, 0.5, 0.7, 0.9999, 1.0] {
                     let (value, slope) = put_together(&mode(wide(zeta)), wide(x), wide(t));
-                    let at = Instant::new(t);
-                    let got = basis(x, zeta, &at, &Polynomials::at(&at));
+                    let got = basis(x, zeta, &Instant::new(t));
                     for (got, want) in [(got.rise, value), (got.free, slope)] {
                         let lost = 1e-30 / f64::from(x * x);
                         let off = (wide(got) - want).abs().to_f64();

@@ -1,6 +1,6 @@
 //! A sum of modal motions over the half period, with bounds on what it can still do.
 
-use crate::modal_sum::mass_controlled::{self, Polynomials};
+use crate::modal_sum::mass_controlled;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 use crate::oscillator::mode::Mode;
@@ -43,12 +43,11 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// The mode's functions at an instant; what modes share there is formed by the first that asks.
+    /// The mode's functions at an instant.
     #[inline]
-    pub(crate) fn basis(&self, at: &Instant<S>, shared: &mut Option<Polynomials<S>>) -> Basis<S> {
+    pub(crate) fn basis(&self, at: &Instant<S>) -> Basis<S> {
         if self.mass_controlled {
-            let polynomials = shared.get_or_insert_with(|| Polynomials::at(at));
-            mass_controlled::basis(self.x, self.decay.zeta(), at, polynomials)
+            mass_controlled::basis(self.x, self.decay.zeta(), at)
         } else {
             self.decay.basis(self.x, at)
         }
@@ -154,9 +153,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     /// The value at an instant.
     pub fn value(&self, at: &Instant<S>) -> S {
         let mut sum = self.cosine * at.cosine + self.sine * at.sine;
-        let mut shared = None;
         for wave in self.waves {
-            sum = sum + wave.value(&wave.basis(at, &mut shared));
+            sum = sum + wave.value(&wave.basis(at));
         }
         sum
     }
@@ -164,9 +162,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     /// The derivative with respect to τ at an instant.
     pub fn slope(&self, at: &Instant<S>) -> S {
         let mut sum = self.sine * at.cosine - self.cosine * at.sine;
-        let mut shared = None;
         for wave in self.waves {
-            let basis = wave.basis(at, &mut shared);
+            let basis = wave.basis(at);
             let (curve, _) = differences(wave, &basis, curves(wave, &basis), at);
             sum = sum
                 + wave.free * basis.slope
@@ -190,9 +187,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
             curvature: -value,
             third: -slope,
         };
-        let mut shared = None;
         for wave in self.waves {
-            let basis = wave.basis(at, &mut shared);
+            let basis = wave.basis(at);
             let (x, loss) = (wave.x, (wave.decay.zeta() + wave.decay.zeta()) * wave.x);
             let (of_cosine, of_sine) = wave.forcing();
             let (value, slope) = (wave.value(&basis), wave.slope(&basis, at));
@@ -212,9 +208,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     pub(crate) fn start(&self) -> (S, S) {
         let mut value = self.cosine;
         let mut slope = self.sine;
-        let (at, mut shared) = (Instant::start(), None);
         for wave in self.waves.iter().filter(|wave| wave.mass_controlled) {
-            let basis = wave.basis(&at, &mut shared);
+            let basis = wave.basis(&Instant::start());
             value = value + wave.rise * basis.rise;
             slope = slope + wave.rise * basis.free;
         }

@@ -5,10 +5,8 @@
 
 /// Even orders that are summed in `f64` and in `f32`: 1/6, the rate at which the third harmonic of the rest
 /// falls where polynomials are used, to the power of twice as many is below their rounding.
-const DOUBLE: usize = ORDERS;
+const DOUBLE: usize = 11;
 const SINGLE: usize = 5;
-/// Most even orders that any scalar sums.
-pub(crate) const ORDERS: usize = 11;
 
 /// The coefficients of e_2m, m = 1, 2, …: powers of w = τ(π − τ) from the mth down to the first.
 pub(crate) const DOUBLE_TERMS: [f64; terms(DOUBLE)] = coefficients();

@@ -7,7 +7,7 @@
 pub mod complex;
 pub mod dd;
 pub mod dual;
-pub(crate) mod euler;
+mod euler;
 mod float;
 pub(crate) mod lanes;
 pub(crate) mod pairs;

@@ -1,7 +1,6 @@
 //! What the derivatives of a sum cannot exceed from an instant on, and each mode's part as what its equation carries on
 //! from there (section 9 of `docs/derivation.md`).
 
-use crate::modal_sum::mass_controlled::Polynomials;
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
@@ -36,12 +35,7 @@ pub(super) struct Common<S> {
 impl<S: Float> Track<S> {
     /// The part of a wave that its equation carries on from an instant, and what it leaves to the common.
     #[inline]
-    pub fn of<D: Decay<S>>(
-        wave: &Wave<S, D>,
-        at: &Instant<S>,
-        all: bool,
-        shared: &mut Option<Polynomials<S>>,
-    ) -> (Self, Common<S>) {
+    pub fn of<D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>, all: bool) -> (Self, Common<S>) {
         let zero = S::constant(0.0);
         let x = wave.x;
         let loss = (wave.decay.zeta() + wave.decay.zeta()) * x;
@@ -54,7 +48,7 @@ impl<S: Float> Track<S> {
                 rise: zero,
             }
         } else {
-            wave.basis(at, shared)
+            wave.basis(at)
         };
         if is_forced(wave, all) {
             let (cosine, sine) = wave.forcing();
@@ -137,8 +131,7 @@ impl<S: Float> Bounds<S> {
                 rounding = rounding + y;
                 continue;
             }
-            // No mass-controlled mode comes here.
-            let (track, common) = Track::of(wave, at, false, &mut None);
+            let (track, common) = Track::of(wave, at, false);
             let Track { x, loss, .. } = track;
             (cosine, sine) = (cosine + common.cosine, sine + common.sine);
             let turning = track.cosine * at.cosine + track.sine * at.sine;

@@ -189,10 +189,9 @@ impl<S: Float> Grid<S> {
         self.turn(at, &step);
         // A row further; only a forced mode asks for it.
         let mut four = None;
-        let mut shared = None;
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {
-            let (track, common) = Track::of(wave, at, stretch.forced, &mut shared);
+            let (track, common) = Track::of(wave, at, stretch.forced);
             let advance = |basis: &Basis<S>| {
                 let matrix = Matrix::of(track.x, track.loss, (basis.free, basis.slope));
                 (matrix, Gain::of(wave, track.loss, basis))
