@@ -42,7 +42,7 @@ pub enum OptimumError {
     Unbounded,
     /// The motion does not depend on friction and is at rest.
     AtRest,
-    /// It takes more amplitudes than [`System::optimum`] computes.
+    /// It takes more amplitudes than [`System::optimum`](crate::study::System::optimum) computes.
     TooLong,
     /// The interval of a tuned number is not finite, has no width, or its end is below its start.
     Interval,
