@@ -1,7 +1,7 @@
 //! The contact's sums at run time, with neighbouring modes two by two.
 //!
 //! A processor takes two numbers at once where a compiler sees that the same is done to both.  In emitted code it sees
-//! much of that by itself; in a loop over modes it does not, so the formulas are read over [`Lanes`].  Every operation is
+//! much of that by itself; in a loop over modes it does not, so the formulas are read over `Lanes`.  Every operation is
 //! that of one mode alone, and the sums are taken one mode after the other: the bits are those of emitted code.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};

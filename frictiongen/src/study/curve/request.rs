@@ -19,7 +19,8 @@ pub struct CurveRequest {
     pub harmonics: Vec<u32>,
     /// Whether each point has velocities and accelerations.
     pub rates: bool,
-    /// Whether the contact's motion is wanted with the opposite sign, as [`System::contact_is_reversed`](crate::study::System::contact_is_reversed) asks for.
+    /// Whether the contact's motion is wanted with the opposite sign, as
+    /// [`System::contact_is_reversed`](crate::study::System::contact_is_reversed) asks for.
     pub turned: bool,
 }
 
