@@ -1,7 +1,7 @@
 //! One part of a step: by the tables where the contact certainly has no event.
 
 use super::dot::{add, dot, sizes};
-use super::drive::{at, derived, gain};
+use super::drive::{at, derived, growth};
 use super::rows::{HeldStep, ModeStep};
 use super::scene::StepScene;
 use super::state::{Status, StoreMut};
@@ -56,10 +56,10 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             }
         }
         if let Some(motions) = self.moving_base() {
-            for (lift, motion) in step.lift.iter().zip(motions) {
-                for (sum, lift) in sum.iter_mut().zip(lift) {
+            for (from_base, motion) in step.from_base.iter().zip(motions) {
+                for (sum, from_base) in sum.iter_mut().zip(from_base) {
                     for (sum, term) in sum.iter_mut().zip(motion) {
-                        *sum = *sum + *lift * term;
+                        *sum = *sum + *from_base * term;
                     }
                 }
             }
@@ -155,7 +155,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             let load = self.load(index);
             let mut drive = load;
             if let [first, ..] = &mut drive[..] {
-                *first = *first - step.gain * step.contact * force;
+                *first = *first - step.per_force * step.contact * force;
             }
             let Some(&[y, u]) = self.store.modes.get(index) else {
                 return false;
@@ -179,7 +179,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             return false;
         }
         let carried = if self.scene.rubs_on_base() {
-            gain(&self.base, S::constant(1.0))
+            growth(&self.base, S::constant(1.0))
         } else {
             zero
         };
@@ -314,7 +314,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
         if self.scene.rubs_on_base() {
             // −∫F b′ by parts, b from where it is now.
-            let rise = gain(&self.base, place);
+            let rise = growth(&self.base, place);
             let mut sum = to * rise;
             for (term, moment) in self.base.iter().zip(moments).skip(1) {
                 sum = sum - *term * *moment;
@@ -352,7 +352,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
         let rise = moments.first().copied().unwrap_or(S::constant(0.0));
         let work = dot(S::constant(0.0), load, &moments);
         let turn = self.turn.times([y, u], drive);
-        ([y + rise, u + turn], work / self.gain)
+        ([y + rise, u + turn], work / self.per_force)
     }
 
     /// What |u″| cannot exceed over the part.

@@ -29,7 +29,7 @@ pub(super) struct Cover<'a, 'm, S> {
     /// Where β_lim bends, ascending.
     pub kinks: Vec<f64>,
     pub form: Form,
-    /// The most that β_lim may be off lift·β_lim, relative to β_lim.
+    /// The most that β_lim may be off side_factor·β_lim, relative to β_lim.
     pub limit: f64,
     /// The most that amplitude (relative) and phase (rad) may be off.
     pub motion: f64,

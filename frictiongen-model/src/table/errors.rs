@@ -93,7 +93,7 @@ impl<S: Float> Cover<'_, '_, S> {
         let Some(limit) = self.exact.at(r).map(|sample| sample.limit) else {
             return f64::INFINITY;
         };
-        let off = (piece.value(0, own).to_f64() - self.form.lift * limit).abs();
+        let off = (piece.value(0, own).to_f64() - self.form.side_factor * limit).abs();
         let plain = off / (self.limit * limit);
         if plain <= 1.0 {
             return plain;

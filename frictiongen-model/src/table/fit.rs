@@ -46,7 +46,7 @@ pub(super) struct Form {
     /// Coefficients of each.
     pub terms: usize,
     /// What β_lim, and a and g that are divided by it, are multiplied by.
-    pub lift: f64,
+    pub side_factor: f64,
     /// By how much the rounding of each coefficient may change an answer, relative to β_lim.
     pub rounding: f64,
 }
@@ -74,8 +74,12 @@ pub(super) fn fit<S: Float>(
         let mut values = Vec::with_capacity(terms);
         for r in &nodes {
             let value = exact.function(function, *r)?;
-            let lift = if function < ANGLE { form.lift } else { 1.0 };
-            values.push(lift * value / zero.map_or(1.0, |zero| zero.distance(*r)));
+            let factor = if function < ANGLE {
+                form.side_factor
+            } else {
+                1.0
+            };
+            values.push(factor * value / zero.map_or(1.0, |zero| zero.distance(*r)));
         }
         if function == ANGLE {
             unwrap(&mut values);

@@ -82,7 +82,7 @@ fn product<S: Float>(
     numerator: [&[Zero]; 2],
     denominator: [&[Zero]; 2],
     (low, high): (f64, f64),
-    lift: f64,
+    side_factor: f64,
     value: impl Fn(f64) -> f64,
     to: &impl Fn(Dd) -> S,
 ) -> Option<Product<S>> {
@@ -118,7 +118,7 @@ fn product<S: Float>(
     };
     let places = (0..PLACES).map(|k| low + (high - low) * (k as f64 + 0.5) / PLACES as f64);
     let place = places.max_by(|a, b| away(*a).total_cmp(&away(*b)))?;
-    let gain = Dd::from(value(place) * lift) / unit.quotient().value(Dd::from(place));
+    let gain = Dd::from(value(place) * side_factor) / unit.quotient().value(Dd::from(place));
     let plain = unit.numerator.is_empty() && unit.denominator.is_empty();
     Some(Product {
         gain: to(gain),
@@ -128,12 +128,12 @@ fn product<S: Float>(
     })
 }
 
-/// β*_lim, times `lift`.
+/// β*_lim, times `side_factor`.
 fn sliding<S: Float>(
     exact: &Exact<'_>,
     zeros: &Zeros,
     range: (f64, f64),
-    lift: f64,
+    side_factor: f64,
     to: &impl Fn(Dd) -> S,
 ) -> Option<Product<S>> {
     let mut product = product(
@@ -141,7 +141,7 @@ fn sliding<S: Float>(
         [&zeros.excitation, &zeros.unloaded],
         [&zeros.receptance, &[]],
         range,
-        lift,
+        side_factor,
         |r| exact.sliding_limit(r),
         to,
     )?;
@@ -196,18 +196,19 @@ impl<S: Float> Products<S> {
         let allowed = EXACT_SHARE * request.accuracy;
         let receptances = Receptances::of(exact, zeros, range.1);
         let to = rounded::<S>;
-        let of_sliding = |lift: f64| {
-            let product = zeros.and_then(|zeros| sliding(exact, zeros, range, lift, &to))?;
+        let of_sliding = |side_factor: f64| {
+            let product = zeros.and_then(|zeros| sliding(exact, zeros, range, side_factor, &to))?;
             let proof = receptances.as_ref();
             let proof = proof.map(|known| known.sliding(&product, request));
-            Some((lift, product, proof.unwrap_or(Proof::none(range))))
+            Some((side_factor, product, proof.unwrap_or(Proof::none(range))))
         };
         let built = match request.side {
             Side::Near => of_sliding(1.0),
             Side::Safe => {
-                let lifts = SAFE_ROUNDINGS.map(|count| count * S::EPSILON);
-                let lifts = lifts.map(|lift| 1.0 + lift.min(0.5 * request.accuracy));
-                let built = lifts.into_iter().filter_map(of_sliding);
+                let side_factors = SAFE_ROUNDINGS.map(|count| count * S::EPSILON);
+                let side_factors =
+                    side_factors.map(|excess| 1.0 + excess.min(0.5 * request.accuracy));
+                let built = side_factors.into_iter().filter_map(of_sliding);
                 // The first of the best.
                 built.min_by(|a, b| a.2.open_length().total_cmp(&b.2.open_length()))
             }
@@ -222,8 +223,8 @@ impl<S: Float> Products<S> {
             points += looked;
             (seen.error <= allowed).then_some(seen)
         };
-        let built = built.filter(|(lift, product, _)| {
-            let seen = kept(product, &|r| lift * exact.sliding_limit(r));
+        let built = built.filter(|(side_factor, product, _)| {
+            let seen = kept(product, &|r| side_factor * exact.sliding_limit(r));
             worst = seen.unwrap_or(worst);
             seen.is_some()
         });

@@ -353,7 +353,7 @@ fn cover<'a, 'm, S: Float>(
 ) -> Cover<'a, 'm, S> {
     let accuracy = request.accuracy;
     // Safe: β_lim from below, half the accuracy off.
-    let (lift, share, whole) = match request.side {
+    let (side_factor, share, whole) = match request.side {
         Side::Near => (1.0, SHARE, CHECKED * accuracy),
         Side::Safe => (1.0 - 0.5 * accuracy, SAFE_SHARE, 0.5 * CHECKED * accuracy),
     };
@@ -364,7 +364,7 @@ fn cover<'a, 'm, S: Float>(
         form: Form {
             functions,
             terms,
-            lift,
+            side_factor,
             rounding: ROUNDING * accuracy,
         },
         limit: share * accuracy,

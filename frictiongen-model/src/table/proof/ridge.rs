@@ -114,7 +114,8 @@ impl Cells<'_> {
         for (mode, full) in stage.modes.iter_mut().zip(&self.part.at.modes) {
             let of =
                 |series: &Series<ORDER>| Series::fixed(Interval::point(value_at(series, away)));
-            (mode.x, mode.free, mode.swing) = (of(&full.x), of(&full.free), of(&full.swing));
+            (mode.x, mode.free, mode.swing_slope) =
+                (of(&full.x), of(&full.free), of(&full.swing_slope));
         }
         stage
     }

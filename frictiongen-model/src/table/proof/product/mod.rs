@@ -15,7 +15,7 @@ use super::super::exact::Exact;
 use super::super::quotients::Product;
 use super::super::request::Request;
 use super::super::worst::Worst;
-use super::super::zeros::{Share, Zero, Zeros};
+use super::super::zeros::{ContactMode, Zero, Zeros};
 use super::{Evidence, Proof, Work};
 use crate::scene::Side;
 use ball::Ball;
@@ -54,16 +54,16 @@ impl Receptances {
     pub fn of(exact: &Exact<'_>, zeros: Option<&Zeros>, highest: f64) -> Option<Self> {
         let zeros = zeros?.clone();
         let modal = exact.modal;
-        let shares = exact.shares();
-        let of = |share: &'_ Share| share.residue;
-        let driven: Vec<(&Share, Dd)> = shares
+        let contact_modes = exact.contact_modes();
+        let of = |mode: &'_ ContactMode| mode.residue;
+        let driven: Vec<(&ContactMode, Dd)> = contact_modes
             .iter()
-            .filter(|share| !share.residue.is_zero())
-            .map(|share| (share, of(share)))
+            .filter(|mode| !mode.residue.is_zero())
+            .map(|mode| (mode, of(mode)))
             .collect();
-        let all: Vec<(&Share, Dd)> = shares
+        let all: Vec<(&ContactMode, Dd)> = contact_modes
             .iter()
-            .map(|share| (share, share.driven.inverse_mass))
+            .map(|mode| (mode, mode.driven.inverse_mass))
             .collect();
         let direct = if modal.on_moving_base { -1.0 } else { 0.0 };
         let joined =

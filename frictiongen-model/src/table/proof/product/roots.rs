@@ -5,15 +5,15 @@
 //! is left at zeros that are right but for their last digits, and q is a constant but for terms that are roundings.
 //! Nothing about the zeros is believed: if they were wrong, the N(z_j) would be large.
 
-use super::super::super::zeros::{Share, Zero};
+use super::super::super::zeros::{ContactMode, Zero};
 use super::ball::{Ball, Disc};
 use frictiongen_kernel::number::dd::Dd;
 
-/// A mode's denominator v² + rate·v + square, or v + square, and its share of the sum.
+/// A mode's denominator v² + rate·v + square, or v + square, and its residue in the sum.
 struct Term {
     rate: Ball,
     square: Ball,
-    share: Ball,
+    residue: Ball,
 }
 
 /// direct + Σρ/d.
@@ -34,16 +34,16 @@ pub(super) struct Factored {
 }
 
 impl Sum {
-    pub fn of(direct: f64, shares: &[(&Share, Dd)], damped: bool) -> Self {
-        let terms = shares.iter().map(|(share, of)| {
+    pub fn of(direct: f64, contact_modes: &[(&ContactMode, Dd)], damped: bool) -> Self {
+        let terms = contact_modes.iter().map(|(mode, of)| {
             let (sigma, zeta) = (
-                Ball::exact(share.driven.sigma),
-                Ball::exact(share.driven.zeta),
+                Ball::exact(mode.driven.sigma),
+                Ball::exact(mode.driven.zeta),
             );
             Term {
                 rate: Ball::number(2.0) * zeta * sigma,
                 square: sigma * sigma,
-                share: Ball::exact(*of),
+                residue: Ball::exact(*of),
             }
         });
         Self {
@@ -73,7 +73,7 @@ impl Sum {
             } else {
                 v + Disc::real(term.square)
             };
-            sum = sum + Disc::real(term.share) * denominator.inverse();
+            sum = sum + Disc::real(term.residue) * denominator.inverse();
             all = all * denominator;
         }
         sum * all
