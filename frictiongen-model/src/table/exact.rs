@@ -1,6 +1,5 @@
 //! The exact values that tables are made from and compared with.
 
-use super::fit::SIZE;
 use super::zeros::{ContactMode, contact_modes};
 use crate::modal::Modal;
 use crate::reduced::Reduced;
@@ -11,6 +10,10 @@ use frictiongen_kernel::response::At;
 use frictiongen_kernel::table::ContactTable;
 use std::collections::HashMap;
 
+/// The place of arg V among the functions; those before it are divided by |V|/β_lim.
+pub(super) const ANGLE: usize = 3;
+/// The place of |V|, where it is among them.
+pub(super) const SIZE: usize = 4;
 /// Below this share of its terms a sum has lost digits that count.
 const CANCELS: f64 = 1e-2;
 

@@ -1,7 +1,7 @@
 //! One piece: polynomials through Chebyshev points, rounded to the table's scalar.
 
 use super::digits::{above, to_decimals};
-use super::exact::Exact;
+use super::exact::{ANGLE, Exact, SIZE};
 use super::split::Edge;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::polynomial;
@@ -9,10 +9,6 @@ use std::f64::consts::PI;
 
 /// An origin is rounded to this share of its piece.
 const ORIGIN: f64 = 0.1;
-/// The place of arg V among the functions; those before it are divided by |V|/β_lim.
-pub(super) const ANGLE: usize = 3;
-/// The place of |V|, where it is among them.
-pub(super) const SIZE: usize = 4;
 
 /// A piece with its functions in vectors.
 #[derive(Clone, Debug)]

@@ -2,6 +2,7 @@
 
 use super::check;
 use super::exact::Exact;
+use super::product::Product;
 use super::proof::{Proof, Receptances};
 use super::request::Request;
 use super::split::Landmarks;
@@ -10,70 +11,13 @@ use super::zeros::{Zero, Zeros};
 use crate::scene::Side;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_kernel::table::{Factor, Quotient};
+use frictiongen_kernel::table::Factor;
 
 /// β*_lim and |V| may take this share of the accuracy.
 const EXACT_SHARE: f64 = 0.5;
 /// With `side: safe` β*_lim is larger by so many roundings: the fewest that are proven to be more than what its factors and
 /// the uncertainty of its zeros take.
 const SAFE_ROUNDINGS: [f64; 5] = [64.0, 512.0, 4096.0, 65_536.0, 1_048_576.0];
-
-/// The kernel's [`Quotient`], with its vectors.
-#[derive(Clone, Debug)]
-pub struct Product<S> {
-    /// What stands before it.
-    pub gain: S,
-    /// The factors are those of the squares of what is meant.
-    pub squared: bool,
-    /// The zeros.
-    pub numerator: Vec<Factor<S>>,
-    /// The poles.
-    pub denominator: Vec<Factor<S>>,
-}
-
-impl<S: Float> Product<S> {
-    /// The same as the kernel reads it.
-    #[must_use]
-    pub fn quotient(&self) -> Quotient<'_, S> {
-        Quotient {
-            gain: self.gain,
-            squared: self.squared,
-            numerator: &self.numerator,
-            denominator: &self.denominator,
-        }
-    }
-
-    /// Additions and multiplications, divisions and roots of one evaluation.
-    #[must_use]
-    pub fn operations(&self) -> (usize, usize, usize) {
-        let factors = self.numerator.iter().chain(&self.denominator);
-        // Of each factor its own, and the product with the others.
-        let plain = factors.map(|factor| match factor {
-            Factor::Zero { .. } => 5,
-            Factor::Pair { .. } => 8,
-            Factor::Real { .. } => 3,
-        });
-        let divisions = usize::from(!self.denominator.is_empty());
-        (
-            1 + plain.sum::<usize>(),
-            divisions,
-            usize::from(self.squared),
-        )
-    }
-
-    /// How many numbers it holds.
-    #[must_use]
-    pub fn numbers(&self) -> usize {
-        let factors = self.numerator.iter().chain(&self.denominator);
-        1 + factors
-            .map(|factor| match factor {
-                Factor::Zero { .. } => 2,
-                Factor::Pair { .. } => 4,
-                Factor::Real { .. } => 1,
-            })
-            .sum::<usize>()
-    }
-}
 
 /// A product over zeros and poles, with the gain that makes it equal to `value` in double-double where it is
 /// farthest from its zeros and poles within the range.

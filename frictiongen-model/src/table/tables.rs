@@ -2,12 +2,14 @@
 
 use super::check;
 use super::cover::{Cover, Stuck};
+use super::errors::Comparison;
 use super::exact::Exact;
 use super::fit::{Fitted, Form};
 use super::index::Index;
 use super::kinks;
+use super::product::Product;
 use super::proof::Proof;
-use super::quotients::{Product, Products};
+use super::quotients::Products;
 use super::request::{COARSEST, Request, TableError};
 use super::split::Landmarks;
 use super::worst::Worst;
@@ -323,7 +325,7 @@ impl<S: Float> Tables<S> {
         let shape = (self.functions, self.terms);
         let quotient = self.excitation.as_ref().map(Product::quotient);
         let mut cover = cover(&mut exact, landmarks, &self.request, shape, quotient);
-        (cover.limit, cover.motion) = cover.whole;
+        (cover.comparison.limit, cover.comparison.motion) = cover.whole;
         let mut worst = Worst {
             error: 0.0,
             at: low,
@@ -334,7 +336,7 @@ impl<S: Float> Tables<S> {
             };
             let next = self.pieces.get(place + 1);
             let to = next.map_or(high, |next| next.from.to_f64());
-            let (seen, _) = check::piece(&mut cover, piece, (piece.from.to_f64(), to));
+            let (seen, _) = check::piece(&mut cover.comparison, piece, (piece.from.to_f64(), to));
             if !(seen.error <= worst.error) {
                 worst = seen;
             }
@@ -358,19 +360,21 @@ fn cover<'a, 'm, S: Float>(
         Side::Safe => (1.0 - 0.5 * accuracy, SAFE_SHARE, 0.5 * CHECKED * accuracy),
     };
     Cover {
-        exact,
-        landmarks,
-        kinks: Vec::new(),
-        form: Form {
-            functions,
-            terms,
-            side_factor,
-            rounding: ROUNDING * accuracy,
+        comparison: Comparison {
+            exact,
+            landmarks,
+            form: Form {
+                functions,
+                terms,
+                side_factor,
+                rounding: ROUNDING * accuracy,
+            },
+            limit: share * accuracy,
+            motion: SHARE * accuracy,
+            excitation,
         },
-        limit: share * accuracy,
-        motion: SHARE * accuracy,
+        kinks: Vec::new(),
         whole: (whole, CHECKED * accuracy),
-        excitation,
         most_pieces: MOST_PIECES,
         last: 0.0,
     }

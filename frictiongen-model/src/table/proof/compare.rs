@@ -3,8 +3,7 @@
 use super::super::fit::Fitted;
 use super::super::request::Request;
 use super::super::worst::Worst;
-use super::ORDER;
-use super::stage::Stage;
+use super::stage::{ORDER, Stage};
 use super::witness::{Seen, polynomial};
 use crate::interval::{Interval, Series};
 use crate::scene::Side;

@@ -10,6 +10,7 @@
 //! Products over zeros and poles, β*_lim and |V|, are another matter: [`product`].
 
 mod asked;
+mod cells;
 mod certify;
 mod compare;
 mod early;
@@ -33,18 +34,16 @@ use super::fit::{Fitted, interpolated};
 use super::request::Request;
 use super::split::Edge;
 use crate::interval::{Interval, Series};
-use certify::Part as Asked;
+use cells::Part as Asked;
 pub use evidence::{Evidence, Proof, Work};
 use found::{Budget, Found, Part};
 use frictiongen_kernel::Float;
 use motion::Moving;
 pub(super) use product::Receptances;
-use stage::{Chain, Stage, singular};
+use stage::{Chain, ORDER, Stage, singular};
 use std::f64::consts::PI;
 use witness::{Seen, Witness};
 
-/// Terms of the Taylor series in r.
-pub(super) const ORDER: usize = 8;
 /// Of the accuracy the share that a larger constraint elsewhere may take.
 const ELSEWHERE: f64 = 1.0 / 32.0;
 /// The finest accuracy that a proof is tried for: below it a table is checked.

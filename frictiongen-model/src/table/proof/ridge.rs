@@ -1,9 +1,10 @@
 //! Other instants whose velocity constraint comes close to that of the witness: beside a kink of β_lim there are two.
 
-use super::certify::{Cells, Flank};
-use super::stage::Stage;
+use super::cells::{Cells, Flank};
+use super::force;
+use super::found::Budget;
+use super::stage::{ORDER, Stage};
 use super::witness::polynomial;
-use super::{Budget, ORDER, force};
 use crate::interval::{Interval, Series};
 use frictiongen_kernel::Scalar;
 use std::f64::consts::PI;

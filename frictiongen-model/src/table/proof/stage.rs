@@ -8,6 +8,9 @@ use crate::interval::{Interval, Series};
 use crate::modal::Modal;
 use frictiongen_kernel::number::dd::Dd;
 
+/// Terms of the Taylor series in r that a proof takes.
+pub(super) const ORDER: usize = 8;
+
 /// How a mode decays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {

@@ -12,11 +12,11 @@ mod roots;
 mod tests;
 
 use super::super::exact::Exact;
-use super::super::quotients::Product;
+use super::super::product::Product;
 use super::super::request::Request;
 use super::super::worst::Worst;
 use super::super::zeros::{ContactMode, Zero, Zeros};
-use super::{Evidence, Proof, Work};
+use super::evidence::{Evidence, Proof, Work};
 use crate::scene::Side;
 use ball::Ball;
 use factor::{Cell, Known, beside, unit};
