@@ -35,6 +35,7 @@ pub use setting::Setting;
 pub use walk::MAX_STEPS;
 
 pub(crate) use clock::Total;
+pub(crate) use local::ROUNDINGS as SUM_ROUNDINGS;
 pub(crate) use part::lift;
 pub(crate) use power::{Power, TERMS, WALK};
 pub(crate) use segment::{ContactState, End, leap, span};

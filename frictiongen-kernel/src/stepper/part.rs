@@ -12,6 +12,8 @@ use crate::simulation::law::{self, Line};
 
 /// Roundings of a sum over modes, for each unit of its terms' sizes.
 pub(super) const ROUNDINGS: f64 = 8.0;
+/// A function over a unit of time is off its chord by its largest second derivative times 1/8 at most.
+const OFF_CHORD: f64 = 0.125;
 
 /// A stepper on its way through one part of a step.
 pub(super) struct Through<'t, 'a, S, const D: usize> {
@@ -174,7 +176,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             }
         }
         let least = (sign * start).min(sign * (start + rise));
-        let room = bend * S::constant(0.125) + size * S::constant(ROUNDINGS * S::EPSILON);
+        let room = bend * S::constant(OFF_CHORD) + size * S::constant(ROUNDINGS * S::EPSILON);
         if !(line.low + room < least) {
             return false;
         }
@@ -219,7 +221,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
         let grip = self.status.friction * self.status.stiction;
         let most = start.abs().max(end.abs());
-        let room = bend * S::constant(0.125) + (size + grip) * S::constant(ROUNDINGS * S::EPSILON);
+        let room =
+            bend * S::constant(OFF_CHORD) + (size + grip) * S::constant(ROUNDINGS * S::EPSILON);
         if !(most + room < grip) {
             return false;
         }

@@ -8,6 +8,9 @@ use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 use crate::simulation::{TERMS, lift};
 
+/// A power series goes on until its terms are so many times below a rounding.
+const BELOW_ROUNDING: f64 = 16.0;
+
 /// What an input has to do with a held mode.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldLoad<S> {
@@ -229,7 +232,7 @@ pub fn fill<S: Float, const D: usize>(
 pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
     let one = S::constant(1.0);
     let (mut terms, mut order, mut size) = (0, one, one);
-    while terms < TERMS && S::constant(epsilon / 16.0) < size {
+    while terms < TERMS && S::constant(epsilon / BELOW_ROUNDING) < size {
         size = size * rate / order;
         (terms, order) = (terms + 1, order + one);
     }

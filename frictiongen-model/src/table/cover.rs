@@ -20,6 +20,16 @@ const KINK_FOUND: f64 = 1.0 + 1e-3;
 const MOST_AGAIN: usize = 1000;
 /// No piece is shorter than this share of r.
 const SHORTEST: f64 = 1e-13;
+/// A piece is tried at so many times the length of the one before.
+const LONGER: f64 = 1.5;
+/// No piece takes more fits than this.
+const MOST_FITS: usize = 200;
+/// The next length is guessed for this error over what is allowed: after one that will do,
+const AIM: f64 = 0.8;
+/// and after one that is too long.
+const AIM_AGAIN: f64 = 0.7;
+/// Errors below this, over what is allowed, say nothing of a length.
+const TINY: f64 = 1e-6;
 
 /// A range about to be covered.
 pub(super) struct Cover<'a, 'm, S> {
@@ -188,10 +198,10 @@ impl<S: Float> Cover<'_, '_, S> {
         };
         let mut next = stops.iter().copied();
         let mut stop = next.next().unwrap_or(most);
-        let mut length = (1.5 * self.last).min(stop);
+        let mut length = (LONGER * self.last).min(stop);
         let (mut known, mut good, mut too_long, mut excess) = (None, 0.0, f64::INFINITY, 0.0);
         let order = 1.0 / self.comparison.form.terms as f64;
-        for _ in 0..200 {
+        for _ in 0..MOST_FITS {
             let end = end_of(length);
             let between = if forwards { (start, end) } else { (end, start) };
             // A zero farther off than the piece is long would make powers of its distance all alike.
@@ -208,7 +218,7 @@ impl<S: Float> Cover<'_, '_, S> {
                     // Beyond a kink, if it is a weak one.
                     stop = next.next().unwrap_or(most);
                 }
-                let guess = length * (0.8 / error.max(1e-6)).powf(order).clamp(1.05, 2.0);
+                let guess = length * (AIM / error.max(TINY)).powf(order).clamp(1.05, 2.0);
                 length = guess.min(stop);
             } else {
                 let at_kink = stops.contains(&good);
@@ -216,7 +226,7 @@ impl<S: Float> Cover<'_, '_, S> {
                 if good > 0.0 && at_kink {
                     break;
                 }
-                let guess = length * (0.7 / error).powf(order).clamp(0.2, 0.95);
+                let guess = length * (AIM_AGAIN / error).powf(order).clamp(0.2, 0.95);
                 length = if good < guess {
                     guess
                 } else {

@@ -30,6 +30,14 @@ const SAFE_SHARE: f64 = 0.4;
 const ROUNDING: f64 = 1e-3;
 /// No table has more pieces.
 const MOST_PIECES: usize = 20_000;
+/// The coarsest accuracies for which polynomials of four, six and eight coefficients need least: found by trial.
+const FOUR_TERMS: f64 = 3e-3;
+const SIX_TERMS: f64 = 1e-7;
+const EIGHT_TERMS: f64 = 1e-10;
+/// The first piece is tried at this part of the range.
+const FIRST: f64 = 16.0;
+/// So many pieces have numbers of one byte.
+const IN_A_BYTE: usize = 1 << u8::BITS;
 
 /// What was built, and how it compares with the exact values.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,11 +93,11 @@ fn one_digit(value: f64) -> f64 {
 
 /// Coefficients of the polynomials that need least for an accuracy.
 fn terms(accuracy: f64) -> usize {
-    if accuracy >= 3e-3 {
+    if accuracy >= FOUR_TERMS {
         4
-    } else if accuracy >= 1e-7 {
+    } else if accuracy >= SIX_TERMS {
         6
-    } else if accuracy >= 1e-10 {
+    } else if accuracy >= EIGHT_TERMS {
         8
     } else {
         10
@@ -267,7 +275,7 @@ impl<S: Float> Tables<S> {
             quotient,
         );
         cover.kinks = kinks.clone();
-        cover.last = (high - low) / 16.0;
+        cover.last = (high - low) / FIRST;
         let not_met = |Stuck { at }| TableError::NotMet {
             accuracy: request.accuracy,
             reached: None,
@@ -277,7 +285,7 @@ impl<S: Float> Tables<S> {
         let worst = relative(worst, &request);
         let index = Index::of(&pieces, ends);
         let numbers: usize = pieces.iter().map(Fitted::numbers).sum();
-        let narrow = if pieces.len() <= 256 { 1 } else { 2 };
+        let narrow = if pieces.len() <= IN_A_BYTE { 1 } else { 2 };
         let products = sliding.iter().chain(&excitation).map(Product::numbers);
         let size = core::mem::size_of::<S>();
         let bytes = numbers * size + index.buckets.len() * narrow;

@@ -10,6 +10,11 @@ use std::f64::consts::PI;
 /// Steps by which the region about a witness is widened, of the length in which a parabola of its curvature doubles.
 const TUBE_STEP: f64 = 0.3;
 const TUBE_STEPS: usize = 8;
+/// The first step, and all of them, go no farther than these parts of the way to the end of the half period.
+const TUBE_FIRST: f64 = 0.2;
+const TUBE_MOST: f64 = 0.9;
+/// For the roundings of an end of a region.
+pub(super) const ROUNDING: f64 = 1e-12;
 /// There D must be bent by this share of what it is at the witness.
 const BENT: f64 = 0.15;
 
@@ -103,7 +108,7 @@ impl<'a> Cells<'a> {
         let (mut least, mut reach) = (curve.low, [0.0_f64; 2]);
         for (place, reach) in reach.iter_mut().enumerate() {
             let room = if place == 0 { t.low } else { 1.0 - t.high };
-            let mut step = length.min(0.2 * room);
+            let mut step = length.min(TUBE_FIRST * room);
             for _ in 0..TUBE_STEPS {
                 let far = *reach + step;
                 let all = if place == 0 {
@@ -112,7 +117,7 @@ impl<'a> Cells<'a> {
                     Interval::new(t.low + *reach, t.high + far)
                 };
                 let bend = self.bend(all, budget).low;
-                if far < 0.9 * room && bend > BENT * curve.low {
+                if far < TUBE_MOST * room && bend > BENT * curve.low {
                     least = least.min(bend);
                     *reach = far;
                 } else {

@@ -4,7 +4,7 @@
 //! with the witness; in each of them D is bounded below by its value, its slope and a bound of its second derivative.
 //! About the witness, where D nearly vanishes, a single parabola does.
 
-use super::cells::{Cells, Flank, Part};
+use super::cells::{Cells, Flank, Part, ROUNDING};
 use super::force;
 use super::found::Budget;
 use super::ridge::Region;
@@ -20,6 +20,13 @@ const SHORTEST: f64 = 1e-3;
 /// From so short a cell on, in radians of the fastest mode, another instant may compete; it is sought so often.
 const COMPETE: f64 = 0.2;
 const MOST_TRIED: usize = 4;
+/// After a cell that holds the next one is so many times as long.
+const LONGER: f64 = 1.4;
+/// How far a single bound goes from the start of the half period at first, in radians of the fastest mode; where it does
+/// not hold it is shortened, so often and to this part.
+const EARLY: f64 = 0.3;
+const EARLY_STEPS: usize = 6;
+const EARLY_STEP: f64 = 0.7;
 
 /// Whether every velocity constraint over the interval is below that of the witness but for the share.
 pub(super) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
@@ -80,8 +87,8 @@ impl Cells<'_> {
         // A little less, for the rounding of the shares.
         let [before, after] = reach;
         Some([
-            1.0 - before * (1.0 - 1e-12) / path.high,
-            1.0 - after * (1.0 - 1e-12) / (1.0 - path.low),
+            1.0 - before * (1.0 - ROUNDING) / path.high,
+            1.0 - after * (1.0 - ROUNDING) / (1.0 - path.low),
         ])
     }
 
@@ -110,16 +117,16 @@ impl Cells<'_> {
             return None;
         }
         let fastest = self.wide.modes.iter().map(|mode| mode.x.value().high);
-        let mut end = (0.3 / fastest.fold(1.0, f64::max)).max(2.0 * path.high);
-        for _ in 0..6 {
+        let mut end = (EARLY / fastest.fold(1.0, f64::max)).max(2.0 * path.high);
+        for _ in 0..EARLY_STEPS {
             budget.spend(self.wide.modes.len());
             let (_, [_, _, third], (_, cosine)) = self.boxed(Interval::new(0.0, end));
             let third = -(self.level_over.value() * cosine) - third;
             let bend = (Interval::point(third.low) / Interval::point(3.0)).low;
             if path.high < end && self.is_least(bend) {
-                return Some((1.0 - end * (1.0 - 1e-12)) / (1.0 - self.path_over.value().high));
+                return Some((1.0 - end * (1.0 - ROUNDING)) / (1.0 - self.path_over.value().high));
             }
-            end *= 0.7;
+            end *= EARLY_STEP;
         }
         None
     }
@@ -154,7 +161,7 @@ impl Cells<'_> {
             let to = (from + length).min(up_to);
             if self.cell(side, Interval::new(from, to), budget) {
                 from = to;
-                length *= 1.4;
+                length *= LONGER;
             } else {
                 // Where two instants compete a cell would have to be as short as they are apart.
                 let near = region

@@ -9,6 +9,11 @@ use super::super::super::zeros::{ContactMode, Zero};
 use super::ball::{Ball, Disc};
 use frictiongen_kernel::number::dd::Dd;
 
+/// For the roundings of one term of a bound,
+const UP_OF_ONE: f64 = 1.0 + 1e-14;
+/// and of a whole one.
+const UP: f64 = 1.0 + 1e-12;
+
 /// A mode's denominator v² + rate·v + square, or v + square, and its residue in the sum.
 struct Term {
     rate: Ball,
@@ -117,7 +122,7 @@ impl Sum {
             for (root, weight) in all.iter().zip(&weights) {
                 let distance = v - *root;
                 value = value * distance.inverse();
-                off += weight / distance.least() * (1.0 + 1e-14);
+                off += weight / distance.least() * UP_OF_ONE;
             }
             beside = beside.max(off);
             values.push(value);
@@ -132,11 +137,11 @@ impl Sum {
         gain.off += beside;
         let least = gain.least();
         // The kth coefficient of q times the radius to the kth is at most what q strays from its mean by on the circle.
-        let tail = excess as f64 * apart / least * (1.0 + 1e-12);
+        let tail = excess as f64 * apart / least * UP;
         let mut weights = weights.into_iter();
         let zeros = zeros.iter().zip(&roots).map(|(zero, roots)| {
             let own: f64 = weights.by_ref().take(roots.len()).sum();
-            (*zero, own / least * (1.0 + 1e-12))
+            (*zero, own / least * UP)
         });
         let zeros: Vec<(Zero, f64)> = zeros.collect();
         let known = tail.is_finite() && zeros.iter().all(|(_, weight)| weight.is_finite());
