@@ -176,7 +176,7 @@ impl<S: Float> Tables<S> {
         };
         coarsest.check::<S>()?;
         let mut exact = Exact::new(modal);
-        let mut best = Self::built(&mut exact, coarsest)?;
+        let mut best = Self::built_within(&mut exact, coarsest, bytes)?;
         let least = best.report.bytes;
         if least > bytes {
             return Err(TableError::TooFewBytes { bytes, least });
@@ -195,7 +195,7 @@ impl<S: Float> Tables<S> {
             if finer.check::<S>().is_err() {
                 break;
             }
-            match Self::built(&mut exact, finer) {
+            match Self::built_within(&mut exact, finer, bytes) {
                 Ok(tables) if tables.report.bytes <= bytes => best = tables,
                 _ => break,
             }
@@ -226,6 +226,19 @@ impl<S: Float> Tables<S> {
         }
         let tabled = Self::built_with(exact, request, true);
         tabled.or_else(|_| Self::built_with(exact, request, false))
+    }
+
+    /// The same, where bytes are few |V| as a product, which takes fewer.
+    fn built_within(
+        exact: &mut Exact<'_>,
+        request: Request,
+        bytes: usize,
+    ) -> Result<Self, TableError> {
+        let tables = Self::built(exact, request)?;
+        if tables.report.bytes <= bytes || !request.motion {
+            return Ok(tables);
+        }
+        Self::built_with(exact, request, false)
     }
 
     fn built_with(

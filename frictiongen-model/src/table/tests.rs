@@ -170,3 +170,17 @@ fn a_budget_of_bytes() {
         last = tables.request.accuracy;
     }
 }
+
+/// Where |V| among the polynomials does not fit, its product does.
+#[test]
+fn a_budget_below_the_polynomials() {
+    let modal = Modal::of(&chain(2, Damping::Uniform(0.02)));
+    let request = Request {
+        motion: true,
+        ..request((0.3, 2.0), 0.1)
+    };
+    let tabled = Tables::<f64>::build(&modal, request).expect("tables");
+    let bytes = tabled.report.bytes - 1;
+    let tables = Tables::<f64>::within(&modal, request, bytes).expect("smaller ones");
+    assert!(tables.report.bytes <= bytes);
+}
