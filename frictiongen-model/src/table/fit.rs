@@ -9,6 +9,10 @@ use std::f64::consts::PI;
 
 /// An origin is rounded to this share of its piece.
 const ORIGIN: f64 = 0.1;
+/// Down to these accuracies polynomials of four, six and eight coefficients need least.
+const FOUR_TERMS: f64 = 3e-3;
+const SIX_TERMS: f64 = 1e-7;
+const EIGHT_TERMS: f64 = 1e-10;
 
 /// A piece with its functions in vectors.
 #[derive(Clone, Debug)]
@@ -31,6 +35,19 @@ impl<S: Float> Fitted<S> {
     pub fn value(&self, function: usize, r: S) -> S {
         let coefficients = self.coefficients.get(function);
         coefficients.map_or(S::constant(f64::NAN), |of| polynomial(of, r - self.origin))
+    }
+}
+
+/// Coefficients of the polynomials that need least for an accuracy.
+pub(super) fn terms(accuracy: f64) -> usize {
+    if accuracy >= FOUR_TERMS {
+        4
+    } else if accuracy >= SIX_TERMS {
+        6
+    } else if accuracy >= EIGHT_TERMS {
+        8
+    } else {
+        10
     }
 }
 

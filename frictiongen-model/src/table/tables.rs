@@ -4,7 +4,7 @@ use super::check;
 use super::cover::{Cover, Stuck};
 use super::errors::Comparison;
 use super::exact::Exact;
-use super::fit::{Fitted, Form};
+use super::fit::{Fitted, Form, terms};
 use super::index::Index;
 use super::kinks;
 use super::product::Product;
@@ -30,10 +30,6 @@ const SAFE_SHARE: f64 = 0.4;
 const ROUNDING: f64 = 1e-3;
 /// No table has more pieces.
 const MOST_PIECES: usize = 20_000;
-/// The coarsest accuracies for which polynomials of four, six and eight coefficients need least: found by trial.
-const FOUR_TERMS: f64 = 3e-3;
-const SIX_TERMS: f64 = 1e-7;
-const EIGHT_TERMS: f64 = 1e-10;
 /// The first piece is tried at this part of the range.
 const FIRST: f64 = 16.0;
 /// So many pieces have numbers of one byte.
@@ -89,19 +85,6 @@ pub struct Tables<S> {
 /// A number rounded to one digit, as people write accuracies.
 fn one_digit(value: f64) -> f64 {
     format!("{value:.0e}").parse().unwrap_or(value)
-}
-
-/// Coefficients of the polynomials that need least for an accuracy.
-fn terms(accuracy: f64) -> usize {
-    if accuracy >= FOUR_TERMS {
-        4
-    } else if accuracy >= SIX_TERMS {
-        6
-    } else if accuracy >= EIGHT_TERMS {
-        8
-    } else {
-        10
-    }
 }
 
 impl<S: Float> Tables<S> {
