@@ -33,8 +33,8 @@ pub fn damped(zeta: f64) -> Damped<f64> {
     Damped::new(kind, zeta, ((1.0 - zeta) * (1.0 + zeta)).abs().sqrt())
 }
 
-pub fn rest(x: f64, zeta: f64) -> TestWave {
-    Wave::rest(x, damped(zeta))
+pub fn at_rest(x: f64, zeta: f64) -> TestWave {
+    Wave::at_rest(x, damped(zeta))
 }
 
 /// p⁽ⁿ⁾ at τ, n = 0, 1, … to the last asked for.
@@ -93,8 +93,8 @@ pub fn derivative(wave: &TestWave, tau: f64, order: usize) -> f64 {
     };
     let rise = if wave.mass_controlled {
         let (a, b) = mass_controlled_parts(x, zeta);
-        let at_rest = if order == 0 { 1.0 / (x * x) } else { 0.0 };
-        at_rest + a * d(order) + b * p[order]
+        let constant = if order == 0 { 1.0 / (x * x) } else { 0.0 };
+        constant + a * d(order) + b * p[order]
     } else if order == 0 {
         (1.0 - d(0)) / (x * x)
     } else {
@@ -115,24 +115,42 @@ pub fn sum_derivative(sum: &Sum<'_, f64, Damped<f64>>, tau: f64, order: usize) -
 
 /// The four parts of a wave one at a time, and a slow wave's whole response.
 pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
-    let rest = rest(x, zeta);
+    let at_rest = at_rest(x, zeta);
     let mut parts = vec![
-        ("free", Wave { free: 1.0, ..rest }),
+        (
+            "free",
+            Wave {
+                free: 1.0,
+                ..at_rest
+            },
+        ),
         (
             "swing_slope",
             Wave {
                 swing_slope: 1.0,
-                ..rest
+                ..at_rest
             },
         ),
-        ("swing", Wave { swing: 1.0, ..rest }),
-        ("rise", Wave { rise: 1.0, ..rest }),
+        (
+            "swing",
+            Wave {
+                swing: 1.0,
+                ..at_rest
+            },
+        ),
+        (
+            "rise",
+            Wave {
+                rise: 1.0,
+                ..at_rest
+            },
+        ),
     ];
     if x * (2.0 * zeta).max(1.0) < 0.5 {
         let inert = Wave {
             rise: 1.0,
             mass_controlled: true,
-            ..rest
+            ..at_rest
         };
         parts.push(("mass-controlled", inert));
     }
@@ -157,7 +175,7 @@ pub fn random_waves(
                 [0.0, random.log_uniform(1e-4, 0.5), 0.7, 1.0, 4.0][random.below(5)]
             };
             // Terms of like size: a fast wave's part by part of order 1.
-            let mut wave = rest(x, zeta);
+            let mut wave = at_rest(x, zeta);
             wave.swing = random.signed();
             wave.swing_slope = random.signed();
             if rise {
@@ -199,7 +217,7 @@ pub fn random_motion(
                 return Wave {
                     rise: weight,
                     mass_controlled: true,
-                    ..rest(x, zeta)
+                    ..at_rest(x, zeta)
                 };
             }
             // 1/x² + a·d + b·p = (1 − d)/x² + g(cos τ − d)/x² − b(sin τ − p) − g cos τ/x² + b sin τ.
@@ -207,13 +225,13 @@ pub fn random_motion(
             let fall = -a - 1.0 / (x * x);
             cosine -= weight * fall;
             sine += weight * b;
-            let share = ModalCoefficients {
+            let coefficients = ModalCoefficients {
                 rise: weight,
                 fall: weight * fall,
                 swing: -(weight * b),
-                gain: 0.0,
+                residue: 0.0,
             };
-            motion_wave(x, damped(zeta), share)
+            motion_wave(x, damped(zeta), coefficients)
         })
         .collect();
     waves.sort_by(|a, b| a.x.total_cmp(&b.x));
@@ -252,7 +270,7 @@ pub fn random_constraint(
             Wave {
                 swing,
                 swing_slope,
-                ..rest(x, zeta)
+                ..at_rest(x, zeta)
             }
         })
         .collect();

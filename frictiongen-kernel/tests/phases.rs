@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 /// cosine·(cos τ − b cos kτ) + sine·(sin τ + b sin kτ), k odd, as a mass's motion behind a contact of this lag.
 fn phase(cosine: f64, sine: f64, (k, b): (f64, f64), lag: f64) -> f64 {
-    let mut wave = Wave::rest(k, Undamped);
+    let mut wave = Wave::at_rest(k, Undamped);
     wave.free = sine * k * b;
     wave.swing_slope = cosine * b;
     let zero = Complex::new(0.0, 0.0);

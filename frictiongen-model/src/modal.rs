@@ -212,9 +212,9 @@ impl Modal {
         let damping_ratios = damping_ratios(&scene.damping, &resonances, reference);
         let on_moving_base = matches!(scene.excitation, Excitation::Base)
             && (scene.contact.from == Node::Base || scene.contact.to == Node::Base);
-        let share = if on_moving_base { dd(1.0) } else { dd(0.0) };
+        let carried = if on_moving_base { dd(1.0) } else { dd(0.0) };
         let (static_motion, static_receptance) =
-            at_rest(share, &resonances, &loads, &contacts, noise);
+            static_sums(carried, &resonances, &loads, &contacts, noise);
         let products = || w_scaled.iter().zip(p_scaled).map(|(w, p)| *w * *p);
         let inertial_load = cleaned(
             products().fold(dd(0.0), |sum, term| sum + term),
@@ -290,11 +290,11 @@ impl<T: Float> Modal<T> {
     #[must_use]
     pub fn ends(&self) -> Ends<T> {
         let mu = self.stiction;
-        let rest = self.static_motion.abs() / (mu * self.static_receptance);
+        let sliding = self.static_motion.abs() / (mu * self.static_receptance);
         if self.on_moving_base {
             let infinity = T::constant(f64::INFINITY);
             return Ends {
-                sliding_at_rest: rest,
+                sliding_at_rest: sliding,
                 continuous_at_infinity: infinity,
                 sliding_at_infinity: infinity,
             };
@@ -302,7 +302,7 @@ impl<T: Float> Modal<T> {
         let ratio = self.inertial_load.abs() / self.inverse_mass;
         let root = (T::constant(4.0) * mu * mu + T::pi() * T::pi()).sqrt();
         Ends {
-            sliding_at_rest: rest,
+            sliding_at_rest: sliding,
             continuous_at_infinity: ratio * T::constant(2.0) / root,
             sliding_at_infinity: ratio / mu,
         }
@@ -315,14 +315,14 @@ fn projected(vector: &[Dd], on: &[Dd], noise: f64) -> Dd {
 }
 
 /// wᵀK̄⁻¹p − s and wᵀK̄⁻¹w.
-pub(crate) fn at_rest<T: Float>(
-    share: T,
+pub(crate) fn static_sums<T: Float>(
+    carried: T,
     resonances: &[T],
     loads: &[T],
     contacts: &[T],
     noise: f64,
 ) -> (T, T) {
-    let (mut motion, mut size) = (-share, share);
+    let (mut motion, mut size) = (-carried, carried);
     let mut receptance = T::constant(0.0);
     for ((resonance, load), contact) in resonances.iter().zip(loads).zip(contacts) {
         let lambda = *resonance * *resonance;

@@ -8,7 +8,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 
-/// A mode that the contact drives: σ = √λ, ζ, and its share c of the inverse effective mass of the contact.
+/// A mode that the contact drives: σ = √λ, ζ, and its part c of the inverse effective mass of the contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Driven {
     pub sigma: Dd,
@@ -111,9 +111,9 @@ fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
             if gap.is_zero() {
                 continue;
             }
-            let share = mode.inverse_mass / (gap * gap);
-            weight = weight + share;
-            damping = damping + share * mode.zeta * mode.sigma;
+            let term = mode.inverse_mass / (gap * gap);
+            weight = weight + term;
+            damping = damping + term * mode.zeta * mode.sigma;
         }
         let zeta = (damping / weight / *omega).to_f64();
         let uneven = 1.0 + 1e-3 * (index % 7 + 1) as f64;
@@ -214,9 +214,9 @@ fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> 
         let inverse = complex::reciprocal(d, true);
         let derivative = Complex::new(s.re * two + rate, s.im * two);
         let ratio = complex::mul(derivative, inverse, true);
-        let share = complex::scale(inverse, *inverse_mass);
-        value = complex::add(value, share);
-        slope = complex::add(slope, complex::mul(share, ratio, true));
+        let term = complex::scale(inverse, *inverse_mass);
+        value = complex::add(value, term);
+        slope = complex::add(slope, complex::mul(term, ratio, true));
         others = complex::add(others, ratio);
     }
     let own = complex::mul(slope, complex::reciprocal(value, true), true);
@@ -225,7 +225,7 @@ fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> 
 
 /// Conjugate roots joined, real ones two by two in the order of their size.
 /// Two decays that started as a pair are one: a decay of one mode with that of another would be a pair
-/// whose shares are nearly dependent.
+/// whose contributions are nearly dependent.
 fn paired(started: Vec<Complex<Dd>>) -> Vec<Pair> {
     let is_real = |root: &Complex<Dd>| {
         let size = complex::modulus(*root, true);

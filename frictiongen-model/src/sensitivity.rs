@@ -5,7 +5,7 @@
 
 mod equal;
 
-use crate::modal::{Modal, at_rest, rayleigh};
+use crate::modal::{Modal, rayleigh, static_sums};
 use crate::scene::{Damping, Excitation, Node, Scene};
 use equal::{adapt_equal_modes, equal};
 use frictiongen_kernel::Scalar;
@@ -107,9 +107,9 @@ impl Modal {
         if let Quantity::Load(mode) = quantity {
             along.inertial_load.slope = self.contacts.get(mode).copied()?;
         }
-        let share = Dual::constant(if self.on_moving_base { 1.0 } else { 0.0 });
-        let (motion, receptance) = at_rest(
-            share,
+        let carried = Dual::constant(if self.on_moving_base { 1.0 } else { 0.0 });
+        let (motion, receptance) = static_sums(
+            carried,
             &along.resonances,
             &along.loads,
             &along.contacts,
@@ -225,9 +225,9 @@ impl Change {
                 if j == i || equal(root, at(&modal.resonances, j)) {
                     continue;
                 }
-                let share = at(row, j) / (gap * (root + at(&modal.resonances, j)));
+                let weight = at(row, j) / (gap * (root + at(&modal.resonances, j)));
                 for (slope, value) in slopes.iter_mut().zip(other) {
-                    *slope = *slope + share * *value;
+                    *slope = *slope + weight * *value;
                 }
             }
             if let Some(target) = along.shapes.get_mut(i) {

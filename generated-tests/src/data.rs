@@ -121,7 +121,7 @@ impl<'a, S: Float> DataAt<'a, S> {
     fn at_instant<T>(&self, tau: S, read: impl Fn(&Sum<'_, S, Damped<S>>, &Instant<S>) -> T) -> T {
         let modes = self.scene().modes.iter().zip(self.modes());
         let part = |(mode, at): (&Mode<S>, &ModeAt<S>)| {
-            let mut wave = Wave::rest(at.x, Damped::of(mode));
+            let mut wave = Wave::at_rest(at.x, Damped::of(mode));
             if mode.in_contact {
                 wave.free = mode.inverse_mass * (self.contact_sums().scale + at.g);
                 wave.swing_slope = mode.inverse_mass * at.u;

@@ -28,8 +28,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
     let transient = Transient::<f64>::of(scene, modal, |value| rounded(value, *precision));
     let modes = modes(emission, &transient);
     let held = transient.held.iter().map(|mode| held(emission, mode));
-    let shares = transient.shares.iter();
-    let shares = shares.map(|pair| emission.list(pair.iter().copied()));
+    let participations = transient.participations.iter();
+    let participations = participations.map(|pair| emission.list(pair.iter().copied()));
     let known = emission.scene.needs_frequency() && wanted.shapes();
     let (own_shapes, shapes) = if known && transient.shapes == emission.reduced.shapes {
         (None, code!(Self::SHAPES))
@@ -49,13 +49,14 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
 
             /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
             /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
-            /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
-            /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
+            /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `participations`: how far
+            /// each free mode takes part in y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after
+            /// mode.
             const DYNAMICS: Dynamics<'static, #scalar> = Dynamics {
                 chain: Self::CHAIN,
                 modes: #modes,
                 held: &[#(#held),*],
-                shares: &[#(#shares),*],
+                participations: &[#(#participations),*],
                 shapes: #shapes.as_flattened(),
                 weights: &#weights,
                 rubbing: #rubbing,

@@ -56,19 +56,19 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     };
     let methods = masses.iter().map(|(mass, method)| {
         let about = format!(" The motion of mass `{method}` (5.50 and its exact form, 7.29).");
-        let rests = emission.moves_as_contact(*mass);
-        let motion = if rests {
+        let as_contact = emission.moves_as_contact(*mass);
+        let motion = if as_contact {
             code!(self.contact())
         } else {
             let mass = Literal::usize_unsuffixed(*mass);
             code!(self.mass(#mass))
         };
-        let answer = if rests && tabled {
+        let answer = if as_contact && tabled {
             code!(SteadyContact)
         } else {
             code!(MotionOf)
         };
-        let why = rests.then(|| {
+        let why = as_contact.then(|| {
             code! {
                 ///
                 /// It rubs on a support at rest: its motion is the contact's.
@@ -155,7 +155,7 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
     code! {
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
         /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `gain` φ_k(φᵀw)/r², for the harmonics.
+        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<#scalar>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -173,7 +173,7 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
 struct Coefficients<'g> {
     fundamental: Fundamental<Expr<'g>>,
     /// None for a mode that the contact does not drive.
-    shares: Vec<Option<ModalCoefficients<Expr<'g>>>>,
+    modal: Vec<Option<ModalCoefficients<Expr<'g>>>>,
 }
 
 fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> TokenStream {
@@ -184,7 +184,7 @@ fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> TokenStream {
     let inverse_r = tracer.graph.input("inverse_r");
     let coefficients = Coefficients {
         fundamental: chain.contact_fundamental(&contact, &friction),
-        shares: modes
+        modal: modes
             .enumerate()
             .map(|(index, (mode, at))| {
                 let residue = mode.inverse_mass;
@@ -242,7 +242,7 @@ fn of_mass<'g>(tracer: &Tracer<'g>, mass: usize) -> Coefficients<'g> {
     let parts = modes.iter().zip(&at).zip(shape).enumerate();
     Coefficients {
         fundamental: chain.fundamental(shape, modes, &at, &contact, &friction, inverse_r),
-        shares: parts
+        modal: parts
             .map(|(index, ((mode, at), component))| {
                 let residue = *component * mode.contact;
                 mode.in_contact.then(|| {
@@ -262,8 +262,8 @@ impl Coefficients<'_> {
             response,
         } = self.fundamental;
         let mut outputs = vec![cosine, sine, response.re, response.im];
-        for share in self.shares.iter().flatten() {
-            outputs.extend([share.rise, share.fall, share.swing, share.gain]);
+        for modal in self.modal.iter().flatten() {
+            outputs.extend([modal.rise, modal.fall, modal.swing, modal.residue]);
         }
         outputs.into_iter().map(Expr::operand).collect()
     }
@@ -275,24 +275,24 @@ impl Coefficients<'_> {
         printed: &Printed,
         wave: &TokenStream,
     ) -> (TokenStream, TokenStream) {
-        let (fundamental, shares) = printed.outputs.split_at(printed.outputs.len().min(4));
+        let (fundamental, modal) = printed.outputs.split_at(printed.outputs.len().min(4));
         let fundamental = match fundamental {
             [cosine, sine, re, im] => {
                 code!(Fundamental { cosine: #cosine, sine: #sine, response: Complex { re: #re, im: #im } })
             }
             _ => TokenStream::new(),
         };
-        let mut shares = shares.chunks(4);
-        let waves = self.shares.iter().enumerate().map(|(index, share)| {
+        let mut printed = modal.chunks(4);
+        let waves = self.modal.iter().enumerate().map(|(index, modal)| {
             let mode = local(&format!("mode_{}", index + 1));
             let decay = decay(emission, index);
-            match share.and_then(|_| shares.next()) {
-                Some([rise, fall, swing, gain]) => {
+            match modal.and_then(|_| printed.next()) {
+                Some([rise, fall, swing, residue]) => {
                     let (rise, fall) = (field("rise", rise), field("fall", fall));
-                    let (swing, gain) = (field("swing", swing), field("gain", gain));
-                    code!(#wave(#mode.x, #decay, ModalCoefficients { #rise, #fall, #swing, #gain }))
+                    let (swing, residue) = (field("swing", swing), field("residue", residue));
+                    code!(#wave(#mode.x, #decay, ModalCoefficients { #rise, #fall, #swing, #residue }))
                 }
-                _ => code!(Wave::rest(#mode.x, #decay)),
+                _ => code!(Wave::at_rest(#mode.x, #decay)),
             }
         });
         (fundamental, code!([#(#waves),*]))

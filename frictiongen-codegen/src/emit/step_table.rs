@@ -70,7 +70,7 @@ fn table<const D: usize>(
     .ok()?;
     for (place, channel) in channels.iter_mut().enumerate() {
         let rows = modes.iter().zip(loads.iter().skip(place).step_by(inputs));
-        let terms = rows.map(|(mode, load)| (mode.contact * *load / mode.gain).abs());
+        let terms = rows.map(|(mode, load)| (mode.contact * *load / mode.per_force).abs());
         let size = terms.fold(Dd::ZERO, |sum, term| sum + term);
         if channel.residue.abs() <= size * Dd::from(ROUNDING) {
             channel.residue = Dd::ZERO;
@@ -170,15 +170,15 @@ impl Writer<'_> {
     }
 
     fn mode<const D: usize>(&self, mode: &ModeStep<Dd, D>) -> TokenStream {
-        let numbers = [mode.angle, mode.zeta, mode.gain, mode.contact];
-        let [angle, zeta, gain, contact] = numbers.map(|value| self.number(value));
+        let numbers = [mode.angle, mode.zeta, mode.per_force, mode.contact];
+        let [angle, zeta, per_force, contact] = numbers.map(|value| self.number(value));
         let turn = self.row(&mode.turn);
         let moments = mode.moments.iter().map(|row| self.row(row));
         code! {
             ModeStep {
                 angle: #angle,
                 zeta: #zeta,
-                gain: #gain,
+                per_force: #per_force,
                 contact: #contact,
                 turn: #turn,
                 moments: [#(#moments),*],
@@ -189,7 +189,7 @@ impl Writer<'_> {
     fn held<const D: usize>(&self, mode: &HeldStep<Dd, D>) -> TokenStream {
         let numbers = [mode.angle, mode.zeta, mode.force];
         let [angle, zeta, force] = numbers.map(|value| self.number(value));
-        let lift = self.pair(&mode.lift);
+        let from_base = self.pair(&mode.from_base);
         let moments = mode.moments.iter().map(|row| self.held_row(row));
         let turns = mode.turns.iter().map(|row| self.held_row(row));
         code! {
@@ -197,7 +197,7 @@ impl Writer<'_> {
                 angle: #angle,
                 zeta: #zeta,
                 force: #force,
-                lift: #lift,
+                from_base: #from_base,
                 moments: [#(#moments),*],
                 turns: [#(#turns),*],
             }

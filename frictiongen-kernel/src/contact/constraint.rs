@@ -254,7 +254,7 @@ fn constraint_wave<S: Float, D: Decay<S>>(
     contact: &ContactAt<S>,
     inverse_mass: S,
 ) -> Wave<S, D> {
-    let mut wave = Wave::rest(at.x, D::of(mode));
+    let mut wave = Wave::at_rest(at.x, D::of(mode));
     if mode.in_contact {
         wave.swing = -(inverse_mass * (contact.scale + at.g));
         wave.swing_slope = inverse_mass * at.u;

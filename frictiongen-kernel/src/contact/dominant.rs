@@ -103,16 +103,16 @@ enum Which<S> {
     Numbered(S),
 }
 
-/// The dominant mode, the sums for it, and those for the rest.
+/// The dominant mode, the sums for it, and those for the others.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantSums<S> {
     which: Which<S>,
     pub own: Terms<S>,
-    pub rest: Terms<S>,
+    pub others: Terms<S>,
 }
 
 impl<S: Scalar> DominantSums<S> {
-    /// By what the dominant mode, and the rest, are turned against V, where there is damping: a mode is in
+    /// By what the dominant mode, and the others, are turned against V, where there is damping: a mode is in
     /// phase with its own term of V, so that the others' terms do as well as all, and better where they are
     /// the smaller.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
@@ -125,19 +125,19 @@ impl<S: Scalar> DominantSums<S> {
                 v.im.named("turning_im", None),
             )
         };
-        let rest = match self.which {
-            Which::First => least(self.rest.v),
-            Which::Only | Which::Numbered(_) => self.rest.v,
+        let others = match self.which {
+            Which::First => least(self.others.v),
+            Which::Only | Which::Numbered(_) => self.others.v,
         };
-        (least(self.own.v), rest)
+        (least(self.own.v), others)
     }
 }
 
-/// A sum over modes: the dominant mode, and the rest.
+/// A sum over modes: the dominant mode, and the others.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantParts<S> {
     pub own: Complex<S>,
-    pub rest: Complex<S>,
+    pub others: Complex<S>,
 }
 
 impl<S: Scalar> DominantParts<S> {
@@ -145,7 +145,7 @@ impl<S: Scalar> DominantParts<S> {
         let zero = complex::real(S::constant(0.0));
         Self {
             own: zero,
-            rest: zero,
+            others: zero,
         }
     }
 
@@ -163,11 +163,11 @@ impl<S: Scalar> DominantParts<S> {
                 let zero = complex::real(S::constant(0.0));
                 Self {
                     own: complex::select(it, value, self.own),
-                    rest: chain.plus(self.rest, complex::select(it, zero, value)),
+                    others: chain.plus(self.others, complex::select(it, zero, value)),
                 }
             }
             Which::First if index != 0 => Self {
-                rest: value,
+                others: value,
                 ..self
             },
             Which::First | Which::Only => Self { own: value, ..self },
@@ -176,7 +176,7 @@ impl<S: Scalar> DominantParts<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// The sums for the mode whose own terms weigh most, and for the rest.
+    /// The sums for the mode whose own terms weigh most, and for the others.
     pub(crate) fn dominant_sums<'a>(
         &self,
         modes: impl Iterator<Item = (&'a Mode<S>, ModeAt<S>)> + Clone,
@@ -204,7 +204,7 @@ impl<S: Scalar> Chain<S> {
                 return DominantSums {
                     which: Which::Only,
                     own: self.in_full(first, &at, partner, contact, &own, 0),
-                    rest: none,
+                    others: none,
                 };
             };
             let others = |mode: &Mode<S>,
@@ -218,7 +218,7 @@ impl<S: Scalar> Chain<S> {
             return DominantSums {
                 which: Which::First,
                 own: others(first, &at, second, &at_second, [0, 1]),
-                rest: others(second, &at_second, first, &at, [1, 0]),
+                others: others(second, &at_second, first, &at, [1, 0]),
             };
         }
         let zero = S::constant(0.0);
@@ -247,7 +247,7 @@ impl<S: Scalar> Chain<S> {
             return DominantSums {
                 which: Which::Only,
                 own: all,
-                rest: all,
+                others: all,
             };
         };
         let own = without(sum, heaviest.static_residue).named(partner);
@@ -263,7 +263,7 @@ impl<S: Scalar> Chain<S> {
         DominantSums {
             which: Which::Numbered(index.named("heaviest", None)),
             own,
-            rest: all,
+            others: all,
         }
     }
 

@@ -131,11 +131,11 @@ impl<S: Scalar> Chain<S> {
                 };
             }
             let response = (scale / denominator.re).named("response", at);
-            let share = response.abs();
+            let scale_over_size = response.abs();
             return ModeAt {
                 x,
                 response: complex::real(response),
-                u: (u * share).named("u_scaled", at),
+                u: (u * scale_over_size).named("u_scaled", at),
                 g,
             };
         }
@@ -152,15 +152,15 @@ impl<S: Scalar> Chain<S> {
             );
             return ModeAt { x, response, u, g };
         }
-        let share = (scale * inverse).named("share", at);
+        let scale_over_size = (scale * inverse).named("scale_over_size", at);
         ModeAt {
             x,
             response: Complex::new(
-                (reciprocal.re * share).named("response_re", at),
-                (reciprocal.im * share).named("response_im", at),
+                (reciprocal.re * scale_over_size).named("response_re", at),
+                (reciprocal.im * scale_over_size).named("response_im", at),
             ),
-            u: (u * share).named("u_scaled", at),
-            g: (g * share).named("g_scaled", at),
+            u: (u * scale_over_size).named("u_scaled", at),
+            g: (g * scale_over_size).named("g_scaled", at),
         }
     }
 
@@ -217,7 +217,7 @@ impl<S: Scalar> Chain<S> {
         term.h = complex::scale(at.response, mode.inverse_mass);
         term.u = mode.inverse_mass * at.u;
         if self.damped {
-            let share = if single {
+            let scale_over_size = if single {
                 S::constant(1.0)
             } else {
                 scale / response.size
@@ -225,7 +225,7 @@ impl<S: Scalar> Chain<S> {
             if with_g {
                 term.g = mode.inverse_mass * (at.g / (at.x * at.x));
             }
-            term.reversal = mode.inverse_mass * (response.reversal * share);
+            term.reversal = mode.inverse_mass * (response.reversal * scale_over_size);
         }
         term
     }

@@ -24,12 +24,12 @@ pub struct Wave<S, D> {
     /// below the excitation.
     pub mass_controlled: bool,
     /// φ_k(φᵀw)/r², the residue contact → mass; harmonics alone use it.
-    pub gain: S,
+    pub residue: S,
 }
 
 impl<S: Float, D: Decay<S>> Wave<S, D> {
     /// No motion at all.
-    pub fn rest(x: S, decay: D) -> Self {
+    pub fn at_rest(x: S, decay: D) -> Self {
         let zero = S::constant(0.0);
         Self {
             x,
@@ -39,7 +39,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             swing: zero,
             rise: zero,
             mass_controlled: false,
-            gain: zero,
+            residue: zero,
         }
     }
 
@@ -64,7 +64,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
 
     /// No motion yet, in a mode's place.
     pub fn idle(mode: &Mode<S>) -> Self {
-        Self::rest(S::constant(0.0), D::of(mode))
+        Self::at_rest(S::constant(0.0), D::of(mode))
     }
 
     /// Whether the rounding of x alone can turn the wave by a radian before it has died out, or it is at
@@ -72,8 +72,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     pub(crate) fn turns_unknown(&self) -> bool {
         let zero = S::constant(0.0);
         let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
-        let rests = self.swing == zero && self.swing_slope == zero;
-        rests || S::constant(1.0) < self.x * lasts * S::constant(S::RESOLUTION)
+        let at_rest = self.swing == zero && self.swing_slope == zero;
+        at_rest || S::constant(1.0) < self.x * lasts * S::constant(S::RESOLUTION)
     }
 
     /// The largest that the wave can be.

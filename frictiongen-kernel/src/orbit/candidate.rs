@@ -24,6 +24,19 @@ const MOST_GROWN: f64 = 64.0;
 /// continuum do not have: one that still turns more often may end elsewhere.
 const CALM: u32 = 64;
 
+/// A motion is followed until the multipliers promise that this ratio is left of its distance from the fixed point.
+const FAR_ENOUGH: f64 = 0.01;
+/// Of the distance that the multipliers promise to take away, so much may stay.
+const SPARE: f64 = 0.1;
+/// The times for which motions stick differ by no more than this ratio where they stop alike.
+const STICKS_ALIKE: f64 = 0.25;
+/// Nearer than this, relative to the state, a motion has reached its fixed point.
+const REACHED: f64 = 1e-9;
+/// A motion nearer than this, in P/k₁, is near enough where the contact hardly moves.
+const HARDLY_MOVES: f64 = 1e-6;
+/// For so many cycles at least is a motion followed before one of a continuum is chosen for it.
+const LEAST_FOLLOWED: u32 = 64;
+
 /// Half a cycle of the continuous regime.
 const ONE_REVERSAL: Pattern = Pattern {
     stops: 0,
@@ -136,7 +149,7 @@ impl<S: Float> Candidate<S> {
         let mut promised = S::constant(1.0);
         let mut cycles = 0;
         let mut keeps = true;
-        while keeps && cycles < MOST_FOLLOWED && S::constant(0.01) < promised {
+        while keeps && cycles < MOST_FOLLOWED && S::constant(FAR_ENOUGH) < promised {
             // A whole period.
             let maps = if self.map.symmetric { 2 } else { 1 };
             for _ in 0..maps {
@@ -153,10 +166,10 @@ impl<S: Float> Candidate<S> {
         self.here = cycle_map.contact_state;
         cycle_map.save(workspace.state);
         let after = cycle_map.energy_between(workspace.other).sqrt();
-        let enough = S::constant(0.1) + S::constant(0.9) * promised;
+        let enough = S::constant(SPARE) + S::constant(1.0 - SPARE) * promised;
         // Across a graze the states may be close, but not the stops.
         let change = (cycle_map.stuck - stuck).abs();
-        let alike = change <= S::constant(0.25) * cycle_map.stuck.max(stuck);
+        let alike = change <= S::constant(STICKS_ALIKE) * cycle_map.stuck.max(stuck);
         if !keeps || !alike || !(after <= enough * before.sqrt()) {
             return Ok(false);
         }
@@ -181,7 +194,7 @@ impl<S: Float> Candidate<S> {
                 marginal: true,
             }))
         };
-        if far <= scale * S::constant(1e-9) {
+        if far <= scale * S::constant(REACHED) {
             return found(self.map.symmetric);
         }
         if self.map.period != 1 {
@@ -199,8 +212,8 @@ impl<S: Float> Candidate<S> {
         }
         // Where the contact hardly moves, what it does is rounding's, and the motion is near enough.
         let turns = self.recent.stops + self.recent.reversals;
-        let calm = far <= S::constant(1e-6) || (turns <= 2 && CALM <= self.alike);
-        if !self.map.symmetric || cycles < 64 || !calm {
+        let calm = far <= S::constant(HARDLY_MOVES) || (turns <= 2 && CALM <= self.alike);
+        if !self.map.symmetric || cycles < LEAST_FOLLOWED || !calm {
             return Ok(Verdict::Wait);
         }
         continuum::member(cycle_map, workspace, self.monotone)?;

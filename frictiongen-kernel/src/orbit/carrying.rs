@@ -15,7 +15,7 @@ use crate::errors::{NoOrbit, OutOfDomain};
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Dynamics, Part, Setting};
+use crate::simulation::{Contact, Dynamics, Part, SUM_ROUNDINGS, Setting};
 use core::fmt;
 
 /// Nearer than this share to where an event comes or goes, its instant is not told apart from one that has no
@@ -288,7 +288,7 @@ where
                 setting.slide(modes, &mark.contact_state, mark.length)
             };
             let slope = sum.local(mark.length).slope;
-            let size = sum.noise / S::constant(4.0 * S::EPSILON);
+            let size = sum.noise / S::constant(SUM_ROUNDINGS * S::EPSILON);
             if !(size * graze < slope.abs()) {
                 return true;
             }

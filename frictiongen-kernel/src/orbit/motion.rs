@@ -241,11 +241,11 @@ where
         let sticks = contact_state.contact == Contact::Stuck;
         if sticks {
             let (_, offset) = setting.stick(modes, held, contact_state, reach);
-            for (part, (_, shares)) in held.iter_mut().zip(setting.dynamics.held_modes()) {
+            for (part, (_, participations)) in held.iter_mut().zip(setting.dynamics.held_modes()) {
                 part.weight = [zero; 2];
-                for (index, share) in shares.iter().enumerate() {
-                    for (weight, share) in part.weight.iter_mut().zip(share) {
-                        *weight = *weight + component(index) * *share;
+                for (index, participation) in participations.iter().enumerate() {
+                    for (weight, participation) in part.weight.iter_mut().zip(participation) {
+                        *weight = *weight + component(index) * *participation;
                     }
                 }
             }
@@ -302,8 +302,8 @@ impl<S: Float> Best<S> {
         let same = S::constant(SAME_LAG.max(ROUNDINGS * S::EPSILON));
         let better = match self.lag {
             Some(known) if !clear => {
-                let gain = known.abs() - lag.abs();
-                same < gain || (gain.abs() <= same && known < lag)
+                let shorter = known.abs() - lag.abs();
+                same < shorter || (shorter.abs() <= same && known < lag)
             }
             _ => true,
         };

@@ -20,6 +20,12 @@ const SMALL_STEP: f64 = 1e-11;
 const SMALL_ROUNDINGS: f64 = 256.0;
 /// and no step can be below so many.
 const LEAST_ROUNDINGS: f64 = 4.0;
+/// Below a small step rounding holds the method up where a step is more than this ratio of the one before.
+const STALLED: f64 = 0.25;
+/// From here on, relative to the state, a step that is no more than the square of the one before is the last.
+const QUADRATIC: f64 = 1e-9;
+/// A state has at least this size, so that a division by it is finite.
+const SMALLEST_SCALE: f64 = 1e-290;
 
 /// How far apart, relative to their size, two are that rounding alone parts.
 pub(super) fn agreement<S: Float>() -> S {
@@ -94,7 +100,7 @@ pub(super) fn newton<S: Float>(
             continue;
         }
         // δ = (1 − A)⁻¹(F(x) − x), in the place of F(x).
-        let scale = cycle_map.scale().max(S::constant(1e-290));
+        let scale = cycle_map.scale().max(S::constant(SMALLEST_SCALE));
         let sign = if symmetric { -one } else { one };
         for (part, state) in cycle_map.modes.iter_mut().zip(pairs_mut(workspace.other)) {
             if let [y, u] = state {
@@ -126,8 +132,8 @@ pub(super) fn newton<S: Float>(
         let small = step <= scale * S::constant(SMALL_STEP.max(SMALL_ROUNDINGS * S::EPSILON));
         // Below rounding, or as far down as rounding lets it come.
         if step <= scale * S::constant(LEAST_ROUNDINGS * S::EPSILON)
-            || (small && last * S::constant(0.25) < step)
-            || step <= scale * S::constant(1e-9) && step <= last * last / scale
+            || (small && last * S::constant(STALLED) < step)
+            || step <= scale * S::constant(QUADRATIC) && step <= last * last / scale
         {
             return Ok(Some(pattern));
         }

@@ -8,7 +8,9 @@ use crate::simulation::Sum;
 
 /// Places to a half-turn of the fastest motion.
 const PLACES: f64 = 16.0;
-/// The most places in a segment.
+/// The fewest places in a segment,
+const FEWEST: f64 = 8.0;
+/// and the most.
 const MOST: f64 = 4096.0;
 /// Steps of a refinement: each keeps 0.62 of an interval, so that these leave rounding.
 const STEPS: usize = 40;
@@ -27,7 +29,7 @@ pub(super) fn largest_curve<S: Float>(sum: &Sum<'_, S>) -> S {
 fn largest<S: Float>(sum: &Sum<'_, S>, size: impl Fn(S) -> S) -> S {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let wanted = sum.rate * sum.reach * S::inverse_pi() * S::constant(PLACES);
-    let places = -(-wanted.max(S::constant(8.0)).min(S::constant(MOST))).floor();
+    let places = -(-wanted.max(S::constant(FEWEST)).min(S::constant(MOST))).floor();
     let step = sum.reach / places;
     let (mut before, mut here) = (zero, size(zero));
     let mut best = here;

@@ -66,11 +66,11 @@ pub struct ModalCoefficients<S> {
     /// Of sin τ − R q̃, the mode's lag behind the excitation.
     pub swing: S,
     /// φ_k(φᵀw)/r², the residue contact → mass, for the harmonics.
-    pub gain: S,
+    pub residue: S,
 }
 
 /// 2^24: the smallest `f32` times this has a finite reciprocal.
-const LIFT: f64 = (1_u32 << 24) as f64;
+const INTO_RANGE: f64 = (1_u32 << 24) as f64;
 
 /// A complex value under its names in emitted code.
 #[inline(always)]
@@ -158,7 +158,7 @@ impl<S: Scalar> Chain<S> {
             rise: (force * contact.scale).named("rise", Some(index)),
             fall,
             swing: (force * at.u).named("swing", Some(index)),
-            gain: residue * inverse_r * inverse_r,
+            residue: residue * inverse_r * inverse_r,
         }
     }
 
@@ -241,30 +241,34 @@ impl<S: Scalar> Chain<S> {
                 damped_back = damped_back - residue * (at.g / (at.x * at.x));
             }
         }
-        let ratio = self.plus(driven.own, driven.rest);
+        let ratio = self.plus(driven.own, driven.others);
         // On a moving base V grows as r², and the products with it may be out of range.
         let on_base = self.on_moving_base.is_some();
         let one = S::constant(1.0);
-        let (drop, rise) = if on_base {
-            (S::constant(1.0 / LIFT), S::constant(LIFT))
+        let (lower, raise_back) = if on_base {
+            (S::constant(1.0 / INTO_RANGE), S::constant(INTO_RANGE))
         } else {
             (one, one)
         };
         // Products of sums: a far mass moves by V_k U − U_k V, and what is common must stay so.
         let part = |driven, u: S, rubbed: Complex<S>, v| {
-            let (u, rubbed) = ((u * drop).named("u_in_range", None), rubbed.re * drop);
+            let (u, rubbed) = ((u * lower).named("u_in_range", None), rubbed.re * lower);
             self.plus(complex::scale(driven, u), complex::scale(v, rubbed))
         };
         let mismatch = self.plus(
             part(driven.own, sums.own.u, rubbed.own, sums.own.v),
-            part(driven.rest, sums.rest.u, rubbed.rest, sums.rest.v),
+            part(driven.others, sums.others.u, rubbed.others, sums.others.v),
         );
         let ratio = named(ratio, ["response_re", "response_im"], None);
         let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
         // On a moving base V does not vanish, and β may be all that a number can be.
         let vanishes = self.damped && !on_base;
-        let lift = if vanishes { S::constant(LIFT) } else { one };
-        let v = complex::scale(contact.v, lift);
+        let raise = if vanishes {
+            S::constant(INTO_RANGE)
+        } else {
+            one
+        };
+        let v = complex::scale(contact.v, raise);
         let v = named(v, ["v_in_range_re", "v_in_range_im"], None);
         let inverse_v = complex::reciprocal(v, self.damped);
         let response = complex::scale(ratio, friction.unscale);
@@ -276,18 +280,18 @@ impl<S: Scalar> Chain<S> {
             unscale,
             ..
         } = *friction;
-        let root = (root * drop * lift).named("root_in_range", None);
-        let raised = (unscale * rise).named("unscale_in_range", None);
+        let root = (root * lower * raise).named("root_in_range", None);
+        let raised = (unscale * raise_back).named("unscale_in_range", None);
         if self.damped {
             let weight = (beta * unscale).named("friction_weight", None);
-            let beta = (beta * lift).named("beta_in_range", None);
+            let beta = (beta * raise).named("beta_in_range", None);
             let (_, (near, far)) = complex::inverse(v);
             let turned = |driven: Complex<S>, v: Complex<S>| {
-                let v = complex::scale(complex::scale(v, lift), far);
+                let v = complex::scale(complex::scale(v, raise), far);
                 driven.im * v.re - driven.re * v.im
             };
-            let (own, rest) = sums.turning(contact);
-            let lag = turned(driven.own, own) + turned(driven.rest, rest);
+            let (own, others) = sums.turning(contact);
+            let lag = turned(driven.own, own) + turned(driven.others, others);
             let in_phase = (root * near).named("in_phase_share", None);
             Fundamental {
                 cosine: (root * ratio.re + beta * mismatch.im) * raised + damped_back * weight,
@@ -329,7 +333,7 @@ impl<S: Scalar> Chain<S> {
         };
         let sum = self.plus(
             part(driven.own, sums.own.h, rubbed.own, sums.own.v),
-            part(driven.rest, sums.rest.h, rubbed.rest, sums.rest.v),
+            part(driven.others, sums.others.h, rubbed.others, sums.others.v),
         );
         let sum = named(sum, ["numerator_re", "numerator_im"], None);
         let inverse_h = complex::reciprocal(contact.h, self.damped);

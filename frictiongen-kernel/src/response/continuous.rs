@@ -133,8 +133,8 @@ impl<T: ProvidesMotion> Continuous<T> {
     #[must_use]
     pub fn mass(&self, mass: usize) -> MotionOf<T> {
         self.mass_at(mass).unwrap_or_else(|| {
-            let rest = Fundamental::at_rest();
-            Motion::of_mass(self.friction, rest, self.at.scene().idle())
+            let at_rest = Fundamental::at_rest();
+            Motion::of_mass(self.friction, at_rest, self.at.scene().idle())
         })
     }
 

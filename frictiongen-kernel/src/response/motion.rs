@@ -44,23 +44,27 @@ pub struct Largest<S> {
 pub fn motion_wave<S: Float, D: Decay<S>>(
     x: S,
     decay: D,
-    share: ModalCoefficients<S>,
+    coefficients: ModalCoefficients<S>,
 ) -> Wave<S, D> {
-    let mut wave = Wave::rest(x, decay);
-    wave.rise = share.rise;
+    let mut wave = Wave::at_rest(x, decay);
+    wave.rise = coefficients.rise;
     // d = p′ + 2ζx·p.
-    wave.swing_slope = share.fall;
-    wave.free = -((decay.zeta() + decay.zeta()) * x * share.fall);
-    wave.swing = share.swing;
-    wave.gain = share.gain;
+    wave.swing_slope = coefficients.fall;
+    wave.free = -((decay.zeta() + decay.zeta()) * x * coefficients.fall);
+    wave.swing = coefficients.swing;
+    wave.residue = coefficients.residue;
     wave
 }
 
 /// A mode's wave in the motion of a mass, for [`Chain::mass_coefficients`].
-pub fn mass_wave<S: Float, D: Decay<S>>(x: S, decay: D, share: ModalCoefficients<S>) -> Wave<S, D> {
+pub fn mass_wave<S: Float, D: Decay<S>>(
+    x: S,
+    decay: D,
+    coefficients: ModalCoefficients<S>,
+) -> Wave<S, D> {
     Wave {
         mass_controlled: is_mass_controlled(decay.kind(), decay.zeta(), x),
-        ..motion_wave(x, decay, share)
+        ..motion_wave(x, decay, coefficients)
     }
 }
 
@@ -230,11 +234,11 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
             let re = (wave.x - order) * (wave.x + order);
             let im = S::constant(2.0) * wave.decay.zeta() * order * wave.x;
             let size = re.abs() + im;
-            if wave.gain.vanishes() || size == zero {
+            if wave.residue.vanishes() || size == zero {
                 continue;
             }
             let (re, im) = (re / size, im / size);
-            let weight = wave.gain / (size * (re * re + im * im));
+            let weight = wave.residue / (size * (re * re + im * im));
             sum = Complex::new(sum.re + weight * re, sum.im - weight * im);
         }
         // −(4iβ/πn) e^{−inφ}
@@ -275,10 +279,11 @@ impl<S: Float> Chain<S> {
     ) -> Wave<S, D> {
         let decay = D::of(mode);
         if !mode.in_contact {
-            return Wave::rest(at.x, decay);
+            return Wave::at_rest(at.x, decay);
         }
-        let share = self.modal_coefficients(at, mode.inverse_mass, contact, friction, inverse_r, 0);
-        motion_wave(at.x, decay, share)
+        let coefficients =
+            self.modal_coefficients(at, mode.inverse_mass, contact, friction, inverse_r, 0);
+        motion_wave(at.x, decay, coefficients)
     }
 
     /// A mode's wave in the motion of a mass; `component` is the mass's in the mode's shape.
@@ -293,10 +298,11 @@ impl<S: Float> Chain<S> {
     ) -> Wave<S, D> {
         let decay = D::of(mode);
         if !mode.in_contact {
-            return Wave::rest(at.x, decay);
+            return Wave::at_rest(at.x, decay);
         }
         let residue = component * mode.contact;
-        let share = self.mass_coefficients(mode, at, residue, contact, friction, inverse_r, 0);
-        mass_wave(at.x, decay, share)
+        let coefficients =
+            self.mass_coefficients(mode, at, residue, contact, friction, inverse_r, 0);
+        mass_wave(at.x, decay, coefficients)
     }
 }

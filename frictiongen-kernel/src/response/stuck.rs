@@ -86,8 +86,8 @@ impl<T: ProvidesStuck> Stuck<T> {
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> Complex<T::Scalar> {
-        let rest = complex::real(T::Scalar::constant(0.0));
-        self.mass_at(mass).unwrap_or(rest)
+        let at_rest = complex::real(T::Scalar::constant(0.0));
+        self.mass_at(mass).unwrap_or(at_rest)
     }
 
     /// x̄* = V_k − H_kV/H, the complex amplitude of a mass (6.11, 6.27, 6.33), by its place in the description; none

@@ -89,8 +89,8 @@ impl<S: Float> Setting<'_, S> {
             for (mode, part) in driven.iter().zip(&mut *modes) {
                 let [y, u] = part.value;
                 let angle = part.x * stretch;
-                let gain = stretch / (self.r * mode.resonance);
-                let drive = gain * (mode.load * cosine - mode.contact * force);
+                let per_force = stretch / (self.r * mode.resonance);
+                let drive = per_force * (mode.load * cosine - mode.contact * force);
                 let rates = [angle * u, drive - angle * (y + two * part.zeta * u)];
                 part.value = rates.map(|rate| rate * inverse);
                 for (sum, term) in part.slope.iter_mut().zip(part.value) {

@@ -24,10 +24,10 @@ impl<S: Float> Dynamics<'_, S> {
         held: impl Iterator<Item = (&'s mut S, &'s mut S)>,
     ) {
         let two = S::constant(2.0);
-        for ((to_y, to_u), (mode, shares)) in held.zip(self.held_modes()) {
+        for ((to_y, to_u), (mode, participations)) in held.zip(self.held_modes()) {
             let (mut first, mut second) = (S::constant(0.0), S::constant(0.0));
             let driven = self.driven().iter().zip(states.clone());
-            for ((driven, [y, u]), [g, h]) in driven.zip(shares) {
+            for ((driven, [y, u]), [g, h]) in driven.zip(participations) {
                 let sigma = driven.resonance;
                 let lift = lift(driven, receptance);
                 let y = y - lift * z;
@@ -66,9 +66,9 @@ impl<S: Float> Dynamics<'_, S> {
         };
         let lift = lift(mode, receptance);
         let (mut sum_y, mut sum_u) = (lift * z, lift * rate);
-        let shares = self.shares.iter().skip(index);
-        let shares = shares.step_by(self.in_contact().max(1));
-        for (([y, u], of), [g, h]) in held.zip(self.held).zip(shares) {
+        let participations = self.participations.iter().skip(index);
+        let participations = participations.step_by(self.in_contact().max(1));
+        for (([y, u], of), [g, h]) in held.zip(self.held).zip(participations) {
             sum_y = sum_y + *g * y + *h * u;
             let slope = (*g - two * of.zeta * *h) * u - *h * y;
             sum_u = sum_u + of.frequency * slope;

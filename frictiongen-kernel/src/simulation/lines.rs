@@ -150,9 +150,9 @@ impl<'a, S: Float> Lines<'a, S> {
     }
 
     /// Goes to the line that the stretch leads to; to the first one where it ended at rest.
-    pub(super) fn pass(&mut self, rests: bool) {
+    pub(super) fn pass(&mut self, at_rest: bool) {
         self.place = match self.next {
-            _ if rests => 0,
+            _ if at_rest => 0,
             Crossing::None => self.place,
             Crossing::Faster => self.place + 1,
             Crossing::Slower => self.place.saturating_sub(1),

@@ -3,7 +3,10 @@
 use crate::number::scalar::Float;
 
 /// Roundings of a sum over modes, for each unit of its terms' sizes.
-pub(super) const ROUNDINGS: f64 = 4.0;
+pub(crate) const ROUNDINGS: f64 = 4.0;
+/// How far a series reaches, in radians of the fastest oscillator: what is left out, of the order 0.03⁹/9!, is below
+/// rounding.
+pub(super) const SERIES_REACH: f64 = 0.03;
 
 /// A function about one instant.
 #[derive(Clone, Copy, Debug)]

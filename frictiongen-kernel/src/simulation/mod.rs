@@ -35,6 +35,7 @@ pub use setting::Setting;
 pub use walk::MAX_STEPS;
 
 pub(crate) use clock::Total;
+pub(crate) use local::ROUNDINGS as SUM_ROUNDINGS;
 pub(crate) use part::lift;
 pub(crate) use power::{Power, TERMS, WALK};
 pub(crate) use segment::{ContactState, End, leap, span};
@@ -73,8 +74,8 @@ pub struct Dynamics<'a, S> {
     pub modes: &'a [Mode<S>],
     /// The modes of the chain with its contact held: one fewer than the contact drives.
     pub held: &'a [HeldMode<S>],
-    /// For each held mode and each mode that the contact drives, what of it moves with y and u.
-    pub shares: &'a [[S; 2]],
+    /// For each held mode and each mode that the contact drives, how far it takes part in y and u.
+    pub participations: &'a [[S; 2]],
     /// φ, mass after mass.
     pub shapes: &'a [S],
     /// φᵀΓ, mode after mode.
@@ -107,14 +108,17 @@ impl<'a, S: Float> Dynamics<'a, S> {
         self.chain.on_moving_base.is_none() && self.rubbing == Some(mass)
     }
 
-    /// The held modes, each with the shares of all modes that the contact drives.
+    /// The held modes, each with the participations of all modes that the contact drives.
     pub(crate) fn held_modes(&self) -> impl Iterator<Item = (&'a HeldMode<S>, &'a [[S; 2]])> {
         // By ranges: an iterator over chunks could panic where the compiler loses their size.
-        let (shares, size) = (self.shares, self.in_contact());
+        let (participations, size) = (self.participations, self.in_contact());
         let held = self.held.iter().enumerate();
         held.map(move |(index, mode)| {
             let start = index * size;
-            (mode, shares.get(start..start + size).unwrap_or_default())
+            (
+                mode,
+                participations.get(start..start + size).unwrap_or_default(),
+            )
         })
     }
 }

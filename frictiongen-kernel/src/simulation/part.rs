@@ -12,6 +12,8 @@ use crate::oscillator::mode::{Kind, Mode};
 /// vanish with D; elsewhere as the steady motion plus a free one, which loses at most 1/NEAR of the
 /// precision.
 const NEAR: f64 = 0.02;
+/// With 1 − ζ² above this a part counts as an oscillation, whose amplitude bounds it.
+const OSCILLATES: f64 = 0.05;
 
 /// One oscillator.
 #[derive(Clone, Copy, Debug)]
@@ -302,7 +304,7 @@ impl<S: Float> Part<S> {
     /// Whether its amplitude is that of a decaying oscillation, rather than a sum of decays that
     /// may cancel.
     pub(super) fn oscillates(&self) -> bool {
-        S::constant(0.05) < self.q2
+        S::constant(OSCILLATES) < self.q2
     }
 
     /// The coefficients of c and s of a function's derivative.

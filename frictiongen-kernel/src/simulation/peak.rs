@@ -8,6 +8,16 @@ use crate::number::scalar::Float;
 const EQUAL: f64 = 64.0;
 /// No segment of a smooth sum has more peaks worth climbing than this.
 const MAX_CLIMBS: u32 = 256;
+/// Past a summit the walk goes on where the value has fallen by so many times what counts as equal.
+const BELOW: f64 = 4.0;
+/// A climb takes no more steps than this, halved ones among them.
+const CLIMB_STEPS: usize = 60;
+/// The longest first step of a climb, in radians of the excitation: a halved one is trusted from then on.
+const TRUSTED: f64 = 0.25;
+/// A step of Newton's method shorter than this is at the summit, where values differ by rounding alone.
+const AT_SUMMIT: f64 = 1e-3;
+/// No step can be below so many roundings.
+const LEAST_ROUNDINGS: f64 = 4.0;
 
 impl<S: Float> Sum<'_, S> {
     /// Calls `note` with the place and the value of every local extreme that comes up to `level`
@@ -30,7 +40,7 @@ impl<S: Float> Sum<'_, S> {
             let (top, value, curve) = self.climbed(tau);
             level = note(top, value);
             // Past the summit by as much as it takes to be below the level again.
-            let fall = S::constant(4.0 * EQUAL * S::EPSILON) * value.abs();
+            let fall = S::constant(BELOW * EQUAL * S::EPSILON) * value.abs();
             let width = (two * fall / curve.abs()).sqrt();
             let mut step = if !width.is_finite() {
                 self.reach
@@ -58,8 +68,8 @@ impl<S: Float> Sum<'_, S> {
         let mut at = tau;
         let mut local = self.local(at);
         let sign = S::constant(1.0).copysign(local.value);
-        let mut trust = S::constant(0.25);
-        for _ in 0..60 {
+        let mut trust = S::constant(TRUSTED);
+        for _ in 0..CLIMB_STEPS {
             let (slope, curve) = (sign * local.slope, sign * local.curve);
             let newton = if curve < zero {
                 -(slope / curve)
@@ -72,13 +82,13 @@ impl<S: Float> Sum<'_, S> {
                 break;
             }
             let there = self.local(next);
-            let near = curve < zero && step.abs() < S::constant(1e-3);
+            let near = curve < zero && step.abs() < S::constant(AT_SUMMIT);
             if sign * there.value < sign * local.value && !near {
                 trust = step.abs() * S::constant(0.5);
                 continue;
             }
             (at, local) = (next, there);
-            if near && step.abs() < S::constant(4.0 * S::EPSILON) {
+            if near && step.abs() < S::constant(LEAST_ROUNDINGS * S::EPSILON) {
                 break;
             }
         }

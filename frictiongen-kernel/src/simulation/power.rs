@@ -1,6 +1,6 @@
 //! A function of the contact as a power series about an instant, in the way in which a walk follows it.
 
-use super::local::{Local, ORDER, ROUNDINGS, Series};
+use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series};
 use super::walk::Walked;
 use crate::number::scalar::Float;
 
@@ -109,7 +109,7 @@ impl<S: Float> Walked<S> for Seen<'_, S> {
         let [first, second, ..] = &mut terms;
         (*first, *second) = (value, slope);
         // No term beyond is left out that shows: what turns by a radian at most has them over factorials.
-        Series::new(terms, S::constant(0.03))
+        Series::new(terms, S::constant(SERIES_REACH))
     }
 
     fn noise(&self) -> S {

@@ -78,15 +78,15 @@ impl<'a, S: Float> Setting<'a, S> {
             *part = Part::of_mode(mode, self.r);
         }
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
-        for (part, (mode, shares)) in held.iter_mut().zip(self.dynamics.held_modes()) {
+        for (part, (mode, participations)) in held.iter_mut().zip(self.dynamics.held_modes()) {
             // The load on each mode, less what moves the held contact along with the base.
             let mut sums = [Complex::new(zero, zero); 2];
-            for (driven, share) in self.dynamics.driven().iter().zip(shares) {
+            for (driven, participation) in self.dynamics.driven().iter().zip(participations) {
                 let lift = self.base * lift(driven, self.receptance);
                 let re = driven.load + lift * self.r * self.r;
                 let im = -(lift * two * driven.zeta * driven.resonance * self.r);
-                for (sum, share) in sums.iter_mut().zip(share) {
-                    *sum = Complex::new(sum.re + *share * re, sum.im + *share * im);
+                for (sum, participation) in sums.iter_mut().zip(participation) {
+                    *sum = Complex::new(sum.re + *participation * re, sum.im + *participation * im);
                 }
             }
             let [first, second] = sums;

@@ -2,6 +2,11 @@
 
 use crate::number::scalar::Float;
 
+/// Steps of Newton's method towards a root of the cubic at most.
+const STEPS: usize = 12;
+/// A root is found to this ratio: the walk asks again from there.
+const CLOSE: f64 = 1e-3;
+
 /// The smallest positive root of f + f′h + f″h²/2 − Bh³/6 for f ≥ 0, f′ > 0 if f = 0: up to there the
 /// function is positive wherever |f‴| ≤ B.  Never beyond the root, to rounding; at most `most`.
 pub(super) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
@@ -52,7 +57,7 @@ pub(super) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
             return h;
         }
     }
-    for _ in 0..12 {
+    for _ in 0..STEPS {
         let (p, q) = (value(h), tangent(h));
         if !(p < zero) || !(q < zero) {
             break;
@@ -61,7 +66,7 @@ pub(super) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
         if !(next < h) {
             break;
         }
-        let close = h - next <= h * S::constant(1e-3);
+        let close = h - next <= h * S::constant(CLOSE);
         h = next;
         if close {
             break;
@@ -92,14 +97,14 @@ fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
 fn from_left<S: Float>(value: impl Fn(S) -> S, tangent: impl Fn(S) -> S) -> S {
     let zero = S::constant(0.0);
     let mut h = zero;
-    for _ in 0..12 {
+    for _ in 0..STEPS {
         let (p, q) = (value(h), tangent(h));
         if !(zero < p) || !(q < zero) {
             break;
         }
         let step = -(p / q);
         h = h + step;
-        if step <= h * S::constant(1e-3) {
+        if step <= h * S::constant(CLOSE) {
             break;
         }
     }

@@ -1,7 +1,7 @@
 //! A function of time between two events: a fundamental component at the excitation's frequency and a sum over
 //! oscillators, with its derivatives and what the third of them cannot exceed.
 
-use super::local::{Local, ORDER, ROUNDINGS, Series};
+use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series};
 use super::part::Part;
 use super::walk::Walked;
 use crate::number::scalar::Float;
@@ -129,7 +129,7 @@ impl<S: Float> Walked<S> for Sum<'_, S> {
         }
         let [first, second, ..] = &mut terms;
         (*first, *second) = (value, slope);
-        Series::new(terms, S::constant(0.03) / self.rate)
+        Series::new(terms, S::constant(SERIES_REACH) / self.rate)
     }
 
     fn noise(&self) -> S {

@@ -7,6 +7,10 @@ use crate::number::scalar::Float;
 
 /// No segment is walked with more steps than this; one that needs more goes on as another segment.
 pub const MAX_STEPS: u32 = 4000;
+/// What has just failed to leave must pass the level by so many times what rounding can do.
+const WEDGED: f64 = 16.0;
+/// Behind a graze the walk goes on so many roundings of its instant later at least.
+const PAST: f64 = 4.0;
 
 /// A function that a walk follows.
 pub(crate) trait Walked<S> {
@@ -111,7 +115,7 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     let zero = S::constant(0.0);
     let noise = sum.noise() + level * S::constant(ROUNDINGS * S::EPSILON);
     let level = match start {
-        Start::Wedged => level + noise * S::constant(16.0),
+        Start::Wedged => level + noise * S::constant(WEDGED),
         _ => level,
     };
     let mut tau = from;
@@ -188,7 +192,7 @@ fn judged<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> Verdict<
         let bottom = -(slope / curve);
         let least = value + slope * bottom * S::constant(0.5);
         if -noise < least {
-            return Verdict::Past(bottom + bottom + tau * S::constant(4.0 * S::EPSILON));
+            return Verdict::Past(bottom + bottom + tau * S::constant(PAST * S::EPSILON));
         }
     }
     let mut shift = -(value / slope);

@@ -131,7 +131,7 @@ pub(super) fn at<S: Float>(terms: &[S], place: S) -> S {
     terms.fold(S::constant(0.0), |sum, term| sum * place + *term)
 }
 
-/// What a polynomial gains from 0 to a place.
-pub(super) fn gain<S: Float>(terms: &[S], place: S) -> S {
+/// By how much a polynomial grows from 0 to a place.
+pub(super) fn growth<S: Float>(terms: &[S], place: S) -> S {
     at(terms.get(1..).unwrap_or_default(), place) * place
 }

@@ -30,7 +30,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             };
         }
         if self.place < one {
-            self.rest(departing);
+            self.without_events(departing);
         }
         if self.status.contact == Contact::Stuck {
             self.status.holding = self.held_force();
@@ -39,7 +39,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
 
     /// The rest of the part without events, in a way that creates no energy: held where the contact is at rest,
     /// without friction where it is not.
-    fn rest(&mut self, departing: Option<Departure<S>>) {
+    fn without_events(&mut self, departing: Option<Departure<S>>) {
         self.exceeded = true;
         let left = S::constant(1.0) - self.place;
         if self.status.contact != Contact::Stuck {

@@ -1,6 +1,6 @@
 //! The motion within a part as power series about an instant, and stretches of it.
 
-use super::drive::{derived, gain, shift};
+use super::drive::{derived, growth, shift};
 use super::part::{Through, product};
 use super::rows::{moments, next};
 use super::table::HeldLoad;
@@ -45,7 +45,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             let states = steps.iter().zip(&mut *self.store.scratch);
             for (index, (step, state)) in states.enumerate() {
                 let load = load_term(self.table.loads_of(index), self.store.drive, place);
-                let drive = load - step.gain * step.contact * force;
+                let drive = load - step.per_force * step.contact * force;
                 let rates = next((step.angle, step.zeta), *state, [zero, drive]);
                 *state = rates.map(|rate| rate * inverse);
             }
@@ -86,10 +86,10 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
                     drive = held_load_term(loads, self.store.drive, place);
                 }
                 if let Some(motions) = &motions {
-                    for (lift, motion) in step.lift.iter().zip(motions) {
+                    for (from_base, motion) in step.from_base.iter().zip(motions) {
                         let motion = motion.get(place).copied().unwrap_or(zero);
-                        for (term, lift) in drive.iter_mut().zip(lift) {
-                            *term = *term + *lift * motion;
+                        for (term, from_base) in drive.iter_mut().zip(from_base) {
+                            *term = *term + *from_base * motion;
                         }
                     }
                 }
@@ -113,7 +113,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             else {
                 continue;
             };
-            let pull = step.gain * step.contact;
+            let pull = step.per_force * step.contact;
             let drive = |place: usize| {
                 let mut force = if place == 0 { level } else { zero };
                 if !slope.is_zero() {
@@ -125,18 +125,18 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             let of = (step.angle, step.zeta);
             let [rises, turns]: [[S; D]; 2] = moments(of, *state, drive, velocity.count, tau);
             let [y, u] = *state;
-            let gained = |rows: &[S; D]| rows.first().copied().unwrap_or(zero);
-            *state = [y + gained(&rises), u + gained(&turns)];
+            let first = |rows: &[S; D]| rows.first().copied().unwrap_or(zero);
+            *state = [y + first(&rises), u + first(&turns)];
             let done = load.iter().zip(&rises);
             let done = done.fold(zero, |sum, (term, moment)| sum + *term * *moment);
-            work = work + done / step.gain;
+            work = work + done / step.per_force;
         }
         let used = velocity.used();
-        let moved = gain_of_integral(used, tau);
+        let moved = integral(used, tau);
         let mut dissipated = level * moved;
         let mut carried = zero;
         if self.scene.rubs_on_base() {
-            carried = level * gain(&self.base, tau);
+            carried = level * growth(&self.base, tau);
         }
         if !slope.is_zero() {
             dissipated = dissipated + slope * product(used, used, tau);
@@ -163,9 +163,9 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             let drive = |place: usize| load.map(|load| load.get(place).copied().unwrap_or(zero));
             let of = (step.angle, step.zeta);
             let rows: [[S; D]; 2] = moments(of, state, drive, terms, tau);
-            let gained = |rows: &[S; D]| rows.first().copied().unwrap_or(zero);
+            let first = |rows: &[S; D]| rows.first().copied().unwrap_or(zero);
             let [y, u] = state;
-            let moved = [y + gained(&rows[0]), u + gained(&rows[1])];
+            let moved = [y + first(&rows[0]), u + first(&rows[1])];
             work = work + self.held_work(index, step, &rows, moved[0], tau);
             if let Some(state) = self.store.held.get_mut(index) {
                 *state = moved;
@@ -188,7 +188,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
 }
 
 /// ∫ of a power series from 0 to a place.
-fn gain_of_integral<S: Float>(terms: &[S], place: S) -> S {
+fn integral<S: Float>(terms: &[S], place: S) -> S {
     product(terms, &[S::constant(1.0)], place)
 }
 

@@ -1,7 +1,7 @@
 //! One part of a step: by the tables where the contact certainly has no event.
 
 use super::dot::{add, dot, sizes};
-use super::drive::{at, derived, gain};
+use super::drive::{at, derived, growth};
 use super::rows::{HeldStep, ModeStep};
 use super::scene::StepScene;
 use super::state::{Status, StoreMut};
@@ -12,6 +12,8 @@ use crate::simulation::law::{self, Line};
 
 /// Roundings of a sum over modes, for each unit of its terms' sizes.
 pub(super) const ROUNDINGS: f64 = 8.0;
+/// A function over a unit of time is off its chord by its largest second derivative times 1/8 at most.
+const OFF_CHORD: f64 = 0.125;
 
 /// A stepper on its way through one part of a step.
 pub(super) struct Through<'t, 'a, S, const D: usize> {
@@ -56,10 +58,10 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             }
         }
         if let Some(motions) = self.moving_base() {
-            for (lift, motion) in step.lift.iter().zip(motions) {
-                for (sum, lift) in sum.iter_mut().zip(lift) {
+            for (from_base, motion) in step.from_base.iter().zip(motions) {
+                for (sum, from_base) in sum.iter_mut().zip(from_base) {
                     for (sum, term) in sum.iter_mut().zip(motion) {
-                        *sum = *sum + *lift * term;
+                        *sum = *sum + *from_base * term;
                     }
                 }
             }
@@ -155,7 +157,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             let load = self.load(index);
             let mut drive = load;
             if let [first, ..] = &mut drive[..] {
-                *first = *first - step.gain * step.contact * force;
+                *first = *first - step.per_force * step.contact * force;
             }
             let Some(&[y, u]) = self.store.modes.get(index) else {
                 return false;
@@ -174,12 +176,12 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             }
         }
         let least = (sign * start).min(sign * (start + rise));
-        let room = bend * S::constant(0.125) + size * S::constant(ROUNDINGS * S::EPSILON);
+        let room = bend * S::constant(OFF_CHORD) + size * S::constant(ROUNDINGS * S::EPSILON);
         if !(line.low + room < least) {
             return false;
         }
         let carried = if self.scene.rubs_on_base() {
-            gain(&self.base, S::constant(1.0))
+            growth(&self.base, S::constant(1.0))
         } else {
             zero
         };
@@ -219,7 +221,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
         let grip = self.status.friction * self.status.stiction;
         let most = start.abs().max(end.abs());
-        let room = bend * S::constant(0.125) + (size + grip) * S::constant(ROUNDINGS * S::EPSILON);
+        let room =
+            bend * S::constant(OFF_CHORD) + (size + grip) * S::constant(ROUNDINGS * S::EPSILON);
         if !(most + room < grip) {
             return false;
         }
@@ -314,7 +317,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
         if self.scene.rubs_on_base() {
             // −∫F b′ by parts, b from where it is now.
-            let rise = gain(&self.base, place);
+            let rise = growth(&self.base, place);
             let mut sum = to * rise;
             for (term, moment) in self.base.iter().zip(moments).skip(1) {
                 sum = sum - *term * *moment;
@@ -352,7 +355,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
         let rise = moments.first().copied().unwrap_or(S::constant(0.0));
         let work = dot(S::constant(0.0), load, &moments);
         let turn = self.turn.times([y, u], drive);
-        ([y + rise, u + turn], work / self.gain)
+        ([y + rise, u + turn], work / self.per_force)
     }
 
     /// What |u″| cannot exceed over the part.

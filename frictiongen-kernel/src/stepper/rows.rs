@@ -30,7 +30,7 @@ pub struct ModeStep<S, const D: usize> {
     /// ζ.
     pub zeta: S,
     /// What a force on the mode adds to u′: Ω/σ².
-    pub gain: S,
+    pub per_force: S,
     /// φᵀw: its displacement in the contact's.
     pub contact: S,
     /// Over the part, what u gains.
@@ -49,7 +49,7 @@ pub struct HeldStep<S, const D: usize> {
     /// −(contact force)/y.
     pub force: S,
     /// What the velocity and the acceleration of a moving base, on which the contact is held, add to y′ and u′.
-    pub lift: [[S; 2]; 2],
+    pub from_base: [[S; 2]; 2],
     /// Over the part, ∫ sʲ y′ ds.
     pub moments: [HeldRow<S, D>; D],
     /// Over the part, ∫ sʲ u′ ds.
@@ -99,9 +99,9 @@ pub(super) fn moments<S: Float, const D: usize>(
 }
 
 impl<S: Float, const D: usize> ModeStep<S, D> {
-    pub(super) fn new(angle: S, zeta: S, gain: S, contact: S) -> Self {
+    pub(super) fn new(angle: S, zeta: S, per_force: S, contact: S) -> Self {
         let mut step = Self::zero();
-        (step.angle, step.zeta, step.gain, step.contact) = (angle, zeta, gain, contact);
+        (step.angle, step.zeta, step.per_force, step.contact) = (angle, zeta, per_force, contact);
         let rows = HeldStep::rows((angle, zeta));
         for (to, from) in step.moments.iter_mut().zip(rows[0]) {
             *to = Row {
@@ -129,7 +129,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
         Self {
             angle: zero,
             zeta: zero,
-            gain: zero,
+            per_force: zero,
             contact: zero,
             turn: row,
             moments: [row; D],
@@ -191,7 +191,7 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
             angle: zero,
             zeta: zero,
             force: zero,
-            lift: [[zero; 2]; 2],
+            from_base: [[zero; 2]; 2],
             moments: [HeldRow::zero(); D],
             turns: [HeldRow::zero(); D],
         }

@@ -12,6 +12,10 @@ use crate::number::scalar::Float;
 use crate::simulation::{Contact, law};
 use core::marker::PhantomData;
 
+/// A friction law may change the contact's velocity within a part by so many times that velocity at most: where it is
+/// steeper, a power series reaches a small fraction of the part alone.
+const STEEPEST: f64 = 16.0;
+
 /// The motion under an input that is known step by step.
 ///
 /// `T` holds the tables and `V` the state: arrays or constants in emitted code, vectors at run time.  `D` is the number
@@ -141,7 +145,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             let friction = sample.friction / self.scene.units.stiffness;
             let seconds = pace.step / S::constant(f64::from(pace.parts));
             let rate = self.scene.acceleration(&pace, friction * steep / seconds);
-            if !(rate <= S::constant(16.0)) {
+            if !(rate <= S::constant(STEEPEST)) {
                 return Err(OutOfDomain {
                     argument: "friction",
                 });

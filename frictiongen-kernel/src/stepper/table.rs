@@ -8,6 +8,9 @@ use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 use crate::simulation::{TERMS, lift};
 
+/// A power series goes on until its terms are so many times below a rounding.
+const BELOW_ROUNDING: f64 = 16.0;
+
 /// What an input has to do with a held mode.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldLoad<S> {
@@ -174,7 +177,7 @@ pub fn fill<S: Float, const D: usize>(
         *entry = ModeStep::new(angle, mode.zeta, pace.span / mode.resonance, mode.contact);
         let row = loads.iter_mut().skip(index * inputs).take(inputs);
         for (channel, load) in row.enumerate() {
-            *load = scene.load(channel, index) * entry.gain;
+            *load = scene.load(channel, index) * entry.per_force;
         }
     }
     for (channel, entry) in channels.iter_mut().enumerate() {
@@ -186,12 +189,12 @@ pub fn fill<S: Float, const D: usize>(
         }
     }
     let mut entries = held_loads.iter_mut();
-    for (entry, (mode, shares)) in held.iter_mut().zip(dynamics.held_modes()) {
+    for (entry, (mode, participations)) in held.iter_mut().zip(dynamics.held_modes()) {
         *entry = HeldStep::new(mode.frequency * pace.span, mode.zeta, mode.force);
         let zero = S::constant(0.0);
         for (channel, load) in entries.by_ref().take(inputs).enumerate() {
             let mut reach = [zero; 2];
-            for (index, [g, h]) in shares.iter().enumerate() {
+            for (index, [g, h]) in participations.iter().enumerate() {
                 let of = scene.load(channel, index);
                 reach = [reach[0] + *g * of, reach[1] + *h * of];
             }
@@ -204,7 +207,7 @@ pub fn fill<S: Float, const D: usize>(
         if scene.rubs_on_base() {
             let two = S::constant(2.0);
             let mut sums = [[zero; 2]; 2];
-            for (driven, [g, h]) in dynamics.driven().iter().zip(shares) {
+            for (driven, [g, h]) in dynamics.driven().iter().zip(participations) {
                 let lift = lift(driven, pace.receptance);
                 let loss = two * driven.zeta * driven.resonance * lift;
                 sums = [
@@ -214,7 +217,7 @@ pub fn fill<S: Float, const D: usize>(
             }
             let [velocity, acceleration] = sums.map(|[first, second]| mode.state(first, second));
             let inverse = S::constant(1.0) / pace.span;
-            entry.lift = [
+            entry.from_base = [
                 [velocity.0, velocity.1],
                 [acceleration.0 * inverse, acceleration.1 * inverse],
             ];
@@ -229,7 +232,7 @@ pub fn fill<S: Float, const D: usize>(
 pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
     let one = S::constant(1.0);
     let (mut terms, mut order, mut size) = (0, one, one);
-    while terms < TERMS && S::constant(epsilon / 16.0) < size {
+    while terms < TERMS && S::constant(epsilon / BELOW_ROUNDING) < size {
         size = size * rate / order;
         (terms, order) = (terms + 1, order + one);
     }

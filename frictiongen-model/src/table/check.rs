@@ -1,10 +1,9 @@
 //! Tables compared with the exact values, at points that the fit did not look at.
 
-use super::cover::Cover;
-use super::errors::or_infinite;
+use super::errors::{Comparison, or_infinite};
 use super::fit::Fitted;
 use super::kinks;
-use super::quotients::Product;
+use super::product::Product;
 use super::split::Landmarks;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
@@ -22,11 +21,11 @@ const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 /// The largest error of a piece over what is allowed, and where; how many points were looked at.
 pub(super) fn piece<S: Float>(
-    cover: &mut Cover<'_, '_, S>,
+    comparison: &mut Comparison<'_, '_, S>,
     piece: &Fitted<S>,
     (from, to): (f64, f64),
 ) -> (Worst, usize) {
-    let zero = cover.zero_of(piece);
+    let zero = comparison.zero_of(piece);
     let mut worst = Worst {
         error: 0.0,
         at: from,
@@ -44,7 +43,7 @@ pub(super) fn piece<S: Float>(
     let mut kinks = Vec::new();
     for neighbours in places.windows(2) {
         if let [low, high] = neighbours {
-            kinks::between(cover.exact, *low, *high, &mut kinks);
+            kinks::between(comparison.exact, *low, *high, &mut kinks);
         }
     }
     places.extend(kinks);
@@ -54,7 +53,7 @@ pub(super) fn piece<S: Float>(
         if !(from <= r && r < to) {
             continue;
         }
-        let error = cover.error_at(piece, r);
+        let error = comparison.error_at(piece, r);
         points += 1;
         if !(error <= worst.error) {
             worst = Worst { error, at: r };

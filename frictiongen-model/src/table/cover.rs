@@ -2,12 +2,11 @@
 
 use super::check;
 use super::digits::to_decimals;
-use super::exact::Exact;
-use super::fit::{Fitted, Form, fit};
-use super::split::{Edge, Landmarks};
+use super::errors::Comparison;
+use super::fit::{Fitted, fit};
+use super::split::Edge;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::table::Quotient;
 
 /// A piece counts as the longest when one longer by this share is too long.
 const LONGEST: f64 = 1.1;
@@ -21,22 +20,25 @@ const KINK_FOUND: f64 = 1.0 + 1e-3;
 const MOST_AGAIN: usize = 1000;
 /// No piece is shorter than this share of r.
 const SHORTEST: f64 = 1e-13;
+/// A piece is tried at so many times the length of the one before.
+const LONGER: f64 = 1.5;
+/// No piece takes more fits than this.
+const MOST_FITS: usize = 200;
+/// The next length is guessed for this error over what is allowed: after one that will do,
+const AIM: f64 = 0.8;
+/// and after one that is too long.
+const AIM_AGAIN: f64 = 0.7;
+/// Errors below this, over what is allowed, say nothing of a length.
+const TINY: f64 = 1e-6;
 
-/// How far an answer of a piece may be off.
+/// A range about to be covered.
 pub(super) struct Cover<'a, 'm, S> {
-    pub exact: &'a mut Exact<'m>,
-    pub landmarks: Landmarks,
+    /// What its pieces are compared with.
+    pub comparison: Comparison<'a, 'm, S>,
     /// Where β_lim bends, ascending.
     pub kinks: Vec<f64>,
-    pub form: Form,
-    /// The most that β_lim may be off lift·β_lim, relative to β_lim.
-    pub limit: f64,
-    /// The most that amplitude (relative) and phase (rad) may be off.
-    pub motion: f64,
-    /// What the check allows of both.
+    /// What the check allows of β_lim, and of amplitude and phase.
     pub whole: (f64, f64),
-    /// |V|, or V with its sign, where the motion is asked for and it is not among the functions.
-    pub excitation: Option<Quotient<'a, S>>,
     /// No more pieces than this.
     pub most_pieces: usize,
     /// The length of the last piece.
@@ -59,7 +61,7 @@ impl<S: Float> Cover<'_, '_, S> {
         low: f64,
         high: f64,
     ) -> Result<(Vec<Fitted<S>>, Worst, usize), Stuck> {
-        let (limit, motion) = (self.limit, self.motion);
+        let (limit, motion) = (self.comparison.limit, self.comparison.motion);
         let mut waiting = self.range(low, high)?;
         waiting.reverse();
         let (mut pieces, mut points, mut again) = (Vec::new(), 0, 0);
@@ -72,9 +74,9 @@ impl<S: Float> Cover<'_, '_, S> {
             let to = waiting
                 .last()
                 .map_or(high, |next: &Fitted<S>| next.from.to_f64());
-            (self.limit, self.motion) = (self.whole.0, self.whole.1);
-            let (seen, looked) = check::piece(self, &piece, (from, to));
-            (self.limit, self.motion) = (limit, motion);
+            (self.comparison.limit, self.comparison.motion) = self.whole;
+            let (seen, looked) = check::piece(&mut self.comparison, &piece, (from, to));
+            (self.comparison.limit, self.comparison.motion) = (limit, motion);
             points += looked;
             if seen.error <= 1.0 {
                 if seen.error > worst.error {
@@ -94,8 +96,8 @@ impl<S: Float> Cover<'_, '_, S> {
             if again > MOST_AGAIN {
                 return Err(Stuck { at: seen.at });
             }
-            self.landmarks.look_at(seen.at);
-            let zero = self.zero_of(&piece);
+            self.comparison.landmarks.look_at(seen.at);
+            let zero = self.comparison.zero_of(&piece);
             let left = zero.filter(|zero| zero.at <= from);
             let right = zero.filter(|zero| zero.at > from);
             self.last = to - from;
@@ -106,16 +108,10 @@ impl<S: Float> Cover<'_, '_, S> {
         Ok((pieces, worst, points))
     }
 
-    /// The zero that a piece counts from, if it is one.
-    pub fn zero_of(&self, piece: &Fitted<S>) -> Option<Edge> {
-        let to = |at: f64| S::constant(at).to_f64();
-        self.landmarks.zero_at(piece.origin.to_f64(), to)
-    }
-
     /// Pieces from one end of the range to the other.
     fn range(&mut self, low: f64, high: f64) -> Result<Vec<Fitted<S>>, Stuck> {
         let mut pieces = Vec::new();
-        let zeros = self.landmarks.zeros.clone();
+        let zeros = self.comparison.landmarks.zeros.clone();
         let mut from = low;
         let mut left: Option<Edge> = None;
         for zero in zeros {
@@ -202,16 +198,17 @@ impl<S: Float> Cover<'_, '_, S> {
         };
         let mut next = stops.iter().copied();
         let mut stop = next.next().unwrap_or(most);
-        let mut length = (1.5 * self.last).min(stop);
+        let mut length = (LONGER * self.last).min(stop);
         let (mut known, mut good, mut too_long, mut excess) = (None, 0.0, f64::INFINITY, 0.0);
-        let order = 1.0 / self.form.terms as f64;
-        for _ in 0..200 {
+        let order = 1.0 / self.comparison.form.terms as f64;
+        for _ in 0..MOST_FITS {
             let end = end_of(length);
             let between = if forwards { (start, end) } else { (end, start) };
             // A zero farther off than the piece is long would make powers of its distance all alike.
             let zero = zero.filter(|zero| zero.distance(start).abs() <= length);
-            let piece = fit(self.exact, between, zero, self.form).ok_or(Stuck { at: start })?;
-            let error = self.error(&piece, between, zero);
+            let piece = fit(self.comparison.exact, between, zero, self.comparison.form)
+                .ok_or(Stuck { at: start })?;
+            let error = self.comparison.error(&piece, between, zero);
             if error <= 1.0 {
                 (good, known) = (length, Some((piece, end)));
                 if length >= most {
@@ -221,7 +218,7 @@ impl<S: Float> Cover<'_, '_, S> {
                     // Beyond a kink, if it is a weak one.
                     stop = next.next().unwrap_or(most);
                 }
-                let guess = length * (0.8 / error.max(1e-6)).powf(order).clamp(1.05, 2.0);
+                let guess = length * (AIM / error.max(TINY)).powf(order).clamp(1.05, 2.0);
                 length = guess.min(stop);
             } else {
                 let at_kink = stops.contains(&good);
@@ -229,7 +226,7 @@ impl<S: Float> Cover<'_, '_, S> {
                 if good > 0.0 && at_kink {
                     break;
                 }
-                let guess = length * (0.7 / error).powf(order).clamp(0.2, 0.95);
+                let guess = length * (AIM_AGAIN / error).powf(order).clamp(0.2, 0.95);
                 length = if good < guess {
                     guess
                 } else {

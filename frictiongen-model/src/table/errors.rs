@@ -1,11 +1,11 @@
 //! How far a piece is from the exact values, over what is allowed.
 
-use super::cover::Cover;
 use super::digits::above;
-use super::fit::{ANGLE, Fitted, SIZE};
-use super::split::Edge;
+use super::exact::{ANGLE, Exact, SIZE};
+use super::fit::{Fitted, Form};
+use super::split::{Edge, Landmarks};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::table::ContactTable;
+use frictiongen_kernel::table::{ContactTable, Quotient};
 use std::f64::consts::PI;
 
 /// The friction ratios over β_lim at which the contact's motion is compared.
@@ -13,7 +13,26 @@ pub const FRICTION_SHARES: [f64; 7] = [0.05, 0.3, 0.6, 0.8, 0.9, 0.95, 0.98];
 /// Roundings of r by which an exact value beside a zero of β_lim may be off.
 const ROUNDINGS: f64 = 4.0;
 
-impl<S: Float> Cover<'_, '_, S> {
+/// What pieces are compared with, and how far they may be off.
+pub(super) struct Comparison<'a, 'm, S> {
+    pub exact: &'a mut Exact<'m>,
+    pub landmarks: Landmarks,
+    pub form: Form,
+    /// The most that β_lim may be off side_factor·β_lim, relative to β_lim.
+    pub limit: f64,
+    /// The most that amplitude (relative) and phase (rad) may be off.
+    pub motion: f64,
+    /// |V|, or V with its sign, where the motion is asked for and it is not among the functions.
+    pub excitation: Option<Quotient<'a, S>>,
+}
+
+impl<S: Float> Comparison<'_, '_, S> {
+    /// The zero that a piece counts from, if it is one.
+    pub fn zero_of(&self, piece: &Fitted<S>) -> Option<Edge> {
+        let to = |at: f64| S::constant(at).to_f64();
+        self.landmarks.zero_at(piece.origin.to_f64(), to)
+    }
+
     /// The largest error of a piece over what is allowed.
     pub fn error(&mut self, piece: &Fitted<S>, (low, high): (f64, f64), zero: Option<Edge>) -> f64 {
         let points = 2 * self.form.terms + 3;
@@ -93,7 +112,7 @@ impl<S: Float> Cover<'_, '_, S> {
         let Some(limit) = self.exact.at(r).map(|sample| sample.limit) else {
             return f64::INFINITY;
         };
-        let off = (piece.value(0, own).to_f64() - self.form.lift * limit).abs();
+        let off = (piece.value(0, own).to_f64() - self.form.side_factor * limit).abs();
         let plain = off / (self.limit * limit);
         if plain <= 1.0 {
             return plain;

@@ -1,7 +1,6 @@
 //! The exact values that tables are made from and compared with.
 
-use super::fit::SIZE;
-use super::zeros::{Share, shares};
+use super::zeros::{ContactMode, contact_modes};
 use crate::modal::Modal;
 use crate::reduced::Reduced;
 use frictiongen_kernel::Complex;
@@ -11,6 +10,10 @@ use frictiongen_kernel::response::At;
 use frictiongen_kernel::table::ContactTable;
 use std::collections::HashMap;
 
+/// The place of arg V among the functions; those before it are divided by |V|/β_lim.
+pub(super) const ANGLE: usize = 3;
+/// The place of |V|, where it is among them.
+pub(super) const SIZE: usize = 4;
 /// Below this share of its terms a sum has lost digits that count.
 const CANCELS: f64 = 1e-2;
 
@@ -32,7 +35,7 @@ impl Sample {}
 pub(super) struct Exact<'a> {
     pub modal: &'a Modal,
     pub reduced: Reduced<f64>,
-    shares: Vec<Share>,
+    contact_modes: Vec<ContactMode>,
     seen: HashMap<u64, Sample>,
     excitations: HashMap<u64, f64>,
 }
@@ -42,15 +45,15 @@ impl<'a> Exact<'a> {
         Self {
             modal,
             reduced: modal.reduced(|value| value.to_f64()),
-            shares: shares(modal),
+            contact_modes: contact_modes(modal),
             seen: HashMap::new(),
             excitations: HashMap::new(),
         }
     }
 
     /// The modes that the contact drives.
-    pub fn shares(&self) -> &[Share] {
-        &self.shares
+    pub fn contact_modes(&self) -> &[ContactMode] {
+        &self.contact_modes
     }
 
     pub fn damped(&self) -> bool {
@@ -59,8 +62,8 @@ impl<'a> Exact<'a> {
 
     /// Whether every mode that the contact drives is damped: |V| is then finite at every r.
     pub fn all_damped(&self) -> bool {
-        let mut shares = self.shares.iter();
-        shares.all(|share| !share.driven.zeta.is_zero())
+        let mut contact_modes = self.contact_modes.iter();
+        contact_modes.all(|mode| !mode.driven.zeta.is_zero())
     }
 
     /// How many points have been looked at.
@@ -134,7 +137,7 @@ impl<'a> Exact<'a> {
         let direct = if self.modal.on_moving_base { -1.0 } else { 0.0 };
         let mut excitation = complex::real(Dd::from(direct));
         let mut receptance = complex::real(Dd::ZERO);
-        for Share { driven, residue } in &self.shares {
+        for ContactMode { driven, residue } in &self.contact_modes {
             let re = (driven.sigma - r) * (driven.sigma + r);
             let im = two * driven.zeta * driven.sigma * r;
             let inverse = complex::reciprocal(Complex::new(re, im), true);

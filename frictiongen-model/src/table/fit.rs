@@ -1,7 +1,7 @@
 //! One piece: polynomials through Chebyshev points, rounded to the table's scalar.
 
 use super::digits::{above, to_decimals};
-use super::exact::Exact;
+use super::exact::{ANGLE, Exact, SIZE};
 use super::split::Edge;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::polynomial;
@@ -9,10 +9,10 @@ use std::f64::consts::PI;
 
 /// An origin is rounded to this share of its piece.
 const ORIGIN: f64 = 0.1;
-/// The place of arg V among the functions; those before it are divided by |V|/β_lim.
-pub(super) const ANGLE: usize = 3;
-/// The place of |V|, where it is among them.
-pub(super) const SIZE: usize = 4;
+/// Down to these accuracies polynomials of four, six and eight coefficients need least.
+const FOUR_TERMS: f64 = 3e-3;
+const SIX_TERMS: f64 = 1e-7;
+const EIGHT_TERMS: f64 = 1e-10;
 
 /// A piece with its functions in vectors.
 #[derive(Clone, Debug)]
@@ -38,6 +38,19 @@ impl<S: Float> Fitted<S> {
     }
 }
 
+/// Coefficients of the polynomials that need least for an accuracy.
+pub(super) fn terms(accuracy: f64) -> usize {
+    if accuracy >= FOUR_TERMS {
+        4
+    } else if accuracy >= SIX_TERMS {
+        6
+    } else if accuracy >= EIGHT_TERMS {
+        8
+    } else {
+        10
+    }
+}
+
 /// What to fit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Form {
@@ -46,7 +59,7 @@ pub(super) struct Form {
     /// Coefficients of each.
     pub terms: usize,
     /// What β_lim, and a and g that are divided by it, are multiplied by.
-    pub lift: f64,
+    pub side_factor: f64,
     /// By how much the rounding of each coefficient may change an answer, relative to β_lim.
     pub rounding: f64,
 }
@@ -74,8 +87,12 @@ pub(super) fn fit<S: Float>(
         let mut values = Vec::with_capacity(terms);
         for r in &nodes {
             let value = exact.function(function, *r)?;
-            let lift = if function < ANGLE { form.lift } else { 1.0 };
-            values.push(lift * value / zero.map_or(1.0, |zero| zero.distance(*r)));
+            let factor = if function < ANGLE {
+                form.side_factor
+            } else {
+                1.0
+            };
+            values.push(factor * value / zero.map_or(1.0, |zero| zero.distance(*r)));
         }
         if function == ANGLE {
             unwrap(&mut values);

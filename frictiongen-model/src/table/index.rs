@@ -3,8 +3,10 @@
 use super::fit::Fitted;
 use frictiongen_kernel::Float;
 
+/// The fewest buckets: these are never too many.
+const FEWEST: usize = 8;
 /// The numbers of buckets that are tried: powers of two, so that a lookup finds one without a comparison.
-const BUCKETS: [usize; 8] = [8, 16, 32, 64, 128, 256, 512, 1024];
+const BUCKETS: [usize; 8] = [FEWEST, 16, 32, 64, 128, 256, 512, 1024];
 /// There are no more buckets than this for each number in the pieces: they would outweigh what they save.
 const CROWDED: usize = 1;
 /// So many halvings are cheap enough for more buckets not to pay.
@@ -29,7 +31,7 @@ impl<S: Float> Index<S> {
         let mut best: Option<Self> = None;
         let numbers: usize = pieces.iter().map(Fitted::numbers).sum();
         for count in BUCKETS {
-            if count > 8 && count > CROWDED * numbers {
+            if count > FEWEST && count > CROWDED * numbers {
                 break;
             }
             let index = Self::with(pieces, (low, high), count);

@@ -6,7 +6,9 @@ use super::exact::Exact;
 const STEP: f64 = 0.005;
 /// Places of the maximum farther apart than this belong to different maxima.
 const JUMP: f64 = 0.1;
-/// No more steps than this.
+/// No fewer steps than this,
+const FEWEST: usize = 64;
+/// and no more.
 const MOST: usize = 20_000;
 
 /// The kinks of β_lim within a range, ascending, to the last digits.
@@ -17,7 +19,7 @@ pub(super) fn kinks(exact: &mut Exact<'_>, (low, high): (f64, f64)) -> Vec<f64> 
         .iter()
         .fold(0.0, |most: f64, r| most.max(r.to_f64()));
     let (first, last) = (1.0 / high, 1.0 / low);
-    let steps = ((fastest * (last - first) / STEP).ceil() as usize).clamp(64, MOST);
+    let steps = ((fastest * (last - first) / STEP).ceil() as usize).clamp(FEWEST, MOST);
     let mut kinks = Vec::new();
     let mut before = low;
     for step in 1..=steps {

@@ -2,6 +2,7 @@
 
 use super::check;
 use super::exact::Exact;
+use super::product::Product;
 use super::proof::{Proof, Receptances};
 use super::request::Request;
 use super::split::Landmarks;
@@ -10,70 +11,13 @@ use super::zeros::{Zero, Zeros};
 use crate::scene::Side;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_kernel::table::{Factor, Quotient};
+use frictiongen_kernel::table::Factor;
 
 /// β*_lim and |V| may take this share of the accuracy.
 const EXACT_SHARE: f64 = 0.5;
 /// With `side: safe` β*_lim is larger by so many roundings: the fewest that are proven to be more than what its factors and
 /// the uncertainty of its zeros take.
 const SAFE_ROUNDINGS: [f64; 5] = [64.0, 512.0, 4096.0, 65_536.0, 1_048_576.0];
-
-/// The kernel's [`Quotient`], with its vectors.
-#[derive(Clone, Debug)]
-pub struct Product<S> {
-    /// What stands before it.
-    pub gain: S,
-    /// The factors are those of the squares of what is meant.
-    pub squared: bool,
-    /// The zeros.
-    pub numerator: Vec<Factor<S>>,
-    /// The poles.
-    pub denominator: Vec<Factor<S>>,
-}
-
-impl<S: Float> Product<S> {
-    /// The same as the kernel reads it.
-    #[must_use]
-    pub fn quotient(&self) -> Quotient<'_, S> {
-        Quotient {
-            gain: self.gain,
-            squared: self.squared,
-            numerator: &self.numerator,
-            denominator: &self.denominator,
-        }
-    }
-
-    /// Additions and multiplications, divisions and roots of one evaluation.
-    #[must_use]
-    pub fn operations(&self) -> (usize, usize, usize) {
-        let factors = self.numerator.iter().chain(&self.denominator);
-        // Of each factor its own, and the product with the others.
-        let plain = factors.map(|factor| match factor {
-            Factor::Zero { .. } => 5,
-            Factor::Pair { .. } => 8,
-            Factor::Real { .. } => 3,
-        });
-        let divisions = usize::from(!self.denominator.is_empty());
-        (
-            1 + plain.sum::<usize>(),
-            divisions,
-            usize::from(self.squared),
-        )
-    }
-
-    /// How many numbers it holds.
-    #[must_use]
-    pub fn numbers(&self) -> usize {
-        let factors = self.numerator.iter().chain(&self.denominator);
-        1 + factors
-            .map(|factor| match factor {
-                Factor::Zero { .. } => 2,
-                Factor::Pair { .. } => 4,
-                Factor::Real { .. } => 1,
-            })
-            .sum::<usize>()
-    }
-}
 
 /// A product over zeros and poles, with the gain that makes it equal to `value` in double-double where it is
 /// farthest from its zeros and poles within the range.
@@ -82,7 +26,7 @@ fn product<S: Float>(
     numerator: [&[Zero]; 2],
     denominator: [&[Zero]; 2],
     (low, high): (f64, f64),
-    lift: f64,
+    side_factor: f64,
     value: impl Fn(f64) -> f64,
     to: &impl Fn(Dd) -> S,
 ) -> Option<Product<S>> {
@@ -118,7 +62,7 @@ fn product<S: Float>(
     };
     let places = (0..PLACES).map(|k| low + (high - low) * (k as f64 + 0.5) / PLACES as f64);
     let place = places.max_by(|a, b| away(*a).total_cmp(&away(*b)))?;
-    let gain = Dd::from(value(place) * lift) / unit.quotient().value(Dd::from(place));
+    let gain = Dd::from(value(place) * side_factor) / unit.quotient().value(Dd::from(place));
     let plain = unit.numerator.is_empty() && unit.denominator.is_empty();
     Some(Product {
         gain: to(gain),
@@ -128,12 +72,12 @@ fn product<S: Float>(
     })
 }
 
-/// β*_lim, times `lift`.
+/// β*_lim, times `side_factor`.
 fn sliding<S: Float>(
     exact: &Exact<'_>,
     zeros: &Zeros,
     range: (f64, f64),
-    lift: f64,
+    side_factor: f64,
     to: &impl Fn(Dd) -> S,
 ) -> Option<Product<S>> {
     let mut product = product(
@@ -141,7 +85,7 @@ fn sliding<S: Float>(
         [&zeros.excitation, &zeros.unloaded],
         [&zeros.receptance, &[]],
         range,
-        lift,
+        side_factor,
         |r| exact.sliding_limit(r),
         to,
     )?;
@@ -196,18 +140,19 @@ impl<S: Float> Products<S> {
         let allowed = EXACT_SHARE * request.accuracy;
         let receptances = Receptances::of(exact, zeros, range.1);
         let to = rounded::<S>;
-        let of_sliding = |lift: f64| {
-            let product = zeros.and_then(|zeros| sliding(exact, zeros, range, lift, &to))?;
+        let of_sliding = |side_factor: f64| {
+            let product = zeros.and_then(|zeros| sliding(exact, zeros, range, side_factor, &to))?;
             let proof = receptances.as_ref();
             let proof = proof.map(|known| known.sliding(&product, request));
-            Some((lift, product, proof.unwrap_or(Proof::none(range))))
+            Some((side_factor, product, proof.unwrap_or(Proof::none(range))))
         };
         let built = match request.side {
             Side::Near => of_sliding(1.0),
             Side::Safe => {
-                let lifts = SAFE_ROUNDINGS.map(|count| count * S::EPSILON);
-                let lifts = lifts.map(|lift| 1.0 + lift.min(0.5 * request.accuracy));
-                let built = lifts.into_iter().filter_map(of_sliding);
+                let side_factors = SAFE_ROUNDINGS.map(|count| count * S::EPSILON);
+                let side_factors =
+                    side_factors.map(|excess| 1.0 + excess.min(0.5 * request.accuracy));
+                let built = side_factors.into_iter().filter_map(of_sliding);
                 // The first of the best.
                 built.min_by(|a, b| a.2.open_length().total_cmp(&b.2.open_length()))
             }
@@ -222,8 +167,8 @@ impl<S: Float> Products<S> {
             points += looked;
             (seen.error <= allowed).then_some(seen)
         };
-        let built = built.filter(|(lift, product, _)| {
-            let seen = kept(product, &|r| lift * exact.sliding_limit(r));
+        let built = built.filter(|(side_factor, product, _)| {
+            let seen = kept(product, &|r| side_factor * exact.sliding_limit(r));
             worst = seen.unwrap_or(worst);
             seen.is_some()
         });

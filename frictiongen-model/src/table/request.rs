@@ -92,9 +92,17 @@ impl Request {
     }
 }
 
+/// Between the roundings of single and of double precision.
+const BETWEEN_PRECISIONS: f64 = 1e-10;
+
+/// Whether a scalar has single precision.
+pub(super) fn is_single<S: Float>() -> bool {
+    S::EPSILON > BETWEEN_PRECISIONS
+}
+
 /// The finest accuracy of a table in a scalar.
 pub fn finest<S: Float>() -> f64 {
-    if S::EPSILON > 1e-10 {
+    if is_single::<S>() {
         FINEST_SINGLE
     } else {
         FINEST

@@ -1,6 +1,6 @@
 //! Where a table must be split, and where it must be looked at closely.
 
-use super::zeros::{Zeros, shares};
+use super::zeros::{Zeros, contact_modes};
 use crate::modal::Modal;
 use frictiongen_kernel::number::dd::Dd;
 
@@ -62,8 +62,8 @@ impl Landmarks {
     pub fn of(modal: &Modal, zeros: Option<&Zeros>, (low, high): (f64, f64)) -> Self {
         let within = |r: f64| low <= r && r <= high;
         let (mut edges, mut centres, mut jumps) = (Vec::new(), Vec::new(), Vec::new());
-        for share in shares(modal) {
-            let (sigma, zeta) = (share.driven.sigma, share.driven.zeta);
+        for mode in contact_modes(modal) {
+            let (sigma, zeta) = (mode.driven.sigma, mode.driven.zeta);
             for k in 0..MOST {
                 let order = (2 * k + 1) as f64;
                 let place = sigma / Dd::from(order);
@@ -74,7 +74,7 @@ impl Landmarks {
                     break;
                 }
                 // Of an undamped mode U is infinite there, whatever damps the others.
-                if zeta.is_zero() && (k > 0 || share.residue.is_zero()) {
+                if zeta.is_zero() && (k > 0 || mode.residue.is_zero()) {
                     edges.push(Edge::new(place));
                 }
                 if zeta.is_zero() && k == 0 && within(place.to_f64()) {

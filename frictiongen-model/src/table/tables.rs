@@ -2,12 +2,14 @@
 
 use super::check;
 use super::cover::{Cover, Stuck};
+use super::errors::Comparison;
 use super::exact::Exact;
-use super::fit::{Fitted, Form};
+use super::fit::{Fitted, Form, terms};
 use super::index::Index;
 use super::kinks;
+use super::product::Product;
 use super::proof::Proof;
-use super::quotients::{Product, Products};
+use super::quotients::Products;
 use super::request::{COARSEST, Request, TableError};
 use super::split::Landmarks;
 use super::worst::Worst;
@@ -28,6 +30,10 @@ const SAFE_SHARE: f64 = 0.4;
 const ROUNDING: f64 = 1e-3;
 /// No table has more pieces.
 const MOST_PIECES: usize = 20_000;
+/// The first piece is tried at this part of the range.
+const FIRST: f64 = 16.0;
+/// So many pieces have numbers of one byte.
+const IN_A_BYTE: usize = 1 << u8::BITS;
 
 /// What was built, and how it compares with the exact values.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,19 +85,6 @@ pub struct Tables<S> {
 /// A number rounded to one digit, as people write accuracies.
 fn one_digit(value: f64) -> f64 {
     format!("{value:.0e}").parse().unwrap_or(value)
-}
-
-/// Coefficients of the polynomials that need least for an accuracy.
-fn terms(accuracy: f64) -> usize {
-    if accuracy >= 3e-3 {
-        4
-    } else if accuracy >= 1e-7 {
-        6
-    } else if accuracy >= 1e-10 {
-        8
-    } else {
-        10
-    }
 }
 
 impl<S: Float> Tables<S> {
@@ -278,7 +271,7 @@ impl<S: Float> Tables<S> {
             quotient,
         );
         cover.kinks = kinks.clone();
-        cover.last = (high - low) / 16.0;
+        cover.last = (high - low) / FIRST;
         let not_met = |Stuck { at }| TableError::NotMet {
             accuracy: request.accuracy,
             reached: None,
@@ -288,7 +281,7 @@ impl<S: Float> Tables<S> {
         let worst = relative(worst, &request);
         let index = Index::of(&pieces, ends);
         let numbers: usize = pieces.iter().map(Fitted::numbers).sum();
-        let narrow = if pieces.len() <= 256 { 1 } else { 2 };
+        let narrow = if pieces.len() <= IN_A_BYTE { 1 } else { 2 };
         let products = sliding.iter().chain(&excitation).map(Product::numbers);
         let size = core::mem::size_of::<S>();
         let bytes = numbers * size + index.buckets.len() * narrow;
@@ -336,7 +329,7 @@ impl<S: Float> Tables<S> {
         let shape = (self.functions, self.terms);
         let quotient = self.excitation.as_ref().map(Product::quotient);
         let mut cover = cover(&mut exact, landmarks, &self.request, shape, quotient);
-        (cover.limit, cover.motion) = cover.whole;
+        (cover.comparison.limit, cover.comparison.motion) = cover.whole;
         let mut worst = Worst {
             error: 0.0,
             at: low,
@@ -347,7 +340,7 @@ impl<S: Float> Tables<S> {
             };
             let next = self.pieces.get(place + 1);
             let to = next.map_or(high, |next| next.from.to_f64());
-            let (seen, _) = check::piece(&mut cover, piece, (piece.from.to_f64(), to));
+            let (seen, _) = check::piece(&mut cover.comparison, piece, (piece.from.to_f64(), to));
             if !(seen.error <= worst.error) {
                 worst = seen;
             }
@@ -366,24 +359,26 @@ fn cover<'a, 'm, S: Float>(
 ) -> Cover<'a, 'm, S> {
     let accuracy = request.accuracy;
     // Safe: β_lim from below, half the accuracy off.
-    let (lift, share, whole) = match request.side {
+    let (side_factor, share, whole) = match request.side {
         Side::Near => (1.0, SHARE, CHECKED * accuracy),
         Side::Safe => (1.0 - 0.5 * accuracy, SAFE_SHARE, 0.5 * CHECKED * accuracy),
     };
     Cover {
-        exact,
-        landmarks,
-        kinks: Vec::new(),
-        form: Form {
-            functions,
-            terms,
-            lift,
-            rounding: ROUNDING * accuracy,
+        comparison: Comparison {
+            exact,
+            landmarks,
+            form: Form {
+                functions,
+                terms,
+                side_factor,
+                rounding: ROUNDING * accuracy,
+            },
+            limit: share * accuracy,
+            motion: SHARE * accuracy,
+            excitation,
         },
-        limit: share * accuracy,
-        motion: SHARE * accuracy,
+        kinks: Vec::new(),
         whole: (whole, CHECKED * accuracy),
-        excitation,
         most_pieces: MOST_PIECES,
         last: 0.0,
     }

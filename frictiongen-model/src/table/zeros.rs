@@ -74,23 +74,23 @@ pub(super) struct Zeros {
 }
 
 /// A mode in double-double, with what it adds to V and to H.
-pub(super) struct Share {
+pub(super) struct ContactMode {
     pub driven: Driven,
     pub residue: Dd,
 }
 
 /// Every mode that the contact drives.
-pub(super) fn shares(modal: &Modal) -> Vec<Share> {
+pub(super) fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
     let modes = modal.resonances.iter().zip(&modal.damping_ratios);
     let drives = modal.loads.iter().zip(&modal.contacts);
-    let mut shares: Vec<Share> = Vec::new();
+    let mut contact_modes: Vec<ContactMode> = Vec::new();
     for ((sigma, zeta), (load, contact)) in modes.zip(drives) {
         if contact.is_zero() {
             continue;
         }
         let (inverse_mass, residue) = (*contact * *contact, *load * *contact);
         // Equal modes are one in both sums.
-        if let Some(last) = shares.last_mut()
+        if let Some(last) = contact_modes.last_mut()
             && (*sigma - last.driven.sigma).abs() <= *sigma * Dd::from(EQUAL)
             && (*zeta - last.driven.zeta).abs() <= *zeta * Dd::from(EQUAL)
         {
@@ -98,7 +98,7 @@ pub(super) fn shares(modal: &Modal) -> Vec<Share> {
             last.residue = last.residue + residue;
             continue;
         }
-        shares.push(Share {
+        contact_modes.push(ContactMode {
             driven: Driven {
                 sigma: *sigma,
                 zeta: *zeta,
@@ -107,25 +107,25 @@ pub(super) fn shares(modal: &Modal) -> Vec<Share> {
             residue,
         });
     }
-    shares
+    contact_modes
 }
 
 impl Zeros {
     /// None where the zeros cannot be told from one another: the sums over modes answer then.
     pub fn of(modal: &Modal) -> Option<Self> {
-        let shares = shares(modal);
+        let contact_modes = contact_modes(modal);
         let damped = modal.is_damped();
         let direct = Dd::from(if modal.on_moving_base { -1.0 } else { 0.0 });
         let (mut loaded, mut unloaded) = (Vec::new(), Vec::new());
-        for share in &shares {
-            let poles = poles(&share.driven);
-            if share.residue.is_zero() {
+        for mode in &contact_modes {
+            let poles = poles(&mode.driven);
+            if mode.residue.is_zero() {
                 unloaded.extend(poles);
             } else {
                 loaded.extend(poles);
             }
         }
-        let driven: Vec<Driven> = shares.iter().map(|share| share.driven).collect();
+        let driven: Vec<Driven> = contact_modes.iter().map(|mode| mode.driven).collect();
         let mut receptance = Vec::new();
         for pair in pairs(&driven) {
             let mode = Driven {
@@ -135,12 +135,12 @@ impl Zeros {
             };
             receptance.extend(poles(&mode));
         }
-        let excitation: Vec<Driven> = shares
+        let excitation: Vec<Driven> = contact_modes
             .iter()
-            .filter(|share| !share.residue.is_zero())
-            .map(|share| Driven {
-                inverse_mass: share.residue,
-                ..share.driven
+            .filter(|mode| !mode.residue.is_zero())
+            .map(|mode| Driven {
+                inverse_mass: mode.residue,
+                ..mode.driven
             })
             .collect();
         // A base that carries the contact along at rest leaves a zero at s = 0, undamped a double one.

@@ -16,7 +16,7 @@ use frictiongen_kernel::{Float, Scalar};
 /// that of double-double.
 const ROUNDING: f64 = 1e-29;
 
-/// The held modes, and the shares (g, h) of every mode in each.
+/// The held modes, and the participations (g, h) of every mode in each.
 pub(super) fn held<T: Float, S: Scalar>(
     modes: &[&Plain<T>],
     inverse_mass: T,
@@ -24,13 +24,13 @@ pub(super) fn held<T: Float, S: Scalar>(
     to: &impl Fn(T) -> S,
 ) -> (Vec<HeldMode<S>>, Vec<[S; 2]>) {
     let (zero, one, two) = (T::constant(0.0), T::constant(1.0), T::constant(2.0));
-    let (mut held, mut shares) = (Vec::new(), Vec::new());
+    let (mut held, mut participations) = (Vec::new(), Vec::new());
     for (omega, zeta) in pairs.iter().copied() {
         let mut own = vec![[zero; 2]; modes.len()];
         // The mode with the largest part in Σ w_i/(s² + 2ζ_iσ_i s + λ_i) = 0, by which the others must be
         // balanced: its own denominator may be all rounding.
         let (mut nearest, mut part) = (0, zero);
-        for (index, (mode, share)) in modes.iter().zip(&mut own).enumerate() {
+        for (index, (mode, participation)) in modes.iter().zip(&mut own).enumerate() {
             // d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial; its inverse is
             // (b − 2αa − as)/R.
             let a = (mode.zeta * mode.resonance - zeta * omega) * two;
@@ -46,22 +46,22 @@ pub(super) fn held<T: Float, S: Scalar>(
             } else if !(own_part <= part) {
                 (nearest, part) = (index, own_part);
             }
-            *share = [weight * (b - two * zeta * omega * a), -(weight * a * omega)];
+            *participation = [weight * (b - two * zeta * omega * a), -(weight * a * omega)];
         }
         let others = modes.iter().zip(&own).enumerate();
         let others = others.filter(|(index, _)| *index != nearest);
         let balance = others.fold([zero; 2], |[sum_g, sum_h], (_, (mode, [g, h]))| {
             [sum_g + mode.contact * *g, sum_h + mode.contact * *h]
         });
-        if let (Some(mode), Some(share)) = (modes.get(nearest), own.get_mut(nearest)) {
-            *share = balance.map(|part| -(part / mode.contact));
+        if let (Some(mode), Some(participation)) = (modes.get(nearest), own.get_mut(nearest)) {
+            *participation = balance.map(|part| -(part / mode.contact));
         }
         let largest = own
             .iter()
             .flatten()
-            .fold(zero, |most, share| most.max(share.abs()));
-        for share in own.iter_mut().flatten() {
-            *share = *share / largest;
+            .fold(zero, |most, participation| most.max(participation.abs()));
+        for participation in own.iter_mut().flatten() {
+            *participation = *participation / largest;
         }
         // B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ, in which different pairs are orthogonal.
         let (mut first, mut mixed, mut second) = (zero, zero, zero);
@@ -89,9 +89,9 @@ pub(super) fn held<T: Float, S: Scalar>(
                 to(first / determinant),
             ],
         });
-        shares.extend(own.iter().map(|[g, h]| [to(*g), to(*h)]));
+        participations.extend(own.iter().map(|[g, h]| [to(*g), to(*h)]));
     }
-    (held, shares)
+    (held, participations)
 }
 
 /// ω and ζ of the held modes, with derivatives: a step of Newton's method from their values on what the remainder of

@@ -60,7 +60,7 @@ pub struct Transient<S> {
     /// The modes of the chain with its contact held.
     pub held: Vec<HeldMode<S>>,
     /// How far each mode takes part in each held mode, held mode after held mode.
-    pub shares: Vec<[S; 2]>,
+    pub participations: Vec<[S; 2]>,
     /// What the scene says beyond its modes.
     pub chain: Chain<S>,
     /// The mass that rubs on a support; none where two masses rub on each other.
@@ -86,7 +86,7 @@ impl<S: Scalar> Transient<S> {
     ) -> Self {
         let in_contact: Vec<&Plain<T>> = in_contact(plain).collect();
         let chain = modal.reduced(&to).chain;
-        let (held, shares) = held::held(&in_contact, modal.inverse_mass, pairs, &to);
+        let (held, participations) = held::held(&in_contact, modal.inverse_mass, pairs, &to);
         let m1 = scene.masses.first().map_or(1.0, |mass| mass.value);
         let gamma: Vec<T> = scene
             .masses
@@ -112,7 +112,7 @@ impl<S: Scalar> Transient<S> {
             shapes,
             weights,
             held,
-            shares,
+            participations,
             chain,
             rubbing: modal.rubbing(),
         }
@@ -147,7 +147,7 @@ impl<S: Scalar> Transient<S> {
             chain: self.chain,
             modes: &self.modes,
             held: &self.held,
-            shares: &self.shares,
+            participations: &self.participations,
             shapes: &self.shapes,
             weights: &self.weights,
             rubbing: self.rubbing,

@@ -31,21 +31,24 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
     }
 }
 
-/// What the contact moves by in a held mode, over the modes' shares in it: nothing, to the rounding
+/// What the contact moves by in a held mode, over the modes' participations in it: nothing, to the rounding
 /// of double-double and what neighbouring frequencies cost.
 fn worst_slip(scene: &Scene) -> f64 {
     let transient: Transient<Dd> = Transient::of(scene, &Modal::of(scene), |value| value);
     let driven = transient.held.len() + 1;
-    assert_eq!(transient.shares.len(), driven * transient.held.len());
+    assert_eq!(
+        transient.participations.len(),
+        driven * transient.held.len()
+    );
     let mut worst = 0.0_f64;
-    for shares in transient.shares.chunks(driven) {
+    for participations in transient.participations.chunks(driven) {
         for state in 0..2 {
             let moved = transient
                 .modes
                 .iter()
-                .zip(shares)
-                .fold(Dd::ZERO, |sum, (mode, share)| {
-                    sum + mode.contact * share[state]
+                .zip(participations)
+                .fold(Dd::ZERO, |sum, (mode, participation)| {
+                    sum + mode.contact * participation[state]
                 });
             worst = worst.max(moved.abs().to_f64());
         }

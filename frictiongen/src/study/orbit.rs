@@ -88,8 +88,8 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         let mut best = reversed_phase(phase);
         let mut note = |lag: S| {
             let lag = if S::pi() < lag { lag - turn } else { lag };
-            let gain = best.abs() - lag.abs();
-            if same < gain || (gain.abs() <= same && best < lag) {
+            let shorter = best.abs() - lag.abs();
+            if same < shorter || (shorter.abs() <= same && best < lag) {
                 best = lag;
             }
         };

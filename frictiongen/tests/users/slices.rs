@@ -72,7 +72,7 @@ const DYNAMICS: Dynamics<'static, f64> = Dynamics {
     },
     modes: &MODES,
     held: &HELD,
-    shares: &[],
+    participations: &[],
     shapes: &[1.0],
     weights: &[1.0],
     rubbing: None,

@@ -96,7 +96,7 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
             "response::motion::mass_wave",
             "response::motion::motion_wave",
             "modal_sum::wave::Wave::idle",
-            "modal_sum::wave::Wave::rest",
+            "modal_sum::wave::Wave::at_rest",
         ],
     ),
 ];

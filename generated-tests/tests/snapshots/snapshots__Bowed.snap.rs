@@ -86,8 +86,9 @@ const _: () = {
         const ALL_SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
         /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
-        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
-        /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
+        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `participations`: how far
+        /// each free mode takes part in y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after
+        /// mode.
         const DYNAMICS: Dynamics<'static, f64> = Dynamics {
             chain: Self::CHAIN,
             modes: &[
@@ -132,7 +133,10 @@ const _: () = {
                     ],
                 },
             ],
-            shares: &[[-1.0, 0.016414813299717747], [-0.5, 0.008207406649858874]],
+            participations: &[
+                [-1.0, 0.016414813299717747],
+                [-0.5, 0.008207406649858874],
+            ],
             shapes: Self::ALL_SHAPES.as_flattened(),
             weights: &[0.0, 2.0, 1.0, 0.0],
             rubbing: None,
@@ -170,7 +174,7 @@ const _: () = {
                 ModeStep {
                     angle: 0.004330127018922193,
                     zeta: 0.02,
-                    gain: 0.2309401076758503,
+                    per_force: 0.2309401076758503,
                     contact: 0.5,
                     turn: Row {
                         state: [-0.004329738510109456, -0.00018256398451452403],
@@ -190,7 +194,7 @@ const _: () = {
                 ModeStep {
                     angle: 0.035355339059327376,
                     zeta: 0.02,
-                    gain: 0.0282842712474619,
+                    per_force: 0.0282842712474619,
                     contact: -1.0,
                     turn: Row {
                         state: [-0.03532299081077876, -0.0020375600441026307],
@@ -213,7 +217,7 @@ const _: () = {
                     angle: 0.016278820596099707,
                     zeta: 0.01294340626805284,
                     force: 0.49263264583729127,
-                    lift: [[0.0, 0.0], [0.0, 0.0]],
+                    from_base: [[0.0, 0.0], [0.0, 0.0]],
                     moments: [
                         HeldRow {
                             state: [-0.00013247846430534488, 0.01627467225495078],

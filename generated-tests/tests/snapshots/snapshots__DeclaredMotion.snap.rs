@@ -336,7 +336,7 @@ const _: () = {
         type Motion = Continuous<Self>;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
         /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `gain` φ_k(φᵀw)/r², for the harmonics.
+        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -360,7 +360,7 @@ const _: () = {
                         rise,
                         fall: 0.0,
                         swing,
-                        gain: inverse_r * inverse_r,
+                        residue: inverse_r * inverse_r,
                     },
                 ),
             ];
@@ -415,7 +415,7 @@ const _: () = {
                             rise,
                             fall: 0.0,
                             swing,
-                            gain: product,
+                            residue: product,
                         },
                     ),
                 ],

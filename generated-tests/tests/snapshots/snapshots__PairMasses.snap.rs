@@ -269,7 +269,7 @@ const _: () = {
         type Motion = PairMassesMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
         /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `gain` φ_k(φᵀw)/r², for the harmonics.
+        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -298,7 +298,7 @@ const _: () = {
                         rise: mode_1_rise,
                         fall: 0.0,
                         swing: mode_1_swing,
-                        gain: constants_1.inverse_mass * inverse_r * inverse_r,
+                        residue: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
                 motion_wave(
@@ -308,7 +308,7 @@ const _: () = {
                         rise: mode_2_rise,
                         fall: 0.0,
                         swing: mode_2_swing,
-                        gain: constants_2.inverse_mass * inverse_r * inverse_r,
+                        residue: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
             ];
@@ -373,7 +373,7 @@ const _: () = {
                                     rise: mode_1_rise,
                                     fall: 0.0,
                                     swing: mode_1_swing,
-                                    gain: 0.3333333333333333 * inverse_r * inverse_r,
+                                    residue: 0.3333333333333333 * inverse_r * inverse_r,
                                 },
                             ),
                             mass_wave(
@@ -383,7 +383,7 @@ const _: () = {
                                     rise: mode_2_rise,
                                     fall: 0.0,
                                     swing: mode_2_swing,
-                                    gain: -1.3333333333333333 * inverse_r * inverse_r,
+                                    residue: -1.3333333333333333 * inverse_r * inverse_r,
                                 },
                             ),
                         ],
@@ -424,7 +424,7 @@ const _: () = {
                                     rise: mode_1_rise,
                                     fall: 0.0,
                                     swing: mode_1_swing,
-                                    gain: 0.6666666666666666 * inverse_r * inverse_r,
+                                    residue: 0.6666666666666666 * inverse_r * inverse_r,
                                 },
                             ),
                             mass_wave(
@@ -434,7 +434,7 @@ const _: () = {
                                     rise: mode_2_rise,
                                     fall: 0.0,
                                     swing: mode_2_swing,
-                                    gain: 1.3333333333333333 * inverse_r * inverse_r,
+                                    residue: 1.3333333333333333 * inverse_r * inverse_r,
                                 },
                             ),
                         ],

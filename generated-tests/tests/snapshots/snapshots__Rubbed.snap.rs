@@ -61,8 +61,9 @@ const _: () = {
         const ALL_SHAPES: [[f64; 1]; 1] = transposed(&Self::MODE_SHAPES);
         /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
         /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
-        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
-        /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
+        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `participations`: how far
+        /// each free mode takes part in y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after
+        /// mode.
         const DYNAMICS: Dynamics<'static, f64> = Dynamics {
             chain: Self::CHAIN,
             modes: &[
@@ -81,7 +82,7 @@ const _: () = {
                 },
             ],
             held: &[],
-            shares: &[],
+            participations: &[],
             shapes: Self::ALL_SHAPES.as_flattened(),
             weights: &[1.0],
             rubbing: Some(0),

@@ -92,8 +92,9 @@ const _: () = {
         const ALL_SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
         /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
-        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
-        /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
+        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `participations`: how far
+        /// each free mode takes part in y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after
+        /// mode.
         const DYNAMICS: Dynamics<'static, f64> = Dynamics {
             chain: Self::CHAIN,
             modes: &[
@@ -138,7 +139,7 @@ const _: () = {
                     ],
                 },
             ],
-            shares: &[
+            participations: &[
                 [-0.6493709202128115, 0.010770429057713646],
                 [-1.0, 0.01658594298337838],
             ],
@@ -184,7 +185,7 @@ const _: () = {
                 ModeStep {
                     angle: 0.011980928093791239,
                     zeta: 0.01,
-                    gain: 0.030374472681901233,
+                    per_force: 0.030374472681901233,
                     contact: 0.8412612267718186,
                     turn: Row {
                         state: [-0.011979206189447332, -0.00031134885211257367],
@@ -237,7 +238,7 @@ const _: () = {
                 ModeStep {
                     angle: 0.03212531422632804,
                     zeta: 0.012,
-                    gain: 0.011327963067531397,
+                    per_force: 0.011327963067531397,
                     contact: -0.5462905769681745,
                     turn: Row {
                         state: [-0.03210740964769554, -0.0012864187824040668],
@@ -293,7 +294,7 @@ const _: () = {
                     angle: 0.02772186012972412,
                     zeta: 0.01106334956690814,
                     force: 1.3259697517355205,
-                    lift: [[0.0, 0.0], [0.0, 0.0]],
+                    from_base: [[0.0, 0.0], [0.0, 0.0]],
                     moments: [
                         HeldRow {
                             state: [-0.0003841476095216242, 0.027709810176664487],

@@ -818,11 +818,11 @@ const _: () = {
                 let unit_re = response.denominator.re * inverse_size;
                 let unit_im = response.denominator.im * inverse_size;
                 let inverse_modulus = 1.0 / (unit_re * unit_re + unit_im * unit_im);
-                let share = sum.scale * inverse_size;
-                let response_re = unit_re * inverse_modulus * share;
-                let response_im = -(unit_im * inverse_modulus) * share;
-                let u_scaled = response.u * share;
-                let g_scaled = response.g * share;
+                let scale_over_size = sum.scale * inverse_size;
+                let response_re = unit_re * inverse_modulus * scale_over_size;
+                let response_im = -(unit_im * inverse_modulus) * scale_over_size;
+                let u_scaled = response.u * scale_over_size;
+                let g_scaled = response.g * scale_over_size;
                 *at = ModeAt {
                     x: response.x,
                     response: Complex {

@@ -256,8 +256,9 @@ const _: () = {
         }
         /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
         /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
-        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `shares`: what of each free
-        /// mode moves with y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after mode.
+        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `participations`: how far
+        /// each free mode takes part in y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after
+        /// mode.
         const DYNAMICS: Dynamics<'static, f64> = Dynamics {
             chain: Self::CHAIN,
             modes: &Self::MODES,
@@ -275,7 +276,7 @@ const _: () = {
                     ],
                 },
             ],
-            shares: &[
+            participations: &[
                 [-1.0, 0.03272999580865182],
                 [-0.8617723648393789, 0.02820580588920484],
             ],
@@ -360,7 +361,7 @@ const _: () = {
         type Motion = MountMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
         /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `gain` φ_k(φᵀw)/r², for the harmonics.
+        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -391,7 +392,7 @@ const _: () = {
                         rise: mode_1_rise,
                         fall: mode_1_fall,
                         swing: mode_1_swing,
-                        gain: constants_1.inverse_mass * inverse_r * inverse_r,
+                        residue: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
                 motion_wave(
@@ -401,7 +402,7 @@ const _: () = {
                         rise: mode_2_rise,
                         fall: mode_2_fall,
                         swing: mode_2_swing,
-                        gain: constants_2.inverse_mass * inverse_r * inverse_r,
+                        residue: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
             ];
@@ -538,7 +539,7 @@ const _: () = {
                             rise: mode_1_rise,
                             fall: mode_1_fall,
                             swing: mode_1_swing,
-                            gain: 2.2483383365353795 * inverse_r * inverse_r,
+                            residue: 2.2483383365353795 * inverse_r * inverse_r,
                         },
                     ),
                     mass_wave(
@@ -548,7 +549,7 @@ const _: () = {
                             rise: mode_2_rise,
                             fall: mode_2_fall,
                             swing: mode_2_swing,
-                            gain: 0.9516616634646204 * inverse_r * inverse_r,
+                            residue: 0.9516616634646204 * inverse_r * inverse_r,
                         },
                     ),
                 ],

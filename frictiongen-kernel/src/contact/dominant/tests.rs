@@ -89,10 +89,10 @@ fn turned_against_what_the_others_leave() {
             let sums = DominantSums {
                 which,
                 own: terms(others),
-                rest: terms(all),
+                others: terms(all),
             };
-            let (own, rest) = sums.turning(&contact(all));
-            assert_eq!((own, rest), (least, all));
+            let (own, others) = sums.turning(&contact(all));
+            assert_eq!((own, others), (least, all));
         }
     }
 }

@@ -150,8 +150,8 @@ impl<S: Float> Bounds<S> {
             fourth = fourth + energy;
             fifth = fifth + (x + loss) * energy + push;
             let drive = (push + track.constant.abs()) * time;
-            let swing = y1.abs() + x * y0.abs() + drive;
-            let size = y0.abs() + swing * (one / x).min(time);
+            let speed = y1.abs() + x * y0.abs() + drive;
+            let size = y0.abs() + speed * (one / x).min(time);
             rounding = rounding + size + common.constant.abs();
             drift = drift + two * wave.swing.abs() + wave.swing_slope.abs() * (one + x + loss);
         }

@@ -125,14 +125,14 @@ impl<S: Float> Matrix<S> {
     }
 }
 
-/// What a forced mode gains in a step that starts from rest: of sine and cosine of the excitation's angle, and of
+/// What the forcing adds to a mode in a step that starts from rest: of sine and cosine of the excitation's angle, and of
 /// the constant, in value and in slope.
-struct Gain<S> {
+struct ForcedStep<S> {
     value: [S; 3],
     slope: [S; 3],
 }
 
-impl<S: Float> Gain<S> {
+impl<S: Float> ForcedStep<S> {
     fn of<D: Decay<S>>(wave: &Wave<S, D>, loss: S, basis: &Basis<S>) -> Self {
         let x = wave.x;
         let detuning = (x - S::constant(1.0)) * (x + S::constant(1.0));
@@ -194,7 +194,7 @@ impl<S: Float> Grid<S> {
             let (track, common) = Track::of(wave, at, stretch.forced);
             let advance = |basis: &Basis<S>| {
                 let matrix = Matrix::of(track.x, track.loss, (basis.free, basis.slope));
-                (matrix, Gain::of(wave, track.loss, basis))
+                (matrix, ForcedStep::of(wave, track.loss, basis))
             };
             if is_forced(wave, stretch.forced) {
                 let near = advance(&wave.decay.basis(wave.x, &step));
@@ -255,8 +255,8 @@ impl<S: Float> Grid<S> {
     fn add_forced(
         &mut self,
         track: &Track<S>,
-        near: &(Matrix<S>, Gain<S>),
-        far: &(Matrix<S>, Gain<S>),
+        near: &(Matrix<S>, ForcedStep<S>),
+        far: &(Matrix<S>, ForcedStep<S>),
     ) {
         let start = (track.value, track.slope);
         let [sines, ..] = &self.sine;

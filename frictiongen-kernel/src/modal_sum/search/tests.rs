@@ -4,7 +4,7 @@ use super::*;
 use crate::modal_sum::wave::Wave;
 use crate::oscillator::decay::Damped;
 use crate::oscillator::decay::Instant;
-use crate::testing::{Lcg, TestWave, random_constraint, random_motion, rest, sum_derivative};
+use crate::testing::{Lcg, TestWave, at_rest, random_constraint, random_motion, sum_derivative};
 use core::f64::consts::{FRAC_PI_2, PI};
 
 mod grids;

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::oscillator::decay::{Damped, Undamped};
-use crate::testing::{Lcg, TestWave, derivative, parts, random_waves, rest, sum_derivative};
+use crate::testing::{Lcg, TestWave, at_rest, derivative, parts, random_waves, sum_derivative};
 use core::f64::consts::PI;
 
 /// Instants to look from: both ends, the first quarter turn of a fast mode, anywhere.
@@ -105,11 +105,11 @@ fn turns_are_unknown_from_where_rounding_turns_by_a_radian() {
     let asked = |x: f64, zeta: f64| {
         let swing = Wave {
             swing: 1.0,
-            ..rest(x, zeta)
+            ..at_rest(x, zeta)
         };
         let slope = Wave {
             swing_slope: 1.0,
-            ..rest(x, zeta)
+            ..at_rest(x, zeta)
         };
         assert_eq!(swing.turns_unknown(), slope.turns_unknown());
         swing.turns_unknown()
@@ -119,10 +119,10 @@ fn turns_are_unknown_from_where_rounding_turns_by_a_radian() {
     // It lives 1/ζx, in which it turns by 1/ζ.
     assert!(!asked(1.5e15, 1e-9) && !asked(1e300, 1e-3) && asked(1e300, 1e-16));
     // One that the contact does not drive says nothing either.
-    assert!(rest(3.0, 0.0).turns_unknown());
+    assert!(at_rest(3.0, 0.0).turns_unknown());
     let single = Wave {
         swing: 1.0,
-        ..Wave::rest(2.7e6_f32, Undamped)
+        ..Wave::at_rest(2.7e6_f32, Undamped)
     };
     assert!(single.turns_unknown());
     assert!(!Wave { x: 2.6e6, ..single }.turns_unknown());

@@ -1,11 +1,11 @@
 //! What tables are asked about their proof.
 
-use super::super::exact::Exact;
-use super::super::fit::SIZE;
+use super::super::exact::{Exact, SIZE};
 use super::super::split::Landmarks;
 use super::super::tables::Tables;
 use super::super::zeros::Zeros;
-use super::{Evidence, Proof, Prover, Work};
+use super::Prover;
+use super::evidence::{Evidence, Proof, Work};
 use crate::modal::Modal;
 use frictiongen_kernel::Float;
 use std::ops::Range;

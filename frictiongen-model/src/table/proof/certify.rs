@@ -4,11 +4,12 @@
 //! with the witness; in each of them D is bounded below by its value, its slope and a bound of its second derivative.
 //! About the witness, where D nearly vanishes, a single parabola does.
 
+use super::cells::{Cells, Flank, Part, ROUNDING};
 use super::force;
+use super::found::Budget;
 use super::ridge::Region;
-use super::stage::{Chain, Stage};
-use super::witness::{Seen, Witness};
-use super::{Budget, ORDER};
+use super::stage::{ModeStage, ORDER};
+use super::witness::Witness;
 use crate::interval::{Interval, Series};
 use std::f64::consts::PI;
 
@@ -19,81 +20,27 @@ const SHORTEST: f64 = 1e-3;
 /// From so short a cell on, in radians of the fastest mode, another instant may compete; it is sought so often.
 const COMPETE: f64 = 0.2;
 const MOST_TRIED: usize = 4;
-/// Steps by which the region about a witness is widened, of the length in which a parabola of its curvature doubles.
-const TUBE_STEP: f64 = 0.3;
-const TUBE_STEPS: usize = 8;
-/// There D must be bent by this share of what it is at the witness.
-const BENT: f64 = 0.15;
-
-/// What is known over an interval of r: at its centre, and over all of it.
-pub(super) struct Part<'a> {
-    pub chain: &'a Chain,
-    pub witness: &'a Witness,
-    /// The interval less its centre.
-    pub away: Interval,
-    pub at: &'a Stage<ORDER>,
-    pub over: &'a Stage<ORDER>,
-    pub seen_at: &'a Seen<ORDER>,
-    pub seen_over: &'a Seen<ORDER>,
-    /// By which share N exceeds the witness, in √(U² + N²).
-    pub share: f64,
-}
-
-/// One side of the witness: `share` of the way from an end of the half period to it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Flank {
-    Before,
-    After,
-}
-
-/// The same with what the cells ask for.
-pub(super) struct Cells<'a> {
-    thin: Stage<1>,
-    pub wide: Stage<2>,
-    /// N.
-    level_at: Series<1>,
-    pub level_over: Series<2>,
-    pub full_at: Series<ORDER>,
-    pub full_over: Series<ORDER>,
-    path_at: Interval,
-    path_over: Series<2>,
-    pub part: &'a Part<'a>,
-}
-
-/// κN: N² + U² is (1 + share)² times that of the witness.
-fn level<const N: usize>(seen: &Seen<N>, share: f64) -> Series<N> {
-    let share = Interval::point(share);
-    let more = share + share + share * share;
-    (seen.constraint.squared() + seen.size.times(more)).sqrt()
-}
+/// After a cell that holds the next one is so many times as long.
+const LONGER: f64 = 1.4;
+/// How far a single bound goes from the start of the half period at first, in radians of the fastest mode; where it does
+/// not hold it is shortened, so often and to this part.
+const EARLY: f64 = 0.3;
+const EARLY_STEPS: usize = 6;
+const EARLY_STEP: f64 = 0.7;
 
 /// Whether every velocity constraint over the interval is below that of the witness but for the share.
 pub(super) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
     // Without damping and with every x ≤ 2 the sum is largest where the half period starts.
-    let slow = |mode: &super::stage::ModeStage<ORDER>| mode.x.value().high <= 2.0;
+    let slow = |mode: &ModeStage<ORDER>| mode.x.value().high <= 2.0;
     let is_start = matches!(part.witness, Witness::BreakAway);
     if is_start && part.chain.all_undamped && part.over.modes.iter().all(slow) {
         return true;
     }
-    let (level_at, level_over) = (
-        level(part.seen_at, part.share),
-        level(part.seen_over, part.share),
-    );
-    let cells = Cells {
-        thin: part.at.truncated(),
-        wide: part.over.truncated(),
-        level_at: level_at.truncated(),
-        level_over: level_over.truncated(),
-        full_at: level_at,
-        full_over: level_over,
-        path_at: part.seen_at.t.value(),
-        path_over: part.seen_over.t.truncated(),
-        part,
-    };
+    let cells = Cells::of(part);
     // What the break-away asks for.
     let spare = Series::joined(
-        &(level_at - part.at.break_away),
-        &(level_over - part.over.break_away),
+        &(cells.full_at - part.at.break_away),
+        &(cells.full_over - part.over.break_away),
     );
     // With μ = 1 that is the start of the half period, which a witness beside it looks at.
     let one = part.chain.stiction == Interval::ONE;
@@ -119,29 +66,6 @@ pub(super) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
 }
 
 impl Cells<'_> {
-    /// F over a box, with its slope in r, and F′, F″ and F‴; sine and cosine of τ.
-    pub fn boxed(&self, t: Interval) -> (Series<2>, [Interval; 3], (Interval, Interval)) {
-        let at = Series::<2>::fixed(t);
-        let (sine, cosine) = t.sine_cosine();
-        let motions = force::motions(&self.wide, &at);
-        let value = force::value(&self.wide, &motions, &Series::fixed(cosine));
-        let derivatives = force::derivatives(&self.wide, &motions, (sine, cosine));
-        (value, derivatives, (sine, cosine))
-    }
-
-    /// D″ over a box of τ for all r.
-    pub fn bend(&self, t: Interval, budget: &mut Budget) -> Interval {
-        budget.spend(2 * self.wide.modes.len());
-        let level = self.level_over.value();
-        let (_, [_, second, third], (sine, cosine)) = self.boxed(t);
-        let plain = -(level * sine) - second;
-        // In the middle, and how it changes from there.
-        let middle = Interval::point(t.middle());
-        let (_, [_, second, _], (sine, _)) = self.boxed(middle);
-        let moves = (-(level * cosine) - third) * (t - middle) * Interval::pi();
-        plain.both(-(level * sine) - second + moves)
-    }
-
     /// How much of each side is left to the cells; none where D is not positive about the witness.
     fn tube(&self, budget: &mut Budget) -> Option<[f64; 2]> {
         if matches!(self.part.witness, Witness::BreakAway) {
@@ -163,35 +87,9 @@ impl Cells<'_> {
         // A little less, for the rounding of the shares.
         let [before, after] = reach;
         Some([
-            1.0 - before * (1.0 - 1e-12) / path.high,
-            1.0 - after * (1.0 - 1e-12) / (1.0 - path.low),
+            1.0 - before * (1.0 - ROUNDING) / path.high,
+            1.0 - after * (1.0 - ROUNDING) / (1.0 - path.low),
         ])
-    }
-
-    /// How far before and behind an instant D″ is at least a share of what it is there, and the least that it is.
-    pub fn widened(&self, t: Interval, curve: Interval, budget: &mut Budget) -> ([f64; 2], f64) {
-        let length = TUBE_STEP * (self.level_over.value().high / curve.middle()).sqrt() / PI;
-        let (mut least, mut reach) = (curve.low, [0.0_f64; 2]);
-        for (place, reach) in reach.iter_mut().enumerate() {
-            let room = if place == 0 { t.low } else { 1.0 - t.high };
-            let mut step = length.min(0.2 * room);
-            for _ in 0..TUBE_STEPS {
-                let far = *reach + step;
-                let all = if place == 0 {
-                    Interval::new(t.low - far, t.high - *reach)
-                } else {
-                    Interval::new(t.low + *reach, t.high + far)
-                };
-                let bend = self.bend(all, budget).low;
-                if far < 0.9 * room && bend > BENT * curve.low {
-                    least = least.min(bend);
-                    *reach = far;
-                } else {
-                    step *= 0.5;
-                }
-            }
-        }
-        (reach, least)
     }
 
     /// Whether D, or D/τ, is positive where its second derivative is at least so much:
@@ -219,30 +117,18 @@ impl Cells<'_> {
             return None;
         }
         let fastest = self.wide.modes.iter().map(|mode| mode.x.value().high);
-        let mut end = (0.3 / fastest.fold(1.0, f64::max)).max(2.0 * path.high);
-        for _ in 0..6 {
+        let mut end = (EARLY / fastest.fold(1.0, f64::max)).max(2.0 * path.high);
+        for _ in 0..EARLY_STEPS {
             budget.spend(self.wide.modes.len());
             let (_, [_, _, third], (_, cosine)) = self.boxed(Interval::new(0.0, end));
             let third = -(self.level_over.value() * cosine) - third;
             let bend = (Interval::point(third.low) / Interval::point(3.0)).low;
             if path.high < end && self.is_least(bend) {
-                return Some((1.0 - end * (1.0 - 1e-12)) / (1.0 - self.path_over.value().high));
+                return Some((1.0 - end * (1.0 - ROUNDING)) / (1.0 - self.path_over.value().high));
             }
-            end *= 0.7;
+            end *= EARLY_STEP;
         }
         None
-    }
-
-    /// The instant at a share of a side: t over all r, with its slope, and at the centre.
-    pub fn instant(&self, side: Flank, share: Interval) -> (Interval, Interval, Interval) {
-        let (path, slope) = (self.path_over.value(), self.path_over.term(1));
-        match side {
-            Flank::Before => (path * share, slope * share, self.path_at * share),
-            Flank::After => {
-                let rest = |path: Interval| Interval::ONE - (Interval::ONE - path) * share;
-                (rest(path), slope * share, rest(self.path_at))
-            }
-        }
     }
 
     /// Whether D is positive on a side up to a share of it.
@@ -275,7 +161,7 @@ impl Cells<'_> {
             let to = (from + length).min(up_to);
             if self.cell(side, Interval::new(from, to), budget) {
                 from = to;
-                length *= 1.4;
+                length *= LONGER;
             } else {
                 // Where two instants compete a cell would have to be as short as they are apart.
                 let near = region

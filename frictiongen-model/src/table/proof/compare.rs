@@ -1,10 +1,9 @@
 //! The polynomial of a piece beside β_lim by a witness, over a part of the range.
 
 use super::super::fit::Fitted;
-use super::super::request::Request;
+use super::super::request::{Request, is_single};
 use super::super::worst::Worst;
-use super::ORDER;
-use super::stage::Stage;
+use super::stage::{ORDER, Stage};
 use super::witness::{Seen, polynomial};
 use crate::interval::{Interval, Series};
 use crate::scene::Side;
@@ -16,6 +15,13 @@ pub(super) const SHORT: usize = ORDER - 1;
 pub(super) const CELLS: usize = 8;
 /// Beside a zero of β_lim what its place is uncertain by may take this share of the accuracy.
 const UNCERTAIN: f64 = 0.01;
+/// No nearer to a zero than this, relative to r, is anything shown.
+const NEAREST: f64 = 1e-13;
+/// What a polynomial loses by products that underflow: some of the smallest numbers, of single precision and of double.
+const UNDERFLOW_SINGLE: f64 = 1e-43;
+const UNDERFLOW: f64 = 1e-321;
+/// A sum of roundings is enlarged by this for their products and for its own roundings.
+const UP: f64 = 1.001;
 
 /// What is proven of a part.
 #[derive(Clone, Copy, Debug)]
@@ -87,7 +93,7 @@ pub(super) fn compared<S: Float>(
         let place = (size(0) / size(1)).max(table);
         let rounded = (origin - centre).abs();
         nearest = (place / (UNCERTAIN * accuracy))
-            .max(1e-13 * centre)
+            .max(NEAREST * centre)
             .max(rounded);
         if !(nearest < 0.5 * (to - from)) {
             return None;
@@ -211,7 +217,11 @@ pub(super) fn rounding<S: Float>(
         power *= t;
     }
     // Products that underflow, and the roundings of these lines.
-    let smallest = if S::EPSILON > 1e-10 { 1e-43 } else { 1e-321 };
+    let smallest = if is_single::<S>() {
+        UNDERFLOW_SINGLE
+    } else {
+        UNDERFLOW
+    };
     let lost = smallest / nearest.unwrap_or(1.0);
-    1.001 * sum + lost
+    UP * sum + lost
 }

@@ -43,8 +43,8 @@ pub(super) fn over_tau<const N: usize>(
         let (mut p, mut next) = (zero, Series::fixed(Interval::ONE));
         for (n, coefficient) in coefficients.iter_mut().enumerate() {
             let cosine = [1.0, 0.0, -1.0, 0.0].get(n % 4).copied().unwrap_or(0.0);
-            let swing = Series::fixed(Interval::point(cosine)) - next;
-            *coefficient = *coefficient + mode.free * p + mode.swing * swing;
+            let swing_slope = Series::fixed(Interval::point(cosine)) - next;
+            *coefficient = *coefficient + mode.free * p + mode.swing_slope * swing_slope;
             let following = -(loss * next) - square * p;
             (p, next) = (next, following);
         }
@@ -80,17 +80,17 @@ pub(super) fn rest<const N: usize>(stage: &Stage<N>, t: f64) -> [Interval; 2] {
             (p, next) = (next, following);
         }
         // Now p⁽ᵀ⁺¹⁾ and p⁽ᵀ⁺²⁾; a derivative of the cosine is at most 1.
-        let of_swing = mode.swing.value() * (Interval::within(1.0) - next);
-        most += (mode.free.value() * p + of_swing).size() * (1.0 + 1e-15);
+        let of_swing_slope = mode.swing_slope.value() * (Interval::within(1.0) - next);
+        most += (mode.free.value() * p + of_swing_slope).size() * (1.0 + 1e-15);
     }
     let tau = std::f64::consts::PI * t * (1.0 + 1e-14);
-    let mut share = most;
+    let mut tail = most;
     for n in 1..=(TERMS - 1) {
-        share *= tau / n as f64 * (1.0 + 1e-15);
+        tail *= tau / n as f64 * (1.0 + 1e-15);
     }
-    // share is sup|F⁽ᵀ⁺¹⁾| τᵀ⁻¹/(T − 1)!.
+    // tail is sup|F⁽ᵀ⁺¹⁾| τᵀ⁻¹/(T − 1)!.
     let terms = TERMS as f64;
-    let of_slope = share / (terms + 1.0) * (1.0 + 1e-14);
-    let of_value = share * tau / (terms * (terms + 1.0)) * (1.0 + 1e-14);
+    let of_slope = tail / (terms + 1.0) * (1.0 + 1e-14);
+    let of_value = tail * tau / (terms * (terms + 1.0)) * (1.0 + 1e-14);
     [Interval::within(of_value), Interval::within(of_slope)]
 }

@@ -1,8 +1,10 @@
 //! The cells at the ends of the half period, where D vanishes.
 
-use super::certify::{Cells, Flank};
+use super::cells::{Cells, Flank};
+use super::force;
+use super::found::Budget;
+use super::stage::ORDER;
 use super::witness::{Seen, Witness};
-use super::{Budget, ORDER, force};
 use crate::interval::{Interval, Series};
 
 impl Cells<'_> {

@@ -2,7 +2,7 @@
 
 use super::super::worst::Worst;
 use super::compare::Compared;
-use super::{Evidence, Proof, Work};
+use super::evidence::{Evidence, Proof, Work};
 
 /// Work that may still be done, in evaluations of one mode.
 pub(super) struct Budget {

@@ -10,6 +10,8 @@
 //! Products over zeros and poles, β*_lim and |V|, are another matter: [`product`].
 
 mod asked;
+mod candidates;
+mod cells;
 mod certify;
 mod compare;
 mod early;
@@ -29,36 +31,24 @@ mod moved;
 mod tests;
 
 use super::exact::Exact;
-use super::fit::{Fitted, interpolated};
+use super::fit::Fitted;
 use super::request::Request;
 use super::split::Edge;
 use crate::interval::{Interval, Series};
-use certify::Part as Asked;
+use candidates::candidates;
+use cells::Part as Asked;
 pub use evidence::{Evidence, Proof, Work};
 use found::{Budget, Found, Part};
 use frictiongen_kernel::Float;
 use motion::Moving;
 pub(super) use product::Receptances;
-use stage::{Chain, Stage, singular};
-use std::f64::consts::PI;
+use stage::{Chain, ORDER, Stage, singular};
 use witness::{Seen, Witness};
 
-/// Terms of the Taylor series in r.
-pub(super) const ORDER: usize = 8;
 /// Of the accuracy the share that a larger constraint elsewhere may take.
 const ELSEWHERE: f64 = 1.0 / 32.0;
 /// The finest accuracy that a proof is tried for: below it a table is checked.
 const FINEST: f64 = 1e-6;
-/// Instants through which a witness goes.
-const NODES: usize = 5;
-/// Instants farther apart than this, in half-turns, are not of one witness.
-const JUMP: f64 = 0.05;
-/// A witness so near to the start of the half period, in radians of the fastest mode, is looked at by series in τ.
-const EARLY: f64 = 1.2;
-/// And nearer than this only so.
-const SURELY: f64 = 0.3;
-/// One so near may as well be the start itself.
-const START: f64 = 0.05;
 /// A piece may take so many times its share of the work.
 const FAIR: usize = 8;
 /// A part is not halved below this share of r.
@@ -68,6 +58,13 @@ const SHORTEST: f64 = 1e-7;
 const SHORTEST_OF_MOTION: f64 = 2e-3;
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
 const MOST_MISSED: usize = 6;
+/// The first part is tried at this fraction of the range, the one after a part that is shown at so many times its length.
+const FIRST: f64 = 32.0;
+const LONGER: f64 = 1.25;
+/// A part takes all that is left where that is at most so many times its length.
+const NO_STUB: f64 = 1.2;
+/// At a zero of β_lim κ is below this if it vanishes there.
+const VANISHES: f64 = 1e-14;
 
 /// A table about to be proven.
 pub(super) struct Prover<'a, 'm> {
@@ -103,7 +100,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             request,
             share: FAIR * work / pieces.max(1),
             budget: Budget::of(work),
-            last: (high - low) / 32.0,
+            last: (high - low) / FIRST,
             of_limit: Found::nothing(low),
             of_motion: Found::nothing(low),
             excitation,
@@ -175,7 +172,11 @@ impl<'a, 'm> Prover<'a, 'm> {
             }
             let rest = (end - place).abs();
             // No short last part.
-            let step = if rest < 1.2 * length { rest } else { length };
+            let step = if rest < NO_STUB * length {
+                rest
+            } else {
+                length
+            };
             let next = match (step >= rest, forwards) {
                 (true, _) => end,
                 (false, true) => place + step,
@@ -205,7 +206,7 @@ impl<'a, 'm> Prover<'a, 'm> {
                     place = next;
                     zero = None;
                     self.last = step;
-                    length = 1.25 * step;
+                    length = LONGER * step;
                 }
                 None if step <= shortest => {
                     self.leave(part);
@@ -235,7 +236,14 @@ impl<'a, 'm> Prover<'a, 'm> {
         let at = Stage::<ORDER>::over(&self.chain, Interval::point(centre), &singular);
         let over = Stage::<ORDER>::over(&self.chain, r, &singular);
         let (at, over) = self.oriented(at, over, away, zero)?;
-        for witness in self.witnesses((from, to), centre, &over, &singular) {
+        for witness in candidates(
+            self.exact,
+            &self.chain,
+            (from, to),
+            centre,
+            &over,
+            &singular,
+        ) {
             let all = r - Interval::point(centre);
             let rest = if matches!(witness, Witness::Early(_)) {
                 early::rest(&over, witness.path::<1>(all).value().high)
@@ -307,7 +315,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         let held = if zero.is_some() {
             // κ vanishes with β_lim, or does not; beside the zero it has the sign of its slope.
             let beside = all.value();
-            let vanishes = own.value().size() < 1e-14;
+            let vanishes = own.value().size() < VANISHES;
             if beside.holds_zero() && !vanishes {
                 return self.chain.all_undamped.then_some((at, over));
             }
@@ -326,72 +334,5 @@ impl<'a, 'm> Prover<'a, 'm> {
             -1 => Some((at.turned(), over.turned())),
             _ => self.chain.all_undamped.then_some((at, over)),
         }
-    }
-
-    /// What may be the largest constraint, by the exact search at some r.
-    fn witnesses(
-        &mut self,
-        (from, to): (f64, f64),
-        centre: f64,
-        over: &Stage<ORDER>,
-        singular: &[bool],
-    ) -> Vec<Witness> {
-        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let mut places = Vec::with_capacity(NODES);
-        let mut instants = Vec::with_capacity(NODES);
-        let (mut early, mut starts, mut latest) = (true, false, 0.0_f64);
-        let modes = over.modes.iter();
-        let fastest = modes
-            .map(|mode| PI * mode.x.value().high)
-            .fold(PI, f64::max);
-        let turned = over.kappa.is_some_and(|kappa| {
-            let own = Stage::<1>::over(&self.chain, Interval::point(middle), singular);
-            let own = own.kappa.map_or(1.0, |kappa| kappa.value().middle());
-            own * kappa.value().middle() < 0.0
-        });
-        for k in 0..NODES {
-            let r = middle - half * (PI * (k as f64 + 0.5) / NODES as f64).cos();
-            let Some(tau) = self.exact.at(r).and_then(|sample| sample.tau) else {
-                starts = true;
-                continue;
-            };
-            let mut t = tau / PI;
-            early &= t * fastest < EARLY;
-            latest = latest.max(t * fastest);
-            starts |= t * fastest < START;
-            if self.chain.all_undamped {
-                let own = Stage::<1>::over(&self.chain, Interval::point(r), singular);
-                let own = if turned { own.turned() } else { own };
-                let at = Series::fixed(Interval::point(t));
-                let motions = force::motions(&own, &at);
-                let force = force::value(&own, &motions, &at.sine_cosine().1);
-                if force.value().middle() < 0.0 {
-                    t = 1.0 - t;
-                }
-            }
-            places.push((r - centre) / half);
-            instants.push(t);
-        }
-        let mut witnesses = Vec::new();
-        let apart = |pair: &[f64]| matches!(pair, [a, b] if (a - b).abs() > JUMP);
-        if places.len() == NODES && !instants.windows(2).any(apart) {
-            let mut power = 1.0;
-            let mut path = interpolated(&places, &instants);
-            for coefficient in &mut path {
-                *coefficient /= power;
-                power *= half;
-            }
-            if early {
-                witnesses.push(Witness::Early(path.clone()));
-            }
-            // Either way in between.
-            if !(early && latest < SURELY) {
-                witnesses.push(Witness::Instant(path));
-            }
-        }
-        if starts {
-            witnesses.push(Witness::BreakAway);
-        }
-        witnesses
     }
 }

@@ -5,11 +5,11 @@
 //! and α is the witness's but for the same: the share changes the difference by no more than itself.
 
 use super::super::errors::FRICTION_SHARES;
-use super::super::fit::{ANGLE, Fitted, SIZE};
+use super::super::exact::{ANGLE, SIZE};
+use super::super::fit::Fitted;
 use super::super::worst::Worst;
-use super::ORDER;
 use super::compare::{CELLS, Compared, SHORT, divided, rounding};
-use super::stage::Stage;
+use super::stage::{ORDER, Stage};
 use super::witness::{Seen, polynomial};
 use crate::interval::{Interval, Series};
 use frictiongen_kernel::{Float, Scalar};

@@ -1,15 +1,20 @@
 //! Other instants whose velocity constraint comes close to that of the witness: beside a kink of β_lim there are two.
 
-use super::certify::{Cells, Flank};
-use super::stage::Stage;
+use super::cells::{Cells, Flank, ROUNDING};
+use super::force;
+use super::found::Budget;
+use super::stage::{ORDER, Stage};
 use super::witness::polynomial;
-use super::{Budget, ORDER, force};
 use crate::interval::{Interval, Series};
 use frictiongen_kernel::Scalar;
 use std::f64::consts::PI;
 
 /// Steps of Newton's method towards one.
 const STEPS: usize = 8;
+/// A step shorter than this, in half-turns, has found it.
+const FOUND: f64 = 1e-9;
+/// An instant that moves by more than this within a part, in half-turns, is no longer the same one.
+const JUMP: f64 = 0.1;
 /// Parts of a part in which D is bounded there.
 const PARTS: usize = 6;
 
@@ -23,18 +28,17 @@ pub(super) struct Region {
 impl Region {
     /// Up to which share of a side it holds, if it does from a share on.
     pub fn reach(&self, side: Flank, share: f64, path: Interval) -> Option<f64> {
-        let rounding = 1e-12;
         let (begins, end) = match side {
             Flank::Before => (
-                self.from <= share * path.low * (1.0 - rounding),
+                self.from <= share * path.low * (1.0 - ROUNDING),
                 self.to / path.high,
             ),
             Flank::After => (
-                1.0 - (1.0 - path.high) * share * (1.0 - rounding) <= self.to,
+                1.0 - (1.0 - path.high) * share * (1.0 - ROUNDING) <= self.to,
                 (1.0 - self.from) / (1.0 - path.low),
             ),
         };
-        let end = end * (1.0 - rounding);
+        let end = end * (1.0 - ROUNDING);
         (begins && share < end).then_some(end)
     }
 }
@@ -59,7 +63,7 @@ impl Cells<'_> {
         let jump = (instants[0] - t)
             .abs()
             .max((instants[2] - instants[0]).abs());
-        if jump > 0.1 {
+        if jump > JUMP {
             return None;
         }
         // The parabola through them.
@@ -95,10 +99,9 @@ impl Cells<'_> {
             }
         }
         let [before, after] = reach;
-        let rounding = 1e-12;
         let (from, to) = (
-            t.high - before * (1.0 - rounding),
-            t.low + after * (1.0 - rounding),
+            t.high - before * (1.0 - ROUNDING),
+            t.low + after * (1.0 - ROUNDING),
         );
         (from < to).then_some(Region { from, to })
     }
@@ -114,7 +117,8 @@ impl Cells<'_> {
         for (mode, full) in stage.modes.iter_mut().zip(&self.part.at.modes) {
             let of =
                 |series: &Series<ORDER>| Series::fixed(Interval::point(value_at(series, away)));
-            (mode.x, mode.free, mode.swing) = (of(&full.x), of(&full.free), of(&full.swing));
+            (mode.x, mode.free, mode.swing_slope) =
+                (of(&full.x), of(&full.free), of(&full.swing_slope));
         }
         stage
     }
@@ -161,7 +165,7 @@ fn least(stage: &Stage<1>, level: f64, mut t: f64) -> Option<f64> {
         if !(0.0 < t && t < 1.0) {
             return None;
         }
-        if step.abs() < 1e-9 {
+        if step.abs() < FOUND {
             break;
         }
     }

@@ -3,10 +3,13 @@
 //! Everything is r² times what the thesis calls so.  Where undamped modes have a pole of U, all of it is times the
 //! product κ of their cosines besides: the limits are quotients, in which κ cancels.
 
-use super::super::zeros::shares;
+use super::super::zeros::contact_modes;
 use crate::interval::{Interval, Series};
 use crate::modal::Modal;
 use frictiongen_kernel::number::dd::Dd;
+
+/// Terms of the Taylor series in r that a proof takes.
+pub(super) const ORDER: usize = 8;
 
 /// How a mode decays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +29,7 @@ pub(super) struct Oscillator {
     /// √|1 − ζ²|.
     pub q: Interval,
     /// ζ/q.
-    pub share: Interval,
+    pub zeta_over_q: Interval,
     /// ζ + q.
     pub fast: Interval,
     /// (φᵀw)².
@@ -52,12 +55,12 @@ impl Chain {
     pub fn of(modal: &Modal) -> Self {
         let one = Dd::ONE;
         let mut inverse_mass = Dd::ZERO;
-        let modes: Vec<Oscillator> = shares(modal)
+        let modes: Vec<Oscillator> = contact_modes(modal)
             .into_iter()
-            .map(|share| {
-                let zeta = share.driven.zeta;
+            .map(|mode| {
+                let zeta = mode.driven.zeta;
                 let q = ((one - zeta) * (one + zeta)).abs().sqrt();
-                inverse_mass = inverse_mass + share.driven.inverse_mass;
+                inverse_mass = inverse_mass + mode.driven.inverse_mass;
                 let kind = if zeta.is_zero() {
                     Kind::Undamped
                 } else if zeta < one {
@@ -69,13 +72,13 @@ impl Chain {
                 };
                 Oscillator {
                     kind,
-                    sigma: Interval::of(share.driven.sigma),
+                    sigma: Interval::of(mode.driven.sigma),
                     zeta: Interval::of(zeta),
                     q: Interval::of(q),
-                    share: Interval::of(zeta / q),
+                    zeta_over_q: Interval::of(zeta / q),
                     fast: Interval::of(zeta + q),
-                    inverse_mass: Interval::of(share.driven.inverse_mass),
-                    residue: Interval::of(share.residue),
+                    inverse_mass: Interval::of(mode.driven.inverse_mass),
+                    residue: Interval::of(mode.residue),
                 }
             })
             .collect();
@@ -99,7 +102,7 @@ pub(super) struct ModeStage<const N: usize> {
     /// Of p in the velocity constraint: κc(1 + g).
     pub free: Series<N>,
     /// Of cos τ − p′: κcu/x².
-    pub swing: Series<N>,
+    pub swing_slope: Series<N>,
 }
 
 /// The chain at a frequency.
@@ -182,12 +185,12 @@ impl<const N: usize> Stage<N> {
             let x = inverse.times(mode.sigma);
             let detuning = square - Series::fixed(mode.sigma * mode.sigma);
             let c = mode.inverse_mass;
-            let (free, swing);
+            let (free, swing_slope);
             if *singular {
                 let rest = others();
                 let with = |value: Series<N>| rest.map_or(value, |rest| rest * value);
                 free = scaled(Series::fixed(c));
-                swing = with(*sine * ratio).times(c / mode.sigma);
+                swing_slope = with(*sine * ratio).times(c / mode.sigma);
                 let beside = x.value() - Interval::ONE;
                 let term = if beside.size() < RESONANT {
                     // cos(πx/2)/(x² − 1) = −(π/2) sinc(π(x − 1)/2)/(x + 1).
@@ -199,8 +202,8 @@ impl<const N: usize> Stage<N> {
                 let [re, _] = &mut excitation;
                 *re = *re + with(term).times(mode.residue);
             } else {
-                let (rise, over_swing) = functions(mode, &x, &ratio, (sine, cosine));
-                swing = scaled(over_swing.times(c));
+                let (rise, over_swing_slope) = functions(mode, &x, &ratio, (sine, cosine));
+                swing_slope = scaled(over_swing_slope.times(c));
                 free = scaled(rise.times(c));
                 let [re, im] = &mut excitation;
                 if mode.kind == Kind::Undamped {
@@ -208,25 +211,25 @@ impl<const N: usize> Stage<N> {
                 } else {
                     let loss = ratio.times(two * mode.zeta * mode.sigma);
                     let size = detuning.squared() + loss.squared();
-                    let share = scaled(square / size).times(mode.residue);
-                    *re = *re - share * detuning;
-                    *im = *im - share * loss;
+                    let term = scaled(square / size).times(mode.residue);
+                    *re = *re - term * detuning;
+                    *im = *im - term * loss;
                 }
                 if mode.kind != Kind::Undamped {
                     // c(g + 2ζx·u/x²), and c·g/x².
                     let own = free - scaled(Series::fixed(c));
-                    let carried = x.times(two * mode.zeta) * swing;
+                    let carried = x.times(two * mode.zeta) * swing_slope;
                     reversal = reversal + own + carried;
                     let softness = Interval::ONE / (mode.sigma * mode.sigma);
                     displacement = displacement + own * square.times(softness);
                 }
             }
-            quadrature = quadrature + swing;
+            quadrature = quadrature + swing_slope;
             modes.push(ModeStage {
                 oscillator: *mode,
                 x,
                 free,
-                swing,
+                swing_slope,
             });
         }
         let mass = scaled(Series::fixed(chain.inverse_mass));
@@ -244,7 +247,7 @@ impl<const N: usize> Stage<N> {
     /// The same for −κ.
     pub fn turned(mut self) -> Self {
         for mode in &mut self.modes {
-            (mode.free, mode.swing) = (-mode.free, -mode.swing);
+            (mode.free, mode.swing_slope) = (-mode.free, -mode.swing_slope);
         }
         self.kappa = self.kappa.map(|kappa| -kappa);
         self.excitation = self.excitation.map(|part| -part);
@@ -260,7 +263,7 @@ impl<const N: usize> Stage<N> {
             oscillator: mode.oscillator,
             x: mode.x.truncated(),
             free: mode.free.truncated(),
-            swing: mode.swing.truncated(),
+            swing_slope: mode.swing_slope.truncated(),
         });
         Stage {
             modes: modes.collect(),
@@ -295,7 +298,7 @@ fn functions<const N: usize>(
             // 1 + e² + 2e cos θ, in which nothing cancels.
             let near = (one - e).squared() + (ec * c).times(four);
             let both = ec * s;
-            let g = (one - e.squared() - both.times(four * mode.share)) / near;
+            let g = (one - e.squared() - both.times(four * mode.zeta_over_q)) / near;
             let u = (both / near * slow).times(four / mode.q);
             (one + g, u)
         }
@@ -312,7 +315,7 @@ fn functions<const N: usize>(
             let e_fast = x.times(-(Interval::pi() * fast_rate)).exp();
             let near = (one + e_slow) * (one + e_fast);
             let apart = e_slow - e_fast;
-            let g = (one - e_slow * e_fast - apart.times(mode.share)) / near;
+            let g = (one - e_slow * e_fast - apart.times(mode.zeta_over_q)) / near;
             let u = (apart / near * slow).times(Interval::ONE / mode.q);
             (one + g, u)
         }

@@ -2,10 +2,11 @@
 
 use super::super::exact::Exact;
 use super::super::{Evidence, Request, Tables, Work};
-use super::certify::{Part, certified};
-use super::stage::{Chain, Stage, singular};
+use super::cells::Part;
+use super::certify::certified;
+use super::found::Budget;
+use super::stage::{Chain, ORDER, Stage, singular};
 use super::witness::{Seen, Witness};
-use super::{Budget, ORDER};
 use crate::interval::Interval;
 use crate::modal::Modal;
 use crate::scene::{

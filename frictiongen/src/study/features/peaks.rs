@@ -232,7 +232,7 @@ impl Features<'_> {
                 Of::Mass(mass) => motion.mass_at(mass)?.amplitude(),
             })
         };
-        let gain = |r: f64| match (amplitude(r, more), amplitude(r, less)) {
+        let difference = |r: f64| match (amplitude(r, more), amplitude(r, less)) {
             (Some(more), Some(less)) => more - less,
             _ => f64::NAN,
         };
@@ -259,12 +259,12 @@ impl Features<'_> {
             let ends = [stretch.from * (1.0 + 1e-12), stretch.to * (1.0 - 1e-12)];
             let mut places = samples(ends, SAMPLES, &marks);
             merge(&mut places, &steps);
-            for r in changes(&places, gain) {
+            for r in changes(&places, difference) {
                 let Some(height) = amplitude(r, less) else {
                     continue;
                 };
                 let on_pole = marks.iter().any(|mark| (r - mark).abs() <= 1e-12 * mark);
-                if on_pole || !(gain(r).abs() <= 1e-9 * height) {
+                if on_pole || !(difference(r).abs() <= 1e-9 * height) {
                     continue;
                 }
                 let share = Dual::fixed(Dd::from(less) / Dd::from(more));

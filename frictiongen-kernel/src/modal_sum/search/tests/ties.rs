@@ -12,7 +12,7 @@ fn harmonics(sines: &[(f64, f64)], cosines: &[(f64, f64)]) -> (Vec<TestWave>, f6
         } else {
             waves.push(Wave {
                 free: k * b,
-                ..rest(k, 0.0)
+                ..at_rest(k, 0.0)
             });
         }
     }
@@ -21,7 +21,7 @@ fn harmonics(sines: &[(f64, f64)], cosines: &[(f64, f64)]) -> (Vec<TestWave>, f6
         if k != 1.0 {
             waves.push(Wave {
                 swing_slope: -c,
-                ..rest(k, 0.0)
+                ..at_rest(k, 0.0)
             });
         }
     }
@@ -131,7 +131,7 @@ fn a_peak_keeps_four_places() {
 fn a_search_that_takes_too_long_ends_with_the_best_so_far() {
     let waves = [Wave {
         free: 1e5,
-        ..rest(1e5 + 0.3, 0.0)
+        ..at_rest(1e5 + 0.3, 0.0)
     }];
     let sum = Sum {
         waves: &waves,

@@ -9,6 +9,8 @@ const ROUNDING: f64 = 1.0 / 5_070_602_400_912_917_605_986_812_821_504.0;
 const LOST: f64 = 1e-280;
 /// By this a sum of errors in double precision is enlarged for its own roundings.
 const UP: f64 = 1.0 + 1e-14;
+/// What is smaller may vanish when it is squared.
+const SQUARED_AWAY: f64 = 1e-150;
 
 /// A number that is within `off` of `at`.
 #[derive(Clone, Copy, Debug)]
@@ -127,13 +129,13 @@ impl Disc {
     pub fn most(&self) -> f64 {
         let (re, im) = (self.re.most(), self.im.most());
         // What is lost by underflow of the squares is below the last number.
-        (re * re + im * im).sqrt() * UP + 1e-150
+        (re * re + im * im).sqrt() * UP + SQUARED_AWAY
     }
 
     /// No size in it is smaller.
     pub fn least(&self) -> f64 {
         let (re, im) = (self.re.least(), self.im.least());
-        ((re * re + im * im).sqrt() * (2.0 - UP) - 1e-150).max(0.0)
+        ((re * re + im * im).sqrt() * (2.0 - UP) - SQUARED_AWAY).max(0.0)
     }
 
     pub fn conjugate(self) -> Self {

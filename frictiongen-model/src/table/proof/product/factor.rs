@@ -1,5 +1,6 @@
 //! What an emitted factor may be off from the zero that it stands for, over a cell of r.
 
+use super::super::super::request::is_single;
 use super::super::super::zeros::Zero;
 use super::ball::Ball;
 use frictiongen_kernel::Float;
@@ -10,6 +11,9 @@ use frictiongen_kernel::table::Factor;
 const UP: f64 = 1.03;
 /// Shares whose sum exceeds this are not small.
 const SMALL: f64 = 0.02;
+/// No normal number is smaller but by rounding, of single precision and of double.
+const NORMAL_SINGLE: f64 = 1.2e-38;
+const NORMAL: f64 = 2.3e-308;
 
 /// A cell of r, as numbers of the scalar.
 #[derive(Clone, Copy, Debug)]
@@ -30,8 +34,11 @@ pub(super) struct Known {
 
 /// Half a unit in the last place, and the smallest normal number.
 pub(super) fn unit<S: Float>() -> (f64, f64) {
-    let single = S::EPSILON > 1e-10;
-    let smallest = if single { 1.2e-38 } else { 2.3e-308 };
+    let smallest = if is_single::<S>() {
+        NORMAL_SINGLE
+    } else {
+        NORMAL
+    };
     (0.5 * S::EPSILON, smallest)
 }
 

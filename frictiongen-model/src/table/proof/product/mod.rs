@@ -12,11 +12,11 @@ mod roots;
 mod tests;
 
 use super::super::exact::Exact;
-use super::super::quotients::Product;
+use super::super::product::Product;
 use super::super::request::Request;
 use super::super::worst::Worst;
-use super::super::zeros::{Share, Zero, Zeros};
-use super::{Evidence, Proof, Work};
+use super::super::zeros::{ContactMode, Zero, Zeros};
+use super::evidence::{Evidence, Proof, Work};
 use crate::scene::Side;
 use ball::Ball;
 use factor::{Cell, Known, beside, unit};
@@ -29,6 +29,14 @@ use roots::{Factored, Sum};
 const UNCERTAIN: f64 = 0.1;
 /// A sum of small shares is enlarged by this for their products.
 const UP: f64 = 1.03;
+/// Only errors below this are small enough for that.
+const SMALL: f64 = 0.1;
+/// The largest number that is looked at, times the smallest normal one.
+const LARGEST: f64 = 0.2;
+/// Roundings of double-double between a mode's constants and its pole.
+const POLE_ROUNDINGS: f64 = 64.0;
+/// For the roundings of the bounds themselves.
+const OUTWARD: f64 = 1e-12;
 
 /// What a product is to be: gain·Π numerator/Π denominator, but for what the zeros of some sums leave.
 struct Meant {
@@ -54,16 +62,16 @@ impl Receptances {
     pub fn of(exact: &Exact<'_>, zeros: Option<&Zeros>, highest: f64) -> Option<Self> {
         let zeros = zeros?.clone();
         let modal = exact.modal;
-        let shares = exact.shares();
-        let of = |share: &'_ Share| share.residue;
-        let driven: Vec<(&Share, Dd)> = shares
+        let contact_modes = exact.contact_modes();
+        let of = |mode: &'_ ContactMode| mode.residue;
+        let driven: Vec<(&ContactMode, Dd)> = contact_modes
             .iter()
-            .filter(|share| !share.residue.is_zero())
-            .map(|share| (share, of(share)))
+            .filter(|mode| !mode.residue.is_zero())
+            .map(|mode| (mode, of(mode)))
             .collect();
-        let all: Vec<(&Share, Dd)> = shares
+        let all: Vec<(&ContactMode, Dd)> = contact_modes
             .iter()
-            .map(|share| (share, share.driven.inverse_mass))
+            .map(|mode| (mode, mode.driven.inverse_mass))
             .collect();
         let direct = if modal.on_moving_base { -1.0 } else { 0.0 };
         let joined =
@@ -206,7 +214,7 @@ impl Receptances {
             (&product.denominator, &meant.denominator),
         ];
         // Below this a rounding may be more than its share; above the other there is no number.
-        let (least, most) = (smallest / unit, 0.2 / smallest);
+        let (least, most) = (smallest / unit, LARGEST / smallest);
         let regular = |(low, high): (f64, f64)| least <= low && high <= most;
         for ((factors, known), size) in lists.into_iter().zip(&mut quotients) {
             if factors.len() != known.len() {
@@ -258,7 +266,7 @@ impl Receptances {
             };
             error += weight / away;
         }
-        if !(error < 0.1) {
+        if !(error < SMALL) {
             return None;
         }
         let error = error * (1.0 + 2.0 * error) * UP;
@@ -266,7 +274,7 @@ impl Receptances {
         let gain =
             Ball::exact(Dd::from(product.gain.to_f64())) * meant.gain.inverse() - Ball::number(1.0);
         let gain = (gain.at.to_f64() - gain.off, gain.at.to_f64() + gain.off);
-        let outward = |end: f64| end.abs() * 1e-12;
+        let outward = |end: f64| end.abs() * OUTWARD;
         let (low, high) = (
             gain.0 - error * (1.0 + gain.0.abs()),
             gain.1 + error * (1.0 + gain.1.abs()),
@@ -294,7 +302,7 @@ fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
             // An undamped one is known as it stands; else a few operations in double-double are between.
             let size = zero.x.abs().to_f64() + zero.y.to_f64();
             let off = if is_pole && !zero.is_on_axis() {
-                64.0 * size * f64::EPSILON * f64::EPSILON
+                POLE_ROUNDINGS * size * f64::EPSILON * f64::EPSILON
             } else {
                 0.0
             };

@@ -5,15 +5,20 @@
 //! is left at zeros that are right but for their last digits, and q is a constant but for terms that are roundings.
 //! Nothing about the zeros is believed: if they were wrong, the N(z_j) would be large.
 
-use super::super::super::zeros::{Share, Zero};
+use super::super::super::zeros::{ContactMode, Zero};
 use super::ball::{Ball, Disc};
 use frictiongen_kernel::number::dd::Dd;
 
-/// A mode's denominator v² + rate·v + square, or v + square, and its share of the sum.
+/// For the roundings of one term of a bound,
+const UP_OF_ONE: f64 = 1.0 + 1e-14;
+/// and of a whole one.
+const UP: f64 = 1.0 + 1e-12;
+
+/// A mode's denominator v² + rate·v + square, or v + square, and its residue in the sum.
 struct Term {
     rate: Ball,
     square: Ball,
-    share: Ball,
+    residue: Ball,
 }
 
 /// direct + Σρ/d.
@@ -34,16 +39,16 @@ pub(super) struct Factored {
 }
 
 impl Sum {
-    pub fn of(direct: f64, shares: &[(&Share, Dd)], damped: bool) -> Self {
-        let terms = shares.iter().map(|(share, of)| {
+    pub fn of(direct: f64, contact_modes: &[(&ContactMode, Dd)], damped: bool) -> Self {
+        let terms = contact_modes.iter().map(|(mode, of)| {
             let (sigma, zeta) = (
-                Ball::exact(share.driven.sigma),
-                Ball::exact(share.driven.zeta),
+                Ball::exact(mode.driven.sigma),
+                Ball::exact(mode.driven.zeta),
             );
             Term {
                 rate: Ball::number(2.0) * zeta * sigma,
                 square: sigma * sigma,
-                share: Ball::exact(*of),
+                residue: Ball::exact(*of),
             }
         });
         Self {
@@ -73,7 +78,7 @@ impl Sum {
             } else {
                 v + Disc::real(term.square)
             };
-            sum = sum + Disc::real(term.share) * denominator.inverse();
+            sum = sum + Disc::real(term.residue) * denominator.inverse();
             all = all * denominator;
         }
         sum * all
@@ -117,7 +122,7 @@ impl Sum {
             for (root, weight) in all.iter().zip(&weights) {
                 let distance = v - *root;
                 value = value * distance.inverse();
-                off += weight / distance.least() * (1.0 + 1e-14);
+                off += weight / distance.least() * UP_OF_ONE;
             }
             beside = beside.max(off);
             values.push(value);
@@ -132,11 +137,11 @@ impl Sum {
         gain.off += beside;
         let least = gain.least();
         // The kth coefficient of q times the radius to the kth is at most what q strays from its mean by on the circle.
-        let tail = excess as f64 * apart / least * (1.0 + 1e-12);
+        let tail = excess as f64 * apart / least * UP;
         let mut weights = weights.into_iter();
         let zeros = zeros.iter().zip(&roots).map(|(zero, roots)| {
             let own: f64 = weights.by_ref().take(roots.len()).sum();
-            (*zero, own / least * (1.0 + 1e-12))
+            (*zero, own / least * UP)
         });
         let zeros: Vec<(Zero, f64)> = zeros.collect();
         let known = tail.is_finite() && zeros.iter().all(|(_, weight)| weight.is_finite());

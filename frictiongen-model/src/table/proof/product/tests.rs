@@ -44,12 +44,12 @@ fn exact(exact: &Exact<'_>, r: f64) -> [(Dd, f64); 2] {
     let [v, h] = exact.receptances(r);
     let [v, h] = [v, h].map(|sum| complex::modulus(sum, true));
     let sizes: f64 = exact
-        .shares()
+        .contact_modes()
         .iter()
-        .map(|share| {
-            let sigma = share.driven.sigma.to_f64();
+        .map(|mode| {
+            let sigma = mode.driven.sigma.to_f64();
             let beside = (sigma - r).abs().max(1e-17) * (sigma + r);
-            (share.residue.abs() + share.driven.inverse_mass).to_f64() / beside
+            (mode.residue.abs() + mode.driven.inverse_mass).to_f64() / beside
         })
         .sum();
     let off = 1e-29 * (1.0 + sizes);

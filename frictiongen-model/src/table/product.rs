@@ -1,0 +1,61 @@
+//! A product over zeros and poles, as a table keeps it.
+
+use frictiongen_kernel::Float;
+use frictiongen_kernel::table::{Factor, Quotient};
+
+/// The kernel's [`Quotient`], with its vectors.
+#[derive(Clone, Debug)]
+pub struct Product<S> {
+    /// What stands before it.
+    pub gain: S,
+    /// The factors are those of the squares of what is meant.
+    pub squared: bool,
+    /// The zeros.
+    pub numerator: Vec<Factor<S>>,
+    /// The poles.
+    pub denominator: Vec<Factor<S>>,
+}
+
+impl<S: Float> Product<S> {
+    /// The same as the kernel reads it.
+    #[must_use]
+    pub fn quotient(&self) -> Quotient<'_, S> {
+        Quotient {
+            gain: self.gain,
+            squared: self.squared,
+            numerator: &self.numerator,
+            denominator: &self.denominator,
+        }
+    }
+
+    /// Additions and multiplications, divisions and roots of one evaluation.
+    #[must_use]
+    pub fn operations(&self) -> (usize, usize, usize) {
+        let factors = self.numerator.iter().chain(&self.denominator);
+        // Of each factor its own, and the product with the others.
+        let plain = factors.map(|factor| match factor {
+            Factor::Zero { .. } => 5,
+            Factor::Pair { .. } => 8,
+            Factor::Real { .. } => 3,
+        });
+        let divisions = usize::from(!self.denominator.is_empty());
+        (
+            1 + plain.sum::<usize>(),
+            divisions,
+            usize::from(self.squared),
+        )
+    }
+
+    /// How many numbers it holds.
+    #[must_use]
+    pub fn numbers(&self) -> usize {
+        let factors = self.numerator.iter().chain(&self.denominator);
+        1 + factors
+            .map(|factor| match factor {
+                Factor::Zero { .. } => 2,
+                Factor::Pair { .. } => 4,
+                Factor::Real { .. } => 1,
+            })
+            .sum::<usize>()
+    }
+}

@@ -1,0 +1,88 @@
+//! What is taken for a witness over a part of the range: from where the exact search finds the largest constraint.
+
+use super::super::exact::Exact;
+use super::super::fit::interpolated;
+use super::force;
+use super::stage::{Chain, ORDER, Stage};
+use super::witness::Witness;
+use crate::interval::{Interval, Series};
+use std::f64::consts::PI;
+
+/// Instants through which a witness goes.
+const NODES: usize = 5;
+/// Instants farther apart than this, in half-turns, are not of one witness.
+const JUMP: f64 = 0.05;
+/// A witness so near to the start of the half period, in radians of the fastest mode, is looked at by series in τ.
+const EARLY: f64 = 1.2;
+/// And nearer than this only so.
+const SURELY: f64 = 0.3;
+/// One so near may as well be the start itself.
+const START: f64 = 0.05;
+
+/// What may be the largest constraint, by the exact search at some r.
+pub(super) fn candidates(
+    exact: &mut Exact<'_>,
+    chain: &Chain,
+    (from, to): (f64, f64),
+    centre: f64,
+    over: &Stage<ORDER>,
+    singular: &[bool],
+) -> Vec<Witness> {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    let mut places = Vec::with_capacity(NODES);
+    let mut instants = Vec::with_capacity(NODES);
+    let (mut early, mut starts, mut latest) = (true, false, 0.0_f64);
+    let modes = over.modes.iter();
+    let fastest = modes
+        .map(|mode| PI * mode.x.value().high)
+        .fold(PI, f64::max);
+    let turned = over.kappa.is_some_and(|kappa| {
+        let own = Stage::<1>::over(chain, Interval::point(middle), singular);
+        let own = own.kappa.map_or(1.0, |kappa| kappa.value().middle());
+        own * kappa.value().middle() < 0.0
+    });
+    for k in 0..NODES {
+        let r = middle - half * (PI * (k as f64 + 0.5) / NODES as f64).cos();
+        let Some(tau) = exact.at(r).and_then(|sample| sample.tau) else {
+            starts = true;
+            continue;
+        };
+        let mut t = tau / PI;
+        early &= t * fastest < EARLY;
+        latest = latest.max(t * fastest);
+        starts |= t * fastest < START;
+        if chain.all_undamped {
+            let own = Stage::<1>::over(chain, Interval::point(r), singular);
+            let own = if turned { own.turned() } else { own };
+            let at = Series::fixed(Interval::point(t));
+            let motions = force::motions(&own, &at);
+            let force = force::value(&own, &motions, &at.sine_cosine().1);
+            if force.value().middle() < 0.0 {
+                t = 1.0 - t;
+            }
+        }
+        places.push((r - centre) / half);
+        instants.push(t);
+    }
+    let mut witnesses = Vec::new();
+    let apart = |pair: &[f64]| matches!(pair, [a, b] if (a - b).abs() > JUMP);
+    if places.len() == NODES && !instants.windows(2).any(apart) {
+        let mut power = 1.0;
+        let mut path = interpolated(&places, &instants);
+        for coefficient in &mut path {
+            *coefficient /= power;
+            power *= half;
+        }
+        if early {
+            witnesses.push(Witness::Early(path.clone()));
+        }
+        // Either way in between.
+        if !(early && latest < SURELY) {
+            witnesses.push(Witness::Instant(path));
+        }
+    }
+    if starts {
+        witnesses.push(Witness::BreakAway);
+    }
+    witnesses
+}
