@@ -131,7 +131,7 @@ impl<S: Float> Chain<S> {
         chain.completed(&sum, inverse_r)
     }
 
-    /// What it says, of two modes.
+    /// The chain's constants, each for both modes.
     #[inline(always)]
     fn of_both(&self) -> Chain<Lanes<S>> {
         Chain {
@@ -241,7 +241,7 @@ impl<S: Float> Mode<Lanes<S>> {
     }
 }
 
-/// The complex numbers of either mode.
+/// Each mode's own complex number.
 #[inline(always)]
 fn complex_apart<S: Float>(value: Complex<Lanes<S>>) -> [Complex<S>; 2] {
     let (Lanes([re, other_re]), Lanes([im, other_im])) = (value.re, value.im);
@@ -249,7 +249,7 @@ fn complex_apart<S: Float>(value: Complex<Lanes<S>>) -> [Complex<S>; 2] {
 }
 
 impl<S: Float> ContactAt<Lanes<S>> {
-    /// Those of either mode.
+    /// Each mode's own.
     #[inline(always)]
     fn apart(&self) -> [ContactAt<S>; 2] {
         let ([v, other_v], [h, other_h]) = (complex_apart(self.v), complex_apart(self.h));
@@ -276,7 +276,7 @@ impl<S: Float> ContactAt<Lanes<S>> {
 }
 
 impl<S: Float> ModeAt<Lanes<S>> {
-    /// Those of either mode.
+    /// Each mode's own.
     #[inline(always)]
     fn apart(&self) -> [ModeAt<S>; 2] {
         let [response, other_response] = complex_apart(self.response);

@@ -202,24 +202,24 @@ impl<S: Float> Tables<S> {
         None
     }
 
-    /// With |V| among the functions where that will do: a product costs a root and an operation for every zero and pole.
     fn built(exact: &mut Exact<'_>, request: Request) -> Result<Self, TableError> {
-        if !(request.motion && exact.all_damped()) {
-            return Self::built_with(exact, request, false);
-        }
-        let tabled = Self::built_with(exact, request, true);
-        tabled.or_else(|_| Self::built_with(exact, request, false))
+        Self::built_within(exact, request, usize::MAX)
     }
 
-    /// The same, where bytes are few |V| as a product, which takes fewer.
+    /// With |V| among the functions where that will do and fits: a product costs a root and an operation for every zero
+    /// and pole, but fewer bytes.
     fn built_within(
         exact: &mut Exact<'_>,
         request: Request,
         bytes: usize,
     ) -> Result<Self, TableError> {
-        let tables = Self::built(exact, request)?;
-        if tables.report.bytes <= bytes || !request.motion {
-            return Ok(tables);
+        if request.motion && exact.all_damped() {
+            let tabled = Self::built_with(exact, request, true);
+            if let Ok(tables) = tabled
+                && tables.report.bytes <= bytes
+            {
+                return Ok(tables);
+            }
         }
         Self::built_with(exact, request, false)
     }

@@ -79,7 +79,7 @@ pub struct Problem<S> {
     pub tolerance: S,
 }
 
-/// A place where the largest value is taken.
+/// A place where the largest value is taken, or is looked for.
 #[derive(Clone, Copy, Debug)]
 pub struct Maximiser<S> {
     /// τ.
