@@ -109,13 +109,12 @@ impl<S: Float> Chain<S> {
             return chain.completed(&sum, inverse_r);
         }
         let scale = smallest::<S, U>(modes, inverse_r);
-        let both = self.of_both();
         let zero = Lanes::constant(0.0);
         let (mut terms, mut at) = (ContactAt::zero(zero), ModeAt::zero());
         let mut sum = ContactAt::zero(scale);
         let (pairs, rest) = modes.as_chunks::<2>();
         for pair in pairs {
-            of_two::<S, U, WITH_G>(&both, pair, inverse_r, scale, &mut terms, &mut at);
+            of_two::<S, U, WITH_G>(&chain, pair, inverse_r, scale, &mut terms, &mut at);
             let ([first, second], [first_at, second_at]) = (terms.apart(), at.apart());
             sum = chain.with_term(&sum, &first, WITH_G);
             keep(first_at);
@@ -184,7 +183,7 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
 /// nothing.  Inlined, ten damped modes took 1.3 times as long.
 #[inline(never)]
 fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
-    chain: &Chain<Lanes<S>>,
+    chain: &Chain<S>,
     modes: &[Mode<S>; 2],
     inverse_r: S,
     scale: S,
@@ -193,7 +192,7 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
 ) {
     let chain = Chain {
         damped: U::DAMPED,
-        ..*chain
+        ..chain.of_both()
     };
     let (mode, scale) = (Mode::beside(modes), Lanes::both(scale));
     let response = mode.functions_of(U::KIND, Lanes::both(inverse_r), WITH_G, 0);

@@ -167,8 +167,11 @@ macro_rules! half_turns {
             /// [`sin_cos_pi`] of two numbers: the sines, then the cosines.
             #[inline(always)]
             pub(crate) fn sin_cos_pi_of_two([a, b]: [$float; 2]) -> [[$float; 2]; 2] {
-                // What may branch comes first: the rest is one block, which a compiler packs.
-                let [(p, a), (q, b)] = [reduced_any(a), reduced_any(b)];
+                // One branch for both comes first: the rest is one block, which a compiler packs.
+                let near = |h: $float| if h.abs() < $exact { h } else { wrapped(h) };
+                let both_near = (a.abs() < $exact) & (b.abs() < $exact);
+                let [a, b] = if both_near { [a, b] } else { [near(a), near(b)] };
+                let [(p, a), (q, b)] = [reduced(a), reduced(b)];
                 let [(sin_a, cos_a), (sin_b, cos_b)] = [kernel(a), kernel(b)];
                 let (s, c) = turned(p, sin_a[0] + sin_a[1], cos_a[0] + cos_a[1]);
                 let (t, d) = turned(q, sin_b[0] + sin_b[1], cos_b[0] + cos_b[1]);

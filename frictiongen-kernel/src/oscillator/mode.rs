@@ -103,6 +103,12 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
+    /// The functions of an undamped mode at x = √λ/r.
+    #[inline(always)]
+    pub(crate) fn undamped(x: S) -> ModeResponse<S> {
+        undamped::response(x, None)
+    }
+
     /// The `size` of its [`response`](Self::response) alone.
     #[inline]
     pub(crate) fn size(&self, inverse_r: S) -> S {

@@ -5,6 +5,7 @@ use super::large;
 use crate::OutOfDomain;
 use frictiongen_codegen::{Diagnostics, parse_text};
 use frictiongen_kernel::Float;
+use frictiongen_kernel::contact::driven::DrivenModes;
 use frictiongen_kernel::contact::regime::Limits;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::response::{At, Scene as _};
@@ -46,6 +47,8 @@ pub struct System<S = f64> {
     pub(super) range: (S, S),
     /// Whether V = H: the load acts on the mass that rubs, and β*_lim is 1.
     pub(super) pushed_where_it_rubs: bool,
+    /// What limits without search take of a chain without damping.
+    pub(super) driven: Option<DrivenModes<S>>,
     transient: OnceLock<Transient<S>>,
     steps: OnceLock<Steps<S>>,
     loses_motion: OnceLock<bool>,
@@ -117,6 +120,7 @@ impl<S: Float> System<S> {
         Self {
             scene,
             modal,
+            driven: DrivenModes::of(&reduced.chain, &reduced.modes),
             reduced,
             range,
             pushed_where_it_rubs,

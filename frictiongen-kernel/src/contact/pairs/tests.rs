@@ -1,6 +1,7 @@
 //! Two by two and one by one are the same to the last bit.
 
 use super::*;
+use crate::contact::driven::DrivenModes;
 use crate::number::complex::Complex;
 
 /// A number from the place of a mode: neither regular nor on a resonance.
@@ -58,14 +59,15 @@ fn bits<S: Float>(contact: &ContactAt<S>, kept: &[ModeAt<S>]) -> Vec<u64> {
     all.iter().map(|value| value.to_f64().to_bits()).collect()
 }
 
-fn agree<S: Float>() -> usize {
+/// How often was compared: sums two by two, and limits from modes laid out before.
+fn agree<S: Float>() -> [usize; 2] {
     let dampings: [fn(usize) -> f64; 4] = [
         |_| 0.0,
         |index| 0.01 + 0.04 * index as f64,
         |index| 0.4 + 0.2 * index as f64,
         |index| if index % 2 == 0 { 0.0 } else { 0.3 },
     ];
-    let mut compared = 0;
+    let (mut compared, mut laid_out) = (0, 0);
     for (count, zeta) in (1..=7).flat_map(|count| dampings.map(|zeta| (count, zeta))) {
         for driven in [0b111_1111, 0b101_1101, 0b010_1010, 0] {
             let modes = modes::<S>(count, zeta, driven);
@@ -86,15 +88,47 @@ fn agree<S: Float>() -> usize {
                     let a = chain.contact_without_g(&modes, inverse_r);
                     let b = chain.in_turn::<false>(&modes, inverse_r, |_| ());
                     assert_eq!(bits(&a, &[]), bits(&b, &[]), "{modes:?}");
+                    if let Some(driven) = DrivenModes::of(&chain, &modes) {
+                        let expected = [
+                            chain.continuous_limit(&b, chain.break_away(&b)),
+                            chain.sliding_limit(&b),
+                            b.h.re,
+                        ];
+                        let (limits, h) = chain.limits_of_driven(&driven, inverse_r, false);
+                        let found = [limits.continuous, limits.sliding, h];
+                        let bits = |of: [S; 3]| of.map(|value| value.to_f64().to_bits());
+                        assert_eq!(bits(found), bits(expected), "{modes:?}");
+                        laid_out += 1;
+                    }
                     compared += 1;
                 }
             }
         }
     }
-    compared
+    [compared, laid_out]
 }
 
 #[test]
 fn pairs_of_modes_have_the_bits_of_single_ones() {
-    assert_eq!(agree::<f64>() + agree::<f32>(), 2 * 7 * 4 * 4 * 2 * 9);
+    // The first dampings, and the last of a single mode; without the sets of modes of which the contact drives none.
+    let laid_out = ((7 * 4 - (7 + 1)) + (4 - 2)) * 2 * 9;
+    assert_eq!(agree::<f64>(), [7 * 4 * 4 * 2 * 9, laid_out]);
+    assert_eq!(agree::<f32>(), [7 * 4 * 4 * 2 * 9, laid_out]);
+}
+
+#[test]
+fn only_few_undamped_modes_are_laid_out() {
+    let laid_out = |count: usize, zeta: f64, driven: usize| {
+        let modes = modes::<f64>(count, |_| zeta, driven);
+        let chain = Chain {
+            damped: zeta > 0.0,
+            on_moving_base: None,
+            inverse_mass: 0.9,
+            stiction: 1.2,
+        };
+        DrivenModes::of(&chain, &modes).is_some()
+    };
+    assert!(laid_out(1, 0.0, 1) && laid_out(16, 0.0, usize::MAX));
+    assert!(laid_out(20, 0.0, 0b1111));
+    assert!(!laid_out(17, 0.0, usize::MAX) && !laid_out(3, 0.0, 0) && !laid_out(2, 0.01, 3));
 }

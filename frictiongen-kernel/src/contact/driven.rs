@@ -1,0 +1,231 @@
+//! Both limits without search of an undamped chain at run time, from what they take of its modes, laid out once.
+//!
+//! Emitted code has a scene's constants in its instructions.  Here they are gathered before the first frequency, two modes
+//! side by side, without the modes that the contact does not drive, which are in none of the sums.  The formulas are
+//! those of [`Chain`], and the sums are taken one mode after the other: the bits are those of every other way.
+
+use crate::contact::regime::Limits;
+use crate::contact::sums::{Chain, ContactAt};
+use crate::number::complex;
+use crate::number::lanes::Lanes;
+use crate::number::scalar::{Float, Scalar};
+use crate::oscillator::mode::Mode;
+
+/// Chains whose contact drives more modes than so many pairs take the way by [`pairs`](crate::contact::pairs).
+const PAIRS: usize = 8;
+
+/// What V, H and U take of a mode, or of two.
+#[derive(Clone, Copy, Debug)]
+struct Driven<S> {
+    resonance: S,
+    /// The residue of V: on a moving base the static one.
+    load: S,
+    inverse_mass: S,
+}
+
+/// x² − 1 and u, in which no other mode's size is yet.
+type Own<S> = [S; 2];
+
+/// Terms of V, H and U, in this order.
+type Terms<S> = [S; 3];
+
+/// The modes of an undamped chain that the contact drives, in their order: two by two, and one if their number is odd.
+#[derive(Clone, Debug)]
+pub struct DrivenModes<S> {
+    pairs: [Driven<Lanes<S>>; PAIRS],
+    count: usize,
+    one: Option<Driven<S>>,
+}
+
+impl<S: Scalar> Driven<S> {
+    fn none() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            resonance: zero,
+            load: zero,
+            inverse_mass: zero,
+        }
+    }
+
+    /// A mode's own functions.
+    #[inline(always)]
+    fn own(&self, inverse_r: S) -> Own<S> {
+        let response = Mode::undamped(self.resonance * inverse_r);
+        [response.denominator.re, response.u]
+    }
+
+    /// Its terms, at the scale.
+    #[inline(always)]
+    fn terms(&self, scale: S, [detuning, u]: Own<S>) -> Terms<S> {
+        let response = scale / detuning;
+        [
+            response * self.load,
+            response * self.inverse_mass,
+            self.inverse_mass * (u * response.abs()),
+        ]
+    }
+}
+
+impl<S: Float> Driven<Lanes<S>> {
+    fn beside(modes: [Driven<S>; 2]) -> Self {
+        let of = |constant: fn(Driven<S>) -> S| Lanes(modes.map(constant));
+        Self {
+            resonance: of(|mode| mode.resonance),
+            load: of(|mode| mode.load),
+            inverse_mass: of(|mode| mode.inverse_mass),
+        }
+    }
+}
+
+impl<S: Float> DrivenModes<S> {
+    /// Those of a chain; none if it is damped, and where there are too many.
+    #[must_use]
+    pub fn of(chain: &Chain<S>, modes: &[Mode<S>]) -> Option<Self> {
+        let in_contact = modes.iter().filter(|mode| mode.in_contact);
+        let count = in_contact.clone().count();
+        if chain.damped || !S::PAIRS || count == 0 || count > 2 * PAIRS {
+            return None;
+        }
+        let mut driven = in_contact.map(|mode| Driven {
+            resonance: mode.resonance,
+            load: if chain.on_moving_base.is_some() {
+                mode.static_residue
+            } else {
+                mode.residue
+            },
+            inverse_mass: mode.inverse_mass,
+        });
+        let mut found = Self {
+            pairs: [Driven::none(); PAIRS],
+            count: 0,
+            one: None,
+        };
+        for pair in &mut found.pairs {
+            match (driven.next(), driven.next()) {
+                (Some(first), Some(second)) => {
+                    *pair = Driven::beside([first, second]);
+                    found.count += 1;
+                }
+                (one, _) => {
+                    found.one = one;
+                    break;
+                }
+            }
+        }
+        Some(found)
+    }
+
+    #[inline(always)]
+    fn pairs(&self) -> &[Driven<Lanes<S>>] {
+        self.pairs.get(..self.count).unwrap_or_default()
+    }
+
+    /// The scale and the sums over all modes.
+    #[inline(always)]
+    fn sums(&self, inverse_r: S) -> (S, Terms<S>) {
+        match (self.pairs(), &self.one) {
+            ([], Some(only)) => {
+                // It is its own scale: the quotient is a sign.
+                let [detuning, u] = only.own(inverse_r);
+                let sign = S::constant(1.0).copysign(detuning);
+                let terms = [
+                    sign * only.load,
+                    sign * only.inverse_mass,
+                    only.inverse_mass * u,
+                ];
+                (detuning.abs(), terms)
+            }
+            ([two], None) => {
+                let mut terms = [[S::constant(0.0); 2]; 3];
+                let scale = of_two(two, inverse_r, &mut terms);
+                (scale, terms.map(|[first, second]| first + second))
+            }
+            _ => self.sums_of_many(inverse_r),
+        }
+    }
+
+    #[inline(always)]
+    fn sums_of_many(&self, inverse_r: S) -> (S, Terms<S>) {
+        let zero = S::constant(0.0);
+        let (pairs, one) = (self.pairs(), self.one.as_ref());
+        // Stored in between: side by side a compiler packs what it stores.
+        let mut own = [[Lanes::constant(0.0); 2]; PAIRS];
+        let mut own_of_one = [zero; 2];
+        let mut least = Lanes::constant(f64::INFINITY);
+        for (pair, own) in pairs.iter().zip(&mut own) {
+            *own = pair.own(Lanes::both(inverse_r));
+            least = least.min(own[0].abs());
+        }
+        let Lanes([a, b]) = least;
+        let mut scale = Scalar::min(a, b);
+        if let Some(mode) = one {
+            own_of_one = mode.own(inverse_r);
+            scale = Scalar::min(scale, own_of_one[0].abs());
+        }
+        let mut sums = [zero; 3];
+        for (pair, own) in pairs.iter().zip(own) {
+            let [v, h, u] = pair.terms(Lanes::both(scale), own);
+            for ((v, h), u) in v.0.into_iter().zip(h.0).zip(u.0) {
+                sums = plus(sums, [v, h, u]);
+            }
+        }
+        if let Some(mode) = one {
+            sums = plus(sums, mode.terms(scale, own_of_one));
+        }
+        (scale, sums)
+    }
+}
+
+#[inline(always)]
+fn plus<S: Scalar>([a, b, c]: Terms<S>, [d, e, f]: Terms<S>) -> Terms<S> {
+    [a + d, b + e, c + f]
+}
+
+/// The terms of two modes, and the scale.
+///
+/// Not inlined: the compiler packs what is stored side by side.
+#[inline(never)]
+fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2]; 3]) -> S {
+    let own = modes.own(Lanes::both(inverse_r));
+    let Lanes([a, b]) = own[0].abs();
+    let scale = Scalar::min(a, b);
+    *terms = modes.terms(Lanes::both(scale), own).map(|Lanes(both)| both);
+    scale
+}
+
+impl<S: Float> Chain<S> {
+    /// β_lim without search and β*_lim at 1/r, for r that is neither 0 nor infinite and as if nothing absorbed; and H
+    /// times r²E.  `pushed_where_it_rubs` says that V = H, so that β*_lim is 1.
+    #[inline]
+    pub fn limits_of_driven(
+        &self,
+        modes: &DrivenModes<S>,
+        inverse_r: S,
+        pushed_where_it_rubs: bool,
+    ) -> (Limits<S>, S) {
+        let chain = Self {
+            damped: false,
+            ..*self
+        };
+        let zero = S::constant(0.0);
+        let (scale, [v, h, u]) = modes.sums(inverse_r);
+        let sum = ContactAt {
+            scale,
+            v: complex::real(v),
+            u,
+            g: zero,
+            reversal: zero,
+            h: complex::real(h),
+        };
+        let contact = chain.completed(&sum, inverse_r);
+        let limits = Limits {
+            continuous: chain.continuous_limit(&contact, chain.break_away(&contact)),
+            sliding: if pushed_where_it_rubs {
+                S::constant(1.0)
+            } else {
+                chain.sliding_limit(&contact)
+            },
+        };
+        (limits, h)
+    }
+}
