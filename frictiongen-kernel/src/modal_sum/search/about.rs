@@ -126,13 +126,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let [plus, minus] = open;
         let among = if summit.negative { minus } else { plus };
         // The cell before a node, and whether all between the summit and the node before stays below.
-        let (mut closed, mut before, mut cell) = (0, false, 0_u32);
-        grid.each(|tau, node| {
-            let after = if cell == 0 { 1 } else { cell << 1 };
-            if among & (cell | after) == 0 {
-                (before, cell) = (false, after);
-                return;
-            }
+        let (mut closed, mut before, mut last) = (0, false, 0_u32);
+        grid.beside(among, |after, tau, node| {
+            let cell = after >> 1;
+            // A node that is not beside these cells says nothing.
+            let known = before && last == cell;
             let (value, slope) = self.excess_at(&node, summit.negative, level);
             let first = starts && tau.is_zero();
             let there = Beyond {
@@ -149,11 +147,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                     .as_ref()
                     .is_some_and(|over| over.is_near(tau - summit.tau));
             let left = tau - grid.stretch.width;
-            let both = (before || !(left < summit.tau)) && (below || tau <= summit.tau);
+            let both = (known || !(left < summit.tau)) && (below || tau <= summit.tau);
             if both {
                 closed |= cell;
             }
-            (before, cell) = (below, after);
+            (before, last) = (below, after);
         });
         if summit.negative {
             [0, closed]

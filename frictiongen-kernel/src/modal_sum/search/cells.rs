@@ -204,13 +204,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let third = width * S::constant(1.0 / 3.0);
         let quartic = width * width * (width * width) * fourth;
         let slack = quartic * S::constant(1.0 / 384.0);
-        let (mut open, mut bit) = (0_u32, 1_u32);
-        grid.each(|tau, node| {
-            let (before, after) = (bit >> 1, bit);
-            bit <<= 1;
-            if among & (before | after) == 0 {
-                return;
-            }
+        let mut open = 0_u32;
+        grid.beside(among, |after, tau, node| {
+            let before = after >> 1;
             let (value, slope) = self.excess_at(&node, negative, bar);
             let slack = slack + grid.rounding(tau + width);
             if !(value + third * slope.abs() + slack <= zero) {

@@ -6,16 +6,13 @@
 //! (section 9 of `docs/derivation.md`).
 
 use super::bounds::{Bounds, Track, keeps_forcing};
+use super::row::{LANES, Matrix, Row, add, advanced, first_lanes, pairwise};
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
-/// Nodes that advance together.
-const LANES: usize = 4;
 /// Rows of nodes at most.
 const ROWS: usize = 8;
-
-type Row<S> = [S; LANES];
 
 /// The open cells of a grid, one bit for each, for the sum and for its negative.
 pub(super) type Open = [u32; 2];
@@ -86,43 +83,6 @@ pub(super) struct Grid<S> {
     slope: [Row<S>; ROWS],
     sine: [Row<S>; ROWS],
     cosine: [Row<S>; ROWS],
-}
-
-/// ( a b ; c d )
-#[derive(Clone, Copy)]
-struct Matrix<S> {
-    a: S,
-    b: S,
-    c: S,
-    d: S,
-}
-
-impl<S: Float> Matrix<S> {
-    /// By what a free mode advances in a time.
-    fn of(x: S, loss: S, (free, slope): (S, S)) -> Self {
-        Self {
-            a: slope + loss * free,
-            b: free,
-            c: -(x * x * free),
-            d: slope,
-        }
-    }
-
-    fn squared(self) -> Self {
-        let Self { a, b, c, d } = self;
-        let (bc, trace) = (b * c, a + d);
-        Self {
-            a: a * a + bc,
-            b: b * trace,
-            c: c * trace,
-            d: d * d + bc,
-        }
-    }
-
-    #[inline(always)]
-    fn times(&self, u: S, v: S) -> (S, S) {
-        (self.a * u + self.b * v, self.c * u + self.d * v)
-    }
 }
 
 /// What the forcing adds to a mode in a step that starts from rest: of sine and cosine of the excitation's angle, and of
@@ -232,7 +192,7 @@ impl<S: Float> Grid<S> {
             .take(self.stretch.rows)
         {
             (*s, *c) = (sine, cosine);
-            (sine, cosine) = advanced(&far, &sine, &cosine);
+            (sine, cosine) = advanced(&far, sine, cosine);
         }
     }
 
@@ -248,7 +208,7 @@ impl<S: Float> Grid<S> {
         {
             add(v, &value);
             add(s, &slope);
-            (value, slope) = advanced(&far, &value, &slope);
+            (value, slope) = advanced(&far, value, slope);
         }
     }
 
@@ -276,17 +236,10 @@ impl<S: Float> Grid<S> {
         for ((v, s), (sine, cosine)) in rows.zip(angles) {
             add(v, &value);
             add(s, &slope);
-            (value, slope) = advanced(&far.0, &value, &slope);
-            for lane in 0..LANES {
-                let (Some(value), Some(slope)) = (value.get_mut(lane), slope.get_mut(lane)) else {
-                    break;
-                };
-                let (Some(sine), Some(cosine)) = (sine.get(lane), cosine.get(lane)) else {
-                    break;
-                };
-                let (of_value, of_slope) = far.1.at(*sine, *cosine);
-                (*value, *slope) = (*value + of_value, *slope + of_slope);
-            }
+            (value, slope) = advanced(&far.0, value, slope);
+            let (of_value, of_slope) = pairwise(*sine, *cosine, |s, c| far.1.at(s, c));
+            add(&mut value, &of_value);
+            add(&mut slope, &of_slope);
         }
     }
 
@@ -299,10 +252,11 @@ impl<S: Float> Grid<S> {
             .take(self.stretch.rows);
         let angles = self.sine.iter().zip(&self.cosine);
         for ((values, slopes), (sines, cosines)) in rows.zip(angles) {
-            for (((v, w), s), c) in values.iter_mut().zip(slopes).zip(sines).zip(cosines) {
-                *v = *v + (constant + cosine * *c + sine * *s);
-                *w = *w + (sine * *c - cosine * *s);
-            }
+            let (value, slope) = pairwise(*sines, *cosines, |s, c| {
+                (constant + cosine * c + sine * s, sine * c - cosine * s)
+            });
+            add(values, &value);
+            add(slopes, &slope);
         }
     }
 
@@ -318,23 +272,31 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Node after node, each with its τ.
-    pub fn each(&self, mut visit: impl FnMut(S, Node<S>)) {
-        let values = self.value.iter().zip(&self.slope);
-        let angles = self.sine.iter().zip(&self.cosine);
-        let mut tau = self.stretch.from;
-        for ((values, slopes), (sines, cosines)) in values.zip(angles).take(self.stretch.rows) {
-            let lanes = values.iter().zip(slopes).zip(sines.iter().zip(cosines));
-            for ((value, slope), (sine, cosine)) in lanes {
+    /// The nodes beside some cells, one after the other: the bit of the cell that follows a node, its τ, and the node.
+    pub fn beside(&self, cells: u32, mut visit: impl FnMut(u32, S, Node<S>)) {
+        let values = self.value.as_flattened().iter();
+        let slopes = self.slope.as_flattened();
+        let angles = self.sine.as_flattened().iter();
+        let angles = angles.zip(self.cosine.as_flattened());
+        let (mut tau, mut bit) = (self.stretch.from, 1_u32);
+        let mut nodes = cells | (cells << 1);
+        let all = values.zip(slopes).zip(angles);
+        for ((value, slope), (sine, cosine)) in all.take(self.stretch.rows * LANES) {
+            if nodes & 1 != 0 {
                 let node = Node {
                     value: *value,
                     slope: *slope,
                     sine: *sine,
                     cosine: *cosine,
                 };
-                visit(tau, node);
-                tau = tau + self.stretch.width;
+                visit(bit, tau, node);
             }
+            nodes >>= 1;
+            if nodes == 0 {
+                break;
+            }
+            bit <<= 1;
+            tau = tau + self.stretch.width;
         }
     }
 
@@ -366,30 +328,5 @@ impl<S: Float> Grid<S> {
             sine: of(&self.sine)?,
             cosine: of(&self.cosine)?,
         })
-    }
-}
-
-/// The start and three steps from it; `step` gets the number of the lane that it steps from.
-#[inline(always)]
-fn first_lanes<S: Float>((u, v): (S, S), step: impl Fn(S, S, usize) -> (S, S)) -> (Row<S>, Row<S>) {
-    let one = step(u, v, 0);
-    let two = step(one.0, one.1, 1);
-    let three = step(two.0, two.1, 2);
-    ([u, one.0, two.0, three.0], [v, one.1, two.1, three.1])
-}
-
-#[inline(always)]
-fn advanced<S: Float>(matrix: &Matrix<S>, u: &Row<S>, v: &Row<S>) -> (Row<S>, Row<S>) {
-    let (mut value, mut slope) = (*u, *v);
-    for (value, slope) in value.iter_mut().zip(&mut slope) {
-        (*value, *slope) = matrix.times(*value, *slope);
-    }
-    (value, slope)
-}
-
-#[inline(always)]
-fn add<S: Float>(row: &mut Row<S>, other: &Row<S>) {
-    for (row, other) in row.iter_mut().zip(other) {
-        *row = *row + *other;
     }
 }

@@ -11,6 +11,7 @@ mod cells;
 mod grid;
 mod neighbour;
 mod peaks;
+mod row;
 mod summit;
 
 pub use neighbour::Neighbour;

@@ -83,12 +83,10 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let zero = S::constant(0.0);
         let over_sine = self.problem.weight == Weight::Sine;
         let starts = over_sine && grid.stretch.from.is_zero();
-        let mut best: Option<(S, bool, usize, S)> = None;
-        let (mut bit, mut index) = (1_u32, 0);
-        grid.each(|tau, node| {
+        let mut best: Option<(S, bool, u32, S)> = None;
+        let [plus, minus] = open;
+        grid.beside(plus | minus, |bit, tau, node| {
             let cells = bit | (bit >> 1);
-            let number = index;
-            (bit, index) = (bit << 1, index + 1);
             if over_sine && !(zero < node.sine && zero < tau) {
                 return;
             }
@@ -103,7 +101,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                     value
                 };
                 if best.is_none_or(|(known, ..)| known < value) {
-                    best = Some((value, negative, number, tau));
+                    best = Some((value, negative, bit, tau));
                 }
             }
         });
@@ -119,7 +117,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 });
             }
         }
-        let (_, negative, index, tau) = best?;
+        let (_, negative, bit, tau) = best?;
+        let index = bit.trailing_zeros() as usize;
         let node = grid.node(index)?;
         let here = self.quotient_node(&node);
         let rising = (zero < here.1) != negative;

@@ -31,7 +31,7 @@ fn nodes_are_on_the_sum() {
         let grid = grid_of(&sum, from, drawn.problem.end.max(from + 0.5), 0.02);
         let rounding = grid.bounds.rounding;
         let fastest = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
-        grid.each(|tau, node| {
+        grid.beside(u32::MAX, |_, tau, node| {
             // The sum's own angles are known to a rounding of τ.
             let own = 1e-15 * size_of(&sum) * (1.0 + fastest * tau);
             let value = (node.value - sum_derivative(&sum, tau, 0)).abs();

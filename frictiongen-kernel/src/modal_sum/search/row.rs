@@ -1,0 +1,81 @@
+//! Four nodes of a grid side by side, and how they advance together.
+//!
+//! All is written out: where size counts a compiler leaves a loop over four, and half of its instructions count.
+
+use crate::number::scalar::Float;
+
+/// Nodes that advance together.
+pub(super) const LANES: usize = 4;
+
+pub(super) type Row<S> = [S; LANES];
+
+/// ( a b ; c d )
+#[derive(Clone, Copy)]
+pub(super) struct Matrix<S> {
+    pub a: S,
+    pub b: S,
+    pub c: S,
+    pub d: S,
+}
+
+impl<S: Float> Matrix<S> {
+    /// By what a free mode advances in a time.
+    pub fn of(x: S, loss: S, (free, slope): (S, S)) -> Self {
+        Self {
+            a: slope + loss * free,
+            b: free,
+            c: -(x * x * free),
+            d: slope,
+        }
+    }
+
+    pub fn squared(self) -> Self {
+        let Self { a, b, c, d } = self;
+        let (bc, trace) = (b * c, a + d);
+        Self {
+            a: a * a + bc,
+            b: b * trace,
+            c: c * trace,
+            d: d * d + bc,
+        }
+    }
+
+    #[inline(always)]
+    pub fn times(&self, u: S, v: S) -> (S, S) {
+        (self.a * u + self.b * v, self.c * u + self.d * v)
+    }
+}
+
+/// The start and three steps from it; `step` gets the number of the lane that it steps from.
+#[inline(always)]
+pub(super) fn first_lanes<S: Float>(
+    (u, v): (S, S),
+    step: impl Fn(S, S, usize) -> (S, S),
+) -> (Row<S>, Row<S>) {
+    let one = step(u, v, 0);
+    let two = step(one.0, one.1, 1);
+    let three = step(two.0, two.1, 2);
+    ([u, one.0, two.0, three.0], [v, one.1, two.1, three.1])
+}
+
+/// Of four pairs each.
+#[inline(always)]
+pub(super) fn pairwise<S: Float>(
+    [u0, u1, u2, u3]: Row<S>,
+    [v0, v1, v2, v3]: Row<S>,
+    of: impl Fn(S, S) -> (S, S),
+) -> (Row<S>, Row<S>) {
+    let (a, b, c, d) = (of(u0, v0), of(u1, v1), of(u2, v2), of(u3, v3));
+    ([a.0, b.0, c.0, d.0], [a.1, b.1, c.1, d.1])
+}
+
+#[inline(always)]
+pub(super) fn advanced<S: Float>(matrix: &Matrix<S>, u: Row<S>, v: Row<S>) -> (Row<S>, Row<S>) {
+    pairwise(u, v, |u, v| matrix.times(u, v))
+}
+
+#[inline(always)]
+pub(super) fn add<S: Float>(row: &mut Row<S>, [a, b, c, d]: &Row<S>) {
+    let [p, q, r, s] = *row;
+    *row = [p + *a, q + *b, r + *c, s + *d];
+}
