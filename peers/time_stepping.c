@@ -30,7 +30,7 @@ typedef struct {
     int n, j, e, steps;
     double a, b, r, beta, dt;
     double theta, lower[MOST], pivot[MOST]; /* of the matrix of an implicit step, taken apart */
-    double column[MOST], mobility;          /* its answer to the contact, and the contact's own */
+    double column[MOST], inverse_mass;      /* its answer to the contact, and the contact's own */
     double *force;                          /* at half steps of a cycle */
 } Chain;
 
@@ -64,7 +64,7 @@ static void prepare(Chain *c) {
     memset(c->column, 0, sizeof c->column);
     c->column[c->j] = 1;
     implicit(c, c->column);
-    c->mobility = c->column[c->j];
+    c->inverse_mass = c->column[c->j];
 }
 
 static void moreau(const Chain *c, State *s, double here, double there) {
@@ -74,7 +74,7 @@ static void moreau(const Chain *c, State *s, double here, double there) {
     for (int i = 0; i < c->n; i++) y[i] = -h * (stiffness(c, q, i) + c->a * s->v[i]);
     y[c->e] += h * (c->theta * there + (1 - c->theta) * here);
     implicit(c, y);
-    double impulse = (s->v[c->j] + y[c->j]) / c->mobility, most = h * c->beta;
+    double impulse = (s->v[c->j] + y[c->j]) / c->inverse_mass, most = h * c->beta;
     int way = impulse > most ? 1 : impulse < -most ? -1 : 0;
     if (way) impulse = way * most;
     for (int i = 0; i < c->n; i++) {

@@ -35,8 +35,8 @@ fn sides(r: f64, x: f64, tau: f64) -> (f64, f64, f64) {
         let d = (at.sine - tau * at.cosine) * 0.5;
         return (d, tau * at.sine * 0.5, basis.slope);
     }
-    let d = basis.swing / detuning;
-    (d, basis.swing_slope / detuning, basis.slope)
+    let d = basis.forced / detuning;
+    (d, basis.forced_slope / detuning, basis.slope)
 }
 
 /// ±2β for a sliding time, and √(D² + E²).

@@ -43,12 +43,15 @@ fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
     let q2 = 1.0 - zeta * zeta;
     let q = q2.abs().sqrt();
     (out[0], out[1]) = if zeta == 1.0 {
-        let kept = (-x * tau).exp();
-        (tau * kept, (1.0 - x * tau) * kept)
+        let decay_factor = (-x * tau).exp();
+        (tau * decay_factor, (1.0 - x * tau) * decay_factor)
     } else if q2 > 0.0 {
-        let kept = (-zeta * x * tau).exp();
+        let decay_factor = (-zeta * x * tau).exp();
         let (s, c) = (q * x * tau).sin_cos();
-        (kept * s / (q * x), kept * (c - zeta / q * s))
+        (
+            decay_factor * s / (q * x),
+            decay_factor * (c - zeta / q * s),
+        )
     } else {
         // The roots multiply to x²: the slow one without a difference.
         let (slow, fast) = (x / (zeta + q), x * (zeta + q));
@@ -101,8 +104,8 @@ pub fn derivative(wave: &TestWave, tau: f64, order: usize) -> f64 {
         p[order - 1]
     };
     wave.free * p[order]
-        + wave.swing_slope * (c - p[order + 1])
-        + wave.swing * (s - p[order])
+        + wave.forced_slope * (c - p[order + 1])
+        + wave.forced * (s - p[order])
         + wave.rise * rise
 }
 
@@ -125,16 +128,16 @@ pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
             },
         ),
         (
-            "swing_slope",
+            "forced_slope",
             Wave {
-                swing_slope: 1.0,
+                forced_slope: 1.0,
                 ..at_rest
             },
         ),
         (
-            "swing",
+            "forced",
             Wave {
-                swing: 1.0,
+                forced: 1.0,
                 ..at_rest
             },
         ),
@@ -176,8 +179,8 @@ pub fn random_waves(
             };
             // Terms of like size: a fast wave's part by part of order 1.
             let mut wave = at_rest(x, zeta);
-            wave.swing = random.signed();
-            wave.swing_slope = random.signed();
+            wave.forced = random.signed();
+            wave.forced_slope = random.signed();
             if rise {
                 wave.free = x * random.signed();
                 wave.rise = x * x * random.signed();
@@ -228,7 +231,7 @@ pub fn random_motion(
             let coefficients = ModalCoefficients {
                 rise: weight,
                 fall: weight * fall,
-                swing: -(weight * b),
+                forced: -(weight * b),
                 residue: 0.0,
             };
             motion_wave(x, damped(zeta), coefficients)
@@ -264,12 +267,12 @@ pub fn random_constraint(
             let inverse_mass = random.unit();
             // y′ = −a x²p + b p′.
             let (a, b) = mass_controlled_parts(x, zeta);
-            let (swing, swing_slope) = (inverse_mass * a * x * x, -(inverse_mass * b));
-            sine -= 2.0 * zeta * x * swing_slope;
-            start += 2.0 * zeta * x * swing_slope - swing;
+            let (forced, forced_slope) = (inverse_mass * a * x * x, -(inverse_mass * b));
+            sine -= 2.0 * zeta * x * forced_slope;
+            start += 2.0 * zeta * x * forced_slope - forced;
             Wave {
-                swing,
-                swing_slope,
+                forced,
+                forced_slope,
                 ..at_rest(x, zeta)
             }
         })

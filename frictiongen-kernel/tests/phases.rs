@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 fn phase(cosine: f64, sine: f64, (k, b): (f64, f64), lag: f64) -> f64 {
     let mut wave = Wave::at_rest(k, Undamped);
     wave.free = sine * k * b;
-    wave.swing_slope = cosine * b;
+    wave.forced_slope = cosine * b;
     let zero = Complex::new(0.0, 0.0);
     let fundamental = Fundamental {
         cosine: cosine * (1.0 - b),

@@ -115,7 +115,7 @@ fn basis<T: Float>([x, zeta, t]: [T; 3]) -> Basis<T> {
 
 /// (1 − d)/x² + p + (cos τ − p′).
 fn total<T: Float>(basis: Basis<T>) -> T {
-    basis.rise + basis.free + basis.swing_slope
+    basis.rise + basis.free + basis.forced_slope
 }
 
 fn printed_total([x, zeta, t]: [f64; 3]) -> f64 {
@@ -235,8 +235,8 @@ fn forms() -> Vec<Form> {
         },
         Form {
             name: "cos τ − cos xτ, undamped basis",
-            stable: |a| undamped_basis(a).swing_slope,
-            exact: |a| undamped_basis(a).swing_slope,
+            stable: |a| undamped_basis(a).forced_slope,
+            exact: |a| undamped_basis(a).forced_slope,
             printed: |[x, t, _]| (PI * t).cos() - (x * PI * t).cos(),
             usual: |s| [0.2 + 3.0 * s, 0.1 + 0.8 * s, 0.0],
             breaks: [1.0 + 1e-9, 0.3, 0.0],

@@ -124,7 +124,7 @@ impl<'a, S: Float> DataAt<'a, S> {
             let mut wave = Wave::at_rest(at.x, Damped::of(mode));
             if mode.in_contact {
                 wave.free = mode.inverse_mass * (self.contact_sums().scale + at.g);
-                wave.swing_slope = mode.inverse_mass * at.u;
+                wave.forced_slope = mode.inverse_mass * at.u;
             }
             wave
         };

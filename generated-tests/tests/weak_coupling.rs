@@ -58,11 +58,11 @@ where
         );
         let driven = coupling / (first * second - coupling * coupling);
         let own = 1.5_f64.sqrt() / r;
-        let swing = (std::f64::consts::FRAC_PI_2 * own).tan() * own / 3.0;
+        let quadrature = (std::f64::consts::FRAC_PI_2 * own).tan() * own / 3.0;
         let break_away = 0.5 / (r * r);
         close(
             at.continuous_limit_without_search(),
-            driven.abs() / swing.hypot(break_away),
+            driven.abs() / quadrature.hypot(break_away),
             "limit without search",
             r,
         );

@@ -17,10 +17,10 @@ static const double PI = 3.14159265358979323846, GOLD = 0.61803398874989484820;
 
 /* By mode: sqrt(lambda); load and friction to the contact's relative motion and to the mass that is
  * looked at; the square of the contact's share.  Then what the relative motion takes off for a moving
- * base, mu, the contact mobility and zeta. */
+ * base, mu, the inverse mass of the contact and zeta. */
 typedef struct {
     double root[N], load[N], friction[N], far_load[N], far_friction[N], share[N];
-    double base, mu, mobility, zeta;
+    double base, mu, inverse_mass, zeta;
 } NAME(Thesis);
 typedef NAME(Thesis) Thesis;
 
@@ -63,7 +63,7 @@ static At at_damped(const Thesis *s, double r) {
     return a;
 }
 
-static double start(const Thesis *s, const At *a) { return a->Hc + s->mu * s->mobility / (a->r * a->r); }
+static double start(const Thesis *s, const At *a) { return a->Hc + s->mu * s->inverse_mass / (a->r * a->r); }
 
 /* (3.15, 5.55) with the maximum taken of the whole sum. */
 static double constraint_undamped(const Thesis *s, const At *a, double t) {

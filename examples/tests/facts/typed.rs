@@ -16,10 +16,10 @@ struct Mode {
     contact: f64,
 }
 
-/// A scene as its modes and the base's share of the contact's motion.
+/// A scene as its modes and the coefficient of the base in the contact's motion.
 struct Typed {
     modes: Vec<Mode>,
-    share: f64,
+    of_base: f64,
 }
 
 #[derive(Clone, Copy)]
@@ -74,19 +74,19 @@ impl Typed {
     /// The largest |x̄| of the mass over a half period: 400 instants, then beside the best of them.
     fn amplitude(&self, r: f64, beta: f64) -> f64 {
         let mut mass = Complex(0.0, 0.0);
-        let mut contact = Complex(-self.share, 0.0);
-        let (mut swing, mut shift) = (0.0, 0.0);
+        let mut contact = Complex(-self.of_base, 0.0);
+        let (mut quadrature, mut shift) = (0.0, 0.0);
         for mode in &self.modes {
             let v = mode.v(r);
             mass = mass.plus(mode.load_mass, v);
             contact = contact.plus(mode.load_contact, v);
             let (u, g) = mode.functions(r);
-            swing += mode.contact * u;
+            quadrature += mode.contact * u;
             shift += mode.contact * g;
         }
         assert!(shift.is_finite());
-        let root = (contact.size().powi(2) - (beta * swing).powi(2)).sqrt();
-        let phase = (-beta * swing).atan2(root) - contact.angle();
+        let root = (contact.size().powi(2) - (beta * quadrature).powi(2)).sqrt();
+        let phase = (-beta * quadrature).atan2(root) - contact.angle();
         let size = |tau: f64| {
             let forced = mass.size() * (tau + phase + mass.angle()).cos();
             let friction = self
@@ -114,7 +114,7 @@ impl Typed {
 }
 
 /// One mass: every residue is 1.
-fn single(zeta: f64, share: f64) -> Typed {
+fn single(zeta: f64, of_base: f64) -> Typed {
     let (root, load_mass, load_contact, contact_mass, contact) = (1.0, 1.0, 1.0, 1.0, 1.0);
     let mode = Mode {
         root,
@@ -126,7 +126,7 @@ fn single(zeta: f64, share: f64) -> Typed {
     };
     Typed {
         modes: vec![mode],
-        share,
+        of_base,
     }
 }
 
@@ -143,7 +143,7 @@ fn between() -> Typed {
     };
     Typed {
         modes: vec![mode(0.5, 1.0, 1.0, 3.0), mode(2.0, 1.0, -2.0, 1.5)],
-        share: 0.0,
+        of_base: 0.0,
     }
 }
 
@@ -218,8 +218,8 @@ fn f29_once_more() {
             let tau = PI * f64::from(i) / 1e5;
             let decay = (-zeta * tau).exp();
             let (sin, cos) = (q * tau).sin_cos();
-            let swing = tau.cos() - decay * (cos - zeta / q * sin);
-            ((1.0 + g) * decay * sin / q + u * swing) / tau.sin()
+            let forced_slope = tau.cos() - decay * (cos - zeta / q * sin);
+            ((1.0 + g) * decay * sin / q + u * forced_slope) / tau.sin()
         });
         let break_away = 1.0 + g + 2.0 * zeta * u;
         let largest = constraint.fold(break_away, f64::max);

@@ -114,8 +114,8 @@ impl Trial {
         let Some((low, first, high)) = self.about_best(place) else {
             return Ok(None);
         };
-        let held = stuck <= first.amplitude * (1.0 + SAME);
-        if !held && first.beta > 0.0 {
+        let sticks = stuck <= first.amplitude * (1.0 + SAME);
+        if !sticks && first.beta > 0.0 {
             let step = (high - low) / (FINER + 1) as f64;
             let finer: Vec<f64> = (1..=FINER).map(|i| low + step * i as f64).collect();
             self.round(asked, &finer, Some(place))?;
@@ -145,7 +145,7 @@ impl Trial {
             tried: Some((tried.len(), self.frequencies.len())),
             exact: None,
         };
-        if held {
+        if sticks {
             return Ok(Some(Answer {
                 beta: self.locked,
                 amplitude: stuck,

@@ -83,7 +83,7 @@ pub fn cells(csv: &str) -> Vec<Vec<&str>> {
 }
 
 /// What stands in a column of a CSV.
-fn texts<'a>(csv: &'a str, name: &str) -> Vec<&'a str> {
+pub fn texts<'a>(csv: &'a str, name: &str) -> Vec<&'a str> {
     let cells = cells(csv);
     let (head, rows) = cells.split_first().expect("a head");
     let place = head.iter().position(|cell| *cell == name);

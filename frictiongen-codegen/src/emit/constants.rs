@@ -153,7 +153,8 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
     let associated = code! {
             /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
             /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-            /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+            /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
+            /// `in_contact`: φᵀw is not 0.
             const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
             /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
             /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
@@ -291,6 +292,8 @@ fn chain_about(emission: &Emission<'_>) -> Vec<&'static str> {
         about.push(
             " `on_moving_base`: the contact rubs on the moving base; its relative motion over Y for r → 0.",
         );
+    } else {
+        about.push(" `on_moving_base`: none, as the contact does not rub on a moving base.");
     }
     about
 }

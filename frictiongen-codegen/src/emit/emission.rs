@@ -164,6 +164,13 @@ impl<'a> Emission<'a> {
         self.reduced.chain.on_moving_base.is_none() && self.reduced.rubbing == Some(mass)
     }
 
+    /// Whether the load acts on the mass that rubs, so that V = H.
+    pub(super) fn loads_contact(&self) -> bool {
+        let Reduced { chain, modes, .. } = &self.reduced;
+        let mut modes = modes.iter();
+        chain.on_moving_base.is_none() && modes.all(|mode| mode.residue == mode.inverse_mass)
+    }
+
     pub fn literal(&self, value: f64) -> TokenStream {
         literal(value, self.precision)
     }

@@ -31,7 +31,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
     let on_base = emission.reduced.chain.on_moving_base.is_some();
     let legend = match emission.reduced.modes.as_slice() {
         [mode] => legend::single(mode, on_base),
-        _ => legend::sums(on_base),
+        _ if in_passes.is_some() => legend::sums(on_base),
+        _ => legend::lines(on_base, emission.loads_contact()),
     };
     let about = code! {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each

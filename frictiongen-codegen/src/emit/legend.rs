@@ -11,6 +11,9 @@ const SUMS_ON_BASE: [&str; 3] = [
     " uR², gR² and g + 2ζRu (`reversal`).  V is the motion relative to the base, r² times the sum of `static_residue`·(1 − 2iζx)·",
     " `response`, and of `on_moving_base`·E, the static part.",
 ];
+const AT_SCALE: &str =
+    " `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.";
+const ON_CONTACT: &str = " The load acts on the mass that rubs: a residue is (φᵀw)², and V = H.";
 const EVERY: &str = " `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.";
 const ALONE: &str = " `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.";
 const PARTS: &str = " `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.";
@@ -23,14 +26,14 @@ const BELOW: [&str; 2] = [
     " Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².",
     " `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and",
 ];
-const LIGHT: &str = " `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,";
+const LIGHT: &str = " `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2, and sin(πqx) is twice their product; `half_turns` is qx.  D is";
 const HEAVY: &str =
-    " `cosine` are of πqx/2; `half_turns` is qx.  D is the squared modulus of `nearness`,";
+    " `cosine` are of πqx/2, and sin(πqx) is twice their product; `half_turns` is qx.  D is";
 const NEARNESS: [&str; 4] = [
-    " (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over",
-    " |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is uR",
-    " times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,",
-    " `one_minus_sinc_pi` of qx the second, without cancellation.",
+    " |`nearness`|², of (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that",
+    " over |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is",
+    " uR times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,",
+    " `one_minus_sinc_pi` of qx the second, without cancellation.  `reversal`, g + 2ζRu, is (1 − e²)/D + ζuR.",
 ];
 const CRITICAL: [&str; 2] = [
     " Critically damped: u = 2πx²e/D, g = (1 − e² − 2πxe)/D, D = (1 + e)², e = exp(−πx).  `decay_exponent` is πx, `pole_weight`",
@@ -50,6 +53,14 @@ pub(super) fn sums(on_base: bool) -> Vec<&'static str> {
     } else {
         SUMS.to_vec()
     }
+}
+
+/// Of a frequency stage in straight lines; `on_contact` says that the load acts on the mass that rubs.
+pub(super) fn lines(on_base: bool, on_contact: bool) -> Vec<&'static str> {
+    let mut lines = sums(on_base);
+    lines.push(AT_SCALE);
+    lines.extend(on_contact.then_some(ON_CONTACT));
+    lines
 }
 
 /// Of the function of a mode with this damping.

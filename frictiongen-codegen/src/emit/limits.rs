@@ -29,11 +29,7 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     let limit = chain.continuous_limit(&contact, graph.input("constraint"));
     let continuous = formula(limit);
     let reduced = &emission.reduced;
-    let on_contact = reduced.chain.on_moving_base.is_none()
-        && reduced
-            .modes
-            .iter()
-            .all(|mode| mode.residue == mode.inverse_mass);
+    let on_contact = emission.loads_contact();
     let same = on_contact.then(|| {
         code! {
             ///
@@ -47,7 +43,7 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
         (code!(contact), formula(chain.sliding_limit(&contact)))
     };
     code! {
-        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<#scalar>) -> #scalar {
             #break_away

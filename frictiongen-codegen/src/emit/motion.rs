@@ -128,7 +128,9 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
     let has_powers = emission.damped() || emission.reduced.chain.on_moving_base.is_some();
     let powers = has_powers.then(|| {
         code! {
-            /// Powers of 2 keep products within the scalar's range, and cancel.
+            /// `…_in_range` is times 2²⁴ = 16777216, or over it, which keeps products within the scalar's range and cancels.  `inverse` is
+            /// 1/V by way of `unit`, V over its `size`, |re| + |im|; `turning` is V less a mode's own term, or V where that is smaller,
+            /// as a mode is in phase with its own; `in_phase_over_v` is `root` over that `size`.
         }
     });
     let masses = (!masses.is_empty()).then(|| {
@@ -136,7 +138,8 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
             /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
             /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
             /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
-            /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+            /// x < 1/2 the mode is mass-controlled: `mass_wave` has all of its response, so that `u_in_sum` and `offset`, else u and g, are 0
+            /// and `u_others` is all of U.
             #powers
             #[allow(unused_variables)]
             fn mass_motion(
@@ -154,8 +157,9 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
     });
     code! {
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
-        /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.
+        /// `forced` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
+        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.  `friction_force` is β/(r²E) times a mode's φ_k(φᵀw); `friction` has
+        /// `root`, Q = √(|V|² − (βU)²) times r²E, and `amplitude`, Q − βG.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<#scalar>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -263,7 +267,7 @@ impl Coefficients<'_> {
         } = self.fundamental;
         let mut outputs = vec![cosine, sine, response.re, response.im];
         for modal in self.modal.iter().flatten() {
-            outputs.extend([modal.rise, modal.fall, modal.swing, modal.residue]);
+            outputs.extend([modal.rise, modal.fall, modal.forced, modal.residue]);
         }
         outputs.into_iter().map(Expr::operand).collect()
     }
@@ -287,10 +291,10 @@ impl Coefficients<'_> {
             let mode = local(&format!("mode_{}", index + 1));
             let decay = decay(emission, index);
             match modal.and_then(|_| printed.next()) {
-                Some([rise, fall, swing, residue]) => {
+                Some([rise, fall, forced, residue]) => {
                     let (rise, fall) = (field("rise", rise), field("fall", fall));
-                    let (swing, residue) = (field("swing", swing), field("residue", residue));
-                    code!(#wave(#mode.x, #decay, ModalCoefficients { #rise, #fall, #swing, #residue }))
+                    let (forced, residue) = (field("forced", forced), field("residue", residue));
+                    code!(#wave(#mode.x, #decay, ModalCoefficients { #rise, #fall, #forced, #residue }))
                 }
                 _ => code!(Wave::at_rest(#mode.x, #decay)),
             }

@@ -110,7 +110,7 @@ fn in_lines(emission: &Emission<'_>) -> TokenStream {
     let constants = tracer.names_constants().then(|| emission.constants());
     code! {
         /// x̄* = (V_kH − H_kV)/H: `numerator` has each mode's products with the others, as those with itself would cancel.
-        /// `driven` is a mode's part of V_k, `held_back` of −H_k; `v_term` and `h_term` of V and H.
+        /// `driven` is a mode's part of V_k, `held_back` of −H_k; `v_term` and `h_term` of V and H; `inverse` is 1/H, `unscale` 1/(r²E).
         #[allow(unused_variables)]
         #[inline]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<#scalar>> {

@@ -3,9 +3,9 @@
 use frictiongen_model::scene::Precision;
 use frictiongen_model::validate::is_keyword;
 
+use super::chain;
 use super::declared;
 use super::forms;
-use super::graph;
 use super::reader::{Name, Read, Reader};
 use super::stepping;
 use super::suggest;
@@ -105,22 +105,22 @@ fn field(
         return Err(problems.report(place, message));
     };
     if fields.contact.given().is_some() && reader.is_punct(0, '-') && known(&word.text).is_none() {
-        let message = format!("{}; delete this one", graph::ONE_CONTACT);
+        let message = format!("{}; delete this one", chain::ONE_CONTACT);
         return Err(problems.report(place, message));
     }
     // What is no field at all needs no colon either: one error is enough.
     let field = recognise(&word, problems).ok_or(Reported)?;
     reader.take_colon(problems, "the name of a field and its value")?;
     match field {
-        Field::Masses => store(&mut fields.masses, &word, reader, problems, graph::masses),
-        Field::Springs => store(&mut fields.springs, &word, reader, problems, graph::springs),
-        Field::Contact => store(&mut fields.contact, &word, reader, problems, graph::contact),
+        Field::Masses => store(&mut fields.masses, &word, reader, problems, chain::masses),
+        Field::Springs => store(&mut fields.springs, &word, reader, problems, chain::springs),
+        Field::Contact => store(&mut fields.contact, &word, reader, problems, chain::contact),
         Field::Excitation => store(
             &mut fields.excitation,
             &word,
             reader,
             problems,
-            graph::excitation,
+            chain::excitation,
         ),
         Field::Damping => store(&mut fields.damping, &word, reader, problems, forms::damping),
         Field::Stiction => store(

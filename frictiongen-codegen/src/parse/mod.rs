@@ -3,10 +3,10 @@
 //! Every error is reported and reading goes on: inside a list with its next entry, otherwise with
 //! the next field.
 
+mod chain;
 mod declared;
 mod fields;
 mod forms;
-mod graph;
 mod header;
 mod lex;
 mod number;

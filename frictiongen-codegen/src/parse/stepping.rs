@@ -3,9 +3,9 @@
 use frictiongen_model::scene::StepInput;
 use proc_macro2::Delimiter;
 
+use super::chain::braces;
 use super::declared::choice;
 use super::forms::mass_names;
-use super::graph::braces;
 use super::number::{Number, number};
 use super::reader::{Name, Read, Reader};
 use super::suggest;

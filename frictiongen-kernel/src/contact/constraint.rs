@@ -42,7 +42,7 @@ impl<S: Float> Chain<S> {
         waves: &[Wave<S, D>],
     ) -> Peak<S> {
         let start = self.start_constraint(contact);
-        // Not as the difference of two sums: beside a resonance the damping's share outweighs the rest.
+        // Not as the difference of two sums: beside a resonance the damping's part outweighs the rest.
         let above = (self.stiction - S::constant(1.0)) * self.inverse_mass * contact.scale;
         let mut peak = self.constraint_above(contact, at, waves, start, above);
         peak.value = if peak.places[0].is_some() {
@@ -80,7 +80,7 @@ impl<S: Float> Chain<S> {
         let zero = S::constant(0.0);
         let at_start = |sum: S, wave: &Wave<S, D>| {
             let two_zeta = wave.decay.zeta() + wave.decay.zeta();
-            sum - two_zeta * wave.x * wave.swing_slope
+            sum - two_zeta * wave.x * wave.forced_slope
         };
         let sum = Sum {
             waves,
@@ -256,8 +256,8 @@ fn constraint_wave<S: Float, D: Decay<S>>(
 ) -> Wave<S, D> {
     let mut wave = Wave::at_rest(at.x, D::of(mode));
     if mode.in_contact {
-        wave.swing = -(inverse_mass * (contact.scale + at.g));
-        wave.swing_slope = inverse_mass * at.u;
+        wave.forced = -(inverse_mass * (contact.scale + at.g));
+        wave.forced_slope = inverse_mass * at.u;
     }
     wave
 }

@@ -118,18 +118,18 @@ impl<S: Scalar> DominantSums<S> {
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", None);
-        let least = |others: Complex<S>| {
+        let least = |others: Complex<S>, of: usize| {
             let v = complex::select(size(others).lt(all), others, contact.v);
             Complex::new(
-                v.re.named("turning_re", None),
-                v.im.named("turning_im", None),
+                v.re.named("turning_re", Some(of)),
+                v.im.named("turning_im", Some(of)),
             )
         };
         let others = match self.which {
-            Which::First => least(self.others.v),
+            Which::First => least(self.others.v, 1),
             Which::Only | Which::Numbered(_) => self.others.v,
         };
-        (least(self.own.v), others)
+        (least(self.own.v, 0), others)
     }
 }
 

@@ -115,7 +115,7 @@ impl<S: Float> Chain<S> {
         let (pairs, rest) = modes.as_chunks::<2>();
         for pair in pairs {
             of_two::<S, U, WITH_G>(&chain, pair, inverse_r, scale, &mut terms, &mut at);
-            let ([first, second], [first_at, second_at]) = (terms.apart(), at.apart());
+            let ([first, second], [first_at, second_at]) = (terms.split(), at.split());
             sum = chain.with_term(&sum, &first, WITH_G);
             keep(first_at);
             sum = chain.with_term(&sum, &second, WITH_G);
@@ -250,7 +250,7 @@ fn complex_apart<S: Float>(value: Complex<Lanes<S>>) -> [Complex<S>; 2] {
 impl<S: Float> ContactAt<Lanes<S>> {
     /// Each mode's own.
     #[inline(always)]
-    fn apart(&self) -> [ContactAt<S>; 2] {
+    fn split(&self) -> [ContactAt<S>; 2] {
         let ([v, other_v], [h, other_h]) = (complex_apart(self.v), complex_apart(self.h));
         let (Lanes([scale, other_scale]), Lanes([u, other_u])) = (self.scale, self.u);
         let (Lanes([g, other_g]), Lanes([reversal, other_reversal])) = (self.g, self.reversal);
@@ -277,7 +277,7 @@ impl<S: Float> ContactAt<Lanes<S>> {
 impl<S: Float> ModeAt<Lanes<S>> {
     /// Each mode's own.
     #[inline(always)]
-    fn apart(&self) -> [ModeAt<S>; 2] {
+    fn split(&self) -> [ModeAt<S>; 2] {
         let [response, other_response] = complex_apart(self.response);
         let (Lanes([x, other_x]), Lanes([u, other_u])) = (self.x, self.u);
         let Lanes([g, other_g]) = self.g;

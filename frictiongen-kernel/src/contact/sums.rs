@@ -56,7 +56,7 @@ pub struct ContactAt<S> {
     pub u: S,
     /// G: half-period damping function of the contact (displacement part).
     pub g: S,
-    /// H_c r²: the damping's share in the acceleration at a reversal.
+    /// H_c r²: the damping's part of the acceleration at a reversal.
     pub reversal: S,
     /// H: response of the relative motion to a harmonic force in the contact.
     pub h: Complex<S>,
@@ -262,7 +262,7 @@ impl<S: Scalar> Chain<S> {
         sum.v = Complex::new(sum.v.re.named("v_re", None), sum.v.im.named("v_im", None));
         sum.h = Complex::new(sum.h.re.named("h_re", None), sum.h.im.named("h_im", None));
         sum.u = sum.u.named("u", None);
-        sum.g = sum.g.named("g", None);
+        sum.g = sum.g.named("g_sum", None);
         sum.reversal = sum.reversal.named("reversal", None);
         sum
     }

@@ -79,8 +79,8 @@ pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     Basis {
         free: slope,
         slope: one + loss * slope - square * value,
-        swing: zero,
-        swing_slope: zero,
+        forced: zero,
+        forced_slope: zero,
         rise: value,
     }
 }

@@ -15,9 +15,9 @@ pub struct Wave<S, D> {
     /// Of p, the free displacement.
     pub free: S,
     /// Of cos τ − p′.
-    pub swing_slope: S,
+    pub forced_slope: S,
     /// Of sin τ − p.
-    pub swing: S,
+    pub forced: S,
     /// Of (1 − d)/x².
     pub rise: S,
     /// Whether `rise` is of the whole response to a force that changes its sign instead: of a mode far
@@ -35,8 +35,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             x,
             decay,
             free: zero,
-            swing_slope: zero,
-            swing: zero,
+            forced_slope: zero,
+            forced: zero,
             rise: zero,
             mass_controlled: false,
             residue: zero,
@@ -55,11 +55,11 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
 
     /// The second derivative of sin τ − p, which is the slope of cos τ − p′, from what moves it.
     #[inline]
-    pub(crate) fn swing_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
+    pub(crate) fn forced_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         let (one, x) = (S::constant(1.0), self.x);
         let loss = (self.decay.zeta() + self.decay.zeta()) * x;
         let detuning = (x - one) * (x + one);
-        detuning * at.sine + loss * (at.cosine - basis.swing_slope) - x * x * basis.swing
+        detuning * at.sine + loss * (at.cosine - basis.forced_slope) - x * x * basis.forced
     }
 
     /// No motion yet, in a mode's place.
@@ -72,7 +72,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     pub(crate) fn turns_unknown(&self) -> bool {
         let zero = S::constant(0.0);
         let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
-        let at_rest = self.swing == zero && self.swing_slope == zero;
+        let at_rest = self.forced == zero && self.forced_slope == zero;
         at_rest || S::constant(1.0) < self.x * lasts * S::constant(S::RESOLUTION)
     }
 
@@ -82,8 +82,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         let Self {
             x,
             free,
-            swing_slope,
-            swing,
+            forced_slope,
+            forced,
             rise,
             ..
         } = *self;
@@ -92,8 +92,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         let p = (one / x).min(pi);
         let r = (S::constant(2.0) * (one + self.decay.zeta()) / (x * x)).min(pi * pi);
         free.abs() * p
-            + swing_slope.abs() * S::constant(2.0)
-            + swing.abs() * (one + p)
+            + forced_slope.abs() * S::constant(2.0)
+            + forced.abs() * (one + p)
             + rise.abs() * r
     }
 
@@ -102,7 +102,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         let (one, x) = (S::constant(1.0), self.x);
         let loss = (self.decay.zeta() + self.decay.zeta()) * x;
         let detuning = (x - one) * (x + one);
-        let (b, c) = (self.swing_slope, self.swing);
+        let (b, c) = (self.forced_slope, self.forced);
         (c * loss + b * detuning, c * detuning - b * loss)
     }
 
@@ -110,8 +110,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     #[inline]
     pub(crate) fn slope(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         self.free * basis.slope
-            + self.swing_slope * self.swing_curve(basis, at)
-            + self.swing * basis.swing_slope
+            + self.forced_slope * self.forced_curve(basis, at)
+            + self.forced * basis.forced_slope
             + self.rise * basis.free
     }
 
@@ -119,8 +119,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     #[inline]
     pub fn value(&self, basis: &Basis<S>) -> S {
         self.free * basis.free
-            + self.swing_slope * basis.swing_slope
-            + self.swing * basis.swing
+            + self.forced_slope * basis.forced_slope
+            + self.forced * basis.forced
             + self.rise * basis.rise
     }
 }
@@ -167,8 +167,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
             let (curve, _) = differences(wave, &basis, curves(wave, &basis), at);
             sum = sum
                 + wave.free * basis.slope
-                + wave.swing_slope * curve
-                + wave.swing * basis.swing_slope
+                + wave.forced_slope * curve
+                + wave.forced * basis.forced_slope
                 + wave.rise * basis.free;
         }
         sum
@@ -245,11 +245,11 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum * S::constant(S::RESOLUTION)
     }
 
-    /// Σ |swing|·p + |swing_slope|·q with (p, q) by x.
+    /// Σ |forced|·p + |forced_slope|·q with (p, q) by x.
     fn over_sine(&self, of: impl Fn(S) -> (S, S)) -> S {
         let add = |sum: S, wave: &Wave<S, D>| {
             let (p, q) = of(wave.x);
-            sum + wave.swing.abs() * p + wave.swing_slope.abs() * q
+            sum + wave.forced.abs() * p + wave.forced_slope.abs() * q
         };
         self.waves.iter().fold(S::constant(0.0), add)
     }
@@ -286,8 +286,8 @@ fn differences<S: Float, D: Decay<S>>(
     }
     let loss = (wave.decay.zeta() + wave.decay.zeta()) * x;
     let detuning = (x - one) * (x + one);
-    let second = wave.swing_curve(basis, at);
-    let third = detuning * at.cosine - loss * (at.sine + second) - x * x * basis.swing_slope;
+    let second = wave.forced_curve(basis, at);
+    let third = detuning * at.cosine - loss * (at.sine + second) - x * x * basis.forced_slope;
     (second, third)
 }
 

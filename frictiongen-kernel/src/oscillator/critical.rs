@@ -44,24 +44,27 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let one = S::constant(1.0);
     let time = x * at.tau;
     let decay = zeta * time;
-    let kept = (-decay).exp();
+    let decay_factor = (-decay).exp();
     let square = time * time * ((one - zeta) * (one + zeta));
     let versine = square * S::constant(0.5);
     let sinc_defect = square / S::constant(6.0);
     let (cosine, sinc) = (one - versine, one - sinc_defect);
-    let (free, slope) = (kept * (at.tau * sinc), kept * (cosine - decay * sinc));
-    let direct = one - kept * (cosine + decay * sinc);
-    let one_minus_d = one_minus_d(decay, kept, direct, versine, sinc_defect);
+    let (free, slope) = (
+        decay_factor * (at.tau * sinc),
+        decay_factor * (cosine - decay * sinc),
+    );
+    let direct = one - decay_factor * (cosine + decay * sinc);
+    let one_minus_d = one_minus_d(decay, decay_factor, direct, versine, sinc_defect);
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
 /// The free motion over τ.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, tau: S) -> Turn<S> {
-    let kept = (-(x * tau)).exp();
+    let decay_factor = (-(x * tau)).exp();
     Turn {
-        c: kept,
-        s: kept * x * tau,
-        kept: S::constant(1.0),
+        c: decay_factor,
+        s: decay_factor * x * tau,
+        decay_factor: S::constant(1.0),
     }
 }

@@ -28,9 +28,9 @@ pub(super) fn response<S: Scalar>(
     // the one subtracted is never more than two thirds of the others.
     let defect = if with_g {
         let half = S::constant(0.5);
-        let lost = (-(fast * half)).exp_m1().named("decay_minus_one", at);
-        let both = lost * lost * -fading.exp_m1();
-        let small = S::constant(2.0) * (one + lost) * (slow * half).scaled_sinh_defect();
+        let minus_one = (-(fast * half)).exp_m1().named("decay_minus_one", at);
+        let both = minus_one * minus_one * -fading.exp_m1();
+        let small = S::constant(2.0) * (one + minus_one) * (slow * half).scaled_sinh_defect();
         let excess = e_slow * (pi * q * x).scaled_sinh_defect();
         both + small - excess / ((zeta + q) * q)
     } else {
@@ -90,6 +90,6 @@ pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, tau: S) -> Turn<S> {
     Turn {
         c: (slow + fast) * half,
         s: -(-spread).exp_m1() * slow * half / q,
-        kept: S::constant(1.0),
+        decay_factor: S::constant(1.0),
     }
 }

@@ -39,12 +39,12 @@ pub(super) fn basis<S: Float>(x: S, at: &Instant<S>) -> Basis<S> {
     let half_turns = x * at.t;
     let (sine, cosine) = half_turns.sin_cos_pi();
     let versine = versine_beside(half_turns, cosine);
-    let (swing, swing_slope) = differences(x, sine, versine, at);
+    let (forced, forced_slope) = differences(x, sine, versine, at);
     Basis {
         free: sine / x,
         slope: cosine,
-        swing: swing / x,
-        swing_slope,
+        forced: forced / x,
+        forced_slope,
         rise: versine / (x * x),
     }
 }
@@ -53,6 +53,6 @@ pub(super) fn basis<S: Float>(x: S, at: &Instant<S>) -> Basis<S> {
 #[inline]
 pub(super) fn turn<S: Float>(x: S, t: S) -> Turn<S> {
     let (s, c) = (x * t).sin_cos_pi();
-    let kept = S::constant(1.0);
-    Turn { c, s, kept }
+    let decay_factor = S::constant(1.0);
+    Turn { c, s, decay_factor }
 }

@@ -57,30 +57,30 @@ pub(super) fn response<S: Scalar>(
 pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>) -> Basis<S> {
     let (one, half) = (S::constant(1.0), S::constant(0.5));
     let decay = zeta * x * at.tau;
-    let lost = -(-decay).exp_m1();
-    let kept = one - lost;
+    let complement = -(-decay).exp_m1();
+    let decay_factor = one - complement;
     let turns = x * at.t;
     let defect = turns * q_defect;
     let (s, c) = turns.sin_cos_pi_minus(defect);
     let (sq, zq) = (s / q, zeta / q * s);
     let damped_turns = turns * q;
-    let direct = one - kept * (c + zq);
-    let (free, slope) = (kept * sq / x, kept * (c - zq));
+    let direct = one - decay_factor * (c + zq);
+    let (free, slope) = (decay_factor * sq / x, decay_factor * (c - zq));
     let versine = versine_beside(damped_turns, c);
     let sinc_defect = damped_turns.one_minus_sinc_pi();
-    let one_minus_d = one_minus_d(decay, kept, direct, versine, sinc_defect);
+    let one_minus_d = one_minus_d(decay, decay_factor, direct, versine, sinc_defect);
     let mut basis = Basis::damped(x, zeta, free, slope, one_minus_d, at);
     if (x - one).abs() < half {
         // The undamped differences plus what damping changes, each without cancellation.
         let (s0, c0) = turns.sin_cos_pi();
-        let (swing, swing_slope) = differences(x, s0, versine_beside(turns, c0), at);
+        let (forced, forced_slope) = differences(x, s0, versine_beside(turns, c0), at);
         let (half_s, _) = (defect * half).sin_cos_pi();
         let (mid_s, mid_c) = turns.sin_cos_pi_minus(defect * half);
         let two = S::constant(2.0);
         let sine_change = (two * mid_c * half_s - q_defect * s0) / q;
         let cosine_change = -(two * mid_s * half_s);
-        basis.swing = (swing + lost * s0 + kept * sine_change) / x;
-        basis.swing_slope = swing_slope + lost * c0 + kept * (cosine_change + zq);
+        basis.forced = (forced + complement * s0 + decay_factor * sine_change) / x;
+        basis.forced_slope = forced_slope + complement * c0 + decay_factor * (cosine_change + zq);
     }
     basis
 }
@@ -89,25 +89,25 @@ pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>)
 pub(super) fn heavy<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> {
     let one = S::constant(1.0);
     let decay = zeta * x * at.tau;
-    let kept = (-decay).exp();
+    let decay_factor = (-decay).exp();
     let turns = q * x * at.t;
     let (s, c) = turns.sin_cos_pi();
     let (sq, zq) = (s / q, zeta / q * s);
-    let (free, slope) = (kept * sq / x, kept * (c - zq));
-    let direct = one - kept * (c + zq);
+    let (free, slope) = (decay_factor * sq / x, decay_factor * (c - zq));
+    let direct = one - decay_factor * (c + zq);
     let (versine, sinc_defect) = (versine_beside(turns, c), turns.one_minus_sinc_pi());
-    let one_minus_d = one_minus_d(decay, kept, direct, versine, sinc_defect);
+    let one_minus_d = one_minus_d(decay, decay_factor, direct, versine, sinc_defect);
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
 /// The free motion over τ = πt.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, t: S, tau: S) -> Turn<S> {
-    let kept = (-(zeta * x * tau)).exp();
+    let decay_factor = (-(zeta * x * tau)).exp();
     let (s, c) = (q * x * t).sin_cos_pi();
     Turn {
-        c: kept * c,
-        s: kept * s / q,
-        kept,
+        c: decay_factor * c,
+        s: decay_factor * s / q,
+        decay_factor,
     }
 }

@@ -45,9 +45,9 @@ pub struct Basis<S> {
     /// p′.
     pub slope: S,
     /// sin τ − p.
-    pub swing: S,
+    pub forced: S,
     /// cos τ − p′.
-    pub swing_slope: S,
+    pub forced_slope: S,
     /// (1 − d)/x², d = p′ + 2ζx·p: the return from rest at distance 1.
     pub rise: S,
 }
@@ -67,8 +67,8 @@ impl<S: Float> Basis<S> {
         Self {
             free,
             slope,
-            swing: at.sine - free,
-            swing_slope: one_minus_d + (zeta + zeta) * x * free - at.versine,
+            forced: at.sine - free,
+            forced_slope: one_minus_d + (zeta + zeta) * x * free - at.versine,
             rise: one_minus_d / (x * x),
         }
     }
@@ -80,7 +80,7 @@ pub(crate) struct Turn<S> {
     pub c: S,
     pub s: S,
     /// e^{−ζxτ}, by which an oscillating part has decayed.
-    pub kept: S,
+    pub decay_factor: S,
 }
 
 impl<S: Float> Turn<S> {
@@ -107,10 +107,10 @@ pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Compl
 /// 1 − e^{−decay} and e^{−decay}, each to its own digits: the second is not what rounding leaves of the first.
 #[inline]
 pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (S, S) {
-    let lost = (decay * S::constant(-0.5)).exp_m1();
-    let lost = lost.named("half_decay_minus_one", at);
-    let kept = (S::constant(1.0) + lost).named("half_decay_factor", at);
-    let (m, e) = (-(lost * (S::constant(1.0) + kept)), kept * kept);
+    let half = (decay * S::constant(-0.5)).exp_m1();
+    let half = half.named("half_decay_minus_one", at);
+    let factor = (S::constant(1.0) + half).named("half_decay_factor", at);
+    let (m, e) = (-(half * (S::constant(1.0) + factor)), factor * factor);
     (m.named("decay_complement", at), e.named("decay_factor", at))
 }
 
@@ -134,9 +134,15 @@ pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<
 
 /// 1 − d from its parts, all of one sign: e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)].
 #[inline]
-pub(super) fn one_minus_d<S: Float>(decay: S, kept: S, direct: S, versine: S, sinc_defect: S) -> S {
+pub(super) fn one_minus_d<S: Float>(
+    decay: S,
+    factor: S,
+    direct: S,
+    versine: S,
+    sinc_defect: S,
+) -> S {
     if decay < S::constant(1.0) {
-        kept * (exp_m1_minus(decay) + versine + decay * sinc_defect)
+        factor * (exp_m1_minus(decay) + versine + decay * sinc_defect)
     } else {
         direct
     }

@@ -64,7 +64,7 @@ pub struct ModalCoefficients<S> {
     /// fundamental component.  0 without damping.
     pub fall: S,
     /// Of sin τ − R q̃, the mode's lag behind the excitation.
-    pub swing: S,
+    pub forced: S,
     /// φ_k(φᵀw)/r², the residue contact → mass, for the harmonics.
     pub residue: S,
 }
@@ -157,7 +157,7 @@ impl<S: Scalar> Chain<S> {
         ModalCoefficients {
             rise: (force * contact.scale).named("rise", Some(index)),
             fall,
-            swing: (force * at.u).named("swing", Some(index)),
+            forced: (force * at.u).named("forced", Some(index)),
             residue: residue * inverse_r * inverse_r,
         }
     }
@@ -238,7 +238,8 @@ impl<S: Scalar> Chain<S> {
             let back = (-(residue * at.u)).named("rubbed_back", Some(index));
             rubbed = rubbed.with(self, sums, index, complex::real(back));
             if self.damped {
-                damped_back = damped_back - residue * (at.g / (at.x * at.x));
+                let offset = (at.g / (at.x * at.x)).named("fall_per_force", Some(index));
+                damped_back = damped_back - residue * offset;
             }
         }
         let ratio = self.plus(driven.own, driven.others);
@@ -292,7 +293,7 @@ impl<S: Scalar> Chain<S> {
             };
             let (own, others) = sums.turning(contact);
             let lag = turned(driven.own, own) + turned(driven.others, others);
-            let in_phase = (root * near).named("in_phase_share", None);
+            let in_phase = (root * near).named("in_phase_over_v", None);
             Fundamental {
                 cosine: (root * ratio.re + beta * mismatch.im) * raised + damped_back * weight,
                 sine: (beta * mismatch.re - in_phase * lag) * raised,

@@ -49,9 +49,9 @@ pub fn motion_wave<S: Float, D: Decay<S>>(
     let mut wave = Wave::at_rest(x, decay);
     wave.rise = coefficients.rise;
     // d = p′ + 2ζx·p.
-    wave.swing_slope = coefficients.fall;
+    wave.forced_slope = coefficients.fall;
     wave.free = -((decay.zeta() + decay.zeta()) * x * coefficients.fall);
-    wave.swing = coefficients.swing;
+    wave.forced = coefficients.forced;
     wave.residue = coefficients.residue;
     wave
 }

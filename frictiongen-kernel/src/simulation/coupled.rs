@@ -54,7 +54,7 @@ impl<S: Float> Setting<'_, S> {
     }
 
     /// z̄′ as a power series over a stretch, s from 0 to 1; the modes are moved from its start to s = `to`.
-    fn flow(
+    fn velocity_series(
         &self,
         modes: &mut [Part<S>],
         start: &ContactState<S>,
@@ -160,7 +160,7 @@ impl<S: Float> Setting<'_, S> {
         for part in others {
             part.start(phase(start.t));
         }
-        let velocity = self.flow(modes, &start, (line, stretch), zero);
+        let velocity = self.velocity_series(modes, &start, (line, stretch), zero);
         let leaving = |slope| Start::Zero(slope * stretch);
         let from = start.departing.map_or(Start::Anywhere, leaving);
         let falls = velocity.seen(sign, line.low, one);
@@ -217,7 +217,7 @@ pub(super) fn place<S: Float>(
         return advanced(modes, tau, from, to);
     }
     let stretch = setting.stretch(modes, &line);
-    setting.flow(modes, start, (&line, stretch), tau / stretch);
+    setting.velocity_series(modes, start, (&line, stretch), tau / stretch);
     let driven = setting.dynamics.in_contact().min(modes.len());
     advanced(modes.split_at_mut(driven).1, tau, from, to);
 }

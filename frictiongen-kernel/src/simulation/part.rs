@@ -191,8 +191,8 @@ impl<S: Float> Part<S> {
         } else {
             let basis = Damped::new(self.kind, self.zeta, self.q).basis(x, &at);
             let inverse = complex::reciprocal(Complex::new(detuning, loss), true);
-            let k = Complex::new(basis.swing_slope - loss * basis.free, basis.swing);
-            let k_slope = Complex::new(detuning * basis.free - basis.swing, basis.swing_slope);
+            let k = Complex::new(basis.forced_slope - loss * basis.free, basis.forced);
+            let k_slope = Complex::new(detuning * basis.free - basis.forced, basis.forced_slope);
             (
                 complex::mul(k, inverse, true),
                 complex::mul(k_slope, inverse, true),

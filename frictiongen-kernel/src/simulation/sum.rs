@@ -85,7 +85,7 @@ impl<'a, S: Float> Sum<'a, S> {
             local.slope = local.slope + slope;
             let loss = (part.zeta + part.zeta) * part.x;
             local.curve = local.curve - part.x * part.x * value - loss * slope;
-            local.bound = local.bound + part.bound * turn.kept;
+            local.bound = local.bound + part.bound * turn.decay_factor;
             if part.near {
                 let [value, slope, curve, third] = part.grown(t, self.phase);
                 let [of_y, of_u] = part.weight;

@@ -211,8 +211,8 @@ impl Interval {
     pub fn exp(self) -> Self {
         let low = Scalar::exp(self.low) * (1.0 - EXPONENTIAL);
         let high = Scalar::exp(self.high) * (1.0 + EXPONENTIAL);
-        let held = Self::outward(low, high);
-        Self::new(held.low.max(0.0), held.high)
+        let outward = Self::outward(low, high);
+        Self::new(outward.low.max(0.0), outward.high)
     }
 
     /// (sin πh, cos πh) of all h in it.

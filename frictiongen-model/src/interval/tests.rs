@@ -33,19 +33,20 @@ impl Numbers {
             Interval::new(a.min(b), a.max(b))
         }
     }
-    fn within(&mut self, held: Interval) -> f64 {
+    fn within(&mut self, interval: Interval) -> f64 {
         match (4.0 * self.next()) as u32 {
-            0 => held.low,
-            1 => held.high,
-            _ => (held.low + (held.high - held.low) * self.next()).clamp(held.low, held.high),
+            0 => interval.low,
+            1 => interval.high,
+            _ => (interval.low + (interval.high - interval.low) * self.next())
+                .clamp(interval.low, interval.high),
         }
     }
 }
 
 /// Whether an interval holds a number to about its 31 digits: not one rounding of a double is given away.
-fn holds(held: Interval, value: Dd) -> bool {
+fn holds(interval: Interval, value: Dd) -> bool {
     let slack = value.abs() * Dd::from(1e-28);
-    !(value + slack < Dd::from(held.low)) && !(Dd::from(held.high) < value - slack)
+    !(value + slack < Dd::from(interval.low)) && !(Dd::from(interval.high) < value - slack)
 }
 
 #[test]
@@ -81,25 +82,25 @@ fn functions() {
     for _ in 0..50_000 {
         let low = 40.0 * numbers.next() - 30.0;
         let width = if numbers.next() < 0.5 { 1e-9 } else { 2.5 };
-        let held = Interval::new(low, low + width * numbers.next());
-        let x = numbers.within(held);
-        let (sine, cosine) = held.sine_cosine();
+        let interval = Interval::new(low, low + width * numbers.next());
+        let x = numbers.within(interval);
+        let (sine, cosine) = interval.sine_cosine();
         let (own_sine, own_cosine) = Dd::from(x).sin_cos_pi();
-        assert!(holds(sine, own_sine), "sine over {held:?} at {x}");
-        assert!(holds(cosine, own_cosine), "cosine over {held:?} at {x}");
+        assert!(holds(sine, own_sine), "sine over {interval:?} at {x}");
+        assert!(holds(cosine, own_cosine), "cosine over {interval:?} at {x}");
         assert!(sine.size() <= 1.0 && cosine.size() <= 1.0);
         assert!(
-            holds(held.exp(), Scalar::exp(Dd::from(x))),
-            "e^{held:?} at {x}"
+            holds(interval.exp(), Scalar::exp(Dd::from(x))),
+            "e^{interval:?} at {x}"
         );
     }
     // The next extreme lies on an end, or a rounding beside it.
     for whole in [-3.0, -1.0, 0.0, 2.0, 5.0_f64] {
         for end in [whole - 0.5, whole, whole + 0.5] {
-            let held = Interval::new(end.next_down(), end.next_down());
+            let interval = Interval::new(end.next_down(), end.next_down());
             let x = Dd::from(end.next_down());
-            assert!(holds(held.sine_cosine().0, x.sin_cos_pi().0));
-            assert!(holds(held.sine_cosine().1, x.sin_cos_pi().1));
+            assert!(holds(interval.sine_cosine().0, x.sin_cos_pi().0));
+            assert!(holds(interval.sine_cosine().1, x.sin_cos_pi().1));
         }
     }
 }
@@ -162,12 +163,12 @@ fn coefficients() {
             .collect();
         for order in 0..6 {
             // f[x_0, …, x_k] is f⁽ᵏ⁾/k! somewhere between.
-            let held = over.term(order);
+            let interval = over.term(order);
             let slack = 1e-12 * 100_f64.powi(order as i32);
             for difference in &differences {
                 let value = difference.to_f64();
                 assert!(
-                    held.low - slack <= value && value <= held.high + slack,
+                    interval.low - slack <= value && value <= interval.high + slack,
                     "{order}"
                 );
             }
@@ -183,8 +184,8 @@ fn coefficients() {
 fn cotangent() {
     for i in 1..100 {
         let z = 0.01 * f64::from(i);
-        let held = Interval::new(-z, z).cotangent_times();
-        assert!(held.low <= z / z.tan() && z / z.tan() <= held.high);
+        let interval = Interval::new(-z, z).cotangent_times();
+        assert!(interval.low <= z / z.tan() && z / z.tan() <= interval.high);
     }
     assert!(Interval::new(-1.0, 0.1).cotangent_times().low.is_infinite());
 }

@@ -8,21 +8,23 @@ use super::split::Edge;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// A piece counts as the longest when one longer by this share is too long.
+/// A piece counts as the longest when one longer by this is too long: with more fits a table would lose a tenth of its
+/// pieces at most.
 const LONGEST: f64 = 1.1;
-/// Where nothing else ends a piece, its end is rounded to this share of it.
+/// Where nothing else ends a piece, its end is rounded to this share of it, for people who read it.
 const END: f64 = 0.02;
-/// What is too long by this much is so for a kink, whose place is then sought.
+/// What is too long by this much is so for a kink, whose place is then sought: a bend leaves an
+/// error that falls with the length alone, and not with as high a power of it as there are terms.
 const KINK: f64 = 30.0;
 /// A kink is found to this share of a piece.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
-/// So many pieces may be covered anew.
+/// So many pieces may be covered anew: each adds a place to look at, and what does not end by then does not end.
 const MOST_AGAIN: usize = 1000;
-/// No piece is shorter than this share of r.
+/// No piece is shorter than this share of r, some hundreds of roundings of double precision.
 const SHORTEST: f64 = 1e-13;
-/// A piece is tried at so many times the length of the one before.
+/// A piece is tried at so many times the length of the one before: one that is too long bounds it from above at once.
 const LONGER: f64 = 1.5;
-/// No piece takes more fits than this.
+/// No piece takes more fits than this: from the whole range to [`SHORTEST`] by halves takes 44.
 const MOST_FITS: usize = 200;
 /// The next length is guessed for this error over what is allowed: after one that will do,
 const AIM: f64 = 0.8;
@@ -30,6 +32,15 @@ const AIM: f64 = 0.8;
 const AIM_AGAIN: f64 = 0.7;
 /// Errors below this, over what is allowed, say nothing of a length.
 const TINY: f64 = 1e-6;
+/// A guess is longer, or shorter, by no less and by no more than this: errors go only nearly
+/// by a power of the length.
+const LONGER_BY: [f64; 2] = [1.05, 2.0];
+const SHORTER_BY: [f64; 2] = [0.2, 0.95];
+
+/// The nearest value between two.
+fn clamped(value: f64, [least, most]: [f64; 2]) -> f64 {
+    value.clamp(least, most)
+}
 
 /// A range about to be covered.
 pub(super) struct Cover<'a, 'm, S> {
@@ -218,7 +229,7 @@ impl<S: Float> Cover<'_, '_, S> {
                     // Beyond a kink, if it is a weak one.
                     stop = next.next().unwrap_or(most);
                 }
-                let guess = length * (AIM / error.max(TINY)).powf(order).clamp(1.05, 2.0);
+                let guess = length * clamped((AIM / error.max(TINY)).powf(order), LONGER_BY);
                 length = guess.min(stop);
             } else {
                 let at_kink = stops.contains(&good);
@@ -226,7 +237,7 @@ impl<S: Float> Cover<'_, '_, S> {
                 if good > 0.0 && at_kink {
                     break;
                 }
-                let guess = length * (AIM_AGAIN / error).powf(order).clamp(0.2, 0.95);
+                let guess = length * clamped((AIM_AGAIN / error).powf(order), SHORTER_BY);
                 length = if good < guess {
                     guess
                 } else {

@@ -2,6 +2,9 @@
 
 use frictiongen_kernel::Float;
 
+/// Beyond so many decimals nothing in double precision of the size of a frequency ratio has digits to lose.
+const MOST_DECIMALS: f64 = 40.0;
+
 /// The smallest number of a scalar above one that it need not hold.
 pub(super) fn above<S: Float>(value: f64) -> S {
     let next = S::constant(value.next_up());
@@ -26,8 +29,7 @@ pub(super) fn to_decimals(value: f64, least: f64) -> f64 {
         let rounded = (value / unit).round() * unit;
         return if rounded.is_finite() { rounded } else { value };
     }
-    // Beyond this a double has no decimals to lose.
-    if !(decimals <= 40.0) {
+    if !(decimals <= MOST_DECIMALS) {
         return value;
     }
     let text = format!("{value:.*}", decimals as usize);

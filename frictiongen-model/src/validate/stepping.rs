@@ -44,7 +44,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
 }
 
 /// A number as the scene's scalar holds it.
-fn held(value: f64, precision: Precision) -> f64 {
+fn stored(value: f64, precision: Precision) -> f64 {
     match precision {
         Precision::F64 => value,
         #[allow(
@@ -64,7 +64,7 @@ fn check_points(scene: &Scene, points: &[[f64; 2]], errors: &mut Vec<SceneError>
     for (index, [speed, level]) in points.iter().copied().enumerate() {
         let path = Path::Friction(Some(2 * index));
         if check_finite(speed, path, "a speed of `stribeck`", errors) {
-            if held(speed, scene.precision) <= held(before, scene.precision) {
+            if stored(speed, scene.precision) <= stored(before, scene.precision) {
                 errors.push(SceneError::StribeckNotAscending {
                     path,
                     value: speed,
@@ -142,8 +142,8 @@ fn check_step(value: f64, precision: Precision, errors: &mut Vec<SceneError>) {
     } else if value <= 0.0 {
         errors.push(SceneError::StepNotPositive { path, value });
     } else {
-        let held = held(value, precision);
-        if !(SMALLEST..=LARGEST).contains(&held) {
+        let stored = stored(value, precision);
+        if !(SMALLEST..=LARGEST).contains(&stored) {
             errors.push(SceneError::OutOfScale { path, what, value });
         }
     }

@@ -54,7 +54,7 @@ class Scene:
         load = self.gamma[:, None] * shapes
         ratios = np.zeros(n) if zeta is None else np.array(zeta, float)
         self.c_over_r = load @ np.diag(2 * ratios * self.sigma) @ load.T
-        self.mobility = self.w @ (self.w / self.gamma)
+        self.inverse_mass = self.w @ (self.w / self.gamma)
 
     def text(self, name):
         node = lambda e: f"m{e}" if isinstance(e, int) else e
@@ -146,7 +146,7 @@ class Integrator:
             return Segment(tau, contact, motion, [Exponentials(row[None, :], motion.rates)])
         x, v = state[:n], state[n:]
         z0 = scene.w @ x - scene.s * np.cos(tau)
-        carrier = scene.s * np.exp(1j * tau)
+        excitation = scene.s * np.exp(1j * tau)
         if self.q:
             held = self.assembled(
                 self.stuck, tau, np.r_[self.basis.T @ x, self.basis.T @ v], self.lift * z0
@@ -155,7 +155,7 @@ class Integrator:
         else:
             rates, q = np.array([1j, 0]), np.zeros((n, 2), complex)
         place = q.astype(complex)
-        place[:, -2] += self.hat * carrier
+        place[:, -2] += self.hat * excitation
         place[:, -1] += self.hat * z0
         velocity = place * rates
         load = np.zeros_like(place)
@@ -172,7 +172,7 @@ class Integrator:
         scene, n = self.scene, self.n
         x, v = state[:n], state[n:]
         rest = scene.p * np.cos(tau) - self.c @ v - scene.k @ x
-        return (scene.w @ (rest / scene.gamma) + scene.s * self.r**2 * np.cos(tau)) / scene.mobility
+        return (scene.w @ (rest / scene.gamma) + scene.s * self.r**2 * np.cos(tau)) / scene.inverse_mass
 
     def first_zero(self, function, reach):
         """The first zero of a function that starts from zero or above, and how near it came before."""

@@ -151,14 +151,14 @@ cases! {
     three V "v, light" [""] in LIGHT; [];
     three V "v, overdamped" [""] in OVER_DECAYED; [];
     three AnInstant "instant" ["tau", "sine", "cosine", "versine"] in INSTANTS, counted; ["oscillator::decay::Instant::new"];
-    three InTimeUndamped "basis, undamped" ["free", "slope", "swing", "swing_slope", "rise"] in UNDAMPED_TIME;
+    three InTimeUndamped "basis, undamped" ["free", "slope", "forced", "forced_slope", "rise"] in UNDAMPED_TIME;
         ["oscillator::decay::Decay::basis"];
-    three InTime "basis, light" ["free", "slope", "swing", "swing_slope", "rise"] in LIGHT_TIME; [];
-    three DecayedInTime "basis, light, decayed" ["free", "slope", "swing", "swing_slope", "rise"] in LIGHT_TIME_DECAYED; [];
-    three InTime "basis, heavy" ["free", "slope", "swing", "swing_slope", "rise"] in HEAVY_TIME; [];
-    three DecayedInTime "basis, heavy, decayed" ["free", "slope", "swing", "swing_slope", "rise"] in HEAVY_TIME_DECAYED; [];
-    three InTime "basis, critical" ["free", "slope", "swing", "swing_slope", "rise"] in CRITICAL_TIME; [];
-    three DecayedInTime "basis, critical, decayed" ["free", "slope", "swing", "swing_slope", "rise"] in CRITICAL_TIME_DECAYED; [];
-    three InTime "basis, overdamped" ["free", "slope", "swing", "swing_slope", "rise"] in OVER_TIME; [];
-    three DecayedInTime "basis, overdamped, decayed" ["free", "slope", "swing", "swing_slope", "rise"] in OVER_TIME_DECAYED; [];
+    three InTime "basis, light" ["free", "slope", "forced", "forced_slope", "rise"] in LIGHT_TIME; [];
+    three DecayedInTime "basis, light, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in LIGHT_TIME_DECAYED; [];
+    three InTime "basis, heavy" ["free", "slope", "forced", "forced_slope", "rise"] in HEAVY_TIME; [];
+    three DecayedInTime "basis, heavy, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in HEAVY_TIME_DECAYED; [];
+    three InTime "basis, critical" ["free", "slope", "forced", "forced_slope", "rise"] in CRITICAL_TIME; [];
+    three DecayedInTime "basis, critical, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in CRITICAL_TIME_DECAYED; [];
+    three InTime "basis, overdamped" ["free", "slope", "forced", "forced_slope", "rise"] in OVER_TIME; [];
+    three DecayedInTime "basis, overdamped, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in OVER_TIME_DECAYED; [];
 }

@@ -176,8 +176,8 @@ fn fields<T>(basis: Basis<T>) -> Results<T> {
     [
         basis.free,
         basis.slope,
-        basis.swing,
-        basis.swing_slope,
+        basis.forced,
+        basis.forced_slope,
         basis.rise,
     ]
 }

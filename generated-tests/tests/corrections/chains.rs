@@ -51,7 +51,7 @@ fn eq_5_55_and_5_56() {
         let (big_r, u) = (plain.big_r(i), u_g(plain.big_r(i), 0.0).0);
         let slow = tau.cos() - (tau / big_r).cos();
         let sum = big_r * (tau / big_r).sin() + u * big_r * big_r * slow;
-        plain.contact_share(i) / (r * r) * sum / tau.sin()
+        plain.inverse_mass_of(i) / (r * r) * sum / tau.sin()
     };
     let largest = |f: &dyn Fn(f64) -> f64| {
         let instants = (1..4000).map(|i| PI * f64::from(i) / 4000.0);

@@ -116,7 +116,7 @@ fn eq_7_37() {
     let (scene, r) = (unit(3, Contact::Wall(1)).damped(0.01), 0.35);
     let plain = scene.at(r);
     let mode = |i: usize, tau: f64| {
-        plain.contact_share(i) / (r * r) * constraint(plain.big_r(i), plain.zeta, tau)
+        plain.inverse_mass_of(i) / (r * r) * constraint(plain.big_r(i), plain.zeta, tau)
     };
     // With the first instants after the reversal, where damping puts the largest value.
     let largest = |f: &dyn Fn(f64) -> f64| {

@@ -239,8 +239,8 @@ impl Plain {
         self.r / self.lambda[mode].sqrt()
     }
 
-    /// c_i, the contact's share in a mode.
-    pub fn contact_share(&self, mode: usize) -> f64 {
+    /// c_i = (φ_iᵀw)², the mode's inverse mass at the contact.
+    pub fn inverse_mass_of(&self, mode: usize) -> f64 {
         self.phi.column(mode).dot(&self.w).powi(2)
     }
 

@@ -77,8 +77,8 @@ impl Mode {
         let (ratio, y) = (1.0 / self.x, tau * self.x);
         if self.zeta == 0.0 {
             // cos τ − cos y as a product: plain near τ = 0 as well.
-            let swing = 2.0 * (0.5 * (y + tau)).sin() * (0.5 * (y - tau)).sin();
-            return ratio * y.sin() + self.u * ratio * ratio * swing;
+            let forced_slope = 2.0 * (0.5 * (y + tau)).sin() * (0.5 * (y - tau)).sin();
+            return ratio * y.sin() + self.u * ratio * ratio * forced_slope;
         }
         let (d, q_tilde) = decay(self.zeta, y);
         let turned = d - 2.0 * self.zeta * q_tilde;
@@ -99,7 +99,7 @@ impl Mode {
 pub struct Plain {
     pub modes: Vec<Mode>,
     pub r: f64,
-    pub share: f64,
+    pub of_base: f64,
     pub inverse_mass: f64,
     pub mu: f64,
 }
@@ -134,7 +134,7 @@ impl Plain {
         Self {
             modes,
             r,
-            share: if modal.on_moving_base { 1.0 } else { 0.0 },
+            of_base: if modal.on_moving_base { 1.0 } else { 0.0 },
             inverse_mass: modal.inverse_mass.to_f64(),
             mu: modal.stiction.to_f64(),
         }
@@ -151,7 +151,7 @@ impl Plain {
 
     /// V, U, G in the direction of the contact, and the size of V's terms.
     pub fn contact(&self) -> ((f64, f64), f64, f64, f64) {
-        let (mut v, mut u, mut g, mut size) = ((-self.share, 0.0), 0.0, 0.0, self.share);
+        let (mut v, mut u, mut g, mut size) = ((-self.of_base, 0.0), 0.0, 0.0, self.of_base);
         for mode in &self.modes {
             let a = mode.w * mode.p / mode.lambda;
             v = (v.0 + a * mode.v.0, v.1 + a * mode.v.1);

@@ -31,14 +31,14 @@ fn moved(modal: &Modal, quantity: Quantity, by: Dd) -> Modal {
     let inertial = sum(&|mode| contact(mode) * modal.loads[mode]);
     let motion = sum(&|mode| contact(mode) * modal.loads[mode] / lambda(mode));
     let receptance = sum(&|mode| contact(mode) * contact(mode) / lambda(mode));
-    let share = if modal.on_moving_base {
+    let of_base = if modal.on_moving_base {
         Dd::ONE
     } else {
         Dd::ZERO
     };
     modal.inverse_mass = inverse_mass;
     modal.inertial_load = inertial;
-    modal.static_motion = motion - share;
+    modal.static_motion = motion - of_base;
     modal.static_receptance = receptance;
     modal
 }

@@ -61,7 +61,8 @@ const _: () = {
         }
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
+        /// `in_contact`: φᵀw is not 0.
         const MODES: [Mode<f64>; 1] = [
             Mode {
                 kind: Kind::Undamped,
@@ -266,7 +267,7 @@ const _: () = {
         fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
             Self::functions(inverse_r).0
         }
-        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             1.2 * contact.scale
@@ -335,15 +336,16 @@ const _: () = {
     impl ProvidesMotion for DeclaredMotion {
         type Motion = Continuous<Self>;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
-        /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.
+        /// `forced` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
+        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.  `friction_force` is β/(r²E) times a mode's φ_k(φᵀw); `friction` has
+        /// `root`, Q = √(|V|² − (βU)²) times r²E, and `amplitude`, Q − βG.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
             let [mode_1] = at.modes();
             let friction_weight = friction.beta * friction.unscale;
             let rise = friction_weight * contact.scale;
-            let swing = friction_weight * mode_1.u;
+            let forced = friction_weight * mode_1.u;
             let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
@@ -359,7 +361,7 @@ const _: () = {
                     ModalCoefficients {
                         rise,
                         fall: 0.0,
-                        swing,
+                        forced,
                         residue: inverse_r * inverse_r,
                     },
                 ),
@@ -369,8 +371,11 @@ const _: () = {
         /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
         /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
         /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
-        /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
-        /// Powers of 2 keep products within the scalar's range, and cancel.
+        /// x < 1/2 the mode is mass-controlled: `mass_wave` has all of its response, so that `u_in_sum` and `offset`, else u and g, are 0
+        /// and `u_others` is all of U.
+        /// `…_in_range` is times 2²⁴ = 16777216, or over it, which keeps products within the scalar's range and cancels.  `inverse` is
+        /// 1/V by way of `unit`, V over its `size`, |re| + |im|; `turning` is V less a mode's own term, or V where that is smaller,
+        /// as a mode is in phase with its own; `in_phase_over_v` is `root` over that `size`.
         #[allow(unused_variables)]
         fn mass_motion(
             at: &At<Self>,
@@ -396,7 +401,7 @@ const _: () = {
             let unscale_in_range = friction.unscale * 16777216.0;
             let friction_weight = friction.beta * friction.unscale;
             let rise = friction_weight * contact.scale;
-            let swing = friction_weight * u_in_sum;
+            let forced = friction_weight * u_in_sum;
             let (fundamental, waves) = (
                 Fundamental {
                     cosine: root_in_range * (mode_1.response.re * inverse_re)
@@ -414,7 +419,7 @@ const _: () = {
                         ModalCoefficients {
                             rise,
                             fall: 0.0,
-                            swing,
+                            forced,
                             residue: product,
                         },
                     ),

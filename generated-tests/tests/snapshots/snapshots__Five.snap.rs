@@ -91,6 +91,7 @@ const _: () = {
             ],
         ];
         /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// `on_moving_base`: none, as the contact does not rub on a moving base.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
@@ -111,7 +112,8 @@ const _: () = {
         }
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
+        /// `in_contact`: φᵀw is not 0.
         const MODES: [Mode<f64>; 5] = [
             Mode {
                 kind: Kind::Light,
@@ -230,11 +232,11 @@ const _: () = {
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
         /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
         /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,
-        /// (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over
-        /// |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is uR
-        /// times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
-        /// `one_minus_sinc_pi` of qx the second, without cancellation.
+        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2, and sin(πqx) is twice their product; `half_turns` is qx.  D is
+        /// |`nearness`|², of (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that
+        /// over |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is
+        /// uR times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
+        /// `one_minus_sinc_pi` of qx the second, without cancellation.  `reversal`, g + 2ζRu, is (1 − e²)/D + ζuR.
         #[inline(always)]
         fn damped_mode<const WITH_G: bool>(
             mode: &Mode<f64>,
@@ -290,6 +292,8 @@ const _: () = {
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
+        /// The load acts on the mass that rubs: a residue is (φᵀw)², and V = H.
         ///
         /// Operations: 404: 245 ×, 75 +, 35 ÷, 25 sign, 5 exp_m1, 5 one_minus_sinc_pi, 5 scaled_sinh_defect, 5 sin_cos_pi, 4 compare.
         #[inline(always)]
@@ -336,7 +340,7 @@ const _: () = {
                 + constants_3.inverse_mass * (mode_3.reversal * (scale / mode_3.size))
                 + constants_4.inverse_mass * (mode_4.reversal * (scale / mode_4.size))
                 + constants_5.inverse_mass * (mode_5.reversal * (scale / mode_5.size));
-            let g = if WITH_G {
+            let g_sum = if WITH_G {
                 constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
                     + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
                     + constants_3.inverse_mass * (at_3.g / (at_3.x * at_3.x))
@@ -349,7 +353,7 @@ const _: () = {
                 scale,
                 v: Complex { re: v_re, im: v_im },
                 u,
-                g,
+                g: g_sum,
                 reversal,
                 h: Complex { re: v_re, im: v_im },
             };
@@ -405,7 +409,7 @@ const _: () = {
         fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
             Self::functions::<false>(inverse_r).0
         }
-        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.reversal + contact.scale

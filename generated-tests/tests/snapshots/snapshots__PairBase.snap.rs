@@ -67,7 +67,8 @@ const _: () = {
         }
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
+        /// `in_contact`: φᵀw is not 0.
         const MODES: [Mode<f64>; 2] = [
             Mode {
                 kind: Kind::Undamped,
@@ -169,6 +170,7 @@ const _: () = {
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: H, U, G and r²H_c of (φᵀw)² times `response`,
         /// uR², gR² and g + 2ζRu (`reversal`).  V is the motion relative to the base, r² times the sum of `static_residue`·(1 − 2iζx)·
         /// `response`, and of `on_moving_base`·E, the static part.
+        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
         ///
         /// Operations: 43: 20 ×, 7 +, 5 compare, 5 ÷, 4 sign, 2 sin_cos_pi.
         #[inline(always)]
@@ -241,7 +243,7 @@ const _: () = {
         fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
             Self::functions(inverse_r).0
         }
-        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.scale
@@ -268,8 +270,9 @@ const _: () = {
     impl ProvidesMotion for PairBase {
         type Motion = PairBaseMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
-        /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.
+        /// `forced` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
+        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.  `friction_force` is β/(r²E) times a mode's φ_k(φᵀw); `friction` has
+        /// `root`, Q = √(|V|² − (βU)²) times r²E, and `amplitude`, Q − βG.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -278,10 +281,10 @@ const _: () = {
             let friction_weight = friction.beta * friction.unscale;
             let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
             let mode_1_rise = mode_1_friction_force * contact.scale;
-            let mode_1_swing = mode_1_friction_force * mode_1.u;
+            let mode_1_forced = mode_1_friction_force * mode_1.u;
             let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
             let mode_2_rise = mode_2_friction_force * contact.scale;
-            let mode_2_swing = mode_2_friction_force * mode_2.u;
+            let mode_2_forced = mode_2_friction_force * mode_2.u;
             let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
@@ -297,7 +300,7 @@ const _: () = {
                     ModalCoefficients {
                         rise: mode_1_rise,
                         fall: 0.0,
-                        swing: mode_1_swing,
+                        forced: mode_1_forced,
                         residue: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
@@ -307,7 +310,7 @@ const _: () = {
                     ModalCoefficients {
                         rise: mode_2_rise,
                         fall: 0.0,
-                        swing: mode_2_swing,
+                        forced: mode_2_forced,
                         residue: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
@@ -317,8 +320,11 @@ const _: () = {
         /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
         /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
         /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
-        /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
-        /// Powers of 2 keep products within the scalar's range, and cancel.
+        /// x < 1/2 the mode is mass-controlled: `mass_wave` has all of its response, so that `u_in_sum` and `offset`, else u and g, are 0
+        /// and `u_others` is all of U.
+        /// `…_in_range` is times 2²⁴ = 16777216, or over it, which keeps products within the scalar's range and cancels.  `inverse` is
+        /// 1/V by way of `unit`, V over its `size`, |re| + |im|; `turning` is V less a mode's own term, or V where that is smaller,
+        /// as a mode is in phase with its own; `in_phase_over_v` is `root` over that `size`.
         #[allow(unused_variables)]
         fn mass_motion(
             at: &At<Self>,
@@ -362,10 +368,10 @@ const _: () = {
                                 * (mode_2_rubbed_back * 5.960464477539063e-8));
                     let mode_1_friction_force = friction_weight * 0.29660811378401175;
                     let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
+                    let mode_1_forced = mode_1_friction_force * mode_1_u_in_sum;
                     let mode_2_friction_force = friction_weight * 0.7033918862159882;
                     let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
+                    let mode_2_forced = mode_2_friction_force * mode_2_u_in_sum;
                     (
                         Fundamental {
                             cosine: root_in_range * (response_re * inverse_re)
@@ -384,7 +390,7 @@ const _: () = {
                                 ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: 0.0,
-                                    swing: mode_1_swing,
+                                    forced: mode_1_forced,
                                     residue: 0.29660811378401175 * inverse_r * inverse_r,
                                 },
                             ),
@@ -394,7 +400,7 @@ const _: () = {
                                 ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: 0.0,
-                                    swing: mode_2_swing,
+                                    forced: mode_2_forced,
                                     residue: 0.7033918862159882 * inverse_r * inverse_r,
                                 },
                             ),
@@ -415,10 +421,10 @@ const _: () = {
                                 * (mode_2_rubbed_back * 5.960464477539063e-8));
                     let mode_1_friction_force = friction_weight * 0.4581655031275231;
                     let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
+                    let mode_1_forced = mode_1_friction_force * mode_1_u_in_sum;
                     let mode_2_friction_force = friction_weight * -0.458165503127523;
                     let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
+                    let mode_2_forced = mode_2_friction_force * mode_2_u_in_sum;
                     (
                         Fundamental {
                             cosine: root_in_range * (response_re * inverse_re)
@@ -437,7 +443,7 @@ const _: () = {
                                 ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: 0.0,
-                                    swing: mode_1_swing,
+                                    forced: mode_1_forced,
                                     residue: 0.4581655031275231 * inverse_r * inverse_r,
                                 },
                             ),
@@ -447,7 +453,7 @@ const _: () = {
                                 ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: 0.0,
-                                    swing: mode_2_swing,
+                                    forced: mode_2_forced,
                                     residue: -0.458165503127523 * inverse_r * inverse_r,
                                 },
                             ),

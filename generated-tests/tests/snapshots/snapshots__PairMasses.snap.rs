@@ -49,6 +49,7 @@ const _: () = {
             [0.816496580927726, -0.816496580927726],
         ];
         /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// `on_moving_base`: none, as the contact does not rub on a moving base.
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: None,
@@ -69,7 +70,8 @@ const _: () = {
         }
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
+        /// `in_contact`: φᵀw is not 0.
         const MODES: [Mode<f64>; 2] = [
             Mode {
                 kind: Kind::Undamped,
@@ -170,6 +172,7 @@ const _: () = {
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
         ///
         /// Operations: 40: 18 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline(always)]
@@ -241,7 +244,7 @@ const _: () = {
         fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
             Self::functions(inverse_r).0
         }
-        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             3.5999999999999996 * contact.scale
@@ -268,8 +271,9 @@ const _: () = {
     impl ProvidesMotion for PairMasses {
         type Motion = PairMassesMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
-        /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.
+        /// `forced` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
+        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.  `friction_force` is β/(r²E) times a mode's φ_k(φᵀw); `friction` has
+        /// `root`, Q = √(|V|² − (βU)²) times r²E, and `amplitude`, Q − βG.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -278,10 +282,10 @@ const _: () = {
             let friction_weight = friction.beta * friction.unscale;
             let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
             let mode_1_rise = mode_1_friction_force * contact.scale;
-            let mode_1_swing = mode_1_friction_force * mode_1.u;
+            let mode_1_forced = mode_1_friction_force * mode_1.u;
             let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
             let mode_2_rise = mode_2_friction_force * contact.scale;
-            let mode_2_swing = mode_2_friction_force * mode_2.u;
+            let mode_2_forced = mode_2_friction_force * mode_2.u;
             let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
@@ -297,7 +301,7 @@ const _: () = {
                     ModalCoefficients {
                         rise: mode_1_rise,
                         fall: 0.0,
-                        swing: mode_1_swing,
+                        forced: mode_1_forced,
                         residue: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
@@ -307,7 +311,7 @@ const _: () = {
                     ModalCoefficients {
                         rise: mode_2_rise,
                         fall: 0.0,
-                        swing: mode_2_swing,
+                        forced: mode_2_forced,
                         residue: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
@@ -317,7 +321,8 @@ const _: () = {
         /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
         /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
         /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
-        /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
+        /// x < 1/2 the mode is mass-controlled: `mass_wave` has all of its response, so that `u_in_sum` and `offset`, else u and g, are 0
+        /// and `u_others` is all of U.
         #[allow(unused_variables)]
         fn mass_motion(
             at: &At<Self>,
@@ -350,10 +355,10 @@ const _: () = {
                             + mode_1_v_term_re * mode_2_rubbed_back);
                     let mode_1_friction_force = friction_weight * 0.3333333333333333;
                     let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
+                    let mode_1_forced = mode_1_friction_force * mode_1_u_in_sum;
                     let mode_2_friction_force = friction_weight * -1.3333333333333333;
                     let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
+                    let mode_2_forced = mode_2_friction_force * mode_2_u_in_sum;
                     (
                         Fundamental {
                             cosine: friction.root * (response_re * inverse_re)
@@ -372,7 +377,7 @@ const _: () = {
                                 ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: 0.0,
-                                    swing: mode_1_swing,
+                                    forced: mode_1_forced,
                                     residue: 0.3333333333333333 * inverse_r * inverse_r,
                                 },
                             ),
@@ -382,7 +387,7 @@ const _: () = {
                                 ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: 0.0,
-                                    swing: mode_2_swing,
+                                    forced: mode_2_forced,
                                     residue: -1.3333333333333333 * inverse_r * inverse_r,
                                 },
                             ),
@@ -401,10 +406,10 @@ const _: () = {
                             + mode_1_v_term_re * mode_2_rubbed_back);
                     let mode_1_friction_force = friction_weight * 0.6666666666666666;
                     let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
+                    let mode_1_forced = mode_1_friction_force * mode_1_u_in_sum;
                     let mode_2_friction_force = friction_weight * 1.3333333333333333;
                     let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
+                    let mode_2_forced = mode_2_friction_force * mode_2_u_in_sum;
                     (
                         Fundamental {
                             cosine: friction.root * (response_re * inverse_re)
@@ -423,7 +428,7 @@ const _: () = {
                                 ModalCoefficients {
                                     rise: mode_1_rise,
                                     fall: 0.0,
-                                    swing: mode_1_swing,
+                                    forced: mode_1_forced,
                                     residue: 0.6666666666666666 * inverse_r * inverse_r,
                                 },
                             ),
@@ -433,7 +438,7 @@ const _: () = {
                                 ModalCoefficients {
                                     rise: mode_2_rise,
                                     fall: 0.0,
-                                    swing: mode_2_swing,
+                                    forced: mode_2_forced,
                                     residue: 1.3333333333333333 * inverse_r * inverse_r,
                                 },
                             ),
@@ -461,7 +466,7 @@ const _: () = {
     impl ProvidesStuck for PairMasses {
         type Stuck = PairMassesStuck;
         /// x̄* = (V_kH − H_kV)/H: `numerator` has each mode's products with the others, as those with itself would cancel.
-        /// `driven` is a mode's part of V_k, `held_back` of −H_k; `v_term` and `h_term` of V and H.
+        /// `driven` is a mode's part of V_k, `held_back` of −H_k; `v_term` and `h_term` of V and H; `inverse` is 1/H, `unscale` 1/(r²E).
         #[allow(unused_variables)]
         #[inline]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f64>> {

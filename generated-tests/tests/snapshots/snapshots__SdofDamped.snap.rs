@@ -40,6 +40,7 @@ const _: () = {
         /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
         /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// `on_moving_base`: none, as the contact does not rub on a moving base.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
@@ -60,7 +61,8 @@ const _: () = {
         }
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
+        /// `in_contact`: φᵀw is not 0.
         const MODES: [Mode<f64>; 1] = [
             Mode {
                 kind: Kind::Light,
@@ -130,11 +132,11 @@ const _: () = {
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
         /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
         /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,
-        /// (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over
-        /// |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is uR
-        /// times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
-        /// `one_minus_sinc_pi` of qx the second, without cancellation.
+        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2, and sin(πqx) is twice their product; `half_turns` is qx.  D is
+        /// |`nearness`|², of (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that
+        /// over |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is
+        /// uR times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
+        /// `one_minus_sinc_pi` of qx the second, without cancellation.  `reversal`, g + 2ζRu, is (1 − e²)/D + ζuR.
         ///
         /// Operations: 63: 37 ×, 11 +, 6 ÷, 5 sign, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]
@@ -183,7 +185,7 @@ const _: () = {
             let inverse_modulus = 1.0 / (unit_re * unit_re + unit_im * unit_im);
             let response_re = unit_re * inverse_modulus;
             let response_im = -(unit_im * inverse_modulus);
-            let g_2 = g / (inverse_r * inverse_r);
+            let g_sum = g / (inverse_r * inverse_r);
             let contact = ContactAt {
                 scale: size,
                 v: Complex {
@@ -191,7 +193,7 @@ const _: () = {
                     im: response_im,
                 },
                 u,
-                g: g_2,
+                g: g_sum,
                 reversal,
                 h: Complex {
                     re: response_re,
@@ -253,7 +255,7 @@ const _: () = {
         fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
             Self::functions::<false>(inverse_r).0
         }
-        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.reversal + contact.scale
@@ -280,8 +282,9 @@ const _: () = {
     impl ProvidesMotion for SdofDamped {
         type Motion = SdofDampedMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
-        /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.
+        /// `forced` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
+        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.  `friction_force` is β/(r²E) times a mode's φ_k(φᵀw); `friction` has
+        /// `root`, Q = √(|V|² − (βU)²) times r²E, and `amplitude`, Q − βG.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -290,7 +293,7 @@ const _: () = {
             let friction_weight = friction.beta * friction.unscale;
             let fall = friction_weight * (mode_1.g / (mode_1.x * mode_1.x));
             let rise = friction_weight * contact.scale;
-            let swing = friction_weight * mode_1.u;
+            let forced = friction_weight * mode_1.u;
             let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
@@ -306,7 +309,7 @@ const _: () = {
                     ModalCoefficients {
                         rise,
                         fall,
-                        swing,
+                        forced,
                         residue: inverse_r * inverse_r,
                     },
                 ),

@@ -70,6 +70,7 @@ const _: () = {
             [0.8386846166563378, -0.5462905769681745],
         ];
         /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// `on_moving_base`: none, as the contact does not rub on a moving base.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,

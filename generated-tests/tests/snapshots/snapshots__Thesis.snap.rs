@@ -52,6 +52,7 @@ const _: () = {
             [0.5910090485061035, -0.7369762290995783, 0.32798527760568175],
         ];
         /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// `on_moving_base`: none, as the contact does not rub on a moving base.
         const CHAIN: Chain<f64> = Chain {
             damped: false,
             on_moving_base: None,
@@ -72,7 +73,8 @@ const _: () = {
         }
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
+        /// `in_contact`: φᵀw is not 0.
         const MODES: [Mode<f64>; 3] = [
             Mode {
                 kind: Kind::Undamped,
@@ -186,6 +188,7 @@ const _: () = {
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
         ///
         /// Operations: 62: 27 ×, 12 +, 8 compare, 6 sign, 6 ÷, 3 sin_cos_pi.
         #[inline(always)]
@@ -261,7 +264,7 @@ const _: () = {
         fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
             Self::functions(inverse_r).0
         }
-        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.scale

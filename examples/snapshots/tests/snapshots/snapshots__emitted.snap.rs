@@ -50,6 +50,7 @@ const _: () = {
             [0.9394523433296388, -0.6130038684705358],
         ];
         /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// `on_moving_base`: none, as the contact does not rub on a moving base.
         const CHAIN: Chain<f64> = Chain {
             damped: true,
             on_moving_base: None,
@@ -70,7 +71,8 @@ const _: () = {
         }
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
+        /// `in_contact`: φᵀw is not 0.
         const MODES: [Mode<f64>; 2] = [
             Mode {
                 kind: Kind::Light,
@@ -150,11 +152,11 @@ const _: () = {
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
         /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
         /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,
-        /// (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over
-        /// |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is uR
-        /// times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
-        /// `one_minus_sinc_pi` of qx the second, without cancellation.
+        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2, and sin(πqx) is twice their product; `half_turns` is qx.  D is
+        /// |`nearness`|², of (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that
+        /// over |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is
+        /// uR times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
+        /// `one_minus_sinc_pi` of qx the second, without cancellation.  `reversal`, g + 2ζRu, is (1 − e²)/D + ζuR.
         #[inline(always)]
         fn damped_mode<const WITH_G: bool>(
             mode: &Mode<f64>,
@@ -210,6 +212,7 @@ const _: () = {
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -238,7 +241,7 @@ const _: () = {
             let reversal = constants_1.inverse_mass
                 * (mode_1.reversal * (scale / mode_1.size))
                 + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
-            let g = if WITH_G {
+            let g_sum = if WITH_G {
                 constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
                     + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
             } else {
@@ -248,7 +251,7 @@ const _: () = {
                 scale,
                 v: Complex { re: v_re, im: v_im },
                 u,
-                g,
+                g: g_sum,
                 reversal,
                 h: Complex { re: h_re, im: h_im },
             };
@@ -334,7 +337,7 @@ const _: () = {
         fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
             Self::functions::<false>(inverse_r).0
         }
-        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.reversal + 4.83 * contact.scale
@@ -360,8 +363,9 @@ const _: () = {
     impl ProvidesMotion for Mount {
         type Motion = MountMotion;
         /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
-        /// `swing` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.
+        /// `forced` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
+        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.  `friction_force` is β/(r²E) times a mode's φ_k(φᵀw); `friction` has
+        /// `root`, Q = √(|V|² − (βU)²) times r²E, and `amplitude`, Q − βG.
         #[allow(unused_variables)]
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
@@ -371,11 +375,11 @@ const _: () = {
             let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
             let mode_1_fall = mode_1_friction_force * (mode_1.g / (mode_1.x * mode_1.x));
             let mode_1_rise = mode_1_friction_force * contact.scale;
-            let mode_1_swing = mode_1_friction_force * mode_1.u;
+            let mode_1_forced = mode_1_friction_force * mode_1.u;
             let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
             let mode_2_fall = mode_2_friction_force * (mode_2.g / (mode_2.x * mode_2.x));
             let mode_2_rise = mode_2_friction_force * contact.scale;
-            let mode_2_swing = mode_2_friction_force * mode_2.u;
+            let mode_2_forced = mode_2_friction_force * mode_2.u;
             let fundamental = Fundamental {
                 cosine: friction.amplitude,
                 sine: 0.0,
@@ -391,7 +395,7 @@ const _: () = {
                     ModalCoefficients {
                         rise: mode_1_rise,
                         fall: mode_1_fall,
-                        swing: mode_1_swing,
+                        forced: mode_1_forced,
                         residue: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
@@ -401,7 +405,7 @@ const _: () = {
                     ModalCoefficients {
                         rise: mode_2_rise,
                         fall: mode_2_fall,
-                        swing: mode_2_swing,
+                        forced: mode_2_forced,
                         residue: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
@@ -411,8 +415,11 @@ const _: () = {
         /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
         /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
         /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
-        /// x < 1/2 the mode is mass-controlled: all of its response is in its own part, and `u_in_sum` is 0.
-        /// Powers of 2 keep products within the scalar's range, and cancel.
+        /// x < 1/2 the mode is mass-controlled: `mass_wave` has all of its response, so that `u_in_sum` and `offset`, else u and g, are 0
+        /// and `u_others` is all of U.
+        /// `…_in_range` is times 2²⁴ = 16777216, or over it, which keeps products within the scalar's range and cancels.  `inverse` is
+        /// 1/V by way of `unit`, V over its `size`, |re| + |im|; `turning` is V less a mode's own term, or V where that is smaller,
+        /// as a mode is in phase with its own; `in_phase_over_v` is `root` over that `size`.
         #[allow(unused_variables)]
         fn mass_motion(
             at: &At<Self>,
@@ -438,13 +445,13 @@ const _: () = {
             let mode_1_offset = if mode_1.x < 0.5 { 0.0 } else { mode_1.g };
             let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
             let mode_1_rubbed_back = -(2.2483383365353795 * mode_1_u_in_sum);
-            let ratio = mode_1_offset / (mode_1.x * mode_1.x);
+            let mode_1_fall_per_force = mode_1_offset / (mode_1.x * mode_1.x);
             let mode_2_driven_re = mode_2.response.re * -0.5758879207047786;
             let mode_2_driven_im = mode_2.response.im * -0.5758879207047786;
             let mode_2_offset = if mode_2.x < 0.5 { 0.0 } else { mode_2.g };
             let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
             let mode_2_rubbed_back = -(0.9516616634646204 * mode_2_u_in_sum);
-            let ratio_2 = mode_2_offset / (mode_2.x * mode_2.x);
+            let mode_2_fall_per_force = mode_2_offset / (mode_2.x * mode_2.x);
             let response_re = mode_1_driven_re + mode_2_driven_re;
             let response_im = mode_1_driven_im + mode_2_driven_im;
             let mismatch_re = mode_1_driven_re * mode_1_u_others
@@ -468,43 +475,43 @@ const _: () = {
             let friction_weight = friction.beta * friction.unscale;
             let beta_in_range = friction.beta * 16777216.0;
             let v_size = Scalar::abs(contact.v.re) + Scalar::abs(contact.v.im);
-            let turning_re = if Scalar::abs(mode_1_v_term_re)
+            let mode_2_turning_re = if Scalar::abs(mode_1_v_term_re)
                 + Scalar::abs(mode_1_v_term_im) < v_size
             {
                 mode_1_v_term_re
             } else {
                 contact.v.re
             };
-            let turning_im = if Scalar::abs(mode_1_v_term_re)
+            let mode_2_turning_im = if Scalar::abs(mode_1_v_term_re)
                 + Scalar::abs(mode_1_v_term_im) < v_size
             {
                 mode_1_v_term_im
             } else {
                 contact.v.im
             };
-            let turning_re_2 = if Scalar::abs(mode_2_v_term_re)
+            let mode_1_turning_re = if Scalar::abs(mode_2_v_term_re)
                 + Scalar::abs(mode_2_v_term_im) < v_size
             {
                 mode_2_v_term_re
             } else {
                 contact.v.re
             };
-            let turning_im_2 = if Scalar::abs(mode_2_v_term_re)
+            let mode_1_turning_im = if Scalar::abs(mode_2_v_term_re)
                 + Scalar::abs(mode_2_v_term_im) < v_size
             {
                 mode_2_v_term_im
             } else {
                 contact.v.im
             };
-            let in_phase_share = root_in_range * inverse_size;
+            let in_phase_over_v = root_in_range * inverse_size;
             let mode_1_friction_force = friction_weight * 2.2483383365353795;
-            let mode_1_fall = mode_1_friction_force * ratio;
+            let mode_1_fall = mode_1_friction_force * mode_1_fall_per_force;
             let mode_1_rise = mode_1_friction_force * contact.scale;
-            let mode_1_swing = mode_1_friction_force * mode_1_u_in_sum;
+            let mode_1_forced = mode_1_friction_force * mode_1_u_in_sum;
             let mode_2_friction_force = friction_weight * 0.9516616634646204;
-            let mode_2_fall = mode_2_friction_force * ratio_2;
+            let mode_2_fall = mode_2_friction_force * mode_2_fall_per_force;
             let mode_2_rise = mode_2_friction_force * contact.scale;
-            let mode_2_swing = mode_2_friction_force * mode_2_u_in_sum;
+            let mode_2_forced = mode_2_friction_force * mode_2_u_in_sum;
             let (fundamental, waves) = (
                 Fundamental {
                     cosine: (root_in_range
@@ -512,19 +519,20 @@ const _: () = {
                         + beta_in_range
                             * (mismatch_re * inverse_im + mismatch_im * inverse_re))
                         * friction.unscale
-                        + (-(2.2483383365353795 * ratio) - 0.9516616634646204 * ratio_2)
+                        + (-(2.2483383365353795 * mode_1_fall_per_force)
+                            - 0.9516616634646204 * mode_2_fall_per_force)
                             * friction_weight,
                     sine: (beta_in_range
                         * (mismatch_re * inverse_re - mismatch_im * inverse_im)
-                        - in_phase_share
+                        - in_phase_over_v
                             * (mode_1_driven_im
-                                * (turning_re_2 * 16777216.0 * inverse_modulus)
+                                * (mode_1_turning_re * 16777216.0 * inverse_modulus)
                                 - mode_1_driven_re
-                                    * (turning_im_2 * 16777216.0 * inverse_modulus)
+                                    * (mode_1_turning_im * 16777216.0 * inverse_modulus)
                                 + (mode_2_driven_im
-                                    * (turning_re * 16777216.0 * inverse_modulus)
+                                    * (mode_2_turning_re * 16777216.0 * inverse_modulus)
                                     - mode_2_driven_re
-                                        * (turning_im * 16777216.0 * inverse_modulus))))
+                                        * (mode_2_turning_im * 16777216.0 * inverse_modulus))))
                         * friction.unscale,
                     response: Complex {
                         re: response_re * friction.unscale,
@@ -538,7 +546,7 @@ const _: () = {
                         ModalCoefficients {
                             rise: mode_1_rise,
                             fall: mode_1_fall,
-                            swing: mode_1_swing,
+                            forced: mode_1_forced,
                             residue: 2.2483383365353795 * inverse_r * inverse_r,
                         },
                     ),
@@ -548,7 +556,7 @@ const _: () = {
                         ModalCoefficients {
                             rise: mode_2_rise,
                             fall: mode_2_fall,
-                            swing: mode_2_swing,
+                            forced: mode_2_forced,
                             residue: 0.9516616634646204 * inverse_r * inverse_r,
                         },
                     ),

@@ -7,7 +7,7 @@ use crate::oscillator::decay::{Basis, Decay, Instant};
 
 /// Modes so near the excitation's frequency keep their forcing: their difference from it is small, and so must be what
 /// rounding leaves of it.
-const FORCED: f64 = 0.125;
+const NEAR_EXCITATION: f64 = 0.125;
 /// How many roundings of a mode's size its value at a node may be off, and sine and cosine of the excitation's angle as
 /// well: the matrix has three, its fourth power twelve, and that is applied seven times, where signs do not all agree.
 const ROUNDINGS: f64 = 64.0;
@@ -43,14 +43,14 @@ impl<S: Float> Track<S> {
             Basis {
                 free: zero,
                 slope: S::constant(1.0),
-                swing: zero,
-                swing_slope: zero,
+                forced: zero,
+                forced_slope: zero,
                 rise: zero,
             }
         } else {
             wave.basis(at)
         };
-        if is_forced(wave, all) {
+        if keeps_forcing(wave, all) {
             let (cosine, sine) = wave.forcing();
             let track = Self {
                 x,
@@ -70,8 +70,8 @@ impl<S: Float> Track<S> {
         }
         // Free, with d = p′ + 2ζx·p in the return: of p and of p′.
         let constant = wave.rise / (x * x);
-        let of_slope = -(wave.swing_slope + constant);
-        let of_free = wave.free - wave.swing - constant * loss;
+        let of_slope = -(wave.forced_slope + constant);
+        let of_free = wave.free - wave.forced - constant * loss;
         let curve = -(x * x * basis.free + loss * basis.slope);
         let track = Self {
             x,
@@ -84,8 +84,8 @@ impl<S: Float> Track<S> {
         };
         let common = Common {
             constant,
-            cosine: wave.swing_slope,
-            sine: wave.swing,
+            cosine: wave.forced_slope,
+            sine: wave.forced,
         };
         (track, common)
     }
@@ -93,9 +93,11 @@ impl<S: Float> Track<S> {
 
 /// Whether a mode keeps its forcing: beside the excitation's frequency, and far below it, where 1/x² of the return
 /// would outweigh what it moves.
-pub(super) fn is_forced<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool) -> bool {
+pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool) -> bool {
     let slow = wave.x < S::constant(0.5) && !wave.rise.is_zero();
-    all || wave.mass_controlled || slow || (wave.x - S::constant(1.0)).abs() < S::constant(FORCED)
+    all || wave.mass_controlled
+        || slow
+        || (wave.x - S::constant(1.0)).abs() < S::constant(NEAR_EXCITATION)
 }
 
 /// What the derivatives of a sum cannot exceed from an instant on.
@@ -153,7 +155,7 @@ impl<S: Float> Bounds<S> {
             let speed = y1.abs() + x * y0.abs() + drive;
             let size = y0.abs() + speed * (one / x).min(time);
             rounding = rounding + size + common.constant.abs();
-            drift = drift + two * wave.swing.abs() + wave.swing_slope.abs() * (one + x + loss);
+            drift = drift + two * wave.forced.abs() + wave.forced_slope.abs() * (one + x + loss);
         }
         let turning = cosine * at.cosine + sine * at.sine;
         let common = cosine.abs() + sine.abs();

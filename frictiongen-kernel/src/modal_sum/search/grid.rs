@@ -5,7 +5,7 @@
 //! fourth derivative away from the sum, and the cubic's Bernstein coefficients are the values and slopes themselves
 //! (section 9 of `docs/derivation.md`).
 
-use super::bounds::{Bounds, Track, is_forced};
+use super::bounds::{Bounds, Track, keeps_forcing};
 use super::row::{LANES, Matrix, Row, add, advanced, first_lanes, pairwise};
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
@@ -26,14 +26,14 @@ pub(super) struct Stretch<S> {
     /// Nodes come in rows.
     rows: usize,
     /// Whether it starts where all modes are at rest and keep their forcing: rounding then grows with the time alone.
-    pub forced: bool,
+    pub keeps_forcing: bool,
     /// The last node.
     pub to: S,
 }
 
 impl<S: Float> Stretch<S> {
     /// From an instant as far as `end` or as one grid goes, with cells of at most this width.
-    pub fn new(from: S, end: S, width: S, forced: bool) -> Self {
+    pub fn new(from: S, end: S, width: S, keeps_forcing: bool) -> Self {
         let (mut rows, mut cells) = (1, S::constant(LANES as f64 - 1.0));
         let left = end - from;
         while width * cells < left && rows < ROWS {
@@ -48,7 +48,7 @@ impl<S: Float> Stretch<S> {
             from,
             width,
             rows,
-            forced,
+            keeps_forcing,
             to,
         }
     }
@@ -97,11 +97,11 @@ impl<S: Float> ForcedStep<S> {
         let x = wave.x;
         let detuning = (x - S::constant(1.0)) * (x + S::constant(1.0));
         // cos h − d and sin h − p, and their derivatives.
-        let of_cosine = basis.swing_slope - loss * basis.free;
-        let of_sine = basis.swing;
-        let of_cosine_slope = detuning * basis.free - basis.swing;
-        let of_sine_slope = basis.swing_slope;
-        let (b, c) = (wave.swing_slope, wave.swing);
+        let of_cosine = basis.forced_slope - loss * basis.free;
+        let of_sine = basis.forced;
+        let of_cosine_slope = detuning * basis.free - basis.forced;
+        let of_sine_slope = basis.forced_slope;
+        let (b, c) = (wave.forced_slope, wave.forced);
         Self {
             value: [
                 c * of_cosine - b * of_sine,
@@ -147,16 +147,16 @@ impl<S: Float> Grid<S> {
         let width = stretch.width;
         let step = Instant::new(width * S::inverse_pi());
         self.turn(at, &step);
-        // A row further; only a forced mode asks for it.
+        // A row further; only a mode that keeps its forcing asks for it.
         let mut four = None;
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {
-            let (track, common) = Track::of(wave, at, stretch.forced);
+            let (track, common) = Track::of(wave, at, stretch.keeps_forcing);
             let advance = |basis: &Basis<S>| {
                 let matrix = Matrix::of(track.x, track.loss, (basis.free, basis.slope));
                 (matrix, ForcedStep::of(wave, track.loss, basis))
             };
-            if is_forced(wave, stretch.forced) {
+            if keeps_forcing(wave, stretch.keeps_forcing) {
                 let near = advance(&wave.decay.basis(wave.x, &step));
                 let four = four.get_or_insert_with(|| {
                     Instant::new(width * S::constant(LANES as f64) * S::inverse_pi())
@@ -265,7 +265,7 @@ impl<S: Float> Grid<S> {
         let Bounds {
             rounding, drift, ..
         } = self.bounds;
-        if self.stretch.forced && self.stretch.from.is_zero() {
+        if self.stretch.keeps_forcing && self.stretch.from.is_zero() {
             rounding.min(drift * tau)
         } else {
             rounding

@@ -47,7 +47,7 @@ pub fn excess(search: &TestSearch<'_>, negative: bool, tau: f64) -> f64 {
 /// How large the sum's terms are, of which the angle of a fast wave leaves some twelve digits.
 pub fn size(search: &TestSearch<'_>) -> f64 {
     let wave = |w: &TestWave| {
-        w.free.abs() / w.x + w.swing.abs() + w.swing_slope.abs() + w.rise.abs() / (w.x * w.x)
+        w.free.abs() / w.x + w.forced.abs() + w.forced_slope.abs() + w.rise.abs() / (w.x * w.x)
     };
     search.peak.value.abs()
         + search.problem.start

@@ -41,7 +41,7 @@ fn differences_keep_their_digits_beside_the_resonance() {
             let third = -(x + 1.0) * sum.sin() * slow
                 + apart * sum.cos() * half.cos()
                 + apart * x * turned.cos();
-            for (name, want) in [("swing", second), ("swing_slope", third)] {
+            for (name, want) in [("forced", second), ("forced_slope", third)] {
                 let jet = alone(of(name)).jet(&Instant::new(tau / PI));
                 // A few roundings of terms of the size of |x − 1|.
                 assert!(
@@ -103,16 +103,16 @@ fn sums_have_their_derivatives() {
 #[test]
 fn turns_are_unknown_from_where_rounding_turns_by_a_radian() {
     let asked = |x: f64, zeta: f64| {
-        let swing = Wave {
-            swing: 1.0,
+        let forced = Wave {
+            forced: 1.0,
             ..at_rest(x, zeta)
         };
         let slope = Wave {
-            swing_slope: 1.0,
+            forced_slope: 1.0,
             ..at_rest(x, zeta)
         };
-        assert_eq!(swing.turns_unknown(), slope.turns_unknown());
-        swing.turns_unknown()
+        assert_eq!(forced.turns_unknown(), slope.turns_unknown());
+        forced.turns_unknown()
     };
     // 1/(πε) = 1.43e15.
     assert!(!asked(1.4e15, 0.0) && asked(1.5e15, 0.0) && asked(1e300, 0.0));
@@ -121,7 +121,7 @@ fn turns_are_unknown_from_where_rounding_turns_by_a_radian() {
     // One that the contact does not drive says nothing either.
     assert!(at_rest(3.0, 0.0).turns_unknown());
     let single = Wave {
-        swing: 1.0,
+        forced: 1.0,
         ..Wave::at_rest(2.7e6_f32, Undamped)
     };
     assert!(single.turns_unknown());

@@ -43,7 +43,7 @@ fn third_derivatives_stay_within_their_bound() {
             for k in 0..40 {
                 let tau = 0.15 * f64::from(k) / part.x;
                 let turn = part.turn(tau / core::f64::consts::PI, tau);
-                let share = (a * turn.c + b * turn.s).abs() / (part.bound * turn.kept);
+                let share = (a * turn.c + b * turn.s).abs() / (part.bound * turn.decay_factor);
                 assert!(
                     share <= 1.0 + 1e-9,
                     "ζ {zeta}, x {}, τ {tau}: {share}",

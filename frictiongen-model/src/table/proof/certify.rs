@@ -140,11 +140,11 @@ impl Cells<'_> {
         // The cell at the end of the half period.
         loop {
             let share = length.min(up_to);
-            let held = match side {
+            let shown = match side {
                 Flank::Before => self.first(share, budget),
                 Flank::After => self.last(share, budget),
             };
-            if held {
+            if shown {
                 break;
             }
             length *= 0.5;

@@ -4,12 +4,21 @@ use super::force;
 use super::stage::Stage;
 use crate::interval::{Interval, Series};
 
-/// Terms of F/τ.
+/// Terms of F/τ; [`rest`] bounds what is left out, so that fewer would leave more open and show nothing wrong.
 const TERMS: usize = 13;
+/// Derivatives of the cosine at τ = 0, which repeat.
+const OF_COSINE: [f64; 4] = [1.0, 0.0, -1.0, 0.0];
+/// What the terms of sin τ/τ and of its slope beyond [`PAIRS`] sum to for |τ| ≤ 1.3: below 20·1.3¹⁹/21! < 6·10⁻¹⁷.
+const SINC_REST: f64 = 1e-16;
+/// Powers of τ² in the series of sin τ/τ.
+const PAIRS: usize = 10;
+/// A bound is enlarged by so much for up to four roundings of it, each at most 2⁻⁵³ ≈ 1.1·10⁻¹⁶.
+const UP: f64 = 1.0 + 1e-15;
+/// The same where π and factors before are rounded as well, for up to ninety.
+const FAR_UP: f64 = 1.0 + 1e-14;
 
-/// sin τ/τ and its slope for |τ| ≤ 1.3, by their series: the terms that are left out are below 20·1.3¹⁹/21!.
+/// sin τ/τ and its slope for |τ| ≤ 1.3, by their series; [`SINC_REST`] is what is left out.
 pub(super) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
-    const PAIRS: usize = 10;
     let square = tau.squared();
     let zero = Series::fixed(Interval::ZERO);
     let (mut value, mut slope) = (zero, zero);
@@ -25,7 +34,7 @@ pub(super) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
             slope = slope * square + Series::fixed(weight * Interval::point(2.0 * j as f64));
         }
     }
-    let rest = Series::fixed(Interval::within(1e-16));
+    let rest = Series::fixed(Interval::within(SINC_REST));
     (value + rest, slope * *tau + rest)
 }
 
@@ -42,9 +51,9 @@ pub(super) fn over_tau<const N: usize>(
         // Derivatives of p and of the cosine at τ = 0.
         let (mut p, mut next) = (zero, Series::fixed(Interval::ONE));
         for (n, coefficient) in coefficients.iter_mut().enumerate() {
-            let cosine = [1.0, 0.0, -1.0, 0.0].get(n % 4).copied().unwrap_or(0.0);
-            let swing_slope = Series::fixed(Interval::point(cosine)) - next;
-            *coefficient = *coefficient + mode.free * p + mode.swing_slope * swing_slope;
+            let cosine = OF_COSINE.get(n % 4).copied().unwrap_or(0.0);
+            let forced_slope = Series::fixed(Interval::point(cosine)) - next;
+            *coefficient = *coefficient + mode.free * p + mode.forced_slope * forced_slope;
             let following = -(loss * next) - square * p;
             (p, next) = (next, following);
         }
@@ -80,17 +89,17 @@ pub(super) fn rest<const N: usize>(stage: &Stage<N>, t: f64) -> [Interval; 2] {
             (p, next) = (next, following);
         }
         // Now p⁽ᵀ⁺¹⁾ and p⁽ᵀ⁺²⁾; a derivative of the cosine is at most 1.
-        let of_swing_slope = mode.swing_slope.value() * (Interval::within(1.0) - next);
-        most += (mode.free.value() * p + of_swing_slope).size() * (1.0 + 1e-15);
+        let of_forced_slope = mode.forced_slope.value() * (Interval::within(1.0) - next);
+        most += (mode.free.value() * p + of_forced_slope).size() * UP;
     }
-    let tau = std::f64::consts::PI * t * (1.0 + 1e-14);
+    let tau = std::f64::consts::PI * t * FAR_UP;
     let mut tail = most;
     for n in 1..=(TERMS - 1) {
-        tail *= tau / n as f64 * (1.0 + 1e-15);
+        tail *= tau / n as f64 * UP;
     }
     // tail is sup|F⁽ᵀ⁺¹⁾| τᵀ⁻¹/(T − 1)!.
     let terms = TERMS as f64;
-    let of_slope = tail / (terms + 1.0) * (1.0 + 1e-14);
-    let of_value = tail * tau / (terms * (terms + 1.0)) * (1.0 + 1e-14);
+    let of_slope = tail / (terms + 1.0) * FAR_UP;
+    let of_value = tail * tau / (terms * (terms + 1.0)) * FAR_UP;
     [Interval::within(of_value), Interval::within(of_slope)]
 }

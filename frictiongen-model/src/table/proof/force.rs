@@ -13,16 +13,16 @@ fn free<const N: usize>(mode: &ModeStage<N>, t: &Series<N>) -> (Series<N>, Serie
             (s / mode.x, c)
         }
         Kind::Under => {
-            let kept = turns.times(-(Interval::pi() * own.zeta)).exp();
+            let decay_factor = turns.times(-(Interval::pi() * own.zeta)).exp();
             let (s, c) = turns.times(own.q).sine_cosine();
-            let (s, c) = (kept * s, kept * c);
+            let (s, c) = (decay_factor * s, decay_factor * c);
             let p = (s / mode.x).times(Interval::ONE / own.q);
             (p, c - s.times(own.zeta_over_q))
         }
         Kind::Critical => {
-            let kept = turns.times(-Interval::pi()).exp();
-            let p = (kept * *t).times(Interval::pi());
-            (p, kept - p * mode.x)
+            let decay_factor = turns.times(-Interval::pi()).exp();
+            let p = (decay_factor * *t).times(Interval::pi());
+            (p, decay_factor - p * mode.x)
         }
         Kind::Over => {
             let rates = [Interval::ONE / own.fast, own.fast];
@@ -53,7 +53,7 @@ pub(super) fn value<const N: usize>(
     let zero = Series::fixed(Interval::ZERO);
     let modes = stage.modes.iter().zip(motions);
     modes.fold(zero, |sum, (mode, (p, slope))| {
-        sum + mode.free * *p + mode.swing_slope * (*cosine - *slope)
+        sum + mode.free * *p + mode.forced_slope * (*cosine - *slope)
     })
 }
 
@@ -69,7 +69,7 @@ pub(super) fn slope<const N: usize>(
         // −p″ = x(2ζp′ + xp).
         let two_zeta = mode.oscillator.zeta + mode.oscillator.zeta;
         let bent = mode.x * (slope.times(two_zeta) + mode.x * *p);
-        sum + mode.free * *slope + mode.swing_slope * (bent - *sine)
+        sum + mode.free * *slope + mode.forced_slope * (bent - *sine)
     })
 }
 
@@ -87,7 +87,7 @@ pub(super) fn derivatives<const N: usize>(
         let p2 = -(x * (p1 * two_zeta + x * p));
         let p3 = -(x * (p2 * two_zeta + x * p1));
         let p4 = -(x * p3 * two_zeta + square * p2);
-        let (a, b) = (mode.free.value(), mode.swing_slope.value());
+        let (a, b) = (mode.free.value(), mode.forced_slope.value());
         let [first, second, third] = &mut sums;
         *first = *first + a * p1 + b * (-sine - p2);
         *second = *second + a * p2 + b * (-cosine - p3);
@@ -104,6 +104,6 @@ pub(super) fn bend_at_start<const N: usize>(stage: &Stage<N>) -> Series<N> {
         let two_zeta = mode.oscillator.zeta + mode.oscillator.zeta;
         let curve = mode.x.times(two_zeta);
         let third = mode.x.squared() - curve.squared();
-        sum - mode.free * curve + mode.swing_slope * (third - one)
+        sum - mode.free * curve + mode.forced_slope * (third - one)
     })
 }

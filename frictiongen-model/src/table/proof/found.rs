@@ -12,6 +12,9 @@ pub(super) struct Budget {
     pub spent: usize,
 }
 
+/// A stage over an interval counts as so many evaluations of each mode.
+pub(super) const OF_STAGE: usize = 20;
+
 impl Budget {
     pub fn of(work: usize) -> Self {
         Self {

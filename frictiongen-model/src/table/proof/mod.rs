@@ -38,7 +38,7 @@ use crate::interval::{Interval, Series};
 use candidates::candidates;
 use cells::Part as Asked;
 pub use evidence::{Evidence, Proof, Work};
-use found::{Budget, Found, Part};
+use found::{Budget, Found, OF_STAGE, Part};
 use frictiongen_kernel::Float;
 use motion::Moving;
 pub(super) use product::Receptances;
@@ -232,7 +232,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         let r = Interval::new(from.min(centre), to.max(centre));
         let away = Interval::point(from).hull(Interval::point(to)) - Interval::point(centre);
         let singular = singular(&self.chain, middle);
-        self.budget.spend(20 * self.chain.modes.len());
+        self.budget.spend(OF_STAGE * self.chain.modes.len());
         let at = Stage::<ORDER>::over(&self.chain, Interval::point(centre), &singular);
         let over = Stage::<ORDER>::over(&self.chain, r, &singular);
         let (at, over) = self.oriented(at, over, away, zero)?;
@@ -252,7 +252,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             };
             let seen_at = Seen::of(&witness, &at, Interval::ZERO, rest);
             let seen_over = Seen::of(&witness, &over, all, rest);
-            self.budget.spend(20 * self.chain.modes.len());
+            self.budget.spend(OF_STAGE * self.chain.modes.len());
             // A constraint is no witness where it is negative; undamped its size is one.
             let is_one = self.chain.all_undamped || 0.0 <= seen_over.constraint.value().low;
             if !is_one {
@@ -312,7 +312,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         let (Some(own), Some(all)) = (at.kappa, over.kappa) else {
             return Some((at, over));
         };
-        let held = if zero.is_some() {
+        let sign = if zero.is_some() {
             // κ vanishes with β_lim, or does not; beside the zero it has the sign of its slope.
             let beside = all.value();
             let vanishes = own.value().size() < VANISHES;
@@ -329,7 +329,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         } else {
             Series::joined(&own, &all).range(away).sign()
         };
-        match held {
+        match sign {
             1 => Some((at, over)),
             -1 => Some((at.turned(), over.turned())),
             _ => self.chain.all_undamped.then_some((at, over)),

@@ -23,6 +23,16 @@ const SHARES: [f64; 11] = [
 const OF_SHARE: f64 = 4.0;
 const OF_ROOT: f64 = 4.0;
 const OF_PHASE: f64 = 64.0;
+/// Of an arc tangent in double precision.
+const OF_ATAN2: f64 = 4.0;
+/// Of the product with |V|.
+const OF_PRODUCT: f64 = 4.0;
+/// Shares and angles below this are small: …
+const SMALL: f64 = 0.1;
+/// … a quotient is larger by no more than this for a share in its divisor, …
+const WITH_PRODUCTS: f64 = 1.1;
+/// … and an angle than its sine.
+const OVER_SINE: f64 = 1.01;
 /// For the roundings of these lines.
 const UP: f64 = 1.0 + 1e-9;
 
@@ -133,7 +143,8 @@ impl<S: Float> Moving<'_, S> {
         // Roundings of a and of β_table, over β_table; and of the product with β.
         let with_roundings = |function: usize, off: Interval, exact: Interval| {
             let most = exact.size() + off.size();
-            let own = self.rounding(function) / least + most * (1.1 * of_limit + OF_SHARE * unit);
+            let own = self.rounding(function) / least
+                + most * (WITH_PRODUCTS * of_limit + OF_SHARE * unit);
             off * fewer + Interval::within(own * UP)
         };
         let of_alpha = with_roundings(1, off[0], alpha);
@@ -157,7 +168,7 @@ impl<S: Float> Moving<'_, S> {
             let off = off + Interval::within(rounded * UP);
             // Of the product with |V|: errors of different signs make up for each other.
             let of_size = size + Interval::within(self.excitation);
-            let off = (off + of_size + off * of_size).size() + 4.0 * unit;
+            let off = (off + of_size + off * of_size).size() + OF_PRODUCT * unit;
             // The lag is −asin ρα − arg V.
             let lag = share * of_alpha / own.hull(other) + turned;
             worst = worst.max(off * UP).max((lag.size() + OF_PHASE * unit) * UP);
@@ -317,16 +328,16 @@ impl<S: Float> Moving<'_, S> {
         if self.beside_zero {
             let [re, im] = at.excitation.map(|part| part.value().size());
             let nearest = away.low.abs().min(away.high.abs());
-            uncertain = 1.1 * (re + im) / nearest / size(&all).low;
-            if !(uncertain < 0.1) {
+            uncertain = WITH_PRODUCTS * (re + im) / nearest / size(&all).low;
+            if !(uncertain < SMALL) {
                 return None;
             }
         }
         let [re, im] = own.map(|part| part.value());
         let about = Scalar::atan2(im.middle(), re.middle());
         let width = (re.high - re.low) + (im.high - im.low);
-        let off = 1.01 * width / size(&own).low + 4.0 * f64::EPSILON;
-        if !(off < 0.1) {
+        let off = OVER_SINE * width / size(&own).low + OF_ATAN2 * f64::EPSILON;
+        if !(off < SMALL) {
             return None;
         }
         let value = Interval::new(about - off, about + off);

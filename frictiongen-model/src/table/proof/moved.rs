@@ -54,7 +54,7 @@ fn errors<S: Float>(tables: &Tables<S>, place: usize, exact: &mut Exact<'_>, r: 
     [(of(0).to_f64() / known.limit - 1.0).abs(), amplitude, phase]
 }
 
-fn held<S: Float>(accuracy: f64, side: Side) -> usize {
+fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
     let mut compared = 0;
     for (kind, count, zeta, stiction) in KINDS {
         let modal = scene(kind, count, zeta, stiction);
@@ -101,10 +101,10 @@ fn held<S: Float>(accuracy: f64, side: Side) -> usize {
 /// At random r, and friction ratios up to 0.98 of β_lim.
 #[test]
 fn the_bound_holds() {
-    let double = held::<f64>(1e-2, Side::Near)
-        + held::<f64>(1e-4, Side::Near)
-        + held::<f64>(1e-3, Side::Safe);
-    let single = held::<f32>(1e-3, Side::Near);
+    let double = agreeing::<f64>(1e-2, Side::Near)
+        + agreeing::<f64>(1e-4, Side::Near)
+        + agreeing::<f64>(1e-3, Side::Safe);
+    let single = agreeing::<f32>(1e-3, Side::Near);
     assert!(
         double > 3 * 7 * 980 && single > 6 * 980,
         "{double}, {single}"

@@ -2,7 +2,7 @@
 
 use super::cells::{Cells, Flank, ROUNDING};
 use super::force;
-use super::found::Budget;
+use super::found::{Budget, OF_STAGE};
 use super::stage::{ORDER, Stage};
 use super::witness::polynomial;
 use crate::interval::{Interval, Series};
@@ -78,7 +78,7 @@ impl Cells<'_> {
         if !(0.0 < t.low && t.high < 1.0) {
             return None;
         }
-        budget.spend(20 * part.chain.modes.len());
+        budget.spend(OF_STAGE * part.chain.modes.len());
         let (value_at, rise_at) = seen(part.at, &self.full_at, &path_at);
         let (value_over, rise_over) = seen(part.over, &self.full_over, &path_over);
         let curve = self.bend(t, budget);
@@ -117,8 +117,8 @@ impl Cells<'_> {
         for (mode, full) in stage.modes.iter_mut().zip(&self.part.at.modes) {
             let of =
                 |series: &Series<ORDER>| Series::fixed(Interval::point(value_at(series, away)));
-            (mode.x, mode.free, mode.swing_slope) =
-                (of(&full.x), of(&full.free), of(&full.swing_slope));
+            (mode.x, mode.free, mode.forced_slope) =
+                (of(&full.x), of(&full.free), of(&full.forced_slope));
         }
         stage
     }

@@ -102,7 +102,7 @@ pub(super) struct ModeStage<const N: usize> {
     /// Of p in the velocity constraint: κc(1 + g).
     pub free: Series<N>,
     /// Of cos τ − p′: κcu/x².
-    pub swing_slope: Series<N>,
+    pub forced_slope: Series<N>,
 }
 
 /// The chain at a frequency.
@@ -185,12 +185,12 @@ impl<const N: usize> Stage<N> {
             let x = inverse.times(mode.sigma);
             let detuning = square - Series::fixed(mode.sigma * mode.sigma);
             let c = mode.inverse_mass;
-            let (free, swing_slope);
+            let (free, forced_slope);
             if *singular {
                 let rest = others();
                 let with = |value: Series<N>| rest.map_or(value, |rest| rest * value);
                 free = scaled(Series::fixed(c));
-                swing_slope = with(*sine * ratio).times(c / mode.sigma);
+                forced_slope = with(*sine * ratio).times(c / mode.sigma);
                 let beside = x.value() - Interval::ONE;
                 let term = if beside.size() < RESONANT {
                     // cos(πx/2)/(x² − 1) = −(π/2) sinc(π(x − 1)/2)/(x + 1).
@@ -202,8 +202,8 @@ impl<const N: usize> Stage<N> {
                 let [re, _] = &mut excitation;
                 *re = *re + with(term).times(mode.residue);
             } else {
-                let (rise, over_swing_slope) = functions(mode, &x, &ratio, (sine, cosine));
-                swing_slope = scaled(over_swing_slope.times(c));
+                let (rise, over_forced_slope) = functions(mode, &x, &ratio, (sine, cosine));
+                forced_slope = scaled(over_forced_slope.times(c));
                 free = scaled(rise.times(c));
                 let [re, im] = &mut excitation;
                 if mode.kind == Kind::Undamped {
@@ -218,18 +218,18 @@ impl<const N: usize> Stage<N> {
                 if mode.kind != Kind::Undamped {
                     // c(g + 2ζx·u/x²), and c·g/x².
                     let own = free - scaled(Series::fixed(c));
-                    let carried = x.times(two * mode.zeta) * swing_slope;
+                    let carried = x.times(two * mode.zeta) * forced_slope;
                     reversal = reversal + own + carried;
                     let softness = Interval::ONE / (mode.sigma * mode.sigma);
                     displacement = displacement + own * square.times(softness);
                 }
             }
-            quadrature = quadrature + swing_slope;
+            quadrature = quadrature + forced_slope;
             modes.push(ModeStage {
                 oscillator: *mode,
                 x,
                 free,
-                swing_slope,
+                forced_slope,
             });
         }
         let mass = scaled(Series::fixed(chain.inverse_mass));
@@ -247,7 +247,7 @@ impl<const N: usize> Stage<N> {
     /// The same for −κ.
     pub fn turned(mut self) -> Self {
         for mode in &mut self.modes {
-            (mode.free, mode.swing_slope) = (-mode.free, -mode.swing_slope);
+            (mode.free, mode.forced_slope) = (-mode.free, -mode.forced_slope);
         }
         self.kappa = self.kappa.map(|kappa| -kappa);
         self.excitation = self.excitation.map(|part| -part);
@@ -263,7 +263,7 @@ impl<const N: usize> Stage<N> {
             oscillator: mode.oscillator,
             x: mode.x.truncated(),
             free: mode.free.truncated(),
-            swing_slope: mode.swing_slope.truncated(),
+            forced_slope: mode.forced_slope.truncated(),
         });
         Stage {
             modes: modes.collect(),

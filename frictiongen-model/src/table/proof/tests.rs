@@ -251,20 +251,20 @@ fn witnesses_that_are_none() {
                 share,
             };
             let mut budget = Budget::of(1_000_000);
-            let held = certified(&part, &mut budget);
+            let shown = certified(&part, &mut budget);
             // β_lim by the witness beside the exact one.
             let [re, im] = at.excitation.map(|part| part.value().middle());
             let own = re.hypot(im) / seen_at.size.value().middle().sqrt();
             let missed = own / exact.at(r).unwrap().limit - 1.0;
             if missed > share * 1.01 {
                 assert!(
-                    !held,
+                    !shown,
                     "{kind}{count}, {zeta}: {t:?} at r = {r} misses {missed:e}"
                 );
                 refused += 1;
             } else if missed.abs() < 1e-6 {
                 largest += 1;
-                accepted += usize::from(held);
+                accepted += usize::from(shown);
             }
         }
     }

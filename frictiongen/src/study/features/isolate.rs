@@ -295,8 +295,8 @@ impl Search<'_, '_> {
 
     /// An interval with one pole.
     fn about(&self, pole: &Pole, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
-        let held = self.function.without_pole(Interval::new(low, high), pole);
-        let excluded = held.is_some_and(|held| !held.holds_zero());
+        let value = self.function.without_pole(Interval::new(low, high), pole);
+        let excluded = value.is_some_and(|value| !value.holds_zero());
         if excluded || high - low <= CANCELLED * pole.y {
             return;
         }

@@ -18,7 +18,7 @@ pub struct Modes {
     pub contacts: Vec<f64>,
     pub loads: Vec<f64>,
     pub shapes: Vec<f64>,
-    pub share: f64,
+    pub of_base: f64,
 }
 
 impl Modes {
@@ -32,13 +32,13 @@ impl Modes {
             contacts: plain(&modal.contacts),
             loads: plain(&modal.loads),
             shapes: modal.shapes.iter().map(|shape| shape[mass].hi).collect(),
-            share: if modal.on_moving_base { 1.0 } else { 0.0 },
+            of_base: if modal.on_moving_base { 1.0 } else { 0.0 },
         }
     }
 
     pub fn at(&self, r: f64) -> Sums {
         let mut sums = Sums {
-            v: -self.share,
+            v: -self.of_base,
             h: 0.0,
             u: 0.0,
             own_v: 0.0,

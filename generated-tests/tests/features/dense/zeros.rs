@@ -47,7 +47,7 @@ fn undamped_functions() {
             continue;
         }
         let of = Of::Mass(mass);
-        let as_contact = system.modal().rubbing() == Some(mass) && modes.share == 0.0;
+        let as_contact = system.modal().rubbing() == Some(mass) && modes.of_base == 0.0;
         for measured in [Measured::Amplitude, Measured::Fundamental] {
             let points = features.invariant_points(of, measured, range).unwrap();
             let mut wanted = Vec::new();

@@ -15,7 +15,8 @@ type RustFile<'a> = (PathBuf, String, Vec<(usize, &'a Case)>);
 /// The files that the compiler is to read, each with the line where each case's call stands.
 fn files(cases: &[Case]) -> Vec<RustFile<'_>> {
     let mut files = Vec::new();
-    for (group, cases) in groups(cases) {
+    let parts = groups(cases).flat_map(|(group, cases)| group.of_files(&cases));
+    for (file, cases) in parts {
         let mut text = String::from(
             "// From the cases in `..`; see `../../messages.rs`.\n#![allow(uncommon_codepoints)]\n",
         );
@@ -34,7 +35,7 @@ fn files(cases: &[Case]) -> Vec<RustFile<'_>> {
         }
         if !calls.is_empty() {
             text.push_str("\nfn main() {}\n");
-            files.push((folder().join(format!("{}.rs", group.file)), text, calls));
+            files.push((folder().join(format!("{file}.rs")), text, calls));
         }
     }
     files

@@ -160,8 +160,8 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
             0.2 * random.unit()
         };
         let width = random.log_uniform(0.01, 0.5);
-        let forced = over_sine && case % 3 == 1;
-        let stretch = Stretch::new(from, problem.end, width, forced);
+        let keeps_forcing = over_sine && case % 3 == 1;
+        let stretch = Stretch::new(from, problem.end, width, keeps_forcing);
         let bounds = Bounds::of(&sum, &Instant::new(from / PI), problem.end - from);
         let bits = search.open_cells(&stretch, &bounds);
         let bar = 1e-11 * size(&search);

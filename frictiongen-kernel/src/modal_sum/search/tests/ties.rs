@@ -20,7 +20,7 @@ fn harmonics(sines: &[(f64, f64)], cosines: &[(f64, f64)]) -> (Vec<TestWave>, f6
         cosine += c;
         if k != 1.0 {
             waves.push(Wave {
-                swing_slope: -c,
+                forced_slope: -c,
                 ..at_rest(k, 0.0)
             });
         }

@@ -15,6 +15,27 @@ const SMALL: f64 = 0.02;
 const NORMAL_SINGLE: f64 = 1.2e-38;
 const NORMAL: f64 = 2.3e-308;
 
+/// Positive expressions of a few operations in double precision, with what is neglected beside them, are enlarged or
+/// reduced by one in a hundred: far more than they are off.
+const MORE: f64 = 1.01;
+const LESS: f64 = 0.99;
+/// A zero's place, rounded once to double precision, and a few roundings of its size: a hundred of them.
+const PLACE: f64 = 1e-14;
+/// A difference of squares or of places is off by a few roundings of these: millions of them.
+const DIFFERENCE: f64 = 1e-9;
+/// A factor of a zero that moves by a distance d has moved by four times d over the distance from it, to first order, as
+/// ±ir − z and its conjugate are four; the rest is of second order.
+const MOVED: f64 = 4.1;
+/// Safely within a half: a number that is not the nearest is half a spacing away at least, and where r − at is not exact r is
+/// farther from `at` than half of it.
+const WITHIN_HALF: f64 = 0.45;
+/// B² + 4x²y² is at least 4xy|B|, so that |B| over it is at most a quarter of 1/(xy), and 2x²|B| over it half of x/y; both
+/// enlarged.
+const QUARTER: f64 = 0.26;
+const HALF: f64 = 0.51;
+/// (|r² − y²| + x²)/|B| where B ≥ x²/2.
+const TIMES: f64 = 3.0;
+
 /// A cell of r, as numbers of the scalar.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell {
@@ -57,7 +78,7 @@ pub(super) struct Bounds {
 pub(super) fn beside<S: Float>(y: Dd) -> (f64, f64, f64) {
     let near = S::constant(y.to_f64()).to_f64();
     let apart = Ball::exact(y - Dd::from(near)).least();
-    (near, apart, 0.45 * unit::<S>().0 * y.to_f64())
+    (near, apart, WITHIN_HALF * unit::<S>().0 * y.to_f64())
 }
 
 /// A difference of numbers in double-double: no more than this.
@@ -69,14 +90,14 @@ impl Known {
     /// How near r comes to y within a cell.
     pub fn distance(&self, cell: Cell) -> f64 {
         let y = self.zero.y.to_f64();
-        let outside = (cell.low - y).max(y - cell.high) * (1.0 - 1e-9);
+        let outside = (cell.low - y).max(y - cell.high) * (1.0 - DIFFERENCE);
         // The numbers at the ends of a cell may be as near as any.
-        self.nearest.max(outside - 1e-14 * y)
+        self.nearest.max(outside - PLACE * y)
     }
 
     /// |ir − z| is at least this.
     pub fn away(&self, cell: Cell) -> f64 {
-        let x = self.zero.x.abs().to_f64() * (1.0 - 1e-14);
+        let x = self.zero.x.abs().to_f64() * (1.0 - PLACE);
         let along = if self.zero.y.is_zero() {
             cell.low
         } else {
@@ -91,19 +112,19 @@ impl Known {
         let wide = |value: S| Dd::from(value.to_f64());
         let (x, y) = (self.zero.x.abs(), self.zero.y);
         let square = x * x;
-        let moved = 4.1 * self.off / self.away(cell);
+        let moved = MOVED * self.off / self.away(cell);
         let (size, place) = (x.to_f64(), y.to_f64());
         let bounds = match *factor {
             Factor::Real { off } => {
                 if !y.is_zero() {
                     return None;
                 }
-                let least = (cell.low * cell.low + size * size) * 0.99;
+                let least = (cell.low * cell.low + size * size) * LESS;
                 let off = apart(wide(off), square) / least;
                 Bounds {
                     error: 2.0 * unit + off + moved,
                     least,
-                    most: (cell.high * cell.high + size * size) * 1.01,
+                    most: (cell.high * cell.high + size * size) * MORE,
                 }
             }
             Factor::Zero { at, rest } => {
@@ -112,12 +133,12 @@ impl Known {
                 }
                 let (own, offset) = self.along(wide(at), wide(rest), unit, cell);
                 let distance = self.distance(cell);
-                let beyond = (cell.low + place).min(2.0 * place) * 0.99;
+                let beyond = (cell.low + place).min(2.0 * place) * LESS;
                 let far = (cell.high - place).abs().max((cell.low - place).abs());
                 Bounds {
                     error: own + offset / distance + moved,
                     least: distance * beyond,
-                    most: far * (cell.high + place) * 1.01,
+                    most: far * (cell.high + place) * MORE,
                 }
             }
             Factor::Pair {
@@ -161,10 +182,10 @@ impl Known {
         let first = if exact {
             0.0
         } else {
-            // Then r is farther off than 0.45 of it.
-            unit * (1.0 + from_at / (0.45 * place - from_at).max(0.0))
+            // Then r is farther off than half of it.
+            unit * (1.0 + from_at / (WITHIN_HALF * place - from_at).max(0.0))
         };
-        let sum = unit + from_at / (cell.low + y.to_f64()) * 1.01;
+        let sum = unit + from_at / (cell.low + y.to_f64()) * MORE;
         // Both differences, the sum and the product.
         (first + unit + sum + unit, offset)
     }
@@ -183,13 +204,13 @@ impl Known {
         let low = (cell.low - y) * (cell.low + y) + x * x;
         let high = (cell.high - y) * (cell.high + y) + x * x;
         let scale = cell.high * cell.high + y * y + x * x;
-        let mut smallest = low.max(-high).max(0.0) - 1e-9 * scale;
+        let mut smallest = low.max(-high).max(0.0) - DIFFERENCE * scale;
         if x == 0.0 {
-            smallest = smallest.max(distance * (cell.low + y) * 0.99);
+            smallest = smallest.max(distance * (cell.low + y) * LESS);
         }
         let smallest = smallest.max(0.0);
         let floor = 4.0 * x * x * y * y;
-        let whole = (smallest * smallest).max(floor) * 0.99;
+        let whole = (smallest * smallest).max(floor) * LESS;
         if !(whole > 0.0) {
             return None;
         }
@@ -200,20 +221,21 @@ impl Known {
             f64::INFINITY
         };
         let steep = steep.min(if x > 0.0 {
-            0.26 / (x * y)
+            QUARTER / (x * y)
         } else {
             f64::INFINITY
         });
         // (|r² − y²| + x²)|B| is at most so many times B² + 4x²y²: with x² < 2y² by |r² − y²| ≤ |B| + x²,
         // else by B ≥ x²/2.
-        let times = (1.0 + 0.51 * x / y).min(3.0);
+        let times = (1.0 + HALF * x / y).min(TIMES);
         let shifted = offset * (cell.high + y) + off;
         let of_square = 2.0 * (own * times + unit + shifted * steep);
-        let second = 3.0 * (9.0 * own * own + unit * unit + shifted * shifted / whole);
+        // (a + b + c)² ≤ 3(a² + b² + c²).
+        let second = 3.0 * (TIMES * TIMES * own * own + unit * unit + shifted * shifted / whole);
         Some(Bounds {
             error: of_square + second + unit + least / whole + unit,
             least: whole,
-            most: (low * low).max(high * high) * 1.01 + floor * 1.01,
+            most: (low * low).max(high * high) * MORE + floor * MORE,
         })
     }
 }

@@ -279,8 +279,8 @@ impl Receptances {
             gain.0 - error * (1.0 + gain.0.abs()),
             gain.1 + error * (1.0 + gain.1.abs()),
         );
-        let held = (low - outward(low), high + outward(high));
-        (held.0.is_finite() && held.1.is_finite()).then_some(held)
+        let bounds = (low - outward(low), high + outward(high));
+        (bounds.0.is_finite() && bounds.1.is_finite()).then_some(bounds)
     }
 }
 

@@ -79,7 +79,7 @@ fn places<S: Float>(zeros: &Zeros) -> Vec<f64> {
     places
 }
 
-fn held<S: Float>(accuracy: f64, side: Side) -> (usize, usize) {
+fn counted<S: Float>(accuracy: f64, side: Side) -> (usize, usize) {
     let (mut compared, mut proven) = (0, 0);
     for (kind, count, zeta, stiction) in KINDS {
         let modal = scene(kind, count, zeta, stiction);
@@ -132,11 +132,11 @@ fn held<S: Float>(accuracy: f64, side: Side) -> (usize, usize) {
 #[test]
 fn the_bound_holds() {
     for (accuracy, side) in [(1e-3, Side::Near), (1e-6, Side::Safe), (1e-11, Side::Near)] {
-        let (compared, proven) = held::<f64>(accuracy, side);
+        let (compared, proven) = counted::<f64>(accuracy, side);
         assert!(compared > 20 * 400 && proven >= 20, "{compared}, {proven}");
     }
     for (accuracy, side) in [(1e-4, Side::Near), (1e-3, Side::Safe)] {
-        let (compared, proven) = held::<f32>(accuracy, side);
+        let (compared, proven) = counted::<f32>(accuracy, side);
         assert!(compared > 20 * 400 && proven >= 20, "{compared}, {proven}");
     }
 }

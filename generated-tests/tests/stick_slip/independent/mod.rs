@@ -1,204 +1,25 @@
 //! Steady states against `reference/orbits_more.json`, made by an integrator that shares no code with
 //! this project (`reference/tools`): asymmetric, of many segments, subharmonic, unstable, marginal.
+//!
+//! Here are the tests; `points` has the references, `values` what is compared.
 
-use frictiongen::study::{SystemOrbit, SystemOrbitMotion};
-use frictiongen::{NoOrbit, System};
-use serde_json::Value;
+mod points;
+mod values;
+
+use frictiongen::NoOrbit;
+pub use points::number;
+use points::{Point, count, points};
 use std::collections::BTreeMap;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
+use values::{Tally, all_motions, all_values, bars};
 
-/// The reference ends Newton's method at 1e-14 to 1e-12 of the state, and rounds each event's place to
-/// 1e-15 over how steeply the velocity crosses zero: twenty times what comes of it.
-const TOLERANCE: f64 = 1e-11;
-/// The place of a maximum has half the digits of its height, or those of an event.
-const PHASES: f64 = 1e-7;
-/// Central differences over 1e-6 of the state.
-const MULTIPLIERS: f64 = 1e-4;
 /// A motion that approaches as 1/√n, continued from 4096 cycles to infinitely many.
 const CONTINUED: f64 = 2e-6;
-
-pub fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
-}
-
-fn count(value: &Value) -> usize {
-    value.as_u64().expect("a count") as usize
-}
-
-fn references() -> Vec<Value> {
-    serde_json::from_str(include_str!("../../reference/orbits_more.json")).expect("JSON")
-}
-
-/// A reference with its system.
-struct Point {
-    expected: Value,
-    system: System,
-    r: f64,
-    beta: f64,
-    what: String,
-}
-
-impl Point {
-    fn of(expected: Value) -> Self {
-        let text = expected["description"].as_str().expect("text");
-        let (r, beta) = (number(&expected["r"]), number(&expected["beta"]));
-        Self {
-            system: text.parse().expect("a scene"),
-            r,
-            beta,
-            what: format!("{text}, r = {r}, β = {beta}"),
-            expected,
-        }
-    }
-
-    fn orbit(&self) -> Result<SystemOrbit<'_>, NoOrbit> {
-        self.system
-            .at(self.r)
-            .expect("in the domain")
-            .orbit(self.beta)
-    }
-
-    fn kind(&self) -> &str {
-        self.expected["kind"].as_str().expect("a kind")
-    }
-
-    fn mu(&self) -> f64 {
-        number(&self.expected["mu"])
-    }
-}
-
-fn points(wanted: impl Fn(&Point) -> bool) -> Vec<Point> {
-    let points: Vec<Point> = references().into_iter().map(Point::of).collect();
-    let found: Vec<Point> = points.into_iter().filter(wanted).collect();
-    assert!(!found.is_empty());
-    found
-}
-
-/// Values compared and skipped, and the worst error of each kind.
-#[derive(Default)]
-struct Tally {
-    compared: usize,
-    skipped: BTreeMap<&'static str, usize>,
-    worst: BTreeMap<&'static str, (f64, String)>,
-}
-
-impl Tally {
-    fn note(&mut self, kind: &'static str, found: f64, expected: f64, scale: f64, what: &str) {
-        self.compared += 1;
-        let error = (found - expected).abs() / scale;
-        let error = if error.is_nan() { f64::INFINITY } else { error };
-        let worst = self.worst.entry(kind).or_insert((0.0, String::new()));
-        if worst.0 <= error {
-            *worst = (error, format!("{what}: {found} instead of {expected}"));
-        }
-    }
-
-    fn skip(&mut self, why: &'static str) {
-        *self.skipped.entry(why).or_insert(0) += 1;
-    }
-
-    /// Prints what was compared; every kind must be within its bar.
-    fn end(&self, bar: impl Fn(&str) -> f64) {
-        println!(
-            "{} values compared, skipped: {:?}",
-            self.compared, self.skipped
-        );
-        for (kind, (error, what)) in &self.worst {
-            println!("{kind}: {error:.1e} at {what}");
-        }
-        for (kind, (error, what)) in &self.worst {
-            assert!(*error <= bar(kind), "{kind}: {error:e} at {what}");
-        }
-    }
-}
-
-/// A motion against its reference.
-fn compare(
-    motion: SystemOrbitMotion<'_, '_>,
-    expected: &Value,
-    phases: bool,
-    tally: &mut Tally,
-    what: &str,
-) {
-    let amplitude = number(&expected["amplitude"]);
-    tally.note("amplitude", motion.amplitude(), amplitude, amplitude, what);
-    tally.note(
-        "mean",
-        motion.harmonic(0).re,
-        number(&expected["mean"]),
-        amplitude,
-        what,
-    );
-    for (n, name) in [(1, "fundamental"), (3, "third")] {
-        let Some(parts) = expected[name].as_array() else {
-            tally.skip("no third harmonic of a marginal reference");
-            continue;
-        };
-        let found = motion.harmonic(n);
-        tally.note(name, found.re, number(&parts[0]), amplitude, what);
-        tally.note(name, found.im, number(&parts[1]), amplitude, what);
-    }
-    if !phases {
-        tally.skip("no phase of a marginal reference");
-    } else if expected["phase"].is_null() {
-        tally.skip("no phase where two maxima are equal");
-    } else {
-        let apart = (motion.phase() - number(&expected["phase"])).rem_euclid(TAU);
-        tally.note("phase", (apart + PI).rem_euclid(TAU) - PI, 0.0, 1.0, what);
-    }
-}
-
-fn all_motions(orbit: &SystemOrbit<'_>, point: &Point, phases: bool, tally: &mut Tally) {
-    let (expected, what) = (&point.expected, &point.what);
-    let masses = expected["masses"].as_array().expect("masses");
-    let contact = &expected["contact"];
-    compare(orbit.contact(), contact, phases, tally, what);
-    assert_eq!(masses.len(), point.system.scene().masses.len(), "{what}");
-    for (mass, expected) in masses.iter().enumerate() {
-        let motion = orbit.mass_at(mass).expect("a mass");
-        compare(motion, expected, phases, tally, what);
-    }
-}
 
 fn reported(point: &Point) -> bool {
     point.kind() == "steady"
         && count(&point.expected["period"]) == 1
         && count(&point.expected["segments"]) <= 64
-}
-
-/// A steady state, value by value.
-fn all_values(point: &Point, tally: &mut Tally) {
-    let (expected, what) = (&point.expected, &point.what);
-    let orbit = point
-        .orbit()
-        .unwrap_or_else(|error| panic!("{what}: {error}"));
-    let counts = ["period", "stops", "reversals"].map(|name| count(&expected[name]));
-    let found = [orbit.period() as usize, orbit.stops(), orbit.reversals()];
-    assert_eq!(found, counts, "{what}");
-    let symmetric = expected["symmetric"].as_bool().expect("a flag");
-    assert_eq!(orbit.is_symmetric(), symmetric, "{what}");
-    assert!(orbit.is_stable() && !orbit.is_marginal(), "{what}");
-    let stuck = number(&expected["stuck_fraction"]);
-    tally.note("stuck fraction", orbit.stuck_fraction(), stuck, 1.0, what);
-    let moduli = orbit.multipliers().iter().map(|value| value.norm());
-    let largest = moduli.fold(0.0, f64::max);
-    let multiplier = number(&expected["multiplier"]);
-    tally.note("multiplier", largest, multiplier, 1.0, what);
-    if expected["origin"].is_null() {
-        tally.skip("no origin where two maxima are equal");
-    } else {
-        let apart = (orbit.origin() - number(&expected["origin"])).rem_euclid(TAU);
-        tally.note("origin", (apart + PI).rem_euclid(TAU) - PI, 0.0, 1.0, what);
-    }
-    all_motions(&orbit, point, true, tally);
-}
-
-fn bars(kind: &str) -> f64 {
-    match kind {
-        "phase" => PHASES,
-        "multiplier" => MULTIPLIERS,
-        _ => TOLERANCE,
-    }
 }
 
 /// What repeats after a cycle.

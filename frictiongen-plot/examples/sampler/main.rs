@@ -1,0 +1,61 @@
+//! A sheet with everything that a figure can hold, in the folder of the first argument: `cargo run --example sampler`.
+//! It is written for a page and for a telephone, as SVG and, with the feature `png`, as PNG.
+//!
+//! A file for each kind of figure: `responses`, `maps`, `times`, `systems` with the sketches of the others.
+
+mod maps;
+mod responses;
+mod systems;
+mod times;
+
+use frictiongen_plot::{Figure, Point};
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = std::env::args_os()
+        .nth(1)
+        .map_or_else(std::env::temp_dir, PathBuf::from);
+    std::fs::create_dir_all(&folder)?;
+    for (name, figure) in [
+        ("responses", responses::responses()),
+        ("maps", maps::maps()),
+        ("times", times::times()),
+        ("systems", systems::systems()),
+    ] {
+        write(&folder, name, &figure)?;
+        write(&folder, &format!("{name}-narrow"), &figure.narrow())?;
+    }
+    println!("{}", folder.display());
+    Ok(())
+}
+
+#[cfg(feature = "png")]
+fn write(folder: &Path, name: &str, figure: &Figure) -> Result<(), Box<dyn Error>> {
+    std::fs::write(folder.join(format!("{name}.png")), figure.png(2.0)?)?;
+    std::fs::write(folder.join(format!("{name}.svg")), figure.svg())?;
+    Ok(())
+}
+
+#[cfg(not(feature = "png"))]
+fn write(folder: &Path, name: &str, figure: &Figure) -> Result<(), Box<dyn Error>> {
+    std::fs::write(folder.join(format!("{name}.svg")), figure.svg())?;
+    Ok(())
+}
+
+/// Points of a curve.
+fn curve(from: f64, to: f64, count: u32, function: impl Fn(f64) -> f64) -> Vec<Point> {
+    (0..=count)
+        .map(|i| from + (to - from) * f64::from(i) / f64::from(count))
+        .map(|x| (x, function(x)))
+        .collect()
+}
+
+/// The amplitude and the lag of a damped mass.
+fn damped(r: f64, zeta: f64) -> (f64, f64) {
+    let (real, imaginary) = (1.0 - r * r, 2.0 * zeta * r);
+    (
+        1.0 / real.hypot(imaginary),
+        imaginary.atan2(real).to_degrees(),
+    )
+}

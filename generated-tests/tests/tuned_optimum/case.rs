@@ -1,0 +1,105 @@
+//! The chains and what is varied of each.
+
+use frictiongen::study::{FrequencyBand, Load, OptimumRequest, System, TunedOptimum, Tuning};
+
+/// What is varied, by its place in the text.
+pub struct Case {
+    /// With `#` for the number.
+    pub text: &'static str,
+    /// The first mass and the first spring; none where it is the number.
+    pub first: [Option<f64>; 2],
+    pub base: bool,
+    pub of: &'static str,
+    pub name: &'static str,
+    pub interval: [f64; 2],
+    /// In rad/s.
+    pub band: [f64; 2],
+    pub load: f64,
+}
+
+/// A mass that rubs on the main one, on resonances that nothing else damps.
+pub const ABSORBER: Case = Case {
+    text: "struct Absorber { masses: { a: 1.0, b: 0.1 },
+        springs: { base - a: 1.0, a - b: # }, contact: a - b, excitation: a }",
+    first: [Some(1.0), Some(1.0)],
+    base: false,
+    of: "a",
+    name: "k a - b",
+    interval: [0.05, 0.15],
+    band: [0.5, 1.6],
+    load: 1.0,
+};
+/// The same, where the first spring is the number: all groups move with it.
+pub const FIRST_SPRING: Case = Case {
+    text: "struct Absorber { masses: { a: 1.0, b: 0.1 },
+        springs: { base - a: #, a - b: 0.085 }, contact: a - b, excitation: a }",
+    first: [Some(1.0), None],
+    name: "k base - a",
+    interval: [0.6, 1.2],
+    ..ABSORBER
+};
+/// The same between frequencies of which one is beside either resonance: without friction both ends are as high for one mass.
+pub const SHARP: Case = Case {
+    text: "struct Absorber { masses: { a: 1.0, b: # },
+        springs: { base - a: 1.0, a - b: 0.085 }, contact: a - b, excitation: a }",
+    name: "m b",
+    interval: [0.06, 0.16],
+    band: [0.83, 1.0],
+    ..ABSORBER
+};
+/// One mass between its moving base, on which it rubs, and a wall.
+pub const BLOCK: Case = Case {
+    text: "struct Block { masses: { block: 1 }, springs: { base - block: #, block - wall: 1 },
+        contact: block - base, excitation: base, damping: modal(0.05) }",
+    first: [Some(1.0), None],
+    base: true,
+    of: "block",
+    name: "k base - block",
+    interval: [0.1, 3.0],
+    band: [0.3, 3.5],
+    load: 0.01,
+};
+
+impl Case {
+    pub fn system(&self, value: f64) -> System {
+        let text = self.text.replace('#', &format!("{value:?}"));
+        text.parse().expect("a valid scene")
+    }
+
+    pub fn tuned(&self, described: f64) -> TunedOptimum {
+        let system = self.system(described);
+        let hertz = self.band.map(|omega| omega / std::f64::consts::TAU);
+        let request = OptimumRequest {
+            of: system.motion_named(self.of).expect("a motion"),
+            band: FrequencyBand::Hertz(hertz[0], hertz[1]),
+            load: Some(self.load()),
+        };
+        let tuning = Tuning {
+            of: system.tunable_named(self.name).expect("a number"),
+            from: self.interval[0],
+            to: self.interval[1],
+        };
+        system.tuned_optimum(&request, &tuning).expect("an optimum")
+    }
+
+    pub fn load(&self) -> Load {
+        if self.base {
+            Load::Base(self.load)
+        } else {
+            Load::Force(self.load)
+        }
+    }
+
+    /// Friction in N and amplitude in m.
+    pub fn physical(&self, described: f64, tuned: &TunedOptimum) -> [f64; 2] {
+        let scale = self
+            .system(described)
+            .load_scale(self.load())
+            .expect("a load");
+        let optimum = &tuned.optimum;
+        [
+            scale.friction(optimum.beta),
+            scale.displacement(optimum.amplitude),
+        ]
+    }
+}
