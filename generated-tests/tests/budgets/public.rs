@@ -81,6 +81,7 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
     (
         "fills a structure",
         &[
+            "contact::driven::DrivenModes::of",
             "contact::sums::ContactAt::zero",
             "contact::sums::ModeAt::zero",
             "oscillator::decay::Decay::free",
@@ -109,6 +110,7 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
         &[
             "contact::absorber::Chain::absorbed_force",
             "contact::absorber::Chain::stuck_under",
+            "contact::driven::Chain::limits_of_driven",
             "contact::sums::Chain::completed",
             "contact::pairs::Chain::contact",
             "contact::sums::Chain::joined_by",
