@@ -4,10 +4,10 @@ use crate::args::{CompileArguments, TableFormat};
 use crate::failure::Failure;
 use crate::file::write_file;
 use frictiongen::System;
-use frictiongen::kernel::table::Factor;
+use frictiongen::kernel::table::{Factor, Root};
 use frictiongen::study::InvalidScene;
-use frictiongen::study::scene::{Accuracy, Range, Scene, Side};
-use frictiongen::study::table::{Product, Proof, Tables, Work};
+use frictiongen::study::scene::{Accuracy, Provide, Range, Scene, Side};
+use frictiongen::study::table::{HeldForm, Product, Proof, Tables, Work};
 use frictiongen_codegen::standalone::{c_header, c_source, rust_source};
 use frictiongen_codegen::{Limits, SceneTables};
 use serde_json::{Value, json};
@@ -60,6 +60,10 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
     }
     if arguments.safe {
         declared.side = Side::Safe;
+    }
+    // Code without the library has limits and contact alone: no byte of a budget is for more.
+    if matches!(arguments.format, Some(TableFormat::Rust | TableFormat::C)) {
+        scene.provide.retain(|asked| *asked != Provide::Stuck);
     }
     let checked: Result<System, _> = System::try_from(scene.clone());
     let told = |error: InvalidScene| {
@@ -137,6 +141,19 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
     } else {
         String::new()
     };
+    let stuck = match &tables.held {
+        Some(held) => {
+            let operations = held.masses.iter().map(HeldForm::operations);
+            let (plain, divisions) = operations.fold((0, 0), |most, own| most.max(own));
+            format!(
+                "stuck           {}  At most {plain} additions and multiplications and {divisions} divisions a mass; {} bytes\n",
+                held.told(),
+                held.bytes(),
+            )
+        }
+        None if tables.request.stuck => "stuck           by the exact formulas\n".to_owned(),
+        None => String::new(),
+    };
     let functions = match tables.functions {
         5 => "beta_lim, a, g, arg V and |V|",
         4 => "beta_lim, a, g and arg V",
@@ -158,6 +175,7 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
          {motion}\
          lookup          {} comparisons, then {} additions and multiplications a function\n\
          sliding limit   {sliding}\n\
+         {stuck}\
          built from      {} exact values\n",
         scene.name,
         tables.request.accuracy,
@@ -197,6 +215,39 @@ fn data<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> Val
             "denominator": product.denominator.iter().map(factor).collect::<Vec<_>>(),
         }),
     };
+    let root = |root: &Root<S>| match *root {
+        Root::Pair {
+            at,
+            rest,
+            off,
+            rate,
+        } => json!({ "pair": [value(at), value(rest), value(off), value(rate)] }),
+        Root::Real { rate } => json!({ "real": [value(rate)] }),
+    };
+    let form = |form: &HeldForm<S>| match form {
+        HeldForm::Fixed(amplitude) => json!({ "fixed": value(*amplitude) }),
+        HeldForm::Undamped(own) => json!({ "undamped": product(&Some(own.clone())) }),
+        HeldForm::Damped {
+            gain,
+            numerator,
+            denominator,
+        } => json!({ "damped": {
+            "gain": value(*gain),
+            "numerator": numerator.iter().map(root).collect::<Vec<_>>(),
+            "denominator": denominator.iter().map(root).collect::<Vec<_>>(),
+        } }),
+    };
+    let stuck = tables.held.as_ref().map(|held| {
+        let named = scene.masses.iter().zip(&held.masses);
+        let masses = named.map(|(mass, own)| (mass.name.clone(), form(own)));
+        json!({
+            "masses": Value::Object(masses.collect()),
+            "contact_force": form(&held.force),
+            "resonances": held.resonances.iter().map(|own| value(*own)).collect::<Vec<_>>(),
+            "largest_error": { "value": held.worst.error, "r": held.worst.at },
+            "checked_points": held.points,
+        })
+    });
     let pieces = tables.pieces.iter().map(|piece| {
         let of = piece.coefficients.iter();
         let of = of.map(|of| of.iter().map(|c| value(*c)).collect::<Vec<f64>>());
@@ -224,6 +275,7 @@ fn data<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> Val
         "pieces": pieces.collect::<Vec<_>>(),
         "sliding_limit": product(&tables.sliding),
         "excitation": product(&tables.excitation),
+        "stuck": stuck,
         "bytes": tables.report.bytes,
         "largest_error": { "value": tables.report.worst.error, "r": tables.report.worst.at },
         "checked_points": tables.report.points,

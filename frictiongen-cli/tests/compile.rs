@@ -122,6 +122,70 @@ fn the_data() {
     );
 }
 
+/// Stuck responses are told and written where the description provides them; the force holds |V/H| = μβ*_lim.
+#[test]
+fn stuck_responses() {
+    let scene = fs::read_to_string(FRAME).unwrap();
+    let scene = scene.replace(
+        "stiction: 1.2,",
+        "stiction: 1.2, provide: [limits, stuck], accuracy: 1e-4, range: { r: 0.2..2.5 },",
+    );
+    let text = output(&scene, &["compile"]);
+    let told = text
+        .lines()
+        .find(|line| line.starts_with("stuck  "))
+        .unwrap();
+    assert!(
+        told.contains("not proven: largest error ") && told.ends_with(" bytes"),
+        "{told}"
+    );
+    let data = json(&output(&scene, &["compile", "--format", "json"]));
+    let stuck = &data["stuck"];
+    let worst = stuck["largest_error"]["value"].as_f64().unwrap();
+    assert!(worst < 1e-14 && stuck["checked_points"].as_u64() > Some(100));
+    assert_eq!(stuck["masses"]["upper"]["fixed"], 0.0);
+    assert!(stuck["masses"]["lower"]["damped"].is_object());
+    let force = &stuck["contact_force"]["damped"];
+    for r in [0.3, 0.9, 1.7] {
+        let size = |roots: &serde_json::Value| -> f64 {
+            let of = roots.as_array().unwrap().iter().map(|root| {
+                if let Some(rate) = root["real"][0].as_f64() {
+                    return rate.hypot(r);
+                }
+                let number = |at: usize| root["pair"][at].as_f64().unwrap();
+                let re = number(2) - (r - number(0) - number(1)) * (r + number(0));
+                re.hypot(number(3) * r)
+            });
+            of.product()
+        };
+        let gain = force["gain"].as_f64().unwrap().abs();
+        let limit = gain * size(&force["numerator"]) / size(&force["denominator"]) / 1.2;
+        let exact = json(&output(
+            "",
+            &["limits", FRAME, "--r", &r.to_string(), "--json"],
+        ));
+        let exact = exact["points"][0]["sliding_limit"].as_f64().unwrap();
+        assert!((limit / exact - 1.0).abs() < 1e-12, "{limit} for {exact}");
+    }
+    // Neither asked for nor in code without the library.
+    let without = json(&output(
+        "",
+        &[
+            "compile",
+            FRAME,
+            "--accuracy",
+            "1e-2",
+            "--r",
+            "0.5:2",
+            "--format",
+            "json",
+        ],
+    ));
+    assert!(without["stuck"].is_null());
+    let code = output(&scene, &["compile", "--format", "rust"]);
+    assert!(!code.to_lowercase().contains("fn stuck"));
+}
+
 #[test]
 fn code_in_files() {
     let path = temporary("frame.c");

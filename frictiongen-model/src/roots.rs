@@ -143,28 +143,44 @@ fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
 
 /// The zeros of `direct` + Σ c_i/(s² + 2ζ_iσ_i s + λ_i), as many as there are guesses; the first `known` stay.
 pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], known: usize) {
-    iterate::<f64>(modes, direct, roots, known, (100, 1e-14));
-    iterate::<Dd>(modes, direct, roots, known, (60, 1e-29));
+    fn steps<S: Float>(
+        modes: &[Driven],
+        direct: Dd,
+        roots: &mut [Complex<Dd>],
+        known: usize,
+        most: (usize, f64),
+    ) {
+        let modes: Vec<(S, S, S)> = modes
+            .iter()
+            .map(|mode| (to(mode.sigma), to(mode.zeta), to(mode.inverse_mass)))
+            .collect();
+        let direct = to(direct);
+        iterate(roots, known, most, |s| slope_over_value(&modes, direct, s));
+    }
+    steps::<f64>(modes, direct, roots, known, FIRST_STEPS);
+    steps::<Dd>(modes, direct, roots, known, LAST_STEPS);
 }
 
-/// Simultaneous corrections of all roots, each by Newton's method without the others.
-fn iterate<S: Float>(
-    modes: &[Driven],
-    direct: Dd,
+/// How many corrections in double precision, and below which share they end; then in double-double.
+const FIRST_STEPS: (usize, f64) = (100, 1e-14);
+const LAST_STEPS: (usize, f64) = (60, 1e-29);
+
+/// A double-double in another scalar.
+pub(crate) fn to<S: Float>(value: Dd) -> S {
+    S::constant(value.hi) + S::constant(value.lo)
+}
+
+/// Simultaneous corrections of all roots of a polynomial P, each by Newton's method without the others, from P′/P.
+pub(crate) fn iterate<S: Float>(
     roots: &mut [Complex<Dd>],
     known: usize,
     (steps, tolerance): (usize, f64),
+    slope_over_value: impl Fn(Complex<S>) -> Complex<S>,
 ) {
-    let to = |value: Dd| S::constant(value.hi) + S::constant(value.lo);
     let of = |value: S| {
         let high = value.to_f64();
         Dd::from(high) + Dd::from((value - S::constant(high)).to_f64())
     };
-    let direct = to(direct);
-    let modes: Vec<(S, S, S)> = modes
-        .iter()
-        .map(|mode| (to(mode.sigma), to(mode.zeta), to(mode.inverse_mass)))
-        .collect();
     let mut own: Vec<Complex<S>> = roots
         .iter()
         .map(|root| Complex::new(to(root.re), to(root.im)))
@@ -173,7 +189,7 @@ fn iterate<S: Float>(
         let mut largest = 0.0_f64;
         for index in known..own.len() {
             let Some(&s) = own.get(index) else { continue };
-            let mut newton = slope_over_value(&modes, direct, s);
+            let mut newton = slope_over_value(s);
             for (other, root) in own.iter().enumerate() {
                 let difference = complex::add(s, complex::scale(*root, S::constant(-1.0)));
                 if other != index && !(difference.re.is_zero() && difference.im.is_zero()) {

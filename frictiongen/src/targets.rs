@@ -8,7 +8,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::regime::Limits;
 use frictiongen_kernel::orbit::ProvidesOrbit;
 use frictiongen_kernel::response::{At, Continuous, ProvidesMotion, ProvidesStuck, Scene, Stuck};
-use frictiongen_kernel::table::{Compiled, Moving, Tabled, TabledMotion};
+use frictiongen_kernel::table::{Compiled, Moving, Sticking, Tabled, TabledMotion, TabledStuck};
 
 /// A scene at one frequency ratio.
 pub trait Limited {
@@ -117,21 +117,23 @@ pub trait HeldStill: Limited {
     fn stuck_mass(&self, index: usize) -> Result<Option<Complex<Self::Scalar>>, StuckResonance>;
 }
 
-macro_rules! held_still {
-    ($type:ident of $($scene:ident)+) => {
-        impl<T: ProvidesStuck $(+ $scene)+> HeldStill for $type<T>
-        where
-            T::Stuck: Deref<Target = Stuck<T>>,
-        {
-            fn stuck_mass(&self, index: usize) -> Result<Option<Complex<T::Scalar>>, StuckResonance> {
-                Ok($type::stuck(self)?.mass_at(index))
-            }
-        }
-    };
+impl<T: ProvidesStuck> HeldStill for At<T>
+where
+    T::Stuck: Deref<Target = Stuck<T>>,
+{
+    fn stuck_mass(&self, index: usize) -> Result<Option<Complex<T::Scalar>>, StuckResonance> {
+        Ok(At::stuck(self)?.mass_at(index))
+    }
 }
 
-held_still!(At of Scene);
-held_still!(Compiled of Tabled);
+impl<T: TabledStuck> HeldStill for Compiled<T>
+where
+    T::Sticking: Deref<Target = Sticking<T>>,
+{
+    fn stuck_mass(&self, index: usize) -> Result<Option<Complex<T::Scalar>>, StuckResonance> {
+        Ok(Compiled::stuck(self)?.mass_at(index))
+    }
+}
 
 /// One that gives steady states.
 pub trait Settles: Limited {

@@ -17,7 +17,7 @@ fn emitted_source() {
 }
 
 /// Scenes that declare an accuracy: what a reviewer sees of their tables.
-const TABLED: [(&str, &str); 2] = [
+const TABLED: [(&str, &str); 3] = [
     (
         "DeclaredLimits",
         "/// Two masses and their limits, to a hundredth.
@@ -45,6 +45,21 @@ const TABLED: [(&str, &str); 2] = [
             accuracy: 1e-3,
             range: { r: 0.5..2.0, beta: 0..2 },
             beyond: exact,
+        }",
+    ),
+    (
+        "DeclaredStuck",
+        "/// Two masses while their contact is stuck, to a hundredth.
+        pub struct DeclaredStuck {
+            masses: { lower: 1.0, upper: 1.0 },
+            springs: { base - lower: 1.0, lower - upper: 1.0 },
+            contact: lower - upper,
+            excitation: base,
+            damping: modal[0.05, 0.02],
+            scalar: f32,
+            provide: [limits, stuck],
+            accuracy: 1e-2,
+            range: { r: 0.5..2.0 },
         }",
     ),
 ];

@@ -5,6 +5,7 @@ mod constants;
 mod dynamics;
 mod emission;
 mod frequency;
+mod held;
 mod legend;
 mod limits;
 mod missing;
@@ -120,6 +121,7 @@ fn parts(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     }
     if wanted.stuck {
         all.join(stuck::emit(emission));
+        all.join(held::emit(emission));
     }
     if wanted.simulation || wanted.orbit || wanted.stepper {
         let dynamics = dynamics::emit(emission, &wanted);

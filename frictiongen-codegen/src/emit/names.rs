@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
 /// What emitted code imports: a scene may have the same name.
-pub(super) const IMPORTED: [&str; 86] = [
+pub(super) const IMPORTED: [&str; 91] = [
     "Complex",
     "Scalar",
     "Chain",
@@ -91,6 +91,11 @@ pub(super) const IMPORTED: [&str; 86] = [
     "Result",
     "Err",
     "Ok",
+    "HeldResponse",
+    "Root",
+    "Sticking",
+    "TabledStuck",
+    "Transfer",
 ];
 
 /// The names of the emitted types.

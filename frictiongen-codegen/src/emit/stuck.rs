@@ -21,10 +21,16 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     let visibility = &description.visibility;
     let about =
         format!(" The response of [`{name}`] at one frequency ratio while its contact is stuck.");
+    let tabled = emission.is_tabled();
+    let inner = if tabled {
+        code!(table::Sticking)
+    } else {
+        code!(response::Stuck)
+    };
     let types = code! {
         #[doc = #about]
         #[allow(deprecated, non_camel_case_types)]
-        #visibility struct #stuck(#facade::kernel::response::Stuck<#name>);
+        #visibility struct #stuck(#facade::kernel::#inner<#name>);
     };
     let unit = match emission.scene.excitation {
         Excitation::Base => "Y",
@@ -56,14 +62,22 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         }
     });
     let in_lines = (!emission.in_sums()).then(|| in_lines(emission));
+    // What the tables do not hold is the kernel's own.
+    let (exact, wraps) = if tabled {
+        let wraps = code!(#facade::kernel::wraps!(#stuck, Sticking of tabled #name, Copy););
+        (code!(Stuck<Self>), wraps)
+    } else {
+        let wraps = code!(#facade::kernel::wraps!(#stuck, Stuck of #name, Copy););
+        (code!(#stuck), wraps)
+    };
     let items = code! {
         impl ProvidesStuck for #name {
-            type Stuck = #stuck;
+            type Stuck = #exact;
 
             #in_lines
         }
 
-        #facade::kernel::wraps!(#stuck, Stuck of #name, Copy);
+        #wraps
 
         impl #stuck {
             #(#methods)*

@@ -184,42 +184,54 @@ fn domain<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream 
     }
 }
 
-fn quotient<S: Float>(emission: &Emission<'_>, product: &Product<S>) -> TokenStream {
-    let number = |value: S| emission.literal(value.to_f64());
-    let factors = |factors: &[Factor<S>]| -> Vec<TokenStream> {
-        let factor = |factor: &Factor<S>| match *factor {
-            Factor::Zero { at, rest } => {
-                let (at, rest) = (number(at), number(rest));
-                code!(Factor::Zero { at: #at, rest: #rest })
-            }
-            Factor::Pair {
-                at,
-                rest,
-                off,
-                least,
-            } => {
-                let (at, rest) = (number(at), number(rest));
-                let (off, least) = (number(off), number(least));
-                code!(Factor::Pair { at: #at, rest: #rest, off: #off, least: #least })
-            }
-            Factor::Real { off } => {
-                let off = number(off);
-                code!(Factor::Real { off: #off })
-            }
-        };
-        factors.iter().map(factor).collect()
-    };
-    let gain = number(product.gain);
+pub(super) fn quotient<S: Float>(emission: &Emission<'_>, product: &Product<S>) -> TokenStream {
+    let denominator = factors(emission, &product.denominator);
+    quotient_over(emission, product, &code!(&#denominator))
+}
+
+/// The same with its poles as an expression.
+pub(super) fn quotient_over<S: Float>(
+    emission: &Emission<'_>,
+    product: &Product<S>,
+    denominator: &TokenStream,
+) -> TokenStream {
+    let gain = emission.literal(product.gain.to_f64());
     let squared = product.squared;
-    let (numerator, denominator) = (factors(&product.numerator), factors(&product.denominator));
+    let numerator = factors(emission, &product.numerator);
     code! {
         Quotient {
             gain: #gain,
             squared: #squared,
-            numerator: &[#(#numerator),*],
-            denominator: &[#(#denominator),*],
+            numerator: &#numerator,
+            denominator: #denominator,
         }
     }
+}
+
+/// Factors as an array.
+pub(super) fn factors<S: Float>(emission: &Emission<'_>, factors: &[Factor<S>]) -> TokenStream {
+    let number = |value: S| emission.literal(value.to_f64());
+    let factors = factors.iter().map(|factor| match *factor {
+        Factor::Zero { at, rest } => {
+            let (at, rest) = (number(at), number(rest));
+            code!(Factor::Zero { at: #at, rest: #rest })
+        }
+        Factor::Pair {
+            at,
+            rest,
+            off,
+            least,
+        } => {
+            let (at, rest) = (number(at), number(rest));
+            let (off, least) = (number(off), number(least));
+            code!(Factor::Pair { at: #at, rest: #rest, off: #off, least: #least })
+        }
+        Factor::Real { off } => {
+            let off = number(off);
+            code!(Factor::Real { off: #off })
+        }
+    });
+    code!([#(#factors),*])
 }
 
 /// What the table holds, and how far it is from the exact values.
@@ -231,12 +243,8 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
         2 => "β_lim and a·sgn V = β_lim·U/V",
         _ => "β_lim",
     };
-    let Report {
-        worst,
-        points,
-        bytes,
-        ..
-    } = tables.report;
+    let Report { worst, points, .. } = tables.report;
+    let bytes = tables.bytes_without_stuck();
     let accuracy = tables.request.accuracy;
     let side = match tables.request.side {
         Side::Near => "",

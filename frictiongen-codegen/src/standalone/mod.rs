@@ -75,7 +75,7 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
             tables.request.accuracy,
             tables.pieces.len(),
             tables.terms - 1,
-            report.bytes,
+            tables.bytes_without_stuck(),
         ),
         format!(
             "Largest error {:.1e}, at r = {}: checked at {} points that the fit did not see.",

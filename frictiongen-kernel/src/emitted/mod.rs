@@ -28,8 +28,8 @@ pub use crate::stepper::{
     ModeStep, Pace, Row, Sample, StepScene, Stepped, Stepper, Units,
 };
 pub use crate::table::{
-    Compiled, ContactTable, Domain, Factor, Moving, Piece, Quotient, SteadyContact, Table, Tabled,
-    TabledMotion,
+    Compiled, ContactTable, Domain, Factor, HeldResponse, Moving, Piece, Quotient, Root,
+    SteadyContact, Sticking, Table, Tabled, TabledMotion, TabledStuck, Transfer,
 };
 pub use core::convert::From;
 pub use core::iter::{IntoIterator, Iterator};

@@ -1,9 +1,9 @@
 //! A scene at one frequency ratio, from its tables.
 
 use crate::contact::regime::{self, Limits};
-use crate::errors::{OutOfDomain, Regime, StuckResonance};
+use crate::errors::{OutOfDomain, Regime};
 use crate::number::scalar::{Float, Scalar};
-use crate::response::{At, ProvidesStuck, Scene};
+use crate::response::{At, Scene};
 
 /// Where the tables of a scene hold, and what happens beyond.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -202,15 +202,5 @@ impl<T: Tabled> Compiled<T> {
     pub fn margin(&self, beta: T::Scalar) -> Result<T::Scalar, OutOfDomain> {
         let beta = self.checked(beta)?;
         self.limits().margin(beta)
-    }
-}
-
-impl<T: Tabled + ProvidesStuck> Compiled<T> {
-    /// The response while the contact is stuck, by the exact formulas, which search nothing.
-    ///
-    /// # Errors
-    /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
-    pub fn stuck(&self) -> Result<T::Stuck, StuckResonance> {
-        self.exact().stuck()
     }
 }

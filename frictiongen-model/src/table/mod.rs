@@ -1,8 +1,9 @@
 //! Tables of declared accuracy, built from the exact functions of a scene.
 //!
 //! β_lim is fitted by pieces that are as long as the accuracy allows; beside its zeros, which are known, by what it is over
-//! the distance from them.  β*_lim and |V| are products over their zeros and poles.  What is built is compared with the
-//! exact values in the arithmetic of the table, at points that the fit did not see; between them it can be proven.
+//! the distance from them.  β*_lim and |V| are products over their zeros and poles, and so are the responses while the
+//! contact is stuck.  What is built is compared with the exact values in the arithmetic of the table, at points that the
+//! fit did not see; between them it can be proven.
 
 mod check;
 mod cover;
@@ -10,19 +11,25 @@ mod digits;
 mod errors;
 mod exact;
 mod fit;
+mod held;
+mod held_build;
+mod held_zeros;
 mod index;
 mod kinks;
 mod product;
 mod proof;
+mod proportional;
 mod quotients;
 mod request;
 mod split;
 mod tables;
+mod verified;
 mod worst;
 mod zeros;
 
 pub use errors::FRICTION_SHARES;
 pub use fit::Fitted;
+pub use held::{Held, HeldForm};
 pub use index::Index;
 pub use product::Product;
 pub use proof::{Evidence, Proof, Work};
@@ -30,5 +37,7 @@ pub use request::{COARSEST, FINEST, FINEST_SINGLE, Request, TableError};
 pub use tables::{Report, Tables};
 pub use worst::Worst;
 
+#[cfg(test)]
+mod held_tests;
 #[cfg(test)]
 mod tests;

@@ -13,8 +13,8 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 
-/// β*_lim and |V| may take this share of the accuracy.
-const EXACT_SHARE: f64 = 0.5;
+/// β*_lim, |V| and the responses while the contact is held may take this share of the accuracy.
+pub(super) const EXACT_SHARE: f64 = 0.5;
 /// With `side: safe` β*_lim is larger by so many roundings: the fewest that are proven to be more than what its factors and
 /// the uncertainty of its zeros take.
 const SAFE_ROUNDINGS: [f64; 5] = [64.0, 512.0, 4096.0, 65_536.0, 1_048_576.0];

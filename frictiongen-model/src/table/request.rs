@@ -21,6 +21,8 @@ pub struct Request {
     pub side: Side,
     /// Whether the contact's motion is tabled besides the limits.
     pub motion: bool,
+    /// Whether the responses while the contact is stuck are.
+    pub stuck: bool,
 }
 
 /// Why there is no table.

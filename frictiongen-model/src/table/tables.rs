@@ -1,10 +1,10 @@
 //! Tables of a scene, from the request to the report.
 
-use super::check;
 use super::cover::{Cover, Stuck};
 use super::errors::Comparison;
 use super::exact::Exact;
 use super::fit::{Fitted, Form, terms};
+use super::held::Held;
 use super::index::Index;
 use super::kinks;
 use super::product::Product;
@@ -18,7 +18,6 @@ use crate::modal::Modal;
 use crate::scene::{Accuracy, Provide, Scene, Side};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Quotient;
-use std::ops::Range;
 
 /// Of the accuracy the fit takes this share: the rest is for the points between those that it looks at.
 const SHARE: f64 = 0.75;
@@ -26,6 +25,8 @@ const SHARE: f64 = 0.75;
 const CHECKED: f64 = 0.9;
 /// With `side: safe` a table lies half the accuracy off, and strays by less than this share.
 const SAFE_SHARE: f64 = 0.4;
+/// Of a budget of bytes the responses while the contact is stuck may take one part in so many.
+const STUCK_PART: usize = 4;
 /// Of the accuracy the decimals of a coefficient may take this share.
 const ROUNDING: f64 = 1e-3;
 /// No table has more pieces.
@@ -46,7 +47,7 @@ pub struct Report {
     pub points: usize,
     /// How many exact values the whole took.
     pub evaluations: usize,
-    /// Pieces and index, in bytes.
+    /// All that is kept, in bytes.
     pub bytes: usize,
 }
 
@@ -68,6 +69,9 @@ pub struct Tables<S> {
     pub sliding: Option<Product<S>>,
     /// |V|, for a motion, where it is not among the functions.
     pub excitation: Option<Product<S>>,
+    /// The responses while the contact is stuck, where they are asked for; none where only the exact formulas keep the
+    /// accuracy.  They are compared with the exact values, not proven.
+    pub held: Option<Held<S>>,
     /// What was built.
     pub report: Report,
     /// What is proven of β_lim.
@@ -95,14 +99,15 @@ impl<S: Float> Tables<S> {
     pub fn build(modal: &Modal, request: Request) -> Result<Self, TableError> {
         request.check::<S>()?;
         let mut exact = Exact::new(modal);
-        Self::built(&mut exact, request).map_err(|error| match error {
+        let tables = Self::built(&mut exact, request).map_err(|error| match error {
             TableError::NotMet { at, accuracy, .. } => TableError::NotMet {
                 accuracy,
                 reached: Self::reached(&mut exact, request),
                 at,
             },
             other => other,
-        })
+        })?;
+        Ok(tables.with(Self::held_of(modal, &request).as_ref()))
     }
 
     /// Whether amplitude and phase of the contact follow from these tables.
@@ -134,6 +139,7 @@ impl<S: Float> Tables<S> {
             accuracy: COARSEST,
             side: declared.side,
             motion: scene.provide.iter().any(moves),
+            stuck: scene.provide.contains(&Provide::Stuck),
         };
         let modal = Modal::of(scene);
         let tables = match (declared.accuracy, declared.budget) {
@@ -159,7 +165,15 @@ impl<S: Float> Tables<S> {
         };
         coarsest.check::<S>()?;
         let mut exact = Exact::new(modal);
-        let mut best = Self::built_within(&mut exact, coarsest, bytes)?;
+        // No more than a share is given to what has exact formulas without a search.
+        let held = Self::held_of(modal, &request);
+        let held = held.filter(|held| held.bytes() <= bytes / STUCK_PART);
+        let mut within = |finer: Request| {
+            let kept = held.as_ref().filter(|held| held.keeps(finer.accuracy));
+            let room = bytes.saturating_sub(kept.map_or(0, Held::bytes));
+            Self::built_within(&mut exact, finer, room).map(|tables| tables.with(held.as_ref()))
+        };
+        let mut best = within(coarsest)?;
         let least = best.report.bytes;
         if least > bytes {
             return Err(TableError::TooFewBytes { bytes, least });
@@ -178,12 +192,30 @@ impl<S: Float> Tables<S> {
             if finer.check::<S>().is_err() {
                 break;
             }
-            match Self::built_within(&mut exact, finer, bytes) {
+            match within(finer) {
                 Ok(tables) if tables.report.bytes <= bytes => best = tables,
                 _ => break,
             }
         }
         Ok(best)
+    }
+
+    /// What the limits and the contact's motion take of [`Report::bytes`].
+    #[must_use]
+    pub fn bytes_without_stuck(&self) -> usize {
+        self.report.bytes - self.held.as_ref().map_or(0, Held::bytes)
+    }
+
+    fn held_of(modal: &Modal, request: &Request) -> Option<Held<S>> {
+        request.stuck.then(|| Held::of(modal, request.r)).flatten()
+    }
+
+    /// With the responses while the contact is stuck, if they keep the accuracy.
+    fn with(mut self, held: Option<&Held<S>>) -> Self {
+        let accuracy = self.request.accuracy;
+        self.held = held.filter(|held| held.keeps(accuracy)).cloned();
+        self.report.bytes += self.held.as_ref().map_or(0, Held::bytes);
+        self
     }
 
     /// The finest of accuracies ten times as coarse, and so on, that can be met.
@@ -294,6 +326,7 @@ impl<S: Float> Tables<S> {
             index,
             sliding,
             excitation,
+            held: None,
             report: Report {
                 worst,
                 sliding: off,
@@ -308,49 +341,10 @@ impl<S: Float> Tables<S> {
             kinks,
         })
     }
-
-    /// The largest error of these tables, looked for anew: as of [`Report::worst`], were they others than were built.
-    #[must_use]
-    pub fn verify(&self, modal: &Modal) -> Worst {
-        self.verified(modal, 0..self.pieces.len())
-    }
-
-    /// The same of one piece.
-    #[must_use]
-    pub fn verify_piece(&self, modal: &Modal, place: usize) -> Worst {
-        self.verified(modal, place..place + 1)
-    }
-
-    fn verified(&self, modal: &Modal, places: Range<usize>) -> Worst {
-        let mut exact = Exact::new(modal);
-        let ends = (S::constant(self.request.r.0), S::constant(self.request.r.1));
-        let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
-        let landmarks = Landmarks::of(modal, Zeros::of(modal).as_ref(), (low, high));
-        let shape = (self.functions, self.terms);
-        let quotient = self.excitation.as_ref().map(Product::quotient);
-        let mut cover = cover(&mut exact, landmarks, &self.request, shape, quotient);
-        (cover.comparison.limit, cover.comparison.motion) = cover.whole;
-        let mut worst = Worst {
-            error: 0.0,
-            at: low,
-        };
-        for place in places {
-            let Some(piece) = self.pieces.get(place) else {
-                continue;
-            };
-            let next = self.pieces.get(place + 1);
-            let to = next.map_or(high, |next| next.from.to_f64());
-            let (seen, _) = check::piece(&mut cover.comparison, piece, (piece.from.to_f64(), to));
-            if !(seen.error <= worst.error) {
-                worst = seen;
-            }
-        }
-        relative(worst, &self.request)
-    }
 }
 
 /// A cover before its first piece.
-fn cover<'a, 'm, S: Float>(
+pub(super) fn cover<'a, 'm, S: Float>(
     exact: &'a mut Exact<'m>,
     landmarks: Landmarks,
     request: &Request,
@@ -385,7 +379,7 @@ fn cover<'a, 'm, S: Float>(
 }
 
 /// An error over what the check allows, as a relative error.
-fn relative(worst: Worst, request: &Request) -> Worst {
+pub(super) fn relative(worst: Worst, request: &Request) -> Worst {
     let error = match request.side {
         Side::Near => worst.error * CHECKED * request.accuracy,
         Side::Safe => 0.5 * request.accuracy * (1.0 + CHECKED * worst.error),

@@ -46,6 +46,7 @@ fn request(r: (f64, f64), accuracy: f64) -> Request {
         accuracy,
         side: Side::Near,
         motion: false,
+        stuck: false,
     }
 }
 

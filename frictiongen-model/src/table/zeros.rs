@@ -8,9 +8,9 @@ use frictiongen_kernel::table::Factor;
 use frictiongen_kernel::{Complex, Float};
 
 /// Of a zero or pole its real part counts as none, and of a coefficient its size, below this share.
-const NONE: f64 = 1e-20;
+pub(super) const NONE: f64 = 1e-20;
 /// Modes whose constants agree to this count as equal.
-const EQUAL: f64 = 1e-24;
+pub(super) const EQUAL: f64 = 1e-24;
 /// Zeros of V and H closer than this are one.
 const COMMON: f64 = 1e-13;
 
@@ -171,7 +171,7 @@ impl Zeros {
 }
 
 /// The poles of a mode.
-fn poles(mode: &Driven) -> Vec<Zero> {
+pub(super) fn poles(mode: &Driven) -> Vec<Zero> {
     let (one, zero) = (Dd::ONE, Dd::ZERO);
     let q = ((one - mode.zeta) * (one + mode.zeta)).abs().sqrt();
     if mode.zeta < one {
@@ -194,8 +194,15 @@ fn poles(mode: &Driven) -> Vec<Zero> {
 fn zeros(modes: &[Driven], direct: Dd, damped: bool, known: usize) -> Option<Vec<Zero>> {
     let degree = degree(modes, direct)?;
     let mut roots = vec![complex::real(Dd::ZERO); known];
-    roots.extend(guesses(modes, degree.checked_sub(known)?));
+    let sigmas = modes.iter().map(|mode| mode.sigma.to_f64());
+    roots.extend(guesses(sigmas, degree.checked_sub(known)?));
     converge(modes, direct, &mut roots, known);
+    classified(roots, known, damped)
+}
+
+/// Roots as zeros, of those that come together one; none if they do not come so, or one of them is no number.
+pub(super) fn classified(roots: Vec<Complex<Dd>>, known: usize, damped: bool) -> Option<Vec<Zero>> {
+    let degree = roots.len();
     let tiny = Dd::from(NONE);
     let mut zeros = Vec::new();
     let mut found = known;
@@ -256,10 +263,10 @@ fn degree(modes: &[Driven], direct: Dd) -> Option<usize> {
 }
 
 /// Uneven places about the imaginary axis, over and a little beyond the resonances.
-fn guesses(modes: &[Driven], count: usize) -> Vec<Complex<Dd>> {
-    let sigmas = || modes.iter().map(|mode| mode.sigma.to_f64());
-    let low = 0.6 * sigmas().fold(f64::INFINITY, f64::min);
-    let high = 1.4 * sigmas().fold(0.0, f64::max);
+pub(super) fn guesses(sigmas: impl Iterator<Item = f64>, count: usize) -> Vec<Complex<Dd>> {
+    let ends = (f64::INFINITY, 0.0_f64);
+    let (low, high) = sigmas.fold(ends, |(low, high), sigma| (low.min(sigma), high.max(sigma)));
+    let (low, high) = (0.6 * low, 1.4 * high);
     (0..count)
         .map(|index| {
             let share = (index as f64 + 0.5) / count as f64;

@@ -28,8 +28,8 @@ enum Pieces<S> {
 
 /// A system with tables of its limits and of its contact's motion, to a declared accuracy over a range of r.
 ///
-/// It answers as the system does, within the range.  The motions of masses, and what else the tables do not hold,
-/// come from the exact formulas.
+/// It answers as the system does, within the range.  The motions of masses while the contact slides, and what else the
+/// tables do not hold, come from the exact formulas.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, LimitsAt, System};
@@ -57,8 +57,8 @@ pub struct CompiledSystem<'s, S: Float = f64> {
 }
 
 impl<S: Float> System<S> {
-    /// Tables of β_lim and of the contact's motion over a range of r, none of which is off by more than `accuracy`,
-    /// relative; phases in radians.
+    /// Tables of β_lim, of the contact's motion and of the stuck responses over a range of r, none of which is off by more
+    /// than `accuracy`, relative; phases in radians.
     ///
     /// # Errors
     /// [`TableError`] for a range or an accuracy that is none, and where nothing meets the accuracy.
@@ -72,6 +72,7 @@ impl<S: Float> System<S> {
             accuracy,
             side: Side::Near,
             motion: true,
+            stuck: true,
         })
     }
 

@@ -3,6 +3,7 @@
 mod at;
 mod builder;
 mod compiled;
+mod compiled_stuck;
 #[cfg(feature = "desk")]
 mod curve;
 mod error;
@@ -29,6 +30,7 @@ pub mod words;
 pub use at::SystemAt;
 pub use builder::Builder;
 pub use compiled::{CompiledAt, CompiledContact, CompiledMotion, CompiledSystem};
+pub use compiled_stuck::CompiledStuck;
 #[cfg(feature = "desk")]
 pub use curve::{Curve, CurveError, CurvePoint, CurveRequest, End, Gap, Movement, Piece};
 pub use error::{InvalidScene, StudyError, UnknownMass};

@@ -35,7 +35,7 @@ struct Tally {
 }
 
 /// How many random points a scene is looked at.
-fn points(default: usize) -> usize {
+pub fn points(default: usize) -> usize {
     let asked = std::env::var("POINTS").ok();
     asked
         .and_then(|points| points.parse().ok())

@@ -325,6 +325,7 @@ fn a_budget() {
         accuracy: 0.1,
         side: Side::Near,
         motion: false,
+        stuck: false,
     };
     let tables =
         frictiongen::study::table::Tables::<f64>::within(system.modal(), request, 2048).unwrap();

@@ -3,9 +3,12 @@
 mod accuracy;
 mod bad_input;
 mod emitted;
+mod emitted_stuck;
+mod held_chain;
 mod proven;
 mod random;
 mod scenes;
 mod smaller;
 mod standalone;
+mod stuck;
 mod verified;

@@ -21,6 +21,7 @@ fn held(name: &str, text: &str, accuracy: f64, points: usize, random: &mut Rando
         accuracy,
         side: Side::Near,
         motion: false,
+        stuck: false,
     };
     let tables = match Tables::<f64>::build(system.modal(), request) {
         Ok(tables) => tables.proven(system.modal(), Work::WHOLE),

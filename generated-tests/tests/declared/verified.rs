@@ -19,6 +19,7 @@ fn a_wrong_coefficient() {
                 accuracy,
                 side: Side::Near,
                 motion: true,
+                stuck: false,
             };
             let mut tables = Tables::<f64>::build(system.modal(), request).unwrap();
             let sound = tables.verify(system.modal());

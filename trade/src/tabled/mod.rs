@@ -55,6 +55,7 @@ fn request(exponent: u8, motion: bool) -> Request {
         accuracy: format!("1e-{exponent}").parse().expect("a number"),
         side: Side::Near,
         motion,
+        stuck: false,
     }
 }
 

@@ -28,7 +28,7 @@ mod witness;
 #[cfg(test)]
 mod moved;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use super::exact::Exact;
 use super::fit::Fitted;

@@ -15,7 +15,7 @@ use crate::scene::{
 };
 
 /// Equal masses and springs: the last mass on a wall, the first on a moving base, or the first two on each other.
-pub(super) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
+pub(in crate::table) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
     let mass = |place: usize| Mass {
         name: format!("m{place}"),
         value: 1.0,
@@ -60,6 +60,7 @@ pub(super) fn request(accuracy: f64, side: Side) -> Request {
         accuracy,
         side,
         motion: false,
+        stuck: false,
     }
 }
 

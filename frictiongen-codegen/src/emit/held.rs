@@ -1,0 +1,236 @@
+//! The responses while the contact is stuck, of a scene of declared accuracy.
+
+use super::emission::{Emission, Part};
+use super::table::{factors, quotient_over};
+use crate::lower::SceneTables;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::table::Root;
+use frictiongen_model::table::{Held, HeldForm, Tables};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::format_ident;
+
+/// Products as constants, and what answers from them; nothing for an exact scene.
+pub(super) fn emit(emission: &Emission<'_>) -> Part {
+    match &emission.description.tables {
+        None => Part::default(),
+        Some(SceneTables::Double(tables)) => tabled(emission, tables),
+        Some(SceneTables::Single(tables)) => tabled(emission, tables),
+    }
+}
+
+fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> Part {
+    let Emission {
+        name,
+        stuck,
+        scalar,
+        ..
+    } = emission;
+    let Some(held) = &tables.held else {
+        let items = code! {
+            /// The exact formulas answer: as products their zeros cannot be told apart, their roundings are more than half
+            /// the accuracy, or they take more than a quarter of a budget of bytes.
+            impl TabledStuck for #name {
+                type Sticking = #stuck;
+
+                #[inline]
+                fn holds_stuck(&self) -> bool {
+                    false
+                }
+
+                #[inline]
+                fn stuck_resonances(&self) -> &[#scalar] {
+                    &[]
+                }
+
+                #[inline]
+                fn tabled_stuck(&self, _: usize, _: #scalar) -> Option<Complex<#scalar>> {
+                    None
+                }
+
+                #[inline]
+                fn tabled_holding_force(&self, _: #scalar) -> Option<Complex<#scalar>> {
+                    None
+                }
+            }
+        };
+        return Part {
+            items,
+            ..Part::default()
+        };
+    };
+    let poles = Poles::of(held);
+    let associated = poles.constants(emission);
+    let amplitudes = held.masses.iter().enumerate().map(|(mass, form)| {
+        let mass = Literal::usize_unsuffixed(mass);
+        let response = poles.response(emission, form);
+        code!(#mass => Some(#response.value(r)))
+    });
+    let force = poles.response(emission, &held.force);
+    let resonances = emission.list(held.resonances.iter().map(|own| own.to_f64()));
+    let (stuck_about, force_about) = (stuck_about(held), force_about(held));
+    let items = code! {
+        impl TabledStuck for #name {
+            type Sticking = #stuck;
+
+            #[inline]
+            fn holds_stuck(&self) -> bool {
+                true
+            }
+
+            #[inline]
+            fn stuck_resonances(&self) -> &[#scalar] {
+                &#resonances
+            }
+
+            #(#[doc = #stuck_about])*
+            #[inline]
+            fn tabled_stuck(&self, mass: usize, r: #scalar) -> Option<Complex<#scalar>> {
+                match mass {
+                    #(#amplitudes,)*
+                    _ => None,
+                }
+            }
+
+            #(#[doc = #force_about])*
+            #[inline]
+            fn tabled_holding_force(&self, r: #scalar) -> Option<Complex<#scalar>> {
+                Some(#force.value(r))
+            }
+        }
+    };
+    Part {
+        associated,
+        items,
+        ..Part::default()
+    }
+}
+
+/// The poles of the responses, each set once.
+struct Poles<'a, S> {
+    sets: Vec<&'a HeldForm<S>>,
+}
+
+impl<'a, S: Float> Poles<'a, S> {
+    fn of(held: &'a Held<S>) -> Self {
+        let mut sets: Vec<&HeldForm<S>> = Vec::new();
+        for form in held.masses.iter().chain([&held.force]) {
+            let is_fixed = matches!(form, HeldForm::Fixed(_));
+            if !is_fixed && !sets.iter().any(|set| set.shares_poles(form)) {
+                sets.push(form);
+            }
+        }
+        Self { sets }
+    }
+
+    fn name(place: usize) -> Ident {
+        if place == 0 {
+            format_ident!("STUCK_POLES")
+        } else {
+            format_ident!("STUCK_POLES_{}", place + 1)
+        }
+    }
+
+    fn constants(&self, emission: &Emission<'_>) -> TokenStream {
+        let scalar = &emission.scalar;
+        let constants = self.sets.iter().enumerate().map(|(place, form)| {
+            let name = Self::name(place);
+            let (of, poles, count) = match form {
+                HeldForm::Damped { denominator, .. } => {
+                    (code!(Root), roots(emission, denominator), denominator.len())
+                }
+                HeldForm::Undamped(product) => {
+                    let poles = factors(emission, &product.denominator);
+                    (code!(Factor), poles, product.denominator.len())
+                }
+                HeldForm::Fixed(_) => return TokenStream::new(),
+            };
+            let about = match (place, form) {
+                (0, HeldForm::Damped { .. }) => {
+                    " Poles of the responses while the contact is stuck, factors of s = ir: `Pair` is off − (r − at − rest)(r + at) + i·rate·r, `Real` rate + ir."
+                }
+                (0, _) => {
+                    " Poles of the responses while the contact is stuck: `Zero` is (r − at − rest)(r + at)."
+                }
+                _ => " The same of a mass that has others.",
+            };
+            let count = Literal::usize_unsuffixed(count);
+            code! {
+                #[doc = #about]
+                const #name: [#of<#scalar>; #count] = #poles;
+            }
+        });
+        constants.collect()
+    }
+
+    fn response(&self, emission: &Emission<'_>, form: &HeldForm<S>) -> TokenStream {
+        let place = self.sets.iter().position(|set| set.shares_poles(form));
+        let poles = Self::name(place.unwrap_or_default());
+        let poles = code!(&Self::#poles);
+        match form {
+            HeldForm::Fixed(amplitude) => {
+                let amplitude = emission.literal(amplitude.to_f64());
+                code!(HeldResponse::Fixed(#amplitude))
+            }
+            HeldForm::Undamped(product) => {
+                let quotient = quotient_over(emission, product, &poles);
+                code!(HeldResponse::Undamped(#quotient))
+            }
+            HeldForm::Damped {
+                gain, numerator, ..
+            } => {
+                let gain = emission.literal(gain.to_f64());
+                let numerator = roots(emission, numerator);
+                code!(HeldResponse::Damped(Transfer {
+                    gain: #gain,
+                    numerator: &#numerator,
+                    denominator: #poles,
+                }))
+            }
+        }
+    }
+}
+
+fn roots<S: Float>(emission: &Emission<'_>, roots: &[Root<S>]) -> TokenStream {
+    let number = |value: S| emission.literal(value.to_f64());
+    let roots = roots.iter().map(|root| match *root {
+        Root::Pair {
+            at,
+            rest,
+            off,
+            rate,
+        } => {
+            let (at, rest) = (number(at), number(rest));
+            let (off, rate) = (number(off), number(rate));
+            code!(Root::Pair { at: #at, rest: #rest, off: #off, rate: #rate })
+        }
+        Root::Real { rate } => {
+            let rate = number(rate);
+            code!(Root::Real { rate: #rate })
+        }
+    });
+    code!([#(#roots),*])
+}
+
+fn stuck_about<S: Float>(held: &Held<S>) -> Vec<String> {
+    let operations = held.masses.iter().map(HeldForm::operations);
+    let (plain, divisions) = operations.fold((0, 0), |most, own| most.max(own));
+    vec![
+        " x̄* = V_k − H_kV/H (6.11, 6.27, 6.33) of each mass, as a product over its zeros and poles.".to_owned(),
+        String::new(),
+        format!(" {}", held.told()),
+        String::new(),
+        format!(
+            " Operations: at most {plain} additions and multiplications, {divisions} divisions; all masses and the force hold {} bytes.",
+            held.bytes(),
+        ),
+    ]
+}
+
+fn force_about<S: Float>(held: &Held<S>) -> Vec<String> {
+    let (plain, divisions) = held.force.operations();
+    vec![
+        " V/H, the force that holds the contact, in the same way.".to_owned(),
+        String::new(),
+        format!(" Operations: {plain} additions and multiplications, {divisions} divisions."),
+    ]
+}

@@ -1,0 +1,263 @@
+//! The responses while the contact is held from zeros and poles, and how far they are from the sums over modes.
+
+use super::errors::or_infinite;
+use super::held::{Held, HeldForm};
+use super::held_zeros::{HeldAt, Rational, Response, responses};
+use super::product::Product;
+use super::worst::Worst;
+use super::zeros::Zero;
+use crate::modal::Modal;
+use frictiongen_kernel::number::complex;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::table::Root;
+use frictiongen_kernel::{Complex, Float};
+
+/// Points over the range at which each response is compared, besides those close to its zeros and poles.
+const POINTS: usize = 64;
+/// How close to a zero or a pole, relative to it.
+const BESIDE: [f64; 7] = [0.0, 1e-15, -1e-13, 1e-10, -1e-7, 1e-4, -1e-2];
+/// Roundings of r by which an exact value may be off.
+const ROUNDINGS: f64 = 8.0;
+/// A pole closer to a number of the scalar is that number: of its 30 digits the iteration leaves the last ones open.
+const SAME: f64 = 1e-26;
+/// Where it is looked for a place that is far from all zeros and poles.
+const PLACES: usize = 33;
+/// The golden section, by whose multiples points are spread.
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+
+/// A double-double rounded once to a scalar.
+fn rounded<S: Float>(value: Dd) -> S {
+    // A double halfway between two numbers of a narrower scalar would hide on which side the low part is: it moves.
+    let moved = if value.lo > 0.0 {
+        value.hi.next_up()
+    } else if value.lo < 0.0 {
+        value.hi.next_down()
+    } else {
+        value.hi
+    };
+    let plain = S::constant(value.hi);
+    if plain.to_f64() == value.hi {
+        plain
+    } else {
+        S::constant(moved)
+    }
+}
+
+impl Zero {
+    /// The factor of s = ir that it stands for.
+    fn root<S: Float>(&self, to: &impl Fn(Dd) -> S) -> Root<S> {
+        if self.y.is_zero() {
+            return Root::Real { rate: to(-self.x) };
+        }
+        let at = to(self.y);
+        Root::Pair {
+            at,
+            rest: to(self.y - Dd::from(at.to_f64())),
+            off: to(self.x * self.x),
+            rate: to(-Dd::from(2.0) * self.x),
+        }
+    }
+}
+
+impl<S: Float> Held<S> {
+    /// Of a scene over a range of frequency ratios; none where the zeros cannot be told apart.
+    #[must_use]
+    pub fn of(modal: &Modal, range: (f64, f64)) -> Option<Self> {
+        let (masses, force) = responses(modal)?;
+        let mut build = Build::new::<S>(modal, range);
+        let (low, high) = build.range;
+        let masses: Option<Vec<HeldForm<S>>> = masses
+            .iter()
+            .enumerate()
+            .map(|(mass, response)| build.form(response, |at| at.mass(modal, mass)))
+            .collect();
+        let (masses, force_form) = (masses?, build.form(&force, |at| at.force)?);
+        let Build { worst, points, .. } = build;
+        let mut resonances: Vec<S> = modal.unbounded(true).into_iter().map(rounded).collect();
+        let poles = match &force {
+            Response::Fixed(_) => &[],
+            Response::Rational(force) => force.poles.as_slice(),
+        };
+        for pole in poles.iter().filter(|pole| pole.is_on_axis()) {
+            let own: S = rounded(pole.y);
+            if (Dd::from(own.to_f64()) - pole.y).abs() <= pole.y * Dd::from(SAME) {
+                resonances.push(own);
+            }
+        }
+        resonances.retain(|own| low <= own.to_f64() && own.to_f64() <= high);
+        Some(Self {
+            masses,
+            force: force_form,
+            resonances,
+            worst,
+            points,
+        })
+    }
+
+    /// The largest error of these responses, looked for anew: as of [`worst`](Self::worst), were they others than were
+    /// built.  None where no zeros are known.
+    #[must_use]
+    pub fn verify(&self, modal: &Modal, range: (f64, f64)) -> Option<Worst> {
+        let (masses, force) = responses(modal)?;
+        let mut build = Build::new::<S>(modal, range);
+        let named = masses.iter().zip(&self.masses).enumerate();
+        for (mass, (response, form)) in named {
+            build.compare(response, form, |at| at.mass(modal, mass));
+        }
+        build.compare(&force, &self.force, |at| at.force);
+        Some(build.worst)
+    }
+}
+
+/// A number of the scalar, and the exact responses there.
+struct Point {
+    r: f64,
+    at: HeldAt,
+    /// The same some roundings of r farther on.
+    moved: HeldAt,
+}
+
+impl Point {
+    fn new(modal: &Modal, r: f64) -> Self {
+        Self {
+            r,
+            at: HeldAt::new(modal, r),
+            moved: HeldAt::new(modal, r * (1.0 + ROUNDINGS * f64::EPSILON)),
+        }
+    }
+}
+
+/// What forms are made from and compared with.
+struct Build<'a> {
+    modal: &'a Modal,
+    damped: bool,
+    range: (f64, f64),
+    spread: Vec<Point>,
+    worst: Worst,
+    points: usize,
+}
+
+impl<'a> Build<'a> {
+    fn new<S: Float>(modal: &'a Modal, (low, high): (f64, f64)) -> Self {
+        // The ends that an answer sees.
+        let (low, high) = (S::constant(low).to_f64(), S::constant(high).to_f64());
+        let spread = (0..POINTS).map(|k| {
+            let share = (GOLDEN * (k + 1) as f64).fract();
+            S::constant(low + share * (high - low)).to_f64()
+        });
+        let spread = spread.chain([low, high]);
+        Self {
+            modal,
+            damped: modal.is_damped(),
+            range: (low, high),
+            spread: spread.map(|r| Point::new(modal, r)).collect(),
+            worst: Worst {
+                error: 0.0,
+                at: low,
+            },
+            points: 0,
+        }
+    }
+
+    fn form<S: Float>(
+        &mut self,
+        response: &Response,
+        exact: impl Fn(&HeldAt) -> Complex<Dd>,
+    ) -> Option<HeldForm<S>> {
+        let rational = match response {
+            Response::Fixed(amplitude) => return Some(HeldForm::Fixed(S::constant(*amplitude))),
+            Response::Rational(rational) => rational,
+        };
+        let place = self.place(rational)?;
+        let unit = self.with_gain(rational, Dd::ONE, &|value| value);
+        let at = Dd::from(place);
+        let inverse = complex::reciprocal(unit.response().value(at), self.damped);
+        let gain = complex::mul(exact(&HeldAt::new(self.modal, place)), inverse, true).re;
+        let form = self.with_gain(rational, gain, &rounded::<S>);
+        self.compare(response, &form, exact);
+        Some(form)
+    }
+
+    /// Where in the range it is farthest to all zeros and poles.
+    fn place(&self, rational: &Rational) -> Option<f64> {
+        let (low, high) = self.range;
+        let away = |r: f64| {
+            let off = |zero: &Zero| zero.x.to_f64().hypot(r - zero.y.to_f64()) / r;
+            let zeros = rational.zeros.iter().chain(&rational.poles);
+            zeros.map(off).fold(f64::INFINITY, f64::min)
+        };
+        let places = (0..PLACES).map(|k| low + (high - low) * (k as f64 + 0.5) / PLACES as f64);
+        places.max_by(|a, b| away(*a).total_cmp(&away(*b)))
+    }
+
+    fn with_gain<T: Float>(
+        &self,
+        rational: &Rational,
+        gain: Dd,
+        to: &impl Fn(Dd) -> T,
+    ) -> HeldForm<T> {
+        let Rational { zeros, poles } = rational;
+        let gain = to(gain);
+        if self.damped {
+            let roots = |zeros: &[Zero]| zeros.iter().map(|zero| zero.root(to)).collect();
+            return HeldForm::Damped {
+                gain,
+                numerator: roots(zeros),
+                denominator: roots(poles),
+            };
+        }
+        let factors = |zeros: &[Zero]| zeros.iter().map(|zero| zero.factor(false, to)).collect();
+        HeldForm::Undamped(Product {
+            gain,
+            squared: false,
+            numerator: factors(zeros),
+            denominator: factors(poles),
+        })
+    }
+
+    /// Looks at a form over the range, and close to its zeros and poles.
+    fn compare<S: Float>(
+        &mut self,
+        response: &Response,
+        form: &HeldForm<S>,
+        exact: impl Fn(&HeldAt) -> Complex<Dd>,
+    ) {
+        // What stands still has no relative error.
+        let Response::Rational(rational) = response else {
+            return;
+        };
+        let (low, high) = self.range;
+        let places = rational.zeros.iter().chain(&rational.poles);
+        let places = places
+            .map(|zero| zero.y.to_f64())
+            .flat_map(|place| BESIDE.map(|beside| S::constant(place * (1.0 + beside)).to_f64()));
+        let within = places.filter(|r| low <= *r && *r <= high);
+        let close: Vec<Point> = within.map(|r| Point::new(self.modal, r)).collect();
+        for Point { r, at, moved } in self.spread.iter().chain(&close) {
+            let expected = exact(at);
+            let size = complex::modulus(expected, true).to_f64();
+            // On a zero or a pole nothing is left to compare.
+            if !(at.known && 0.0 < size && size.is_finite()) {
+                continue;
+            }
+            let answer = form.response().value(S::constant(*r));
+            let apart = |other: Complex<Dd>| {
+                let (re, im) = (other.re - expected.re, other.im - expected.im);
+                complex::modulus(Complex::new(re, im), true).to_f64()
+            };
+            let own = Complex::new(answer.re, answer.im);
+            let off = apart(Complex::new(
+                Dd::from(own.re.to_f64()),
+                Dd::from(own.im.to_f64()),
+            ));
+            // Beside a zero or a pole what is exact is so up to some roundings of r.
+            let noise = apart(exact(moved));
+            let noise = if noise.is_finite() { noise } else { 0.0 };
+            let error = or_infinite((off - noise).max(0.0) / size);
+            self.points += 1;
+            if error > self.worst.error {
+                self.worst = Worst { error, at: *r };
+            }
+        }
+    }
+}

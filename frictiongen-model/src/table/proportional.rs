@@ -1,0 +1,124 @@
+//! Chains whose damping is a sum of a mass-proportional and a stiffness-proportional part.
+//!
+//! There 2ζ_i√λ_i = a + bλ_i, and s² + 2ζ_i√λ_i s + λ_i = (1 + bs)(λ_i + q) with q = (s² + as)/(1 + bs): every receptance is
+//! that of the undamped chain at −s² = q, over 1 + bs.  Its zeros and poles are those of the undamped chain, moved; and as
+//! a spring's force carries the factor 1 + bs with it, s = −1/b is a zero as many times as springs are passed, which no
+//! iteration finds to its last digits.
+
+use super::held_zeros::Rational;
+use super::zeros::{EQUAL, Zero};
+use crate::modal::Modal;
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::number::dd::Dd;
+
+/// a and b.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Proportional {
+    mass: Dd,
+    stiffness: Dd,
+}
+
+impl Proportional {
+    /// None where some mode's damping has another share.
+    pub fn of(modal: &Modal) -> Option<Self> {
+        let rates = modal.resonances.iter().zip(&modal.damping_ratios);
+        let rates = rates.map(|(sigma, zeta)| (*sigma * *sigma, Dd::from(2.0) * *zeta * *sigma));
+        let rates: Vec<(Dd, Dd)> = rates.collect();
+        let (low, high) = (rates.first()?, rates.last()?);
+        let size = low.1.max(high.1);
+        let apart = high.0 - low.0;
+        let mut stiffness = Dd::ZERO;
+        if apart > high.0 * Dd::from(EQUAL) {
+            stiffness = (high.1 - low.1) / apart;
+        }
+        if stiffness.abs() * high.0 <= size * Dd::from(EQUAL) {
+            stiffness = Dd::ZERO;
+        }
+        let own = Self {
+            mass: low.1 - stiffness * low.0,
+            stiffness,
+        };
+        let fits = |(square, rate): &(Dd, Dd)| {
+            (own.mass + own.stiffness * *square - *rate).abs() <= size * Dd::from(EQUAL)
+        };
+        rates.iter().all(fits).then_some(own)
+    }
+
+    /// A response of the undamped chain as that of the damped one; `over` is how often 1 + bs stands below it besides.
+    pub fn of_undamped(&self, undamped: &Rational, over: usize) -> Option<Rational> {
+        let (mut zeros, mut poles) = (Vec::new(), Vec::new());
+        let mut left = 0_isize;
+        for zero in &undamped.zeros {
+            left -= self.moved(zero, &mut zeros);
+        }
+        for pole in &undamped.poles {
+            left += self.moved(pole, &mut poles);
+        }
+        left = left.checked_sub_unsigned(over)?;
+        if !self.stiffness.is_zero() {
+            let carried = Zero {
+                x: -(Dd::ONE / self.stiffness),
+                y: Dd::ZERO,
+            };
+            let on = if left < 0 { &mut poles } else { &mut zeros };
+            on.extend((0..left.unsigned_abs()).map(|_| carried));
+        }
+        Some(Rational { zeros, poles })
+    }
+
+    /// What becomes of the zeros that one of an undamped chain stands for; of how many values of q.
+    fn moved(&self, zero: &Zero, into: &mut Vec<Zero>) -> isize {
+        let half = Dd::from(0.5);
+        if zero.x.is_zero() || zero.y.is_zero() {
+            let square = (zero.y - zero.x) * (zero.y + zero.x);
+            let rate = (self.mass + self.stiffness * square) * half;
+            let rest = square - rate * rate;
+            if rest > Dd::ZERO {
+                into.push(Zero {
+                    x: -rate,
+                    y: rest.sqrt(),
+                });
+            } else {
+                let root = (-rest).sqrt();
+                let far = if rate < Dd::ZERO {
+                    root - rate
+                } else {
+                    -(root + rate)
+                };
+                for x in [far, square / far] {
+                    into.push(Zero { x, y: Dd::ZERO });
+                }
+            }
+            return 1;
+        }
+        // Of four zeros ±x ± iy: −s² is y² − x² ∓ 2ixy, of which one stands for the other's conjugates.
+        let square = (
+            (zero.y - zero.x) * (zero.y + zero.x),
+            -(Dd::from(2.0) * zero.x * zero.y),
+        );
+        let rate = (
+            (self.mass + self.stiffness * square.0) * half,
+            self.stiffness * square.1 * half,
+        );
+        let rest = (
+            rate.0 * rate.0 - rate.1 * rate.1 - square.0,
+            Dd::from(2.0) * rate.0 * rate.1 - square.1,
+        );
+        let size = rest.0.hypot(rest.1);
+        // The larger part of the root first.
+        let (re, im) = if rest.0 > Dd::ZERO {
+            let re = ((size + rest.0) * half).sqrt();
+            (re, rest.1 / (re + re))
+        } else {
+            let im = ((size - rest.0) * half).sqrt();
+            (rest.1 / (im + im), im)
+        };
+        for side in [Dd::ONE, -Dd::ONE] {
+            into.push(Zero {
+                x: side * re - rate.0,
+                y: (side * im - rate.1).abs(),
+            });
+        }
+        2
+    }
+}

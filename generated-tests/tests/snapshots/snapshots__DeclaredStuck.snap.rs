@@ -1,0 +1,597 @@
+/// Two masses while their contact is stuck, to a hundredth.
+///
+/// Emitted by frictiongen 0.1.0 from scene 319dab2e64662c2d.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct DeclaredStuck;
+/// [`DeclaredStuck`] at one frequency ratio: limits, regime, stuck response.
+#[allow(deprecated, non_camel_case_types)]
+pub struct DeclaredStuckAt(::frictiongen::kernel::table::Compiled<DeclaredStuck>);
+/// The response of [`DeclaredStuck`] at one frequency ratio while its contact is stuck.
+#[allow(deprecated, non_camel_case_types)]
+pub struct DeclaredStuckStuck(::frictiongen::kernel::table::Sticking<DeclaredStuck>);
+#[automatically_derived]
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    unused_imports,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction
+)]
+const _: () = {
+    use ::frictiongen::kernel::emitted::*;
+    impl DeclaredStuck {
+        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES: [f32; 2] = [0.618034, 1.618034];
+        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        pub const RESONANCES: [f32; 2] = [0.618034, 1.618034];
+        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+        pub const MODE_SHAPES: [[f32; 2]; 2] = [
+            [0.5257311, 0.8506508],
+            [0.8506508, -0.5257311],
+        ];
+        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        const CHAIN: Chain<f32> = Chain {
+            damped: true,
+            on_moving_base: None,
+            inverse_mass: 2.0,
+            stiction: 1.0,
+        };
+        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        #[inline]
+        #[must_use]
+        pub const fn frequency_ratio(omega: f32) -> f32 {
+            omega
+        }
+        /// β = F/(k₁Y) of a kinetic friction force F; `load` is k₁Y, Y the amplitude of the base's motion.
+        #[inline]
+        #[must_use]
+        pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
+            friction / load
+        }
+        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
+        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        const MODES: [Mode<f32>; 2] = [
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 0.618034,
+                zeta: 0.05,
+                q: 0.9987492,
+                q_defect: 0.0012507823,
+                load: 0.5257311,
+                contact: 0.3249197,
+                residue: 0.1708204,
+                inverse_mass: 0.10557281,
+                static_residue: 0.4472136,
+            },
+            Mode {
+                kind: Kind::Light,
+                in_contact: true,
+                resonance: 1.618034,
+                zeta: 0.02,
+                q: 0.99979997,
+                q_defect: 0.00020002,
+                load: 0.8506508,
+                contact: -1.3763819,
+                residue: -1.1708204,
+                inverse_mass: 1.8944272,
+                static_residue: -0.4472136,
+            },
+        ];
+        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
+        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
+        /// the load drives, `invisible`: those that the contact does not touch.
+        const NUMBERS: Numbers<'static, f32> = Numbers {
+            modes: &Self::MODES,
+            chain: Self::CHAIN,
+            ends: Ends {
+                sliding_at_rest: 0.0,
+                continuous_at_infinity: 0.26851463,
+                sliding_at_infinity: 0.5,
+            },
+            rubbing: None,
+            absorbs: false,
+            unbounded: &[],
+            invisible: &[],
+        };
+        /// The scene at the frequency ratio r = ω√(m₁/k₁), to the declared accuracy.
+        ///
+        /// # Errors
+        /// `OutOfDomain` beyond the declared range, and for NaN.
+        #[inline]
+        pub fn at(r: f32) -> Result<DeclaredStuckAt, OutOfDomain> {
+            Compiled::new(Self, r).map(From::from)
+        }
+        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
+        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
+        #[inline]
+        pub fn limits_without_search(r: f32) -> Result<Limits<f32>, OutOfDomain> {
+            At::limits_without_search(&Self, r)
+        }
+        /// Both limits over a slice of frequency ratios, into slices of the same length.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first r out of the domain, as of `at`, after what precedes it is.
+        pub fn limits_into(
+            rs: &[f32],
+            continuous: &mut [f32],
+            sliding: &mut [f32],
+        ) -> Result<(), OutOfDomain> {
+            Compiled::limits_into(Self, rs, continuous, sliding)
+        }
+        /// φ of `MODES`, [mass][mode].
+        const SHAPES: [[f32; 2]; 2] = transposed(&Self::MODE_SHAPES);
+        /// The functions of a lightly damped mode, ζ < 1/2.
+        /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
+        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
+        /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
+        /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
+        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,
+        /// (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over
+        /// |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is uR
+        /// times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
+        /// `one_minus_sinc_pi` of qx the second, without cancellation.
+        #[inline(always)]
+        fn damped_mode<const WITH_G: bool>(
+            mode: &Mode<f32>,
+            inverse_r: f32,
+        ) -> ModeResponse<f32> {
+            let x = mode.resonance * inverse_r;
+            let detuning = (x - 1.0) * (x + 1.0);
+            let loss = 2.0 * mode.zeta * x;
+            let size = Scalar::abs(detuning) + loss;
+            let decay_exponent = 3.1415927 * mode.zeta * x;
+            let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+            let half_decay_factor = 1.0 + half_decay_minus_one;
+            let decay_complement = -(half_decay_minus_one * (1.0 + half_decay_factor));
+            let decay_factor = half_decay_factor * half_decay_factor;
+            let half_turns = mode.q * x;
+            let (sine, cosine) = Scalar::sin_cos_pi_minus(
+                x * 0.5,
+                x * (mode.q_defect * 0.5),
+            );
+            let one_plus_factor = 1.0 + decay_factor;
+            let nearness_re = one_plus_factor * cosine;
+            let nearness_im = decay_complement * sine;
+            let inverse_nearness = 1.0
+                / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+            let unit_nearness_re = nearness_re * inverse_nearness;
+            let unit_nearness_im = nearness_im * inverse_nearness;
+            let pole_weight = size * inverse_nearness
+                / (unit_nearness_re * unit_nearness_re
+                    + unit_nearness_im * unit_nearness_im);
+            let u_times_r = 4.0 / mode.q * sine * decay_factor
+                * (cosine * inverse_nearness) * pole_weight;
+            let u = u_times_r / x;
+            let reversal = one_plus_factor * (decay_complement * inverse_nearness)
+                * pole_weight + mode.zeta * u_times_r;
+            let g = if WITH_G {
+                (Scalar::scaled_sinh_defect(decay_exponent)
+                    + 2.0 * decay_factor * decay_exponent
+                        * Scalar::one_minus_sinc_pi(half_turns)) * inverse_nearness
+                    * pole_weight
+            } else {
+                0.0
+            };
+            ModeResponse {
+                x,
+                denominator: Complex { re: detuning, im: loss },
+                size,
+                u,
+                g,
+                reversal,
+            }
+        }
+        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
+        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
+        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
+        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        ///
+        /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
+        #[inline(always)]
+        fn functions<const WITH_G: bool>(
+            inverse_r: f32,
+        ) -> (ContactAt<f32>, [ModeAt<f32>; 2]) {
+            let [constants_1, constants_2] = &Self::MODES;
+            let mode_1 = Self::damped_mode::<WITH_G>(constants_1, inverse_r);
+            let mode_2 = Self::damped_mode::<WITH_G>(constants_2, inverse_r);
+            let scale = Scalar::min(mode_1.size, mode_2.size);
+            let modes = [
+                Self::CHAIN.at_scale(&mode_1, scale),
+                Self::CHAIN.at_scale(&mode_2, scale),
+            ];
+            let [at_1, at_2] = &modes;
+            let v_re = at_1.response.re * constants_1.residue
+                + at_2.response.re * constants_2.residue;
+            let v_im = at_1.response.im * constants_1.residue
+                + at_2.response.im * constants_2.residue;
+            let h_re = at_1.response.re * constants_1.inverse_mass
+                + at_2.response.re * constants_2.inverse_mass;
+            let h_im = at_1.response.im * constants_1.inverse_mass
+                + at_2.response.im * constants_2.inverse_mass;
+            let u = constants_1.inverse_mass * at_1.u
+                + constants_2.inverse_mass * at_2.u;
+            let reversal = constants_1.inverse_mass
+                * (mode_1.reversal * (scale / mode_1.size))
+                + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
+            let g = if WITH_G {
+                constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
+                    + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
+            } else {
+                0.0
+            };
+            let contact = ContactAt {
+                scale,
+                v: Complex { re: v_re, im: v_im },
+                u,
+                g,
+                reversal,
+                h: Complex { re: h_re, im: h_im },
+            };
+            (contact, modes)
+        }
+        /// β_lim over r from 0.5 to 2, to 1e-2:
+        /// 8 pieces of degree 3, each Σ coefficients[j]·(r − origin)^j, and 32 buckets of 1/density; with β*_lim 252 bytes.
+        /// Largest error 6.9e-3, at r = 0.6490328311920166: checked at 652 points that the fit did not see.
+        const TABLE: Table<'static, f32, ::core::primitive::u8, 1, 4> = Table {
+            low: 0.5,
+            density: 21.333332,
+            halvings: 2,
+            buckets: &[
+                0, 3, 4, 5, 5, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 7, 7, 7, 7, 7, 7, 7,
+                7, 7, 7, 7, 7, 7, 7, 7,
+            ],
+            pieces: &[
+                Piece {
+                    from: 0.5,
+                    origin: 0.5049,
+                    coefficients: [[0.0510588, -0.4842, -25.33, -265.0]],
+                },
+                Piece {
+                    from: 0.50979966,
+                    origin: 0.5173,
+                    coefficients: [[0.0395514, -1.18041, -4.4, 270.6]],
+                },
+                Piece {
+                    from: 0.5248302,
+                    origin: 0.5323,
+                    coefficients: [[0.0203382, -1.0931, 61.925, 3446.2]],
+                },
+                Piece {
+                    from: 0.53979915,
+                    origin: 0.554,
+                    coefficients: [[0.0397202, 2.62426, 65.3604, -471.04]],
+                },
+                Piece {
+                    from: 0.56860006,
+                    origin: 0.588,
+                    coefficients: [[0.1971008, 6.45192, 23.172, -1427.2]],
+                },
+                Piece {
+                    from: 0.60800004,
+                    origin: 0.648,
+                    coefficients: [[0.394666, -0.50055, -30.152, 652.91]],
+                },
+                Piece {
+                    from: 0.689,
+                    origin: 0.98,
+                    coefficients: [[0.437984, 0.60141, 0.207, -3.4283]],
+                },
+                Piece {
+                    from: 1.2800001,
+                    origin: 1.64,
+                    coefficients: [[0.465415, -0.26332, 0.04555, 0.3411]],
+                },
+            ],
+        };
+        /// β*_lim as a product over its zeros and poles: `Zero` is (r − at − rest)(r + at), `Pair`
+        /// (that + off)² + least, `Real` r² + off.
+        const SLIDING_LIMIT: Quotient<'static, f32> = Quotient {
+            gain: 0.5,
+            squared: true,
+            numerator: &[Factor::Real { off: 0.0 }, Factor::Real { off: 0.003758297 }],
+            denominator: &[
+                Factor::Pair {
+                    at: 0.7064279,
+                    rest: -1.3660662e-8,
+                    off: 0.0009596807,
+                    least: 0.0019156775,
+                },
+            ],
+        };
+        /// Poles of the responses while the contact is stuck, factors of s = ir: `Pair` is off − (r − at − rest)(r + at) + i·rate·r, `Real` rate + ir.
+        const STUCK_POLES: [Root<f32>; 1] = [
+            Root::Pair {
+                at: 0.7064279,
+                rest: -1.3660662e-8,
+                off: 0.0009596807,
+                rate: 0.061957426,
+            },
+        ];
+    }
+    ::frictiongen::emitted_system!(
+        DeclaredStuck, DeclaredStuckAt, f32, ["lower", "upper"]
+    );
+    ::frictiongen::kernel::wraps!(
+        DeclaredStuckAt, Compiled of tabled DeclaredStuck, Copy
+    );
+    impl Scene for DeclaredStuck {
+        type Scalar = f32;
+        type Decay = Damped<f32>;
+        type Modes = [ModeAt<f32>; 2];
+        type Waves = [Wave<f32, Damped<f32>>; 2];
+        #[inline]
+        fn numbers(&self) -> Numbers<'static, f32> {
+            Self::NUMBERS
+        }
+        /// φ of a mass, by modes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f32]> {
+            Self::SHAPES.get(mass).map(<[f32; 2]>::as_slice)
+        }
+        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f32, f32) {
+            (8.881784e-16, 1125899900000000.0)
+        }
+        /// Working space of the searches, and of the waves of a motion.
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| Wave::idle(&mode))
+        }
+        /// A copy of the modes for a motion to keep.
+        #[inline]
+        fn kept(modes: &Self::Modes) -> Self::Modes {
+            *modes
+        }
+        /// All functions of the contact at 1/r, and of its modes.
+        #[inline]
+        fn frequency_stage(&self, inverse_r: f32) -> (ContactAt<f32>, [ModeAt<f32>; 2]) {
+            Self::functions::<true>(inverse_r)
+        }
+        /// Those of the contact without G, which only a motion needs.
+        #[inline]
+        fn contact_without_g(&self, inverse_r: f32) -> ContactAt<f32> {
+            Self::functions::<false>(inverse_r).0
+        }
+        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f32>) -> f32 {
+            contact.reversal + 2.0 * contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
+        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// `constraint` is r²E times that maximum.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f32>, constraint: f32) -> f32 {
+            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f32>) -> f32 {
+            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            let modulus_h = Scalar::hypot(contact.h.re, contact.h.im);
+            modulus_v / modulus_h
+        }
+    }
+    impl Tabled for DeclaredStuck {
+        #[inline]
+        fn domain(&self) -> Domain<f32> {
+            Domain {
+                r: (0.5, 2.0),
+                beta: (0.0, ::core::f32::INFINITY),
+                exact_beyond: false,
+            }
+        }
+        /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.
+        ///
+        /// Proven: at most 7.25e-3 off, the bound being largest at r = 0.6484820939072032.  Only checked in one place of 3.8e-1 in all, the widest from r = 1.6248715186284834 to 2.
+        ///
+        /// Operations at every r: a lookup of 2 comparisons, 10 additions and multiplications.
+        #[inline]
+        fn tabled_limit(&self, r: f32) -> f32 {
+            Self::TABLE.first(r)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Proven at every r: at most 7.64e-7 off, the bound being largest at r = 1.6766069646300692.
+        ///
+        /// Operations: 15 additions and multiplications, 1 divisions, 1 roots; largest error seen 2.1e-7.
+        #[inline]
+        fn tabled_sliding_limit(&self, r: f32) -> Option<f32> {
+            Some(Self::SLIDING_LIMIT.size(r))
+        }
+    }
+    ::frictiongen::kernel::not_provided!(
+        DeclaredStuckAt : motion, orbit; DeclaredStuck : simulation, stepper
+    );
+    impl ProvidesStuck for DeclaredStuck {
+        type Stuck = Stuck<Self>;
+        /// x̄* = (V_kH − H_kV)/H: `numerator` has each mode's products with the others, as those with itself would cancel.
+        /// `driven` is a mode's part of V_k, `held_back` of −H_k; `v_term` and `h_term` of V and H.
+        #[allow(unused_variables)]
+        #[inline]
+        fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f32>> {
+            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let [constants_1, constants_2] = &Self::MODES;
+            let [mode_1, mode_2] = at.modes();
+            let mode_2_h_term_re = mode_2.response.re * constants_2.inverse_mass;
+            let mode_2_h_term_im = mode_2.response.im * constants_2.inverse_mass;
+            let mode_2_v_term_re = mode_2.response.re * constants_2.residue;
+            let mode_2_v_term_im = mode_2.response.im * constants_2.residue;
+            let mode_1_h_term_re = mode_1.response.re * constants_1.inverse_mass;
+            let mode_1_h_term_im = mode_1.response.im * constants_1.inverse_mass;
+            let mode_1_v_term_re = mode_1.response.re * constants_1.residue;
+            let mode_1_v_term_im = mode_1.response.im * constants_1.residue;
+            let inverse_size = 1.0
+                / (Scalar::abs(contact.h.re) + Scalar::abs(contact.h.im));
+            let unit_re = contact.h.re * inverse_size;
+            let unit_im = contact.h.im * inverse_size;
+            let inverse_modulus = inverse_size / (unit_re * unit_re + unit_im * unit_im);
+            let inverse_re = unit_re * inverse_modulus;
+            let inverse_im = -(unit_im * inverse_modulus);
+            let unscale = inverse_r * inverse_r / contact.scale;
+            Some(
+                match mass {
+                    0 => {
+                        let mode_1_driven_re = mode_1.response.re * 0.27639318;
+                        let mode_1_driven_im = mode_1.response.im * 0.27639318;
+                        let mode_1_held_back_re = mode_1.response.re * -0.17082039;
+                        let mode_1_held_back_im = mode_1.response.im * -0.17082039;
+                        let mode_2_driven_re = mode_2.response.re * 0.72360677;
+                        let mode_2_driven_im = mode_2.response.im * 0.72360677;
+                        let mode_2_held_back_re = mode_2.response.re * 1.1708204;
+                        let mode_2_held_back_im = mode_2.response.im * 1.1708204;
+                        let numerator_re = mode_1_driven_re * mode_2_h_term_re
+                            - mode_1_driven_im * mode_2_h_term_im
+                            + (mode_1_held_back_re * mode_2_v_term_re
+                                - mode_1_held_back_im * mode_2_v_term_im)
+                            + (mode_2_driven_re * mode_1_h_term_re
+                                - mode_2_driven_im * mode_1_h_term_im
+                                + (mode_2_held_back_re * mode_1_v_term_re
+                                    - mode_2_held_back_im * mode_1_v_term_im));
+                        let numerator_im = mode_1_driven_re * mode_2_h_term_im
+                            + mode_1_driven_im * mode_2_h_term_re
+                            + (mode_1_held_back_re * mode_2_v_term_im
+                                + mode_1_held_back_im * mode_2_v_term_re)
+                            + (mode_2_driven_re * mode_1_h_term_im
+                                + mode_2_driven_im * mode_1_h_term_re
+                                + (mode_2_held_back_re * mode_1_v_term_im
+                                    + mode_2_held_back_im * mode_1_v_term_re));
+                        Complex {
+                            re: (numerator_re * inverse_re - numerator_im * inverse_im)
+                                * unscale,
+                            im: (numerator_re * inverse_im + numerator_im * inverse_re)
+                                * unscale,
+                        }
+                    }
+                    1 => {
+                        let mode_1_driven_re = mode_1.response.re * 0.44721356;
+                        let mode_1_driven_im = mode_1.response.im * 0.44721356;
+                        let mode_1_held_back_re = mode_1.response.re * -0.2763932;
+                        let mode_1_held_back_im = mode_1.response.im * -0.2763932;
+                        let mode_2_driven_re = mode_2.response.re * -0.44721356;
+                        let mode_2_driven_im = mode_2.response.im * -0.44721356;
+                        let mode_2_held_back_re = mode_2.response.re * -0.72360677;
+                        let mode_2_held_back_im = mode_2.response.im * -0.72360677;
+                        let numerator_re = mode_1_driven_re * mode_2_h_term_re
+                            - mode_1_driven_im * mode_2_h_term_im
+                            + (mode_1_held_back_re * mode_2_v_term_re
+                                - mode_1_held_back_im * mode_2_v_term_im)
+                            + (mode_2_driven_re * mode_1_h_term_re
+                                - mode_2_driven_im * mode_1_h_term_im
+                                + (mode_2_held_back_re * mode_1_v_term_re
+                                    - mode_2_held_back_im * mode_1_v_term_im));
+                        let numerator_im = mode_1_driven_re * mode_2_h_term_im
+                            + mode_1_driven_im * mode_2_h_term_re
+                            + (mode_1_held_back_re * mode_2_v_term_im
+                                + mode_1_held_back_im * mode_2_v_term_re)
+                            + (mode_2_driven_re * mode_1_h_term_im
+                                + mode_2_driven_im * mode_1_h_term_re
+                                + (mode_2_held_back_re * mode_1_v_term_im
+                                    + mode_2_held_back_im * mode_1_v_term_re));
+                        Complex {
+                            re: (numerator_re * inverse_re - numerator_im * inverse_im)
+                                * unscale,
+                            im: (numerator_re * inverse_im + numerator_im * inverse_re)
+                                * unscale,
+                        }
+                    }
+                    _ => return None,
+                },
+            )
+        }
+    }
+    ::frictiongen::kernel::wraps!(
+        DeclaredStuckStuck, Sticking of tabled DeclaredStuck, Copy
+    );
+    impl DeclaredStuckStuck {
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `lower` over Y (6.11, 6.27, 6.33).
+        #[must_use]
+        pub fn lower(&self) -> Complex<f32> {
+            self.mass(0)
+        }
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `upper` over Y (6.11, 6.27, 6.33).
+        #[must_use]
+        pub fn upper(&self) -> Complex<f32> {
+            self.mass(1)
+        }
+    }
+    impl TabledStuck for DeclaredStuck {
+        type Sticking = DeclaredStuckStuck;
+        #[inline]
+        fn holds_stuck(&self) -> bool {
+            true
+        }
+        #[inline]
+        fn stuck_resonances(&self) -> &[f32] {
+            &[]
+        }
+        /// x̄* = V_k − H_kV/H (6.11, 6.27, 6.33) of each mass, as a product over its zeros and poles.
+        ///
+        /// Checked at 219 points, not proven: largest error 2.1e-7 of the modulus, at r = 1.5501099824905396.
+        ///
+        /// Operations: at most 22 additions and multiplications, 2 divisions; all masses and the force hold 36 bytes.
+        #[inline]
+        fn tabled_stuck(&self, mass: usize, r: f32) -> Option<Complex<f32>> {
+            match mass {
+                0 => {
+                    Some(
+                        HeldResponse::Damped(Transfer {
+                                gain: 0.5,
+                                numerator: &[],
+                                denominator: &Self::STUCK_POLES,
+                            })
+                            .value(r),
+                    )
+                }
+                1 => {
+                    Some(
+                        HeldResponse::Damped(Transfer {
+                                gain: 0.5,
+                                numerator: &[],
+                                denominator: &Self::STUCK_POLES,
+                            })
+                            .value(r),
+                    )
+                }
+                _ => None,
+            }
+        }
+        /// V/H, the force that holds the contact, in the same way.
+        ///
+        /// Operations: 28 additions and multiplications, 2 divisions.
+        #[inline]
+        fn tabled_holding_force(&self, r: f32) -> Option<Complex<f32>> {
+            Some(
+                HeldResponse::Damped(Transfer {
+                        gain: -0.5,
+                        numerator: &[
+                            Root::Real { rate: 6.886283e-32 },
+                            Root::Real { rate: 0.061304953 },
+                        ],
+                        denominator: &Self::STUCK_POLES,
+                    })
+                    .value(r),
+            )
+        }
+    }
+};
