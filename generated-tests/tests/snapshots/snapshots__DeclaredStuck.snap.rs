@@ -43,6 +43,7 @@ const _: () = {
             [0.8506508, -0.5257311],
         ];
         /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
+        /// `on_moving_base`: none, as the contact does not rub on a moving base.
         const CHAIN: Chain<f32> = Chain {
             damped: true,
             on_moving_base: None,
@@ -63,7 +64,8 @@ const _: () = {
         }
         /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
         /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.
+        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
+        /// `in_contact`: φᵀw is not 0.
         const MODES: [Mode<f32>; 2] = [
             Mode {
                 kind: Kind::Light,
@@ -143,11 +145,11 @@ const _: () = {
         /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
         /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
         /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2; `half_turns` is qx.  D is the squared modulus of `nearness`,
-        /// (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that over
-        /// |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is uR
-        /// times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
-        /// `one_minus_sinc_pi` of qx the second, without cancellation.
+        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2, and sin(πqx) is twice their product; `half_turns` is qx.  D is
+        /// |`nearness`|², of (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that
+        /// over |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is
+        /// uR times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
+        /// `one_minus_sinc_pi` of qx the second, without cancellation.  `reversal`, g + 2ζRu, is (1 − e²)/D + ζuR.
         #[inline(always)]
         fn damped_mode<const WITH_G: bool>(
             mode: &Mode<f32>,
@@ -203,6 +205,7 @@ const _: () = {
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
         /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
         /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
+        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -231,7 +234,7 @@ const _: () = {
             let reversal = constants_1.inverse_mass
                 * (mode_1.reversal * (scale / mode_1.size))
                 + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
-            let g = if WITH_G {
+            let g_sum = if WITH_G {
                 constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
                     + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
             } else {
@@ -241,7 +244,7 @@ const _: () = {
                 scale,
                 v: Complex { re: v_re, im: v_im },
                 u,
-                g,
+                g: g_sum,
                 reversal,
                 h: Complex { re: h_re, im: h_im },
             };
@@ -371,7 +374,7 @@ const _: () = {
         fn contact_without_g(&self, inverse_r: f32) -> ContactAt<f32> {
             Self::functions::<false>(inverse_r).0
         }
-        /// r²E(H_c + μm*/r²): in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
         #[inline]
         fn break_away(&self, contact: &ContactAt<f32>) -> f32 {
             contact.reversal + 2.0 * contact.scale
@@ -426,7 +429,7 @@ const _: () = {
     impl ProvidesStuck for DeclaredStuck {
         type Stuck = Stuck<Self>;
         /// x̄* = (V_kH − H_kV)/H: `numerator` has each mode's products with the others, as those with itself would cancel.
-        /// `driven` is a mode's part of V_k, `held_back` of −H_k; `v_term` and `h_term` of V and H.
+        /// `driven` is a mode's part of V_k, `held_back` of −H_k; `v_term` and `h_term` of V and H; `inverse` is 1/H, `unscale` 1/(r²E).
         #[allow(unused_variables)]
         #[inline]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f32>> {
