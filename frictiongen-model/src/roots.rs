@@ -165,6 +165,9 @@ pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], 
 const FIRST_STEPS: (usize, f64) = (100, 1e-14);
 const LAST_STEPS: (usize, f64) = (60, 1e-29);
 
+/// A root with a smaller imaginary part than this share of its size is real: iterated roots have roundings of it.
+const REAL: f64 = 1e-13;
+
 /// A double-double in another scalar.
 pub(crate) fn to<S: Float>(value: Dd) -> S {
     S::constant(value.hi) + S::constant(value.lo)
@@ -245,7 +248,7 @@ fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> 
 fn paired(started: Vec<Complex<Dd>>) -> Vec<Pair> {
     let is_real = |root: &Complex<Dd>| {
         let size = complex::modulus(*root, true);
-        root.im.abs() <= size * Dd::from(1e-13)
+        root.im.abs() <= size * Dd::from(REAL)
     };
     let mut pairs = Vec::new();
     let mut roots = Vec::new();

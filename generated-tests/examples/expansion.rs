@@ -47,34 +47,54 @@ fn main() {
     }
     for damping in ["none", "modal(0.02)"] {
         for masses in [1, 2, 5, 10] {
-            let text = scene(masses, damping);
-            let text = text.replace(
-                "provide: [limits, motion, stuck]",
-                "provide: [limits], accuracy: 1e-4, range: { r: 0.2..2.5 }",
-            );
-            let clock = Instant::now();
-            let description = parse_text(&text, &Limits::MACRO).expect("a valid scene");
-            let told = clock.elapsed();
-            let Some(SceneTables::Double(tables)) = &description.tables else {
-                continue;
-            };
-            let modal = Modal::of(&description.scene);
-            let clock = Instant::now();
-            let built =
-                Tables::<f64>::build(&modal, tables.request).map(|tables| tables.pieces.len());
-            let building = clock.elapsed();
-            let clock = Instant::now();
-            let work = std::env::var("WORK")
-                .ok()
-                .and_then(|work| work.parse().ok());
-            let proof = tables.prove(&modal, Work(work.unwrap_or(200_000)));
-            println!(
-                "{masses:3} masses, damping {damping:11}, limits to 1e-4: {told:8.1?}, {} of them; {building:.1?} to build {built:?} pieces; {} work in {:.1?} would prove all but {:.1e}",
-                tables.proof.evidence.word(),
-                proof.work.0,
-                clock.elapsed(),
-                proof.open_length(),
-            );
+            told_with_stuck(masses, damping);
+            limits_and_proof(masses, damping);
         }
     }
+}
+
+/// The scene of a table, with what it provides.
+fn tabled(masses: usize, damping: &str, provide: &str) -> String {
+    scene(masses, damping).replace(
+        "provide: [limits, motion, stuck]",
+        &format!("provide: [{provide}], accuracy: 1e-4, range: {{ r: 0.2..2.5 }}"),
+    )
+}
+
+fn told_with_stuck(masses: usize, damping: &str) {
+    let text = tabled(masses, damping, "limits, stuck");
+    let clock = Instant::now();
+    let description = parse_text(&text, &Limits::MACRO).expect("a valid scene");
+    let tokens = emit(&description).to_string().len();
+    println!(
+        "{masses:3} masses, damping {damping:11}, limits and stuck responses to 1e-4: {:8.1?}, {} kB of tokens",
+        clock.elapsed(),
+        tokens / 1024
+    );
+}
+
+fn limits_and_proof(masses: usize, damping: &str) {
+    let text = tabled(masses, damping, "limits");
+    let clock = Instant::now();
+    let description = parse_text(&text, &Limits::MACRO).expect("a valid scene");
+    let told = clock.elapsed();
+    let Some(SceneTables::Double(tables)) = &description.tables else {
+        return;
+    };
+    let modal = Modal::of(&description.scene);
+    let clock = Instant::now();
+    let built = Tables::<f64>::build(&modal, tables.request).map(|tables| tables.pieces.len());
+    let building = clock.elapsed();
+    let clock = Instant::now();
+    let work = std::env::var("WORK")
+        .ok()
+        .and_then(|work| work.parse().ok());
+    let proof = tables.prove(&modal, Work(work.unwrap_or(200_000)));
+    println!(
+        "{masses:3} masses, damping {damping:11}, limits to 1e-4: {told:8.1?}, {} of them; {building:.1?} to build {built:?} pieces; {} work in {:.1?} would prove all but {:.1e}",
+        tables.proof.evidence.word(),
+        proof.work.0,
+        clock.elapsed(),
+        proof.open_length(),
+    );
 }

@@ -7,12 +7,21 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 use frictiongen_kernel::{Complex, Float};
 
-/// Of a zero or pole its real part counts as none, and of a coefficient its size, below this share.
+/// Of a zero or pole its real part counts as none, and of a coefficient its size, below this share: far above the roundings of
+/// a sum in double-double, 10⁻³², and far below what a double tells of a scene.
 pub(super) const NONE: f64 = 1e-20;
-/// Modes whose constants agree to this count as equal.
+/// Modes whose constants agree to this count as equal: in double-double they differ by roundings alone.
 pub(super) const EQUAL: f64 = 1e-24;
-/// Zeros of V and H closer than this are one.
+/// Zeros of V and H closer than this are one, which a scene in doubles cannot tell apart.
 const COMMON: f64 = 1e-13;
+/// First guesses of zeros reach from this share of the lowest resonance …
+const BELOW: f64 = 0.6;
+/// … to this multiple of the highest, as zeros lie between resonances or little beyond.
+const ABOVE: f64 = 1.4;
+/// Their angles to the imaginary axis, in radians: none on an axis, where a step keeps to it.
+const LEAST_ANGLE: f64 = 0.1;
+/// What angles take beside that, in elevenths by sevens: neighbours are far from each other.
+const ANGLES: f64 = 0.7;
 
 /// A zero s = x + iy, by its place in double-double; of a pair the one with y > 0.
 #[derive(Clone, Copy, Debug)]
@@ -266,12 +275,12 @@ fn degree(modes: &[Driven], direct: Dd) -> Option<usize> {
 pub(super) fn guesses(sigmas: impl Iterator<Item = f64>, count: usize) -> Vec<Complex<Dd>> {
     let ends = (f64::INFINITY, 0.0_f64);
     let (low, high) = sigmas.fold(ends, |(low, high), sigma| (low.min(sigma), high.max(sigma)));
-    let (low, high) = (0.6 * low, 1.4 * high);
+    let (low, high) = (BELOW * low, ABOVE * high);
     (0..count)
         .map(|index| {
             let share = (index as f64 + 0.5) / count as f64;
             let size = low * (high / low).powf(share);
-            let angle = 0.1 + 0.7 * ((index * 7 % 11) as f64 / 11.0);
+            let angle = LEAST_ANGLE + ANGLES * ((index * 7 % 11) as f64 / 11.0);
             let (re, im) = (size * angle.sin(), size * angle.cos());
             let (re, im) = match index % 4 {
                 0 => (-re, im),
