@@ -58,6 +58,7 @@
 //! | `Frame::STEP` | the declared step, whose tables are constants |
 //! | `Frame::limits_without_search(r)` | β_lim with S at τ → 0, and β*_lim: the shortest way, where nothing else is asked of r |
 //! | `Frame::limits_into(&rs, &mut continuous, &mut sliding)` | both limits over a slice |
+//! | `Frame.limits_without_search_into(&rs, &mut continuous, &mut sliding)` | both without search over a slice, several r at once ([`FrictionSystem`]) |
 //!
 //! # Fields of a description
 //!

@@ -6,7 +6,7 @@ use crate::targets::{HeldStill, InParts, Limited, Moved};
 use crate::{Complex, NotContinuous, OutOfDomain, Regime, StuckResonance};
 use core::ops::Deref;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::contact::regime::Limits;
+use frictiongen_kernel::contact::regime::{Limits, limits_into};
 
 /// A scene that answers at any frequency ratio.
 ///
@@ -63,6 +63,40 @@ pub trait FrictionSystem {
             sliding: at.sliding_limit(),
         })
     }
+    /// [Both limits without search](Self::limits_without_search) over a slice of frequency ratios, into slices of the
+    /// same length: the same bits, in less time where all modes are undamped or all lightly damped, as several
+    /// frequencies then go side by side.
+    ///
+    /// ```
+    /// use frictiongen::{FrictionSystem, friction_system};
+    ///
+    /// friction_system! {
+    ///     struct Block {
+    ///         masses: { block: 1 },
+    ///         springs: { base - block: 1 },
+    ///         contact: block - wall,
+    ///         excitation: block,
+    ///     }
+    /// }
+    ///
+    /// let ratios = [0.5, 0.8, 1.25, 2.0, 3.0];
+    /// let (mut continuous, mut sliding) = ([0.0; 5], [0.0; 5]);
+    /// Block.limits_without_search_into(&ratios, &mut continuous, &mut sliding)?;
+    /// assert_eq!(continuous[2], Block.limits_without_search(1.25)?.continuous);
+    /// # Ok::<(), frictiongen::OutOfDomain>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first NaN or negative
+    /// r; what came before it is filled in.
+    fn limits_without_search_into(
+        &self,
+        rs: &[Self::Scalar],
+        continuous: &mut [Self::Scalar],
+        sliding: &mut [Self::Scalar],
+    ) -> Result<(), OutOfDomain> {
+        limits_into(rs, continuous, sliding, |r| self.limits_without_search(r))
+    }
 }
 
 /// [`FrictionSystem`] of an emitted scene: the names of its masses are all that the kernel does not know.
@@ -95,6 +129,15 @@ macro_rules! emitted_system {
                 r: $scalar,
             ) -> ::core::result::Result<$crate::kernel::contact::regime::Limits<$scalar>, $crate::OutOfDomain> {
                 Self::limits_without_search(r)
+            }
+            #[inline]
+            fn limits_without_search_into(
+                &self,
+                rs: &[$scalar],
+                continuous: &mut [$scalar],
+                sliding: &mut [$scalar],
+            ) -> ::core::result::Result<(), $crate::OutOfDomain> {
+                $crate::kernel::response::At::limits_without_search_into(self, rs, continuous, sliding)
             }
         }
     };

@@ -2,7 +2,7 @@
 //! it was printed as, and the run-time system.
 
 use frictiongen::{
-    ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady, StuckAt, System,
+    ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, OutOfDomain, Steady, StuckAt, System,
 };
 use frictiongen_codegen::{Limits, parse_text, traces};
 use frictiongen_kernel::{Float, Scalar};
@@ -273,7 +273,50 @@ fn limits_without_search_are_those_of_at() {
             let told = system.limits_without_search(r);
             assert!(told.is_err() && system.at(r).is_err(), "{name}");
         }
+        let ratios: Vec<_> = ratios.into_iter().map(F::Scalar::constant).collect();
+        sliced(name, system, &ratios);
         ratios.len()
+    }
+    /// Slices that begin and end at every place of those that go side by side.
+    fn sliced<F: FrictionSystem>(name: &str, system: &F, ratios: &[F::Scalar]) {
+        let none = F::Scalar::constant(-1.0);
+        for (from, left) in (0..9).zip([0, 5, 3, 1, 4, 8, 2, 7, 6]) {
+            let rs = &ratios[from..ratios.len() - left];
+            let (mut continuous, mut sliding) = (vec![none; rs.len()], vec![none; rs.len()]);
+            let done = system.limits_without_search_into(rs, &mut continuous, &mut sliding);
+            assert_eq!(done, Ok(()), "{name}");
+            for ((r, continuous), sliding) in rs.iter().zip(continuous).zip(sliding) {
+                let found = [continuous, sliding].map(|limit| limit.to_f64().to_bits());
+                assert_eq!(found, at_once(system, *r), "{name} at r = {r:?} of a slice");
+            }
+        }
+        // The first r without an answer ends it, what came before is filled in.
+        for at in 0..19 {
+            let mut rs = ratios[700..720].to_vec();
+            rs[at] = F::Scalar::constant(f64::NAN);
+            let (mut continuous, mut sliding) = ([none; 20], [none; 20]);
+            let done = system.limits_without_search_into(&rs, &mut continuous, &mut sliding);
+            assert_eq!(done, Err(OutOfDomain { argument: "r" }), "{name}");
+            let filled = continuous
+                .iter()
+                .zip(&sliding)
+                .take_while(|(c, s)| **c != none && **s != none);
+            assert_eq!(filled.count(), at, "{name}");
+            assert!(
+                continuous[at..].iter().all(|limit| *limit == none),
+                "{name}"
+            );
+        }
+        let mut short = [none; 4];
+        for (length, argument) in [(4, "continuous"), (5, "sliding")] {
+            let mut other = vec![none; length];
+            let done = system.limits_without_search_into(&ratios[..5], &mut other, &mut short);
+            assert_eq!(done, Err(OutOfDomain { argument }), "{name}");
+            assert!(
+                other.iter().chain(&short).all(|limit| *limit == none),
+                "{name}"
+            );
+        }
     }
     fn check<F: FrictionSystem>(name: &str, emitted: &F, _: f64) {
         let known = shown::SCENES.iter().find(|(known, _)| *known == name);

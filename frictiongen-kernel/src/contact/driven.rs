@@ -153,7 +153,7 @@ impl<S: Float> DrivenModes<S> {
         let mut own_of_one = [zero; 2];
         let mut least = Lanes::constant(f64::INFINITY);
         for (pair, own) in pairs.iter().zip(&mut own) {
-            *own = pair.own(Lanes::both(inverse_r));
+            *own = pair.own(Lanes::all(inverse_r));
             least = least.min(own[0].abs());
         }
         let Lanes([a, b]) = least;
@@ -164,7 +164,7 @@ impl<S: Float> DrivenModes<S> {
         }
         let mut sums = [zero; 3];
         for (pair, own) in pairs.iter().zip(own) {
-            let [v, h, u] = pair.terms(Lanes::both(scale), own);
+            let [v, h, u] = pair.terms(Lanes::all(scale), own);
             for ((v, h), u) in v.0.into_iter().zip(h.0).zip(u.0) {
                 sums = plus(sums, [v, h, u]);
             }
@@ -186,10 +186,10 @@ fn plus<S: Scalar>([a, b, c]: Terms<S>, [d, e, f]: Terms<S>) -> Terms<S> {
 /// Not inlined: the compiler packs what is stored side by side.
 #[inline(never)]
 fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2]; 3]) -> S {
-    let own = modes.own(Lanes::both(inverse_r));
+    let own = modes.own(Lanes::all(inverse_r));
     let Lanes([a, b]) = own[0].abs();
     let scale = Scalar::min(a, b);
-    *terms = modes.terms(Lanes::both(scale), own).map(|Lanes(both)| both);
+    *terms = modes.terms(Lanes::all(scale), own).map(|Lanes(both)| both);
     scale
 }
 

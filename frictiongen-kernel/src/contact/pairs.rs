@@ -135,9 +135,9 @@ impl<S: Float> Chain<S> {
     fn of_both(&self) -> Chain<Lanes<S>> {
         Chain {
             damped: self.damped,
-            on_moving_base: self.on_moving_base.map(Lanes::both),
-            inverse_mass: Lanes::both(self.inverse_mass),
-            stiction: Lanes::both(self.stiction),
+            on_moving_base: self.on_moving_base.map(Lanes::all),
+            inverse_mass: Lanes::all(self.inverse_mass),
+            stiction: Lanes::all(self.stiction),
         }
     }
 }
@@ -147,17 +147,17 @@ impl<S: Float> Chain<S> {
 #[inline(always)]
 fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
     let infinite = S::constant(f64::INFINITY);
-    let mut least = Lanes::both(infinite);
+    let mut least = Lanes::all(infinite);
     let (pairs, rest) = modes.as_chunks::<2>();
     for pair in pairs {
-        let size = Mode::beside(pair).size_but_zero(U::KIND, Lanes::both(inverse_r));
+        let size = Mode::beside(pair).size_but_zero(U::KIND, Lanes::all(inverse_r));
         let (Lanes([first, second]), [a, b]) = (size, pair);
         if a.in_contact & b.in_contact {
             least = least.min(size);
         } else if a.in_contact {
-            least = least.min(Lanes::both(first));
+            least = least.min(Lanes::all(first));
         } else if b.in_contact {
-            least = least.min(Lanes::both(second));
+            least = least.min(Lanes::all(second));
         }
     }
     let Lanes([first, second]) = least;
@@ -194,8 +194,8 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
         damped: U::DAMPED,
         ..chain.of_both()
     };
-    let (mode, scale) = (Mode::beside(modes), Lanes::both(scale));
-    let response = mode.functions_of(U::KIND, Lanes::both(inverse_r), WITH_G, 0);
+    let (mode, scale) = (Mode::beside(modes), Lanes::all(scale));
+    let response = mode.functions_of(U::KIND, Lanes::all(inverse_r), WITH_G, 0);
     let at = chain.scaled(&response, scale, false, 0);
     let found = chain.term(scale, &mode, &response, &at, false, WITH_G);
     // What is 0 without damping, and what nobody keeps, is left alone.

@@ -88,20 +88,31 @@ impl<S: Float> Limits<S> {
 /// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first r that has no answer;
 /// what came before it is filled in.
 #[inline]
-pub(crate) fn limits_into<S: Float>(
+pub fn limits_into<S: Float>(
     rs: &[S],
     continuous: &mut [S],
     sliding: &mut [S],
     limits: impl Fn(S) -> Result<Limits<S>, OutOfDomain>,
 ) -> Result<(), OutOfDomain> {
-    for (room, argument) in [(continuous.len(), "continuous"), (sliding.len(), "sliding")] {
-        if room != rs.len() {
-            return Err(OutOfDomain { argument });
-        }
-    }
+    check_rooms(rs.len(), continuous.len(), sliding.len())?;
     for ((r, continuous), sliding) in rs.iter().zip(continuous).zip(sliding) {
         let limits = limits(*r)?;
         (*continuous, *sliding) = (limits.continuous, limits.sliding);
+    }
+    Ok(())
+}
+
+/// Whether what answers go into is as long as the slice of frequency ratios.
+#[inline]
+pub(crate) fn check_rooms(
+    ratios: usize,
+    continuous: usize,
+    sliding: usize,
+) -> Result<(), OutOfDomain> {
+    for (room, argument) in [(continuous, "continuous"), (sliding, "sliding")] {
+        if room != ratios {
+            return Err(OutOfDomain { argument });
+        }
     }
     Ok(())
 }

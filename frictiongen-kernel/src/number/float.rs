@@ -211,12 +211,12 @@ macro_rules! real {
                 self as u32 as usize
             }
             #[inline(always)]
-            fn sin_cos_pi_of_two(h: [Self; 2]) -> [[Self; 2]; 2] {
-                $trig::sin_cos_pi_of_two(h)
+            fn sin_cos_pi_of<const N: usize>(h: [Self; N]) -> [[Self; N]; 2] {
+                $trig::sin_cos_pi_of(h)
             }
             #[inline(always)]
-            fn sin_cos_pi_minus_of_two(h: [Self; 2], d: [Self; 2]) -> [[Self; 2]; 2] {
-                $trig::sin_cos_pi_minus_of_two(h, d)
+            fn sin_cos_pi_minus_of<const N: usize>(h: [Self; N], d: [Self; N]) -> [[Self; N]; 2] {
+                $trig::sin_cos_pi_minus_of(h, d)
             }
             #[inline(always)]
             fn to_f64(self) -> f64 {

@@ -1,35 +1,39 @@
-//! Two numbers side by side, which a processor takes at once.
+//! Several numbers side by side, which a processor takes at once.
 //!
-//! Every operation is that of either number alone, with the same bits.
+//! Every operation is that of each number alone, with the same bits.
 
 use crate::number::scalar::{Float, Scalar};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Two numbers.
+/// So many numbers.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lanes<S>(pub [S; 2]);
+pub(crate) struct Lanes<S, const N: usize = 2>(pub [S; N]);
 
-impl<S: Float> Lanes<S> {
-    /// The same number twice.
+impl<S: Float, const N: usize> Lanes<S, N> {
+    /// The same number in every lane.
     #[inline(always)]
-    pub(crate) fn both(value: S) -> Self {
-        Self([value; 2])
+    pub(crate) fn all(value: S) -> Self {
+        Self([value; N])
     }
 
     #[inline(always)]
-    fn each(self, f: impl Fn(S) -> S) -> Self {
-        let [a, b] = self.0;
-        Self([f(a), f(b)])
+    fn each(mut self, f: impl Fn(S) -> S) -> Self {
+        for a in &mut self.0 {
+            *a = f(*a);
+        }
+        self
     }
 
     #[inline(always)]
-    fn with(self, other: Self, f: impl Fn(S, S) -> S) -> Self {
-        let ([a, b], [c, d]) = (self.0, other.0);
-        Self([f(a, c), f(b, d)])
+    fn with(mut self, other: Self, f: impl Fn(S, S) -> S) -> Self {
+        for (a, b) in self.0.iter_mut().zip(other.0) {
+            *a = f(*a, b);
+        }
+        self
     }
 }
 
-impl<S: Float> Add for Lanes<S> {
+impl<S: Float, const N: usize> Add for Lanes<S, N> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -37,7 +41,7 @@ impl<S: Float> Add for Lanes<S> {
     }
 }
 
-impl<S: Float> Sub for Lanes<S> {
+impl<S: Float, const N: usize> Sub for Lanes<S, N> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -45,7 +49,7 @@ impl<S: Float> Sub for Lanes<S> {
     }
 }
 
-impl<S: Float> Mul for Lanes<S> {
+impl<S: Float, const N: usize> Mul for Lanes<S, N> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -53,7 +57,7 @@ impl<S: Float> Mul for Lanes<S> {
     }
 }
 
-impl<S: Float> Div for Lanes<S> {
+impl<S: Float, const N: usize> Div for Lanes<S, N> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
@@ -61,7 +65,7 @@ impl<S: Float> Div for Lanes<S> {
     }
 }
 
-impl<S: Float> Neg for Lanes<S> {
+impl<S: Float, const N: usize> Neg for Lanes<S, N> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -69,34 +73,40 @@ impl<S: Float> Neg for Lanes<S> {
     }
 }
 
-impl<S: Float> Scalar for Lanes<S> {
-    type Condition = [bool; 2];
+impl<S: Float, const N: usize> Scalar for Lanes<S, N> {
+    type Condition = [bool; N];
 
     #[inline(always)]
     fn constant(value: f64) -> Self {
-        Self::both(S::constant(value))
+        Self::all(S::constant(value))
     }
     #[inline(always)]
     fn pi() -> Self {
-        Self::both(S::pi())
+        Self::all(S::pi())
     }
     #[inline(always)]
     fn inverse_pi() -> Self {
-        Self::both(S::inverse_pi())
+        Self::all(S::inverse_pi())
     }
     #[inline(always)]
-    fn lt(self, other: Self) -> [bool; 2] {
-        let ([a, b], [c, d]) = (self.0, other.0);
-        [a.lt(c), b.lt(d)]
+    fn lt(self, other: Self) -> [bool; N] {
+        let mut less = [false; N];
+        for (less, (a, b)) in less.iter_mut().zip(self.0.iter().zip(other.0)) {
+            *less = Scalar::lt(*a, b);
+        }
+        less
     }
     #[inline(always)]
-    fn is_zero(self) -> [bool; 2] {
+    fn is_zero(self) -> [bool; N] {
         self.0.map(|a| a.is_zero())
     }
     #[inline(always)]
-    fn select(condition: [bool; 2], yes: Self, no: Self) -> Self {
-        let ([c, d], [a, b], [e, f]) = (condition, yes.0, no.0);
-        Self([S::select(c, a, e), S::select(d, b, f)])
+    fn select(condition: [bool; N], yes: Self, no: Self) -> Self {
+        let mut chosen = no;
+        for (chosen, (condition, yes)) in chosen.0.iter_mut().zip(condition.iter().zip(yes.0)) {
+            *chosen = S::select(*condition, yes, *chosen);
+        }
+        chosen
     }
     #[inline(always)]
     fn abs(self) -> Self {
@@ -132,12 +142,12 @@ impl<S: Float> Scalar for Lanes<S> {
     }
     #[inline(always)]
     fn sin_cos_pi(self) -> (Self, Self) {
-        let [s, c] = S::sin_cos_pi_of_two(self.0);
+        let [s, c] = S::sin_cos_pi_of(self.0);
         (Self(s), Self(c))
     }
     #[inline(always)]
     fn sin_cos_pi_minus(self, d: Self) -> (Self, Self) {
-        let [s, c] = S::sin_cos_pi_minus_of_two(self.0, d.0);
+        let [s, c] = S::sin_cos_pi_minus_of(self.0, d.0);
         (Self(s), Self(c))
     }
     #[inline(always)]

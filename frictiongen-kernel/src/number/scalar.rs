@@ -166,17 +166,21 @@ pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'sta
     fn carried(self) -> Self {
         Self::constant(0.0)
     }
-    /// [`Scalar::sin_cos_pi`] of two numbers: the sines, then the cosines.
+    /// [`Scalar::sin_cos_pi`] of several numbers: the sines, then the cosines.
     #[inline(always)]
-    fn sin_cos_pi_of_two(h: [Self; 2]) -> [[Self; 2]; 2] {
-        let [(s, c), (t, d)] = h.map(Scalar::sin_cos_pi);
-        [[s, t], [c, d]]
+    fn sin_cos_pi_of<const N: usize>(h: [Self; N]) -> [[Self; N]; 2] {
+        let both = h.map(Scalar::sin_cos_pi);
+        [both.map(|(s, _)| s), both.map(|(_, c)| c)]
     }
-    /// [`Scalar::sin_cos_pi_minus`] of two numbers: the sines, then the cosines.
+    /// [`Scalar::sin_cos_pi_minus`] of several numbers: the sines, then the cosines.
     #[inline(always)]
-    fn sin_cos_pi_minus_of_two([a, b]: [Self; 2], [c, d]: [Self; 2]) -> [[Self; 2]; 2] {
-        let ((s, u), (t, v)) = (a.sin_cos_pi_minus(c), b.sin_cos_pi_minus(d));
-        [[s, t], [u, v]]
+    fn sin_cos_pi_minus_of<const N: usize>(h: [Self; N], d: [Self; N]) -> [[Self; N]; 2] {
+        let mut found = [h, h];
+        let [s, c] = &mut found;
+        for ((s, c), d) in s.iter_mut().zip(c).zip(d) {
+            (*s, *c) = s.sin_cos_pi_minus(d);
+        }
+        found
     }
     /// Whether it is no larger than another, neither of them negative or NaN.  Their bits then have the same order, and of
     /// those a small processor need not fetch flags from its floating-point unit, or has none.

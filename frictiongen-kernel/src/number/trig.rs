@@ -164,27 +164,48 @@ macro_rules! half_turns {
                 turned(q.wrapping_add(p), s, c)
             }
 
-            /// [`sin_cos_pi`] of two numbers: the sines, then the cosines.
+            /// Each number as it is, or less a multiple of 4, where it is so large that [`reduced`] would not do.
             #[inline(always)]
-            pub(crate) fn sin_cos_pi_of_two([a, b]: [$float; 2]) -> [[$float; 2]; 2] {
-                // One branch for both comes first: the rest is one block, which a compiler packs.
-                let near = |h: $float| if h.abs() < $exact { h } else { wrapped(h) };
-                let both_near = (a.abs() < $exact) & (b.abs() < $exact);
-                let [a, b] = if both_near { [a, b] } else { [near(a), near(b)] };
-                let [(p, a), (q, b)] = [reduced(a), reduced(b)];
-                let [(sin_a, cos_a), (sin_b, cos_b)] = [kernel(a), kernel(b)];
-                let (s, c) = turned(p, sin_a[0] + sin_a[1], cos_a[0] + cos_a[1]);
-                let (t, d) = turned(q, sin_b[0] + sin_b[1], cos_b[0] + cos_b[1]);
-                [[s, t], [c, d]]
+            fn near_of<const N: usize>(mut h: [$float; N]) -> [$float; N] {
+                // One branch for all, which a compiler packs.
+                if !h.iter().fold(true, |all, h| all & (h.abs() < $exact)) {
+                    for h in &mut h {
+                        if !(h.abs() < $exact) {
+                            *h = wrapped(*h);
+                        }
+                    }
+                }
+                h
             }
 
-            /// [`sin_cos_pi_minus`] of two numbers: the sines, then the cosines.
+            /// [`sin_cos_pi`] of several numbers: the sines, then the cosines.
             #[inline(always)]
-            pub(crate) fn sin_cos_pi_minus_of_two(h: [$float; 2], d: [$float; 2]) -> [[$float; 2]; 2] {
+            pub(crate) fn sin_cos_pi_of<const N: usize>(h: [$float; N]) -> [[$float; N]; 2] {
+                // What may branch comes first: the rest is one block, which a compiler packs.
+                let h = near_of(h);
+                let (mut sines, mut cosines) = (h, h);
+                for ((s, c), h) in sines.iter_mut().zip(&mut cosines).zip(h) {
+                    let (q, r) = reduced(h);
+                    let (sin, cos) = kernel(r);
+                    (*s, *c) = turned(q, sin[0] + sin[1], cos[0] + cos[1]);
+                }
+                [sines, cosines]
+            }
+
+            /// [`sin_cos_pi_minus`] of several numbers: the sines, then the cosines.
+            #[inline(always)]
+            pub(crate) fn sin_cos_pi_minus_of<const N: usize>(
+                h: [$float; N],
+                d: [$float; N],
+            ) -> [[$float; N]; 2] {
                 let near = |d: $float| if d.abs() < $near { d } else { wrapped(d) };
-                let ([a, b], [c, d]) = (h.map(reduced_any), d.map(near));
-                let [(s, u), (t, v)] = [less(a, c), less(b, d)];
-                [[s, t], [u, v]]
+                let (reduced, near) = (h.map(reduced_any), d.map(near));
+                let (mut sines, mut cosines) = (h, h);
+                let places = sines.iter_mut().zip(&mut cosines);
+                for ((s, c), (h, d)) in places.zip(reduced.into_iter().zip(near)) {
+                    (*s, *c) = less(h, d);
+                }
+                [sines, cosines]
             }
 
             /// sin πh, h in half-turns, within 1.1 units in the last place.

@@ -41,7 +41,7 @@ fn ratios<T: Scene>(scene: &T, r: T::Scalar) -> Result<(T::Scalar, T::Scalar), O
 
 /// 1/r within what the formulas can square.
 #[inline]
-fn inverse_ratio<T: Scene>(scene: &T, r: T::Scalar) -> T::Scalar {
+pub(super) fn inverse_ratio<T: Scene>(scene: &T, r: T::Scalar) -> T::Scalar {
     let (low, high) = scene.inverse_ratio_range();
     Scalar::min(Scalar::max(T::Scalar::constant(1.0) / r, low), high)
 }
@@ -115,22 +115,6 @@ impl<T: Scene> At<T> {
         Ok(Limits {
             continuous: continuous_with_ends(scene, r, limits.continuous),
             sliding: sliding_with_ends(scene, r, limits.sliding),
-        })
-    }
-
-    /// Both limits over a slice of frequency ratios, into slices of the same length.
-    ///
-    /// # Errors
-    /// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first NaN or negative
-    /// r; what came before it is filled in.
-    pub fn limits_into(
-        scene: T,
-        rs: &[T::Scalar],
-        continuous: &mut [T::Scalar],
-        sliding: &mut [T::Scalar],
-    ) -> Result<(), OutOfDomain> {
-        regime::limits_into(rs, continuous, sliding, |r| {
-            Ok(Self::new(scene.clone(), r)?.limits())
         })
     }
 

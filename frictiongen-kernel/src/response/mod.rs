@@ -11,6 +11,7 @@ mod continuous;
 pub mod motion;
 mod numbers;
 mod scene;
+mod slices;
 mod stuck;
 
 pub use at::{At, MostEvaluations};

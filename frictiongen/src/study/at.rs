@@ -204,4 +204,13 @@ impl<S: Float> FrictionSystem for System<S> {
     fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
         Self::limits_without_search(self, r)
     }
+    fn limits_without_search_into(
+        &self,
+        rs: &[S],
+        continuous: &mut [S],
+        sliding: &mut [S],
+    ) -> Result<(), OutOfDomain> {
+        self.constant_level()?;
+        At::limits_without_search_into(&self, rs, continuous, sliding)
+    }
 }

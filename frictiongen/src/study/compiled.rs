@@ -275,6 +275,14 @@ impl<S: Float> FrictionSystem for CompiledSystem<'_, S> {
     fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
         self.system.limits_without_search(r)
     }
+    fn limits_without_search_into(
+        &self,
+        rs: &[S],
+        continuous: &mut [S],
+        sliding: &mut [S],
+    ) -> Result<(), OutOfDomain> {
+        FrictionSystem::limits_without_search_into(self.system, rs, continuous, sliding)
+    }
 }
 
 /// A system with tables at one frequency ratio.

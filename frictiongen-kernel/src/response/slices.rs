@@ -1,0 +1,102 @@
+//! Limits over slices of frequency ratios.
+
+use super::at::{At, inverse_ratio};
+use super::scene::Scene;
+use crate::contact::regime::{self, Limits};
+use crate::contact::several::{SIDE_BY_SIDE, Several};
+use crate::errors::OutOfDomain;
+use crate::number::scalar::{Float, Scalar};
+use crate::oscillator::mode::Kind;
+
+impl<T: Scene> At<T> {
+    /// Both limits over a slice of frequency ratios, into slices of the same length.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first NaN or negative
+    /// r; what came before it is filled in.
+    pub fn limits_into(
+        scene: T,
+        rs: &[T::Scalar],
+        continuous: &mut [T::Scalar],
+        sliding: &mut [T::Scalar],
+    ) -> Result<(), OutOfDomain> {
+        regime::limits_into(rs, continuous, sliding, |r| {
+            Ok(Self::new(scene.clone(), r)?.limits())
+        })
+    }
+
+    /// Both limits [without search](Self::limits_without_search) over a slice of frequency ratios, into slices of the
+    /// same length: the same bits.  Where all modes are undamped or all lightly damped, several frequencies go side by
+    /// side.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first NaN or negative
+    /// r; what came before it is filled in.
+    pub fn limits_without_search_into(
+        scene: &T,
+        rs: &[T::Scalar],
+        continuous: &mut [T::Scalar],
+        sliding: &mut [T::Scalar],
+    ) -> Result<(), OutOfDomain> {
+        regime::check_rooms(rs.len(), continuous.len(), sliding.len())?;
+        let numbers = scene.numbers();
+        let Some(kind) = numbers.chain.common_kind(numbers.modes) else {
+            return Self::in_turn(scene, rs, continuous, sliding);
+        };
+        let mut found = Several::new();
+        let (rs, rs_left) = rs.as_chunks();
+        let (continuous, continuous_left) = continuous.as_chunks_mut();
+        let (sliding, sliding_left) = sliding.as_chunks_mut();
+        for ((rs, continuous), sliding) in rs.iter().zip(continuous).zip(sliding) {
+            let ordinary = |r: &T::Scalar| T::Scalar::constant(0.0) < *r && r.is_finite();
+            if rs.iter().all(ordinary) {
+                Self::side_by_side(scene, kind, rs, &mut found);
+                (*continuous, *sliding) = (found.continuous, found.sliding);
+            } else {
+                Self::in_turn(scene, rs, continuous, sliding)?;
+            }
+        }
+        Self::in_turn(scene, rs_left, continuous_left, sliding_left)
+    }
+
+    fn in_turn(
+        scene: &T,
+        rs: &[T::Scalar],
+        continuous: &mut [T::Scalar],
+        sliding: &mut [T::Scalar],
+    ) -> Result<(), OutOfDomain> {
+        regime::limits_into(rs, continuous, sliding, |r| {
+            Self::limits_without_search(scene, r)
+        })
+    }
+
+    /// For r that are neither 0 nor infinite.
+    #[inline(always)]
+    fn side_by_side(
+        scene: &T,
+        kind: Kind,
+        rs: &[T::Scalar; SIDE_BY_SIDE],
+        found: &mut Several<T::Scalar>,
+    ) {
+        let numbers = scene.numbers();
+        let inverse_rs = rs.map(|r| inverse_ratio(scene, r));
+        numbers
+            .chain
+            .several_limits(numbers.modes, kind, &inverse_rs, found);
+        if numbers.chain.pushed_where_it_rubs(numbers.modes) {
+            found.sliding = [T::Scalar::constant(1.0); SIDE_BY_SIDE];
+        }
+        if numbers.absorbs {
+            let limits = found.sliding.iter_mut().zip(&found.h);
+            for (r, (sliding, h)) in rs.iter().zip(limits) {
+                // The holding force takes the modes' functions.
+                if numbers.chain.may_absorb(*h)
+                    && let Ok(Limits { sliding: limit, .. }) =
+                        Self::limits_without_search(scene, *r)
+                {
+                    *sliding = limit;
+                }
+            }
+        }
+    }
+}
