@@ -143,8 +143,7 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
     };
     let stuck = match &tables.held {
         Some(held) => {
-            let operations = held.masses.iter().map(HeldForm::operations);
-            let (plain, divisions) = operations.fold((0, 0), |most, own| most.max(own));
+            let (plain, divisions) = held.most_operations();
             format!(
                 "stuck           {}  At most {plain} additions and multiplications and {divisions} divisions a mass; {} bytes\n",
                 held.told(),

@@ -167,8 +167,7 @@ impl<'a> Emission<'a> {
     /// Whether the load acts on the mass that rubs, so that V = H.
     pub(super) fn loads_contact(&self) -> bool {
         let Reduced { chain, modes, .. } = &self.reduced;
-        let mut modes = modes.iter();
-        chain.on_moving_base.is_none() && modes.all(|mode| mode.residue == mode.inverse_mass)
+        chain.loads_contact(modes)
     }
 
     pub fn literal(&self, value: f64) -> TokenStream {

@@ -31,26 +31,6 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> Part {
             /// the accuracy, or they take more than a quarter of a budget of bytes.
             impl TabledStuck for #name {
                 type Sticking = #stuck;
-
-                #[inline]
-                fn holds_stuck(&self) -> bool {
-                    false
-                }
-
-                #[inline]
-                fn stuck_resonances(&self) -> &[#scalar] {
-                    &[]
-                }
-
-                #[inline]
-                fn tabled_stuck(&self, _: usize, _: #scalar) -> Option<Complex<#scalar>> {
-                    None
-                }
-
-                #[inline]
-                fn tabled_holding_force(&self, _: #scalar) -> Option<Complex<#scalar>> {
-                    None
-                }
             }
         };
         return Part {
@@ -212,8 +192,7 @@ fn roots<S: Float>(emission: &Emission<'_>, roots: &[Root<S>]) -> TokenStream {
 }
 
 fn stuck_about<S: Float>(held: &Held<S>) -> Vec<String> {
-    let operations = held.masses.iter().map(HeldForm::operations);
-    let (plain, divisions) = operations.fold((0, 0), |most, own| most.max(own));
+    let (plain, divisions) = held.most_operations();
     vec![
         " x̄* = V_k − H_kV/H (6.11, 6.27, 6.33) of each mass, as a product over its zeros and poles.".to_owned(),
         String::new(),

@@ -29,15 +29,13 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     let limit = chain.continuous_limit(&contact, graph.input("constraint"));
     let continuous = formula(limit);
     let reduced = &emission.reduced;
-    let on_contact = emission.loads_contact();
-    let same = on_contact.then(|| {
+    let same = emission.loads_contact().then(|| {
         code! {
             ///
             /// The load acts on the mass that rubs: V = H.
         }
     });
-    // A number over itself is 1; over μ times itself it has a rounding, which the run time has too.
-    let (given, sliding) = if on_contact && reduced.chain.stiction == 1.0 {
+    let (given, sliding) = if reduced.chain.sliding_limit_is_one(&reduced.modes) {
         (code!(_), code!(1.0))
     } else {
         (code!(contact), formula(chain.sliding_limit(&contact)))

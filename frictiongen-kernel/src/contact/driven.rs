@@ -195,13 +195,13 @@ fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2];
 
 impl<S: Float> Chain<S> {
     /// β_lim without search and β*_lim at 1/r, for r that is neither 0 nor infinite and as if nothing absorbed; and H
-    /// times r²E.  `pushed_where_it_rubs` says that V = H, so that β*_lim is 1.
+    /// times r²E.  `is_one` says that V = H and μ = 1, so that β*_lim is 1.
     #[inline]
     pub fn limits_of_driven(
         &self,
         modes: &DrivenModes<S>,
         inverse_r: S,
-        pushed_where_it_rubs: bool,
+        is_one: bool,
     ) -> (Limits<S>, S) {
         let chain = Self {
             damped: false,
@@ -220,7 +220,7 @@ impl<S: Float> Chain<S> {
         let contact = chain.completed(&sum, inverse_r);
         let limits = Limits {
             continuous: chain.continuous_limit(&contact, chain.break_away(&contact)),
-            sliding: if pushed_where_it_rubs {
+            sliding: if is_one {
                 S::constant(1.0)
             } else {
                 chain.sliding_limit(&contact)

@@ -3,6 +3,22 @@
 use crate::contact::sums::{Chain, ContactAt};
 use crate::number::complex;
 use crate::number::scalar::Scalar;
+use crate::oscillator::mode::Mode;
+
+impl<S: Scalar + PartialEq> Chain<S> {
+    /// Whether the load acts on the mass that rubs, so that V = H.
+    #[must_use]
+    pub fn loads_contact(&self, modes: &[Mode<S>]) -> bool {
+        let mut modes = modes.iter();
+        self.on_moving_base.is_none() && modes.all(|mode| mode.residue == mode.inverse_mass)
+    }
+
+    /// Whether V = H and μ = 1, so that β*_lim is 1: a number over itself is, over μ times itself it has a rounding.
+    #[must_use]
+    pub fn sliding_limit_is_one(&self, modes: &[Mode<S>]) -> bool {
+        self.stiction == S::constant(1.0) && self.loads_contact(modes)
+    }
+}
 
 impl<S: Scalar> Chain<S> {
     /// The velocity constraint's S for τ → 0, times r²E: m* + H_c r² (5.58, 7.52).

@@ -11,19 +11,19 @@ use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
 /// A kind of damping that all modes share: a type, so that no loop asks for it.
-trait Uniform {
+pub(super) trait Uniform {
     const KIND: Kind;
     const DAMPED: bool;
 }
 
-struct Undamped;
+pub(super) struct Undamped;
 
 impl Uniform for Undamped {
     const KIND: Kind = Kind::Undamped;
     const DAMPED: bool = false;
 }
 
-struct Light;
+pub(super) struct Light;
 
 impl Uniform for Light {
     const KIND: Kind = Kind::Light;
@@ -56,12 +56,24 @@ impl<S: Float> Chain<S> {
         inverse_r: S,
         keep: impl FnMut(ModeAt<S>),
     ) -> ContactAt<S> {
-        if S::PAIRS && !self.damped {
-            self.uniform::<Undamped, WITH_G>(modes, inverse_r, keep)
-        } else if S::PAIRS && modes.iter().all(|mode| mode.kind == Kind::Light) {
-            self.uniform::<Light, WITH_G>(modes, inverse_r, keep)
+        match self.common_kind(modes) {
+            Some(Kind::Undamped) => self.uniform::<Undamped, WITH_G>(modes, inverse_r, keep),
+            Some(_) => self.uniform::<Light, WITH_G>(modes, inverse_r, keep),
+            None => self.in_turn::<WITH_G>(modes, inverse_r, keep),
+        }
+    }
+
+    /// The kind of all modes, if two may go side by side: undamped or lightly damped, on a processor that takes two at
+    /// once.
+    #[inline(always)]
+    pub(super) fn common_kind(&self, modes: &[Mode<S>]) -> Option<Kind> {
+        if !S::PAIRS {
+            None
+        } else if !self.damped {
+            Some(Kind::Undamped)
         } else {
-            self.in_turn::<WITH_G>(modes, inverse_r, keep)
+            let light = modes.iter().all(|mode| mode.kind == Kind::Light);
+            light.then_some(Kind::Light)
         }
     }
 
@@ -132,7 +144,7 @@ impl<S: Float> Chain<S> {
 
     /// The chain's constants, each for both modes.
     #[inline(always)]
-    fn of_both(&self) -> Chain<Lanes<S>> {
+    pub(super) fn in_lanes<const N: usize>(&self) -> Chain<Lanes<S, N>> {
         Chain {
             damped: self.damped,
             on_moving_base: self.on_moving_base.map(Lanes::all),
@@ -150,7 +162,7 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
     let mut least = Lanes::all(infinite);
     let (pairs, rest) = modes.as_chunks::<2>();
     for pair in pairs {
-        let size = Mode::beside(pair).size_but_zero(U::KIND, Lanes::all(inverse_r));
+        let size = Mode::beside(U::KIND, pair).size_but_zero(U::KIND, Lanes::all(inverse_r));
         let (Lanes([first, second]), [a, b]) = (size, pair);
         if a.in_contact & b.in_contact {
             least = least.min(size);
@@ -192,9 +204,9 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
 ) {
     let chain = Chain {
         damped: U::DAMPED,
-        ..chain.of_both()
+        ..chain.in_lanes()
     };
-    let (mode, scale) = (Mode::beside(modes), Lanes::all(scale));
+    let (mode, scale) = (Mode::beside(U::KIND, modes), Lanes::all(scale));
     let response = mode.functions_of(U::KIND, Lanes::all(inverse_r), WITH_G, 0);
     let at = chain.scaled(&response, scale, false, 0);
     let found = chain.term(scale, &mode, &response, &at, false, WITH_G);
@@ -219,14 +231,14 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
     }
 }
 
-impl<S: Float> Mode<Lanes<S>> {
-    /// Two modes of a kind.
+impl<S: Float, const N: usize> Mode<Lanes<S, N>> {
+    /// Modes of a kind.
     #[inline(always)]
-    fn beside([a, b]: &[Mode<S>; 2]) -> Self {
-        let of = |constant: fn(&Mode<S>) -> S| Lanes([constant(a), constant(b)]);
+    pub(super) fn beside(kind: Kind, modes: &[Mode<S>; N]) -> Self {
+        let of = |constant: fn(&Mode<S>) -> S| Lanes(modes.each_ref().map(constant));
         Self {
-            kind: a.kind,
-            in_contact: a.in_contact | b.in_contact,
+            kind,
+            in_contact: modes.iter().any(|mode| mode.in_contact),
             resonance: of(|mode| mode.resonance),
             zeta: of(|mode| mode.zeta),
             q: of(|mode| mode.q),

@@ -2,6 +2,7 @@
 //!
 //! The formulas are those of one frequency, in the same order: the bits are the same.
 
+use crate::contact::pairs::{Light, Undamped, Uniform};
 use crate::contact::sums::{Chain, ContactAt};
 use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
@@ -13,8 +14,6 @@ pub(crate) const SIDE_BY_SIDE: usize = if cfg!(target_feature = "avx512f") {
 } else {
     4
 };
-
-type Side<S> = Lanes<S, SIDE_BY_SIDE>;
 
 /// What limits without search are at several frequencies, as if nothing absorbed.
 #[derive(Debug)]
@@ -37,27 +36,13 @@ impl<S: Float> Several<S> {
 }
 
 impl<S: Float> Chain<S> {
-    /// The kind of all modes, if they are undamped or all lightly damped and some are in contact: only then they go side
-    /// by side.
-    pub(crate) fn common_kind(&self, modes: &[Mode<S>]) -> Option<Kind> {
-        let kind = if self.damped {
-            Kind::Light
-        } else {
-            Kind::Undamped
-        };
-        let common = modes.iter().all(|mode| mode.kind == kind);
+    /// The kind of all modes, if frequencies may go side by side: where no mode is in contact there is no scale.
+    pub(crate) fn kind_of_several(&self, modes: &[Mode<S>]) -> Option<Kind> {
         let touched = modes.iter().any(|mode| mode.in_contact);
-        (S::PAIRS && common && touched).then_some(kind)
+        self.common_kind(modes).filter(|_| touched)
     }
 
-    /// Whether V = H and μ = 1, so that β*_lim is 1.
-    pub(crate) fn pushed_where_it_rubs(&self, modes: &[Mode<S>]) -> bool {
-        self.on_moving_base.is_none()
-            && self.stiction == S::constant(1.0)
-            && modes.iter().all(|mode| mode.residue == mode.inverse_mass)
-    }
-
-    /// Both limits without search at several 1/r, for modes of [a common kind](Self::common_kind).
+    /// Both limits without search at several 1/r, for modes [of a kind](Self::kind_of_several).
     pub(crate) fn several_limits(
         &self,
         modes: &[Mode<S>],
@@ -66,41 +51,41 @@ impl<S: Float> Chain<S> {
         found: &mut Several<S>,
     ) {
         match kind {
-            Kind::Undamped => self.side_by_side::<false>(modes, inverse_r, found),
-            _ => self.side_by_side::<true>(modes, inverse_r, found),
+            Kind::Undamped => self.side_by_side::<Undamped>(modes, inverse_r, found),
+            _ => self.side_by_side::<Light>(modes, inverse_r, found),
         }
     }
 
     /// Not inlined: the compiler packs what is stored side by side.
     #[inline(never)]
-    fn side_by_side<const DAMPED: bool>(
+    fn side_by_side<U: Uniform>(
         &self,
         modes: &[Mode<S>],
         inverse_r: &[S; SIDE_BY_SIDE],
         found: &mut Several<S>,
     ) {
-        let kind = if DAMPED { Kind::Light } else { Kind::Undamped };
         let chain = Chain {
-            damped: DAMPED,
-            on_moving_base: self.on_moving_base.map(Side::all),
-            inverse_mass: Side::all(self.inverse_mass),
-            stiction: Side::all(self.stiction),
+            damped: U::DAMPED,
+            ..self.in_lanes()
         };
         let inverse_r = Lanes(*inverse_r);
         let single = modes.len() == 1;
-        let touched = || modes.iter().filter(|mode| mode.in_contact).map(wide);
-        let least = touched().fold(Side::constant(f64::INFINITY), |least, mode| {
-            least.min(mode.size_but_zero(kind, inverse_r))
+        let touched = || {
+            let touched = modes.iter().filter(|mode| mode.in_contact);
+            touched.map(|mode| Mode::beside(U::KIND, &[*mode; SIDE_BY_SIDE]))
+        };
+        let least = touched().fold(Lanes::constant(f64::INFINITY), |least, mode| {
+            least.min(mode.size_but_zero(U::KIND, inverse_r))
         });
         // As in the sums over pairs of modes: an exact zero is replaced once, in the smallest.
-        let scale = if DAMPED {
+        let scale = if U::DAMPED {
             least
         } else {
             least.detuning_off_pole()
         };
         let mut sum = ContactAt::zero(scale);
         for mode in touched() {
-            let response = mode.functions_of(kind, inverse_r, false, 0);
+            let response = mode.functions_of(U::KIND, inverse_r, false, 0);
             let at = chain.scaled(&response, scale, single, 0);
             sum = chain.joined_by(&sum, &mode, &response, &at, single, false);
         }
@@ -110,23 +95,5 @@ impl<S: Float> Chain<S> {
             .0;
         found.sliding = chain.sliding_limit(&contact).0;
         found.h = contact.h.re.0;
-    }
-}
-
-/// A mode at every frequency.
-#[inline(always)]
-fn wide<S: Float>(mode: &Mode<S>) -> Mode<Side<S>> {
-    Mode {
-        kind: mode.kind,
-        in_contact: mode.in_contact,
-        resonance: Lanes::all(mode.resonance),
-        zeta: Lanes::all(mode.zeta),
-        q: Lanes::all(mode.q),
-        q_defect: Lanes::all(mode.q_defect),
-        load: Lanes::all(mode.load),
-        contact: Lanes::all(mode.contact),
-        residue: Lanes::all(mode.residue),
-        inverse_mass: Lanes::all(mode.inverse_mass),
-        static_residue: Lanes::all(mode.static_residue),
     }
 }

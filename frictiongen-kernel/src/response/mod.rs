@@ -17,5 +17,5 @@ mod stuck;
 pub use at::{At, MostEvaluations};
 pub use continuous::{Continuous, MotionOf, ProvidesMotion};
 pub use numbers::{Ends, Numbers};
-pub use scene::Scene;
+pub use scene::{Scene, limits_of_sums};
 pub use stuck::{ProvidesStuck, Stuck};

@@ -98,11 +98,17 @@ pub trait Scene: Clone {
         &self,
         inverse_r: Self::Scalar,
     ) -> (Limits<Self::Scalar>, Self::Scalar) {
-        let contact = self.contact_without_g(inverse_r);
-        let limits = Limits {
-            continuous: self.continuous_limit(&contact, self.break_away(&contact)),
-            sliding: self.sliding_limit(&contact),
-        };
-        (limits, contact.h.re)
+        limits_of_sums(self, inverse_r)
     }
+}
+
+/// [`Scene::limits_without_search`] from the contact's sums.
+#[inline(always)]
+pub fn limits_of_sums<T: Scene>(scene: &T, inverse_r: T::Scalar) -> (Limits<T::Scalar>, T::Scalar) {
+    let contact = scene.contact_without_g(inverse_r);
+    let limits = Limits {
+        continuous: scene.continuous_limit(&contact, scene.break_away(&contact)),
+        sliding: scene.sliding_limit(&contact),
+    };
+    (limits, contact.h.re)
 }

@@ -40,9 +40,10 @@ impl<T: Scene> At<T> {
     ) -> Result<(), OutOfDomain> {
         regime::check_rooms(rs.len(), continuous.len(), sliding.len())?;
         let numbers = scene.numbers();
-        let Some(kind) = numbers.chain.common_kind(numbers.modes) else {
+        let Some(kind) = numbers.chain.kind_of_several(numbers.modes) else {
             return Self::in_turn(scene, rs, continuous, sliding);
         };
+        let is_one = numbers.chain.sliding_limit_is_one(numbers.modes);
         let mut found = Several::new();
         let (rs, rs_left) = rs.as_chunks();
         let (continuous, continuous_left) = continuous.as_chunks_mut();
@@ -51,6 +52,9 @@ impl<T: Scene> At<T> {
             let ordinary = |r: &T::Scalar| T::Scalar::constant(0.0) < *r && r.is_finite();
             if rs.iter().all(ordinary) {
                 Self::side_by_side(scene, kind, rs, &mut found);
+                if is_one {
+                    found.sliding = [T::Scalar::constant(1.0); SIDE_BY_SIDE];
+                }
                 (*continuous, *sliding) = (found.continuous, found.sliding);
             } else {
                 Self::in_turn(scene, rs, continuous, sliding)?;
@@ -83,9 +87,6 @@ impl<T: Scene> At<T> {
         numbers
             .chain
             .several_limits(numbers.modes, kind, &inverse_rs, found);
-        if numbers.chain.pushed_where_it_rubs(numbers.modes) {
-            found.sliding = [T::Scalar::constant(1.0); SIDE_BY_SIDE];
-        }
         if numbers.absorbs {
             let limits = found.sliding.iter_mut().zip(&found.h);
             for (r, (sliding, h)) in rs.iter().zip(limits) {

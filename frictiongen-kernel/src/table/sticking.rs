@@ -7,21 +7,35 @@ use crate::number::scalar::Scalar;
 use crate::response::{ProvidesStuck, Stuck};
 
 /// A scene with products over zeros and poles for its response while the contact is stuck.
+///
+/// Without a body of its own for any of these methods the exact formulas answer.
 pub trait TabledStuck: Tabled + ProvidesStuck {
     /// The response, with a method for each mass.
     type Sticking: From<Sticking<Self>>;
 
     /// Whether the products answer; else only the exact formulas keep the accuracy.
-    fn holds_stuck(&self) -> bool;
+    #[inline]
+    fn holds_stuck(&self) -> bool {
+        false
+    }
 
     /// The numbers within the domain on which an undamped resonance of the held chain lies to the last digit.
-    fn stuck_resonances(&self) -> &[Self::Scalar];
+    #[inline]
+    fn stuck_resonances(&self) -> &[Self::Scalar] {
+        &[]
+    }
 
     /// x̄* = V_k − H_kV/H of a mass within the domain; none if there is no such mass.
-    fn tabled_stuck(&self, mass: usize, r: Self::Scalar) -> Option<Complex<Self::Scalar>>;
+    #[inline]
+    fn tabled_stuck(&self, _mass: usize, _r: Self::Scalar) -> Option<Complex<Self::Scalar>> {
+        None
+    }
 
     /// V/H within the domain.
-    fn tabled_holding_force(&self, r: Self::Scalar) -> Option<Complex<Self::Scalar>>;
+    #[inline]
+    fn tabled_holding_force(&self, _r: Self::Scalar) -> Option<Complex<Self::Scalar>> {
+        None
+    }
 }
 
 impl<T: TabledStuck> Compiled<T> {

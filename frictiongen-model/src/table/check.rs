@@ -15,9 +15,9 @@ const DECADES: f64 = 13.0;
 /// Points at which a product is compared, besides those of interest.
 const PRODUCT_POINTS: usize = 256;
 /// Roundings of r by which an exact value may be off.
-const ROUNDINGS: f64 = 8.0;
+pub(super) const ROUNDINGS: f64 = 8.0;
 /// The golden section, by whose multiples points are spread.
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
+pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 /// The largest error of a piece over what is allowed, and where; how many points were looked at.
 pub(super) fn piece<S: Float>(

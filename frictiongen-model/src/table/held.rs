@@ -150,6 +150,15 @@ impl<S: Float> Held<S> {
         )
     }
 
+    /// Additions and multiplications, and divisions, of the mass that takes most.
+    #[must_use]
+    pub fn most_operations(&self) -> (usize, usize) {
+        let operations = self.masses.iter().map(HeldForm::operations);
+        operations.fold((0, 0), |(plain, divisions), own| {
+            (plain.max(own.0), divisions.max(own.1))
+        })
+    }
+
     /// What its numbers take.
     #[must_use]
     pub fn bytes(&self) -> usize {

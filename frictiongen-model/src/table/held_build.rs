@@ -1,5 +1,6 @@
 //! The responses while the contact is held from zeros and poles, and how far they are from the sums over modes.
 
+use super::check::{GOLDEN, ROUNDINGS};
 use super::errors::or_infinite;
 use super::held::{Held, HeldForm};
 use super::held_zeros::{HeldAt, Rational, Response, responses};
@@ -16,14 +17,10 @@ use frictiongen_kernel::{Complex, Float};
 const POINTS: usize = 64;
 /// How close to a zero or a pole, relative to it.
 const BESIDE: [f64; 7] = [0.0, 1e-15, -1e-13, 1e-10, -1e-7, 1e-4, -1e-2];
-/// Roundings of r by which an exact value may be off.
-const ROUNDINGS: f64 = 8.0;
 /// A pole closer to a number of the scalar is that number: of its 30 digits the iteration leaves the last ones open.
 const SAME: f64 = 1e-26;
 /// Where it is looked for a place that is far from all zeros and poles.
 const PLACES: usize = 33;
-/// The golden section, by whose multiples points are spread.
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 /// A double-double rounded once to a scalar.
 fn rounded<S: Float>(value: Dd) -> S {

@@ -11,7 +11,9 @@ use frictiongen_kernel::contact::sums::{ContactAt, ModeAt};
 use frictiongen_kernel::modal_sum::wave::Wave;
 use frictiongen_kernel::orbit::{self, Orbit, ProvidesOrbit, Start};
 use frictiongen_kernel::oscillator::decay::Damped;
-use frictiongen_kernel::response::{At, Numbers, ProvidesMotion, ProvidesStuck, Scene};
+use frictiongen_kernel::response::{
+    At, Numbers, ProvidesMotion, ProvidesStuck, Scene, limits_of_sums,
+};
 use frictiongen_kernel::{Float, Plain};
 use frictiongen_model::reduced::Reduced;
 use std::ops::Deref;
@@ -82,7 +84,7 @@ impl<S: Float> Scene for &System<S> {
         match &self.driven {
             Some(modes) => {
                 let chain = &self.reduced.chain;
-                chain.limits_of_driven(modes, inverse_r, self.pushed_where_it_rubs)
+                chain.limits_of_driven(modes, inverse_r, self.sliding_limit_is_one)
             }
             None => self.limits_of_sums(inverse_r),
         }
@@ -93,7 +95,7 @@ impl<S: Float> Scene for &System<S> {
     }
 
     fn sliding_limit(&self, contact: &ContactAt<S>) -> S {
-        if self.pushed_where_it_rubs {
+        if self.sliding_limit_is_one {
             S::constant(1.0)
         } else {
             self.reduced.chain.sliding_limit(contact)
@@ -165,13 +167,7 @@ impl<S: Float> System<S> {
     /// Not inlined: beside it one undamped mass took 1.1 times as long.
     #[inline(never)]
     fn limits_of_sums(&self, inverse_r: S) -> (Limits<S>, S) {
-        let scene = &self;
-        let contact = scene.contact_without_g(inverse_r);
-        let limits = Limits {
-            continuous: scene.continuous_limit(&contact, scene.break_away(&contact)),
-            sliding: scene.sliding_limit(&contact),
-        };
-        (limits, contact.h.re)
+        limits_of_sums(&self, inverse_r)
     }
 
     /// The scene at the frequency ratio r.

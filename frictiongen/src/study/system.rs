@@ -45,8 +45,8 @@ pub struct System<S = f64> {
     pub(super) reference: S,
     /// The smallest and the largest 1/r at which the formulas are evaluated.
     pub(super) range: (S, S),
-    /// Whether V = H: the load acts on the mass that rubs, and β*_lim is 1.
-    pub(super) pushed_where_it_rubs: bool,
+    /// Whether the load acts on the mass that rubs and μ = 1, so that β*_lim is 1.
+    pub(super) sliding_limit_is_one: bool,
     /// What limits without search take of a chain without damping.
     pub(super) driven: Option<DrivenModes<S>>,
     transient: OnceLock<Transient<S>>,
@@ -108,22 +108,16 @@ impl<S: Float> System<S> {
         let all = |values: Vec<T>| values.into_iter().map(&to).collect();
         let reduced = data.reduced(&to);
         let range = (&reduced).inverse_ratio_range();
-        // A number over itself is 1; over μ times itself it has a rounding, and a derivative may be that of μ.
+        // A derivative may be that of μ.
         let chain = &reduced.chain;
-        let pushed_where_it_rubs = !S::CARRIES
-            && chain.on_moving_base.is_none()
-            && chain.stiction == S::constant(1.0)
-            && reduced
-                .modes
-                .iter()
-                .all(|mode| mode.residue == mode.inverse_mass);
+        let sliding_limit_is_one = !S::CARRIES && chain.sliding_limit_is_one(&reduced.modes);
         Self {
             scene,
             modal,
             driven: DrivenModes::of(&reduced.chain, &reduced.modes),
             reduced,
             range,
-            pushed_where_it_rubs,
+            sliding_limit_is_one,
             resonances: all(data.resonances.clone()),
             reference: to(data.reference),
             transient: OnceLock::new(),

@@ -20,6 +20,8 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
             "number::dd::Dd::min",
             "number::dd::Dd::neg",
             "number::dd::Dd::new",
+            "contact::limits::Chain::loads_contact",
+            "contact::limits::Chain::sliding_limit_is_one",
             "contact::regime::check_beta",
             "contact::regime::check_ratio",
             "contact::regime::inverse_ratio_range",
