@@ -38,16 +38,20 @@ impl<S: Float> Fitted<S> {
     }
 }
 
+/// So many coefficients a polynomial may have.
+pub(super) const TERMS: [usize; 4] = [4, 6, 8, 10];
+
 /// Coefficients of the polynomials that need least for an accuracy.
 pub(super) fn terms(accuracy: f64) -> usize {
+    let [four, six, eight, ten] = TERMS;
     if accuracy >= FOUR_TERMS {
-        4
+        four
     } else if accuracy >= SIX_TERMS {
-        6
+        six
     } else if accuracy >= EIGHT_TERMS {
-        8
+        eight
     } else {
-        10
+        ten
     }
 }
 

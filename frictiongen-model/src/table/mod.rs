@@ -21,6 +21,7 @@ mod proof;
 mod proportional;
 mod quotients;
 mod request;
+mod shares;
 mod split;
 mod tables;
 mod verified;

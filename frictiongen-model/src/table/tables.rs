@@ -1,9 +1,8 @@
 //! Tables of a scene, from the request to the report.
 
-use super::cover::{Cover, Stuck};
-use super::errors::Comparison;
+use super::cover::Stuck;
 use super::exact::Exact;
-use super::fit::{Fitted, Form, terms};
+use super::fit::{Fitted, TERMS, terms};
 use super::held::Held;
 use super::index::Index;
 use super::kinks;
@@ -11,26 +10,16 @@ use super::product::Product;
 use super::proof::Proof;
 use super::quotients::Products;
 use super::request::{COARSEST, Request, TableError};
+use super::shares::{cover, relative};
 use super::split::Landmarks;
 use super::worst::Worst;
 use super::zeros::Zeros;
 use crate::modal::Modal;
-use crate::scene::{Accuracy, Provide, Scene, Side};
+use crate::scene::{Accuracy, Provide, Scene};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::table::Quotient;
 
-/// Of the accuracy the fit takes this share: the rest is for the points between those that it looks at.
-const SHARE: f64 = 0.75;
-/// The check allows this share: between its points an error may be larger.
-const CHECKED: f64 = 0.9;
-/// With `side: safe` a table lies half the accuracy off, and strays by less than this share.
-const SAFE_SHARE: f64 = 0.4;
 /// Of a budget of bytes the responses while the contact is stuck may take one part in so many.
 const STUCK_PART: usize = 4;
-/// Of the accuracy the decimals of a coefficient may take this share.
-const ROUNDING: f64 = 1e-3;
-/// No table has more pieces.
-const MOST_PIECES: usize = 20_000;
 /// The first piece is tried at this part of the range.
 const FIRST: f64 = 16.0;
 /// So many pieces have numbers of one byte.
@@ -238,27 +227,46 @@ impl<S: Float> Tables<S> {
         Self::built_within(exact, request, usize::MAX)
     }
 
-    /// With |V| among the functions where that will do and fits: a product costs a root and an operation for every zero
-    /// and pole, but fewer bytes.
+    /// What one polynomial cannot follow, a trace of a mode that is some hundred roundings of r wide, one of a higher
+    /// degree may.
     fn built_within(
         exact: &mut Exact<'_>,
         request: Request,
         bytes: usize,
     ) -> Result<Self, TableError> {
+        let usual = terms(request.accuracy);
+        let not_met = match Self::of_terms(exact, request, bytes, usual) {
+            Err(error @ TableError::NotMet { .. }) => error,
+            other => return other,
+        };
+        let mut more = TERMS.into_iter().filter(|more| usual < *more);
+        let found = more.find_map(|more| Self::of_terms(exact, request, bytes, more).ok());
+        found.ok_or(not_met)
+    }
+
+    /// With |V| among the functions where that will do and fits: a product costs a root and an operation for every zero
+    /// and pole, but fewer bytes.
+    fn of_terms(
+        exact: &mut Exact<'_>,
+        request: Request,
+        bytes: usize,
+        terms: usize,
+    ) -> Result<Self, TableError> {
         if request.motion && exact.all_damped() {
-            let tabled = Self::built_with(exact, request, true);
+            let tabled = Self::built_with(exact, request, terms, true);
             if let Ok(tables) = tabled
                 && tables.report.bytes <= bytes
             {
                 return Ok(tables);
             }
         }
-        Self::built_with(exact, request, false)
+        Self::built_with(exact, request, terms, false)
     }
 
     fn built_with(
         exact: &mut Exact<'_>,
         request: Request,
+        terms: usize,
         with_size: bool,
     ) -> Result<Self, TableError> {
         let modal = exact.modal;
@@ -288,7 +296,6 @@ impl<S: Float> Tables<S> {
             (Some(_), false) => 2,
             (Some(_), true) => 4,
         };
-        let terms = terms(request.accuracy);
         let mut kinks = kinks::kinks(exact, (low, high));
         if exact.damped() {
             // Across the resonance of an undamped mode among damped ones arg V jumps.
@@ -341,48 +348,4 @@ impl<S: Float> Tables<S> {
             kinks,
         })
     }
-}
-
-/// A cover before its first piece.
-pub(super) fn cover<'a, 'm, S: Float>(
-    exact: &'a mut Exact<'m>,
-    landmarks: Landmarks,
-    request: &Request,
-    (functions, terms): (usize, usize),
-    excitation: Option<Quotient<'a, S>>,
-) -> Cover<'a, 'm, S> {
-    let accuracy = request.accuracy;
-    // Safe: β_lim from below, half the accuracy off.
-    let (side_factor, share, whole) = match request.side {
-        Side::Near => (1.0, SHARE, CHECKED * accuracy),
-        Side::Safe => (1.0 - 0.5 * accuracy, SAFE_SHARE, 0.5 * CHECKED * accuracy),
-    };
-    Cover {
-        comparison: Comparison {
-            exact,
-            landmarks,
-            form: Form {
-                functions,
-                terms,
-                side_factor,
-                rounding: ROUNDING * accuracy,
-            },
-            limit: share * accuracy,
-            motion: SHARE * accuracy,
-            excitation,
-        },
-        kinks: Vec::new(),
-        whole: (whole, CHECKED * accuracy),
-        most_pieces: MOST_PIECES,
-        last: 0.0,
-    }
-}
-
-/// An error over what the check allows, as a relative error.
-pub(super) fn relative(worst: Worst, request: &Request) -> Worst {
-    let error = match request.side {
-        Side::Near => worst.error * CHECKED * request.accuracy,
-        Side::Safe => 0.5 * request.accuracy * (1.0 + CHECKED * worst.error),
-    };
-    Worst { error, ..worst }
 }

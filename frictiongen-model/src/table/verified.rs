@@ -3,8 +3,9 @@
 use super::check;
 use super::exact::Exact;
 use super::product::Product;
+use super::shares::{cover, relative};
 use super::split::Landmarks;
-use super::tables::{Tables, cover, relative};
+use super::tables::Tables;
 use super::worst::Worst;
 use super::zeros::Zeros;
 use crate::modal::Modal;
