@@ -4,6 +4,7 @@ mod accuracy;
 mod bad_input;
 mod emitted;
 mod emitted_stuck;
+mod exact;
 mod held_chain;
 mod proven;
 mod random;
