@@ -129,7 +129,9 @@ pub(super) fn newton<S: Float>(
         }
         contact_state.t = start.t;
         cycle_map.restore(workspace.other, &contact_state);
-        let small = step <= scale * S::constant(SMALL_STEP.max(SMALL_ROUNDINGS * S::EPSILON));
+        let small = S::constant(SMALL_STEP.max(SMALL_ROUNDINGS * S::EPSILON)) * scale;
+        // A contact that hardly slides has a motion far smaller than P/k₁, whose rounding moves it.
+        let small = step <= small.max(S::constant(LEAST_ROUNDINGS * S::EPSILON));
         // Below rounding, or as far down as rounding lets it come.
         if step <= scale * S::constant(LEAST_ROUNDINGS * S::EPSILON)
             || (small && last * S::constant(STALLED) < step)

@@ -184,6 +184,33 @@ fn at_the_sliding_limit() {
     assert_eq!(compared, 5 * 3);
 }
 
+/// β = 1 − ε: the force passes friction by ε − τ²/2 about its peak, the mass slips from −√(2ε) to 2√(2ε), by 9ε²/2r².
+#[test]
+fn hardly_sliding() {
+    let wall = block("block", "");
+    let mut compared = 0;
+    for index in 0..200 {
+        let r = 0.3 + 0.0123456 * f64::from(index);
+        let at = wall.at(r).expect("in the domain");
+        for below in [1e-3, 1e-4, 1e-5] {
+            let orbit = at.orbit(1.0 - below).expect("hardly sliding");
+            let expected = 2.25 * below * below / (r * r);
+            let apart = (amplitude(&orbit) - expected).abs();
+            // What is left out is ε of it; beside P/k₁, 64 roundings are the bar of all answers.
+            let left_out = 4.0 * below * (1.0 + 1.0 / (r * r)) * expected;
+            let allowed = left_out + 64.0 * f64::EPSILON;
+            assert!(
+                apart < allowed,
+                "r = {r}, {below:e}: {apart:e} of {allowed:e}"
+            );
+            assert_eq!(orbit.stops(), 2);
+            compared += 1;
+        }
+    }
+    println!("{compared} values compared, none skipped");
+    assert_eq!(compared, 200 * 3);
+}
+
 /// Between β*_lim and β_n on the resonance: too little friction to bound a sliding motion, but from
 /// rest none begins.
 #[test]
