@@ -104,7 +104,7 @@ const NOTHING: Complex<f32> = Complex { re: 0.0, im: 0.0 };
 /// Ten times the friction of the continuous motions: the contact stops.
 const STOPPING: f32 = 10.0;
 
-calls! { f32 SINGLE 29:
+calls! { f32 SINGLE 31:
     sdof_without_search "SDOF f32" "limits without search" |at| {
         let limits = Sdof::limits_without_search(at.r)?;
         [limits.continuous, limits.sliding]
@@ -222,6 +222,14 @@ calls! { f32 SINGLE 29:
     };
     tabled_five_contact "5DOF damped f32 to 1e-4" "motion of the contact: amplitude" |at| {
         [tabled::motion::Five::at(at.r)?.motion(at.beta)?.contact().amplitude(), 0.0]
+    };
+    tabled_stuck "2DOF f32, [stuck] to 1e-4" "stuck response" |at| {
+        let stuck = tabled::stuck::Pair::at(at.r)?.stuck()?.lower();
+        [stuck.re, stuck.im]
+    };
+    tabled_five_stuck "5DOF damped f32, [stuck] to 1e-4" "stuck response" |at| {
+        let stuck = tabled::stuck::Five::at(at.r)?.stuck()?.upper();
+        [stuck.re, stuck.im]
     };
     watched_samples "none" "128 samples through a watch of 64" |at| {
         let Some(mut watch) = Watch::<f32, 64>::new(3) else {
