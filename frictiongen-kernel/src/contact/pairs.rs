@@ -142,7 +142,7 @@ impl<S: Float> Chain<S> {
         chain.completed(&sum, inverse_r)
     }
 
-    /// The chain's constants, each for both modes.
+    /// The chain's constants, each in every lane.
     #[inline(always)]
     pub(super) fn in_lanes<const N: usize>(&self) -> Chain<Lanes<S, N>> {
         Chain {

@@ -196,7 +196,7 @@ fn hardly_sliding() {
             let orbit = at.orbit(1.0 - below).expect("hardly sliding");
             let expected = 2.25 * below * below / (r * r);
             let apart = (amplitude(&orbit) - expected).abs();
-            // What is left out is ε of it; beside P/k₁, 64 roundings are the bar of all answers.
+            // The formula leaves out some ε of it.  An answer may be 64 roundings of P/k₁ off besides.
             let left_out = 4.0 * below * (1.0 + 1.0 / (r * r)) * expected;
             let allowed = left_out + 64.0 * f64::EPSILON;
             assert!(
