@@ -29,6 +29,9 @@ pub struct Reduced<S> {
     pub unbounded: Vec<S>,
     /// Those of them that the contact does not touch.
     pub invisible: Vec<S>,
+    /// Whether the contact's sums may take two modes at once: the same bits, 0.97 of the time where code is optimised, twice
+    /// and more where it is not.
+    pub two_at_once: bool,
 }
 
 impl<S> Reduced<S> {
@@ -90,6 +93,7 @@ impl<T: Float> Modal<T> {
             absorbs: self.has_absorber && !self.is_damped(),
             unbounded: self.unbounded(false).into_iter().map(&to).collect(),
             invisible: self.unbounded(true).into_iter().map(&to).collect(),
+            two_at_once: true,
         }
     }
 }
@@ -168,9 +172,12 @@ impl<S: Float> Scene for &Reduced<S> {
 
     fn frequency_stage(&self, inverse_r: S) -> (ContactAt<S>, Vec<ModeAt<S>>) {
         let mut at = Vec::with_capacity(self.modes.len());
-        let contact = self
-            .chain
-            .contact(&self.modes, inverse_r, |mode| at.push(mode));
+        let keep = |mode| at.push(mode);
+        let contact = if self.two_at_once {
+            self.chain.contact(&self.modes, inverse_r, keep)
+        } else {
+            self.chain.in_turn::<true>(&self.modes, inverse_r, keep)
+        };
         (contact, at)
     }
 

@@ -44,6 +44,7 @@ impl<S: Float> Data<S> {
             absorbs,
             unbounded,
             invisible,
+            two_at_once,
         } = &self.reduced;
         let all = |values: &[S]| values.iter().map(|value| to(*value)).collect();
         let mode = |mode: &Mode<S>| {
@@ -82,6 +83,7 @@ impl<S: Float> Data<S> {
                 absorbs: *absorbs,
                 unbounded: all(unbounded),
                 invisible: all(invisible),
+                two_at_once: *two_at_once,
             },
         }
     }

@@ -29,8 +29,6 @@ pub(super) struct Sample {
     pub tau: Option<f64>,
 }
 
-impl Sample {}
-
 /// A scene that answers exactly, and remembers its answers.
 pub(super) struct Exact<'a> {
     pub modal: &'a Modal,
@@ -44,7 +42,11 @@ impl<'a> Exact<'a> {
     pub fn new(modal: &'a Modal) -> Self {
         Self {
             modal,
-            reduced: modal.reduced(|value| value.to_f64()),
+            // A macro makes tables, and macros run without optimisation.
+            reduced: Reduced {
+                two_at_once: false,
+                ..modal.reduced(|value| value.to_f64())
+            },
             contact_modes: contact_modes(modal),
             seen: HashMap::new(),
             excitations: HashMap::new(),

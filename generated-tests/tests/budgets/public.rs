@@ -119,6 +119,7 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
             "contact::sums::Chain::joined_by",
             "contact::sums::Chain::contact_of",
             "contact::pairs::Chain::contact_without_g",
+            "contact::pairs::Chain::in_turn",
             "contact::sums::Chain::scale",
             "contact::sums::Chain::scaled",
             "contact::sums::Chain::at_scale",
