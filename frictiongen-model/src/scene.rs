@@ -136,6 +136,17 @@ pub enum Beyond {
     Exact,
 }
 
+/// How long the macro may look for a proof of the tables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Proving {
+    /// Some tenths of a second: what needs longer is checked.
+    #[default]
+    Quick,
+    /// As long as a command would, some seconds.
+    Whole,
+}
+
 /// The values of r and β for which an accuracy is asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -160,6 +171,9 @@ pub struct Declared {
     pub budget: Option<f64>,
     /// What happens outside the range.
     pub beyond: Beyond,
+    /// How long the macro may look for a proof.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub proof: Proving,
 }
 
 impl Declared {

@@ -49,6 +49,7 @@ fn main() {
         for masses in [1, 2, 5, 10] {
             told_with_stuck(masses, damping);
             limits_and_proof(masses, damping);
+            proven_whole(masses, damping);
         }
     }
 }
@@ -96,5 +97,21 @@ fn limits_and_proof(masses: usize, damping: &str) {
         proof.work.0,
         clock.elapsed(),
         proof.open_length(),
+    );
+}
+
+/// Where the scene asks for the whole proof.
+fn proven_whole(masses: usize, damping: &str) {
+    let text = tabled(masses, damping, "limits").replace("2.5 }", "2.5 }, proof: whole");
+    let clock = Instant::now();
+    let description = parse_text(&text, &Limits::MACRO).expect("a valid scene");
+    let told = clock.elapsed();
+    let Some(SceneTables::Double(tables)) = &description.tables else {
+        return;
+    };
+    println!(
+        "{masses:3} masses, damping {damping:11}, limits to 1e-4 with `proof: whole`: {told:8.1?}, {} evaluations, open {:.1e}",
+        tables.proof.work.0,
+        tables.proof.open_length(),
     );
 }

@@ -60,6 +60,7 @@ const TABLED: [(&str, &str); 3] = [
             provide: [limits, stuck],
             accuracy: 1e-2,
             range: { r: 0.5..2.0 },
+            proof: whole,
         }",
     ),
 ];

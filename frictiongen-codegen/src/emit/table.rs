@@ -5,7 +5,7 @@ use crate::lower::SceneTables;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
 use frictiongen_model::scene::{Beyond, Range, Side};
-use frictiongen_model::table::{FRICTION_SHARES, Product, Report, Tables};
+use frictiongen_model::table::{FINEST_PROVEN, FRICTION_SHARES, Product, Report, Tables, Work};
 use proc_macro2::{Literal, TokenStream};
 
 /// The tables as constants, and what answers from them; nothing for an exact scene.
@@ -266,10 +266,17 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
 }
 
 fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
+    // No work was done, and more of it might do.
+    let untried = tables.proof.work == Work(0) && FINEST_PROVEN <= tables.request.accuracy;
+    let remedy = if untried {
+        "  `proof: whole` in the scene asks for a proof."
+    } else {
+        ""
+    };
     vec![
         " β_lim (5.65, 5.80, 5.96, 7.49) from the table.".to_owned(),
         String::new(),
-        format!(" {}", tables.proof.told()),
+        format!(" {}{remedy}", tables.proof.told()),
         String::new(),
         format!(
             " Operations at every r: a lookup of {}, {} additions and multiplications.",

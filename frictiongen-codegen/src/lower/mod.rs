@@ -10,7 +10,7 @@ use core::fmt;
 use std::collections::HashSet;
 
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{Precision, Scene};
+use frictiongen_model::scene::{Precision, Proving, Scene};
 use frictiongen_model::stepping::refused_step;
 use frictiongen_model::table::{TableError, Tables, Work};
 use frictiongen_model::transient::excess_loss;
@@ -166,7 +166,10 @@ fn lower(
     {
         match SceneTables::of(scene) {
             Ok(built) => {
-                tables = built.map(|built| built.proven_if_small(scene, Work::AT_EXPANSION));
+                tables = built.map(|built| match scene.declared.proof {
+                    Proving::Quick => built.proven_if_small(scene, Work::AT_EXPANSION),
+                    Proving::Whole => built.proven(scene, Work::WHOLE),
+                });
             }
             Err(error) => {
                 let number = match fields.accuracy.given() {

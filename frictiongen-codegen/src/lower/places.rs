@@ -68,6 +68,7 @@ impl Places<'_> {
             Path::Side => fields.side.given().map(|choice| choice.place),
             Path::Budget => fields.budget.given().map(|number| number.place),
             Path::Beyond => fields.beyond.given().map(|choice| choice.place),
+            Path::Proof => fields.proof.given().map(|choice| choice.place),
             Path::Friction(index) => self.friction(index),
             Path::Step => fields.step.given().map(|number| number.place),
             Path::Input => fields.input.given().map(|choice| choice.place),

@@ -41,7 +41,8 @@ impl<'s> Lowering<'s, '_> {
             || matches!(fields.range, Slot::Broken)
             || matches!(fields.side, Slot::Broken)
             || matches!(fields.budget, Slot::Broken)
-            || matches!(fields.beyond, Slot::Broken);
+            || matches!(fields.beyond, Slot::Broken)
+            || matches!(fields.proof, Slot::Broken);
         if broken {
             // Reported; without it nothing can be said of the rest.
             return Declared::default();
@@ -78,6 +79,11 @@ impl<'s> Lowering<'s, '_> {
                 .beyond
                 .given()
                 .map(|beyond| beyond.value)
+                .unwrap_or_default(),
+            proof: fields
+                .proof
+                .given()
+                .map(|proof| proof.value)
                 .unwrap_or_default(),
         }
     }

@@ -1,6 +1,6 @@
 //! The fields that say how exact the emitted code has to be, and where.
 
-use frictiongen_model::scene::{Beyond, Side};
+use frictiongen_model::scene::{Beyond, Proving, Side};
 use proc_macro2::Delimiter;
 
 use super::number::number;
@@ -136,6 +136,12 @@ pub(crate) fn side(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Cho
 pub(crate) fn beyond(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<Beyond>> {
     let choices = [("error", Beyond::Error), ("exact", Beyond::Exact)];
     choice(reader, problems, "beyond", choices)
+}
+
+/// `quick` or `whole`
+pub(crate) fn proof(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<Proving>> {
+    let choices = [("quick", Proving::Quick), ("whole", Proving::Whole)];
+    choice(reader, problems, "proof", choices)
 }
 
 pub(crate) fn choice<T: Copy>(

@@ -29,6 +29,7 @@ enum Field {
     Side,
     Budget,
     Beyond,
+    Proof,
     Friction,
     Step,
     Input,
@@ -36,7 +37,7 @@ enum Field {
     Crate,
 }
 
-const FIELDS: [(&str, Field); 18] = [
+const FIELDS: [(&str, Field); 19] = [
     ("masses", Field::Masses),
     ("springs", Field::Springs),
     ("contact", Field::Contact),
@@ -50,6 +51,7 @@ const FIELDS: [(&str, Field); 18] = [
     ("side", Field::Side),
     ("budget", Field::Budget),
     ("beyond", Field::Beyond),
+    ("proof", Field::Proof),
     ("friction", Field::Friction),
     ("step", Field::Step),
     ("input", Field::Input),
@@ -155,6 +157,7 @@ fn field(
             problems,
             declared::beyond,
         ),
+        Field::Proof => store(&mut fields.proof, &word, reader, problems, declared::proof),
         Field::Friction => store(
             &mut fields.friction,
             &word,

@@ -1,6 +1,6 @@
 //! What was written, with the place of each word; nothing is resolved yet.
 
-use frictiongen_model::scene::{Beyond, Precision, Side, StepInput};
+use frictiongen_model::scene::{Beyond, Precision, Proving, Side, StepInput};
 
 use super::number::Number;
 use super::reader::{List, Name};
@@ -153,6 +153,7 @@ pub(crate) struct Fields {
     pub(crate) side: Slot<Choice<Side>>,
     pub(crate) budget: Slot<Number>,
     pub(crate) beyond: Slot<Choice<Beyond>>,
+    pub(crate) proof: Slot<Choice<Proving>>,
     pub(crate) friction: Slot<FrictionEntry>,
     pub(crate) step: Slot<Number>,
     pub(crate) input: Slot<Choice<StepInput>>,

@@ -34,7 +34,7 @@ pub use held::{Held, HeldForm};
 pub use index::Index;
 pub use product::Product;
 pub use proof::{Evidence, Proof, Work};
-pub use request::{COARSEST, FINEST, FINEST_SINGLE, Request, TableError};
+pub use request::{COARSEST, FINEST, FINEST_PROVEN, FINEST_SINGLE, Request, TableError};
 pub use tables::{Report, Tables};
 pub use worst::Worst;
 

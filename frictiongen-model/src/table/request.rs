@@ -7,6 +7,8 @@ use frictiongen_kernel::Float;
 pub const COARSEST: f64 = 0.1;
 /// The finest accuracy of a table in double precision.
 pub const FINEST: f64 = 1e-12;
+/// The finest accuracy that a proof of β_lim is tried for: below it a table is checked.
+pub const FINEST_PROVEN: f64 = 1e-6;
 /// The finest accuracy of a table in single precision: some of its roundings.
 pub const FINEST_SINGLE: f64 = 2e-6;
 

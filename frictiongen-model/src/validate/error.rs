@@ -1,6 +1,7 @@
 //! The messages: what is wrong, in the engineer's words, and what to write instead.
 
 use super::path::Path;
+use crate::table::FINEST_PROVEN;
 
 /// One thing that keeps a scene from making physical sense.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -186,6 +187,10 @@ pub enum SceneError {
     )]
     WithoutAccuracy { path: Path, field: String },
     #[error(
+        "limits are proven to {FINEST_PROVEN:e} and coarser, not to {value:e}: write `accuracy: {FINEST_PROVEN:e}`, or leave `proof` out; a finer table is checked"
+    )]
+    TooFineForProof { path: Path, value: f64 },
+    #[error(
         "frequency ratios range over 0 < a < b, both finite, not {low:?}..{high:?}; write, for example, `r: 0.2..2.5`"
     )]
     RangeOfRatio { path: Path, low: f64, high: f64 },
@@ -278,6 +283,7 @@ impl SceneError {
             | Self::AccuracyAndBudget { path }
             | Self::BudgetOutside { path, .. }
             | Self::WithoutAccuracy { path, .. }
+            | Self::TooFineForProof { path, .. }
             | Self::RangeOfRatio { path, .. }
             | Self::RangeOfFriction { path, .. }
             | Self::WithoutStepper { path, .. }

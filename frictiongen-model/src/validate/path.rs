@@ -47,6 +47,8 @@ pub enum Path {
     Budget,
     /// What happens outside the range.
     Beyond,
+    /// How long the macro may look for a proof.
+    Proof,
     /// The friction law as a whole, or one of its numbers: speed and level of each point in turn.
     Friction(Option<usize>),
     /// The stepper's step.

@@ -5,8 +5,10 @@ use std::collections::HashSet;
 use super::checks::{Checks, LARGEST, check_node};
 use super::error::SceneError;
 use super::path::Path;
-use crate::scene::{Accuracy, Beyond, Damping, Node, Precision, Provide, Range, Scene, Side};
-use crate::table::{COARSEST, FINEST, FINEST_SINGLE};
+use crate::scene::{
+    Accuracy, Beyond, Damping, Node, Precision, Provide, Proving, Range, Scene, Side,
+};
+use crate::table::{COARSEST, FINEST, FINEST_PROVEN, FINEST_SINGLE};
 
 /// No budget is larger.
 const MOST_BYTES: f64 = (1_u64 << 40) as f64;
@@ -134,6 +136,12 @@ fn check_declared(scene: &Scene, errors: &mut Vec<SceneError>) {
         if declared.range.is_none() {
             errors.push(SceneError::AccuracyWithoutRange { path });
         }
+        if declared.proof == Proving::Whole && finest <= value && value < FINEST_PROVEN {
+            errors.push(SceneError::TooFineForProof {
+                path: Path::Proof,
+                value,
+            });
+        }
     }
     if let Some(value) = declared.budget {
         let path = Path::Budget;
@@ -148,6 +156,7 @@ fn check_declared(scene: &Scene, errors: &mut Vec<SceneError>) {
         (declared.range.is_some(), Path::Range, "range"),
         (declared.side != Side::Near, Path::Side, "side"),
         (declared.beyond != Beyond::Error, Path::Beyond, "beyond"),
+        (declared.proof != Proving::Quick, Path::Proof, "proof"),
     ];
     for (given, path, field) in belongs {
         if given && !declared.is_tabled() {

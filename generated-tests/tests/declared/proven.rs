@@ -1,10 +1,11 @@
 //! What is proven of β_lim, at points that neither builder nor proof looked at.
 
 use super::random;
-use super::scenes::scenes;
+use super::scenes::{scene, scenes};
 use frictiongen::System;
 use frictiongen::study::scene::Side;
-use frictiongen::study::table::{Evidence, Request, TableError, Tables, Work};
+use frictiongen::study::table::{Evidence, Proof, Request, TableError, Tables, Work};
+use frictiongen_codegen::{Limits, SceneTables, parse_text, pretty};
 use frictiongen_kernel::Float;
 use fuzzing::Random;
 use std::time::Instant;
@@ -170,4 +171,52 @@ fn how_much() {
     let f64s = measured::<f64>(&[1e-2, 1e-4, 1e-6]);
     let f32s = measured::<f32>(&[1e-2, 1e-4, 1e-5]);
     assert_eq!((f64s, f32s), (3 * 44, 3 * 44));
+}
+
+/// What a macro proves where the scene asks for it: as much as a command, of the same numbers.
+#[test]
+fn where_the_scene_asks() {
+    let read = |text: &str| parse_text(text, &Limits::MACRO).expect("a scene");
+    for (kind, damping, scalar, accuracy) in [
+        ("Wall", "modal(0.02)", "f64", "1e-3"),
+        ("Base", "modal(0.02)", "f32", "1e-2"),
+    ] {
+        let text = scene(kind, 2, damping, "1", scalar);
+        let name = format!("{kind}, {damping}");
+        let end = text.rfind('}').expect("a scene");
+        let with = |proof: &str| {
+            let fields = format!("accuracy: {accuracy}, range: {{ r: 0.4..2.5 }}, {proof}");
+            read(&format!("{}, {fields} }}", &text[..end]))
+        };
+        let (quick, whole) = (with(""), with("proof: whole"));
+        let source = pretty(&whole).unwrap();
+        assert_eq!(
+            pretty(&quick).unwrap(),
+            pretty(&with("proof: quick")).unwrap()
+        );
+        let [checked, proven] = [quick, whole].map(|read| (read.tables.unwrap(), read.scene));
+        let by_a_command = checked.0.clone().proven(&checked.1, Work::WHOLE);
+        let (checked, proven) = (known(&checked.0), known(&proven.0));
+        assert_eq!(checked.0[0].evidence, Evidence::Checked, "{name}");
+        assert_eq!(proven, known(&by_a_command), "{name}");
+        assert_eq!(proven.1, checked.1, "{name}");
+        for proof in &proven.0 {
+            assert_ne!(proof.evidence, Evidence::Checked, "{name}");
+            assert!(source.contains(&proof.told()), "{name}");
+        }
+    }
+}
+
+/// What is known of β_lim and of the motion, and the numbers of a table.
+fn known(tables: &SceneTables) -> ([Proof; 2], String) {
+    fn of<S: Float>(tables: &Tables<S>) -> ([Proof; 2], String) {
+        (
+            [tables.proof.clone(), tables.motion_proof.clone()],
+            format!("{:?}{:?}", tables.pieces, tables.index),
+        )
+    }
+    match tables {
+        SceneTables::Double(tables) => of(tables),
+        SceneTables::Single(tables) => of(tables),
+    }
 }

@@ -1,6 +1,6 @@
 /// Two masses and their limits, to a hundredth.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 5f621d6c343ca47c.
+/// Emitted by frictiongen 0.1.0 from scene 64dcabdd8b0b235b.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

@@ -1,6 +1,6 @@
 /// Two masses while their contact is stuck, to a hundredth.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 319dab2e64662c2d.
+/// Emitted by frictiongen 0.1.0 from scene 0cc1c94d757103b2.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -406,7 +406,7 @@ const _: () = {
         }
         /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.
         ///
-        /// Proven: at most 7.25e-3 off, the bound being largest at r = 0.6484820939072032.  Only checked in one place of 3.8e-1 in all, the widest from r = 1.6248715186284834 to 2.
+        /// Proven at every r: at most 9.09e-3 off, the bound being largest at r = 1.7935014181725981.
         ///
         /// Operations at every r: a lookup of 2 comparisons, 10 additions and multiplications.
         #[inline]

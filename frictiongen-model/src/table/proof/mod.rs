@@ -32,7 +32,7 @@ pub(super) mod tests;
 
 use super::exact::Exact;
 use super::fit::Fitted;
-use super::request::Request;
+use super::request::{FINEST_PROVEN, Request};
 use super::split::Edge;
 use crate::interval::{Interval, Series};
 use candidates::candidates;
@@ -47,8 +47,6 @@ use witness::{Seen, Witness};
 
 /// Of the accuracy the share that a larger constraint elsewhere may take.
 const ELSEWHERE: f64 = 1.0 / 32.0;
-/// The finest accuracy that a proof is tried for: below it a table is checked.
-const FINEST: f64 = 1e-6;
 /// A piece may take so many times its share of the work.
 const FAIR: usize = 8;
 /// A part is not halved below this share of r.
@@ -128,7 +126,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         kinks: &[f64],
         zero: Option<Edge>,
     ) {
-        if self.request.accuracy < FINEST || !(from < to) {
+        if self.request.accuracy < FINEST_PROVEN || !(from < to) {
             if from < to {
                 self.leave((from, to));
             }

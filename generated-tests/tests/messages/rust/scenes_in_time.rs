@@ -223,4 +223,30 @@ struct Tower {
 }
 }
 
+mod case_769_proof_too_fine {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-9, range: { r: 0.2..2.5 }, proof: whole,
+}
+}
+}
+
+mod case_770_proof_without_an_accuracy {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    proof: whole,
+}
+}
+}
+
 fn main() {}

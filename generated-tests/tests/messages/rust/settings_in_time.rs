@@ -111,4 +111,17 @@ struct Frame {
 }
 }
 
+mod case_533_misspelt_proof {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    accuracy: 1e-4, range: { r: 0.2..2.5 }, proof: hole,
+}
+}
+}
+
 fn main() {}
