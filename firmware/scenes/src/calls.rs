@@ -104,7 +104,7 @@ const NOTHING: Complex<f32> = Complex { re: 0.0, im: 0.0 };
 /// Ten times the friction of the continuous motions: the contact stops.
 const STOPPING: f32 = 10.0;
 
-calls! { f32 SINGLE 31:
+calls! { f32 SINGLE 35:
     sdof_without_search "SDOF f32" "limits without search" |at| {
         let limits = Sdof::limits_without_search(at.r)?;
         [limits.continuous, limits.sliding]
@@ -218,6 +218,22 @@ calls! { f32 SINGLE 31:
     };
     tabled_five_limits "5DOF damped f32, [limits] to 1e-4" "limits" |at| {
         let at = tabled::limits::Five::at(at.r)?;
+        [at.continuous_limit(), at.sliding_limit()]
+    };
+    typical_one "1 damped mass f32, [limits] to 1e-4" "limits" |at| {
+        let at = tabled::typical::One::at(at.r)?;
+        [at.continuous_limit(), at.sliding_limit()]
+    };
+    typical_two "2 masses on their base f32, [limits] to 1e-4" "limits" |at| {
+        let at = tabled::typical::Two::at(at.r)?;
+        [at.continuous_limit(), at.sliding_limit()]
+    };
+    typical_five "5 damped masses, two rub f32, [limits] to 1e-4" "limits" |at| {
+        let at = tabled::typical::Five::at(at.r)?;
+        [at.continuous_limit(), at.sliding_limit()]
+    };
+    typical_ten "10 damped masses f32, [limits] to 1e-4" "limits" |at| {
+        let at = tabled::typical::Ten::at(at.r)?;
         [at.continuous_limit(), at.sliding_limit()]
     };
     tabled_five_contact "5DOF damped f32 to 1e-4" "motion of the contact: amplitude" |at| {

@@ -5,6 +5,7 @@
 
 pub mod calls;
 pub mod steps;
+pub mod tabled;
 
 /// Each scene with the least that a question needs: what is not provided is not in the image.
 pub mod least {
@@ -62,87 +63,6 @@ pub mod stopping {
             damping: modal(0.02),
             scalar: f32,
             provide: [orbit],
-        }
-    }
-}
-
-/// Scenes of a declared accuracy: limits and the contact's motion from tables.
-pub mod tabled {
-    /// Limits only.
-    pub mod limits {
-        frictiongen::friction_system! {
-            /// Two masses, the upper rubbing on a wall.
-            pub struct Pair {
-                masses: { lower: 3.27, upper: 3.25 },
-                springs: { base - lower: 1190.0, lower - upper: 1323.0 },
-                contact: upper - wall,
-                excitation: base,
-                scalar: f32,
-                provide: [limits],
-                accuracy: 1e-4,
-                range: { r: 0.2..2.5 },
-            }
-        }
-        frictiongen::friction_system! {
-            /// Five damped masses, the third rubbing on the moving base.
-            pub struct Five {
-                masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, upper: 0.5 },
-                springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - upper: 1.0 },
-                contact: m3 - base,
-                excitation: base,
-                damping: modal(0.02),
-                scalar: f32,
-                provide: [limits],
-                accuracy: 1e-4,
-                range: { r: 0.2..2.5 },
-            }
-        }
-    }
-    /// The response while the contact is stuck.
-    pub mod stuck {
-        frictiongen::friction_system! {
-            /// Two masses, the upper rubbing on a wall.
-            pub struct Pair {
-                masses: { lower: 3.27, upper: 3.25 },
-                springs: { base - lower: 1190.0, lower - upper: 1323.0 },
-                contact: upper - wall,
-                excitation: base,
-                scalar: f32,
-                provide: [stuck],
-                accuracy: 1e-4,
-                range: { r: 0.2..2.5 },
-            }
-        }
-        frictiongen::friction_system! {
-            /// Five damped masses, the third rubbing on the moving base.
-            pub struct Five {
-                masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, upper: 0.5 },
-                springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - upper: 1.0 },
-                contact: m3 - base,
-                excitation: base,
-                damping: modal(0.02),
-                scalar: f32,
-                provide: [stuck],
-                accuracy: 1e-4,
-                range: { r: 0.2..2.5 },
-            }
-        }
-    }
-    /// Limits and the contact's motion.
-    pub mod motion {
-        frictiongen::friction_system! {
-            /// Five damped masses, the third rubbing on the moving base.
-            pub struct Five {
-                masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, upper: 0.5 },
-                springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - upper: 1.0 },
-                contact: m3 - base,
-                excitation: base,
-                damping: modal(0.02),
-                scalar: f32,
-                provide: [limits, motion],
-                accuracy: 1e-4,
-                range: { r: 0.2..2.5 },
-            }
         }
     }
 }
