@@ -6,7 +6,7 @@ use crate::file::write_file;
 use frictiongen::System;
 use frictiongen::kernel::table::{Factor, Root};
 use frictiongen::study::InvalidScene;
-use frictiongen::study::scene::{Accuracy, Provide, Range, Scene, Side};
+use frictiongen::study::scene::{Accuracy, Range, Scene, Side};
 use frictiongen::study::table::{HeldForm, Product, Proof, Tables, Work};
 use frictiongen_codegen::standalone::{c_header, c_source, rust_source};
 use frictiongen_codegen::{Limits, SceneTables};
@@ -61,10 +61,6 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
     if arguments.safe {
         declared.side = Side::Safe;
     }
-    // Code without the library has limits and contact alone: no byte of a budget is for more.
-    if matches!(arguments.format, Some(TableFormat::Rust | TableFormat::C)) {
-        scene.provide.retain(|asked| *asked != Provide::Stuck);
-    }
     let checked: Result<System, _> = System::try_from(scene.clone());
     let told = |error: InvalidScene| {
         let lines = error
@@ -96,6 +92,12 @@ fn write<S: frictiongen::kernel::Float>(
             "beta*_lim has no form of its own here: only the exact formulas keep the accuracy; use the macro or the library",
         )
     };
+    let is_code = matches!(arguments.format, Some(TableFormat::Rust | TableFormat::C));
+    if is_code && tables.request.stuck && tables.held.is_none() {
+        return Err(Failure::new(
+            "the stuck responses have no form of their own within the accuracy and the bytes: leave `stuck` out of `provide`, or use the macro or the library",
+        ));
+    }
     let text = match arguments.format {
         None => figures(scene, tables),
         Some(TableFormat::Rust) => rust_source(scene, tables).ok_or_else(no_form)?,

@@ -122,6 +122,13 @@ fn the_data() {
     );
 }
 
+const FIVE: &str = "struct Five {
+    masses: { a: 1, b: 1, c: 1, d: 1, e: 1 },
+    springs: { base - a: 1, a - b: 1, b - c: 1, c - d: 1, d - e: 1 },
+    contact: e - wall, excitation: a, damping: modal(0.02), provide: [limits, stuck],
+    budget: 2000, range: { r: 1.5..2.5 },
+}";
+
 /// Stuck responses are told and written where the description provides them; the force holds |V/H| = μβ*_lim.
 #[test]
 fn stuck_responses() {
@@ -167,7 +174,22 @@ fn stuck_responses() {
         let exact = exact["points"][0]["sliding_limit"].as_f64().unwrap();
         assert!((limit / exact - 1.0).abs() < 1e-12, "{limit} for {exact}");
     }
-    // Neither asked for nor in code without the library.
+    let code = output(&scene, &["compile", "--format", "rust"]);
+    for function in ["stuck_lower", "stuck_upper", "holding_force"] {
+        let declared = format!("pub fn {function}(r: f64) -> Option<(f64, f64)>");
+        assert!(code.contains(&declared), "{code}");
+    }
+    let code = output(&scene, &["compile", "--format", "c"]);
+    assert!(code.contains("int frame_stuck_lower(double r, double *re, double *im);"));
+    // Where they take more than a quarter of the bytes, code without the library has none.
+    let told = failure(FIVE, &["compile", "--format", "c"]);
+    assert_eq!(
+        told,
+        [
+            "frictiongen: the stuck responses have no form of their own within the accuracy and the bytes: leave `stuck` out of `provide`, or use the macro or the library"
+        ]
+    );
+    // Not asked for.
     let without = json(&output(
         "",
         &[
@@ -182,8 +204,6 @@ fn stuck_responses() {
         ],
     ));
     assert!(without["stuck"].is_null());
-    let code = output(&scene, &["compile", "--format", "rust"]);
-    assert!(!code.to_lowercase().contains("fn stuck"));
 }
 
 #[test]

@@ -92,14 +92,9 @@ struct Poles<'a, S> {
 
 impl<'a, S: Float> Poles<'a, S> {
     fn of(held: &'a Held<S>) -> Self {
-        let mut sets: Vec<&HeldForm<S>> = Vec::new();
-        for form in held.masses.iter().chain([&held.force]) {
-            let is_fixed = matches!(form, HeldForm::Fixed(_));
-            if !is_fixed && !sets.iter().any(|set| set.shares_poles(form)) {
-                sets.push(form);
-            }
+        Self {
+            sets: held.pole_sets(),
         }
-        Self { sets }
     }
 
     fn name(place: usize) -> Ident {

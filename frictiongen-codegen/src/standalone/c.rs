@@ -1,5 +1,6 @@
 //! Tables as C99.
 
+use super::stuck::{Expression, Function, Stuck};
 use super::{Numbers, about, quotient, snake, sticks_late, wrapped};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
@@ -29,6 +30,25 @@ pub fn c_header<S: Float>(scene: &Scene, tables: &Tables<S>) -> String {
     } else {
         String::new()
     };
+    let stuck = if tables.held.is_some() {
+        let masses = scene.masses.iter().map(|mass| {
+            format!(
+                "int {name}_stuck_{}({real} r, {real} *re, {real} *im);\n",
+                mass.name
+            )
+        });
+        let masses: String = masses.collect();
+        format!(
+            "\n/* While the contact is stuck: the complex amplitude of a mass, so that its displacement (x k1/P; for base motion over\n \
+             * Y) is Re((re + i im) e^(i tau)).  Returns 0; -1 for r out of the range, 1 on an undamped resonance of the chain\n \
+             * with its contact stuck, and then neither is touched. */\n{masses}\n\
+             /* The force over P that holds the contact, in the same way, positive against positive sliding.  Its modulus is mu\n \
+             * beta*_lim. */\n\
+             int {name}_holding_force({real} r, {real} *re, {real} *im);\n"
+        )
+    } else {
+        String::new()
+    };
     format!(
         "/* Emitted by frictiongen {version} for the scene {scene}.\n * {about} */\n\
          #ifndef {guard}\n#define {guard}\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n\
@@ -36,7 +56,7 @@ pub fn c_header<S: Float>(scene: &Scene, tables: &Tables<S>) -> String {
          * time, from `sliding` (beta*_lim) on it never does.  Returns 0; -1 for r out of the range, and then neither is\n \
          * touched. */\n\
          int {name}_limits({real} r, {real} *continuous, {real} *sliding);\n\
-         {contact}\n#ifdef __cplusplus\n}}\n#endif\n\n#endif\n",
+         {contact}{stuck}\n#ifdef __cplusplus\n}}\n#endif\n\n#endif\n",
         version = env!("CARGO_PKG_VERSION"),
         scene = scene.name,
     )
@@ -148,6 +168,13 @@ pub fn c_source<S: Float>(
         )
     });
     let contact = contact.unwrap_or_default();
+    let stuck = tables.held.as_ref();
+    let stuck = stuck.map(|held| {
+        let stuck = Stuck::of(numbers, scene, held);
+        let outside = format!("!({low} <= r && r <= {high})");
+        stuck_source(&name, (real, letter), numbers, &outside, &stuck)
+    });
+    let stuck = stuck.unwrap_or_default();
     Some(format!(
         "{include}\n#include <math.h>\n#include <stddef.h>\n\n\
          /* The digits are those of separate multiplications and additions: compile without contraction (-std=c99 or\n \
@@ -186,7 +213,7 @@ pub fn c_source<S: Float>(
          if (!({low} <= r && r <= {high}))\n        return -1;\n    \
          const struct piece *piece = found(r);\n    \
          *continuous = polynomial(piece->c[0], r - piece->origin);\n    \
-         *sliding = sliding_limit(r);\n    return 0;\n}}\n{contact}",
+         *sliding = sliding_limit(r);\n    return 0;\n}}\n{contact}{stuck}",
         count = tables.pieces.len(),
         buckets_count = index.buckets.len(),
         buckets = wrapped(&index.buckets),
@@ -195,4 +222,106 @@ pub fn c_source<S: Float>(
         halvings = index.halvings,
         last = 2 * (pairs - 1),
     ))
+}
+
+/// The responses while the contact is stuck, with the complex operations that they need.
+fn stuck_source(
+    name: &str,
+    (real, letter): (&str, &str),
+    numbers: Numbers,
+    outside: &str,
+    stuck: &Stuck,
+) -> String {
+    let (one, zero) = (numbers.write(1.0), numbers.write(0.0));
+    let mut functions = String::new();
+    for Function { name, value } in &stuck.poles {
+        let (of, value) = match value {
+            Expression::Real(value) => (real, value),
+            Expression::Complex(value) => ("struct number", value),
+        };
+        functions.push_str(&format!(
+            "\n/* The poles of responses. */\nstatic {of} {name}({real} r)\n{{\n    return {value};\n}}\n"
+        ));
+    }
+    let resonances: Vec<String> = stuck
+        .resonances
+        .iter()
+        .map(|own| format!("r == {own}"))
+        .collect();
+    let resonant = if resonances.is_empty() {
+        String::new()
+    } else {
+        format!("    if ({})\n        return 1;\n", resonances.join(" || "))
+    };
+    let masses = stuck
+        .masses
+        .iter()
+        .map(|mass| (format!("{name}_stuck_{}", mass.name), &mass.value));
+    for (name, value) in masses.chain([(format!("{name}_holding_force"), &stuck.force)]) {
+        let answer = match value {
+            Expression::Real(value) => format!("    *re = {value};\n    *im = {zero};\n"),
+            Expression::Complex(value) => format!(
+                "    const struct number value = {value};\n    *re = value.re;\n    *im = value.im;\n"
+            ),
+        };
+        functions.push_str(&format!(
+            "\nint {name}({real} r, {real} *re, {real} *im)\n{{\n    \
+             if ({outside})\n        return -1;\n{resonant}{answer}    return 0;\n}}\n"
+        ));
+    }
+    let operations = [
+        (
+            "pair_root",
+            format!("{real} r, {real} at, {real} rest, {real} off, {real} rate"),
+            "    return (struct number){off - ((r - at) - rest) * (r + at), rate * r};\n"
+                .to_owned(),
+        ),
+        (
+            "real_root",
+            format!("{real} r, {real} rate"),
+            "    return (struct number){rate, r};\n".to_owned(),
+        ),
+        (
+            "real_number",
+            format!("{real} re"),
+            format!("    return (struct number){{re, {zero}}};\n"),
+        ),
+        (
+            "scaled",
+            format!("struct number a, {real} k"),
+            "    return (struct number){a.re * k, a.im * k};\n".to_owned(),
+        ),
+        (
+            "times",
+            "struct number a, struct number b".to_owned(),
+            "    return (struct number){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};\n"
+                .to_owned(),
+        ),
+        (
+            "inverse",
+            "struct number a".to_owned(),
+            format!(
+                "    const {real} over = {one} / (fabs{letter}(a.re) + fabs{letter}(a.im));\n    \
+                 const {real} re = a.re * over, im = a.im * over;\n    \
+                 const {real} k = over / (re * re + im * im);\n    \
+                 return (struct number){{re * k, -(im * k)}};\n"
+            ),
+        ),
+    ];
+    let mut source = String::new();
+    for (name, takes, body) in operations {
+        // What is not called would be a warning.
+        if functions.contains(&format!("{name}(")) {
+            source.push_str(&format!(
+                "\nstatic inline struct number {name}({takes})\n{{\n{body}}}\n"
+            ));
+        }
+    }
+    if !source.is_empty() {
+        let about = "A pair of roots is (s - x)^2 + y^2 at s = ir: off = x^2, rate = -2x; a real one is s - x: rate = -x.";
+        source = format!(
+            "\n/* A complex number.  {about} */\nstruct number {{\n    {real} re, im;\n}};\n{source}"
+        );
+    }
+    format!("{source}{functions}")
 }

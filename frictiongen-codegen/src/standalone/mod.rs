@@ -5,6 +5,7 @@
 
 mod c;
 mod rust;
+mod stuck;
 
 pub use c::{c_header, c_source};
 pub use rust::rust_source;
@@ -75,7 +76,7 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
             tables.request.accuracy,
             tables.pieces.len(),
             tables.terms - 1,
-            tables.bytes_without_stuck(),
+            tables.report.bytes,
         ),
         format!(
             "Largest error {:.1e}, at r = {}: checked at {} points that the fit did not see.",
@@ -91,6 +92,9 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
             "amplitude and phase of the contact: {}",
             tables.motion_proof.told()
         ));
+    }
+    if let Some(held) = &tables.held {
+        about.push(format!("stuck responses: {}", held.told()));
     }
     about
 }
@@ -118,22 +122,33 @@ fn factor<S: Float>(numbers: Numbers, factor: &Factor<S>) -> String {
 
 /// A product as an expression in r.
 fn quotient<S: Float>(numbers: Numbers, product: &Product<S>, root: &str) -> String {
+    let poles = factor_product(numbers, &product.denominator);
+    quotient_over(numbers, product, &format!("({poles})"), root)
+}
+
+/// Π factors as an expression in r.
+fn factor_product<S: Float>(numbers: Numbers, factors: &[Factor<S>]) -> String {
+    let mut all = vec![numbers.write(1.0)];
+    all.extend(factors.iter().map(|each| factor(numbers, each)));
+    all.join("\n        * ")
+}
+
+/// The same with its poles as an expression.
+fn quotient_over<S: Float>(
+    numbers: Numbers,
+    product: &Product<S>,
+    poles: &str,
+    root: &str,
+) -> String {
     let gain = numbers.write(product.gain.to_f64());
-    let one = numbers.write(1.0);
-    let times = |factors: &[Factor<S>]| {
-        let factors = factors.iter().map(|each| factor(numbers, each));
-        let mut all = vec![one.clone()];
-        all.extend(factors);
-        all.join("\n        * ")
-    };
-    let above = times(&product.numerator);
     if product.numerator.is_empty() && product.denominator.is_empty() {
         return gain;
     }
+    let above = factor_product(numbers, &product.numerator);
     let value = if product.denominator.is_empty() {
         format!("({above})")
     } else {
-        format!("({above})\n        / ({})", times(&product.denominator))
+        format!("({above})\n        / {poles}")
     };
     if product.squared {
         format!("{gain} * {root}({value})")

@@ -1,5 +1,6 @@
 //! Tables as a Rust file without dependencies.
 
+use super::stuck::{Expression, Function, Stuck};
 use super::{Numbers, about, quotient, sticks_late, wrapped};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
@@ -92,6 +93,12 @@ pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String
         )
     });
     let contact = contact.unwrap_or_default();
+    let stuck = tables.held.as_ref();
+    let stuck = stuck.map(|held| {
+        let stuck = Stuck::of(numbers, scene, held);
+        stuck_source(real, &format!("!({low} <= r && r <= {high})"), &stuck)
+    });
+    let stuck = stuck.unwrap_or_default();
     let about = about(tables).join("\n//! ");
     Some(format!(
         "//! Emitted by frictiongen {version} for the scene {scene}.\n//!\n//! {about}\n\
@@ -103,7 +110,7 @@ pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String
          let piece = found(r);\n    let continuous = polynomial(&piece.of[0], r - piece.origin);\n    \
          Some((continuous, sliding_limit(r)))\n}}\n\n\
          /// β*_lim at an r in the range.\n\
-         fn sliding_limit(r: {real}) -> {real} {{\n    let _ = r;\n    {real}::abs({sliding})\n}}\n{contact}\n\
+         fn sliding_limit(r: {real}) -> {real} {{\n    let _ = r;\n    {real}::abs({sliding})\n}}\n{contact}{stuck}\n\
          struct Piece {{\n    from: {real},\n    origin: {real},\n    of: [[{real}; {terms}]; {functions}],\n}}\n\n\
          fn found(r: {real}) -> &'static Piece {{\n    \
          let bucket = ((r - {index_low}) * {density}) as usize;\n    \
@@ -130,4 +137,60 @@ pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String
         density = write(index.density),
         halvings = index.halvings,
     ))
+}
+
+/// The responses while the contact is stuck, with the complex operations that they need.
+fn stuck_source(real: &str, outside: &str, stuck: &Stuck) -> String {
+    let mut source = String::new();
+    let outside = stuck
+        .resonances
+        .iter()
+        .fold(outside.to_owned(), |all, own| {
+            format!("{all} || r == {own}")
+        });
+    let masses = stuck.masses.iter().map(|mass| {
+        let about = format!(
+            "/// While the contact is stuck: the complex amplitude of `{}`, whose displacement (x̄ k₁/P; for base motion over Y) is\n\
+             /// Re((re + i·im)e^{{iτ}}).  None beyond the range, and on an undamped resonance of the chain with its contact stuck.\n",
+            mass.name
+        );
+        (about, format!("stuck_{}", mass.name), &mass.value)
+    });
+    let force = (
+        "/// The force over P that holds the contact, in the same way, positive against positive sliding.  Its modulus is μβ*_lim.\n".to_owned(),
+        "holding_force".to_owned(),
+        &stuck.force,
+    );
+    for (about, name, value) in masses.chain([force]) {
+        let value = match value {
+            Expression::Real(value) => format!("({value}, 0.0)"),
+            Expression::Complex(value) => value.clone(),
+        };
+        source.push_str(&format!(
+            "\n{about}pub fn {name}(r: {real}) -> Option<({real}, {real})> {{\n    \
+             if {outside} {{\n        return None;\n    }}\n    Some({value})\n}}\n"
+        ));
+    }
+    for Function { name, value } in &stuck.poles {
+        let (of, value) = match value {
+            Expression::Real(value) => (real.to_owned(), value),
+            Expression::Complex(value) => (format!("({real}, {real})"), value),
+        };
+        source.push_str(&format!(
+            "\n/// The poles of responses.\nfn {name}(r: {real}) -> {of} {{\n    {value}\n}}\n"
+        ));
+    }
+    let number = format!("({real}, {real})");
+    source.push_str(&format!(
+        "\n/// (s − x)² + y² at s = ir: off = x², rate = −2x.\n\
+         fn pair_root(r: {real}, at: {real}, rest: {real}, off: {real}, rate: {real}) -> {number} {{\n    \
+         (off - ((r - at) - rest) * (r + at), rate * r)\n}}\n\n\
+         /// s − x: rate = −x.\nfn real_root(r: {real}, rate: {real}) -> {number} {{\n    (rate, r)\n}}\n\n\
+         fn real_number(re: {real}) -> {number} {{\n    (re, 0.0)\n}}\n\n\
+         fn scaled(a: {number}, k: {real}) -> {number} {{\n    (a.0 * k, a.1 * k)\n}}\n\n\
+         fn times(a: {number}, b: {number}) -> {number} {{\n    (a.0 * b.0 - a.1 * b.1, a.0 * b.1 + a.1 * b.0)\n}}\n\n\
+         fn inverse(a: {number}) -> {number} {{\n    let over = 1.0 / (a.0.abs() + a.1.abs());\n    \
+         let (re, im) = (a.0 * over, a.1 * over);\n    let k = over / (re * re + im * im);\n    (re * k, -(im * k))\n}}\n"
+    ));
+    source
 }

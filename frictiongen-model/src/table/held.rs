@@ -135,6 +135,19 @@ impl<S: Float> Held<S> {
         self.masses.iter().chain([&self.force])
     }
 
+    /// One form for each set of poles that forms have in common.
+    #[must_use]
+    pub fn pole_sets(&self) -> Vec<&HeldForm<S>> {
+        let mut sets: Vec<&HeldForm<S>> = Vec::new();
+        for form in self.forms() {
+            let is_fixed = matches!(form, HeldForm::Fixed(_));
+            if !is_fixed && !sets.iter().any(|set| set.shares_poles(form)) {
+                sets.push(form);
+            }
+        }
+        sets
+    }
+
     /// Whether it may stand for the exact responses at an accuracy.
     #[must_use]
     pub fn keeps(&self, accuracy: f64) -> bool {

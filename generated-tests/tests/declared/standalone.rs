@@ -7,6 +7,7 @@ use frictiongen::System;
 use frictiongen::study::CompiledSystem;
 use frictiongen_codegen::standalone::{c_header, c_source, rust_source};
 use frictiongen_kernel::Float;
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -47,14 +48,17 @@ fn run(command: &mut Command) -> String {
     String::from_utf8(output.stdout).expect("text")
 }
 
+/// The r of the programs.
+fn ratios<S: Float>() -> impl Iterator<Item = S> {
+    let (low, high) = (S::constant(0.2), S::constant(2.5));
+    let points = S::constant(f64::from(POINTS));
+    (0..=POINTS).map(move |k| (low + (high - low) * S::constant(f64::from(k)) / points).min(high))
+}
+
 /// What the library answers at the points of the programs.
 fn expected<S: Float>(compiled: &CompiledSystem<'_, S>) -> Vec<Line> {
-    (0..=POINTS)
-        .map(|k| {
-            let r = S::constant(0.2)
-                + (S::constant(2.5) - S::constant(0.2)) * S::constant(f64::from(k))
-                    / S::constant(f64::from(POINTS));
-            let r = r.min(S::constant(2.5));
+    ratios::<S>()
+        .map(|r| {
             let at = compiled.at(r).expect("in the range");
             let limits = at.limits();
             let beta = S::constant(0.5) * limits.continuous;
@@ -245,4 +249,148 @@ fn in_double_precision() {
 fn in_single_precision() {
     check::<f32>("Wall", 2, "none");
     check::<f32>("Pair", 5, "modal(0.02)");
+}
+
+const C_STUCK: &str = r#"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "scene.h"
+static void bits(double value) { unsigned long long b; memcpy(&b, &value, 8); printf(" %llx", b); }
+int main(void) {
+    for (int k = 0; k <= POINTS; k++) {
+        REAL r = (REAL)0.2 + ((REAL)2.5 - (REAL)0.2) * (REAL)k / (REAL)POINTS;
+        if ((REAL)2.5 < r) r = (REAL)2.5;
+        REAL re, im;
+        bits(r);
+        CALLS
+        printf("\n");
+    }
+    REAL re = 7, im = 7;
+    if (scene_holding_force((REAL)0.1, &re, &im) != -1 || scene_holding_force((REAL)NAN, &re, &im) != -1) return 2;
+    if (scene_stuck_m0((REAL)2.6, &re, &im) != -1 || re != 7 || im != 7) return 3;
+    if (RESONANT && (scene_stuck_m0((REAL)2, &re, &im) != 1 || scene_holding_force((REAL)2, &re, &im) != 1 || re != 7)) return 4;
+    return 0;
+}
+"#;
+
+const RUST_STUCK: &str = r#"
+#[path = "scene.rs"]
+mod tables;
+fn main() {
+    for k in 0..=POINTS {
+        let r: REAL = 0.2 + (2.5 - 0.2) * k as REAL / POINTS as REAL;
+        let r = if 2.5 < r { 2.5 } else { r };
+        print!(" {:x}", f64::from(r).to_bits());
+        let shown = |answer: Option<(REAL, REAL)>| match answer {
+            Some((re, im)) => print!(" {:x} {:x}", f64::from(re).to_bits(), f64::from(im).to_bits()),
+            None => unreachable!("no r of these is a resonance"),
+        };
+        CALLS
+        println!();
+    }
+    assert!(tables::holding_force(0.1).is_none() && tables::holding_force(REAL::NAN).is_none());
+    assert!(tables::stuck_m0(2.6).is_none());
+    assert!(RESONANT == 0 || tables::stuck_m0(2.0).is_none() && tables::holding_force(2.0).is_none());
+}
+"#;
+
+/// Stuck responses of a scene of the masses m0, m1, …; whether they resonate at r = 2.
+fn check_stuck<S: Float>(name: &str, text: &str, resonant: bool) {
+    let single = S::EPSILON > 1e-10;
+    let (scalar, real) = if single {
+        ("f32", "float")
+    } else {
+        ("f64", "double")
+    };
+    let text = format!(
+        "struct Scene {{ {text}, scalar: {scalar}, provide: [limits, stuck], accuracy: 1e-4, range: {{ r: 0.2..2.5 }} }}"
+    );
+    let system: System<S> = text.parse().expect("a scene");
+    let compiled = system.compile(0.2..2.5, 1e-4).expect("tables");
+    assert!(compiled.tables().held.is_some(), "{text}");
+    let count = system.scene().masses.len();
+    let mut expected = String::new();
+    for r in ratios::<S>() {
+        write!(expected, " {:x}", r.to_f64().to_bits()).unwrap();
+        let stuck = compiled.at(r).expect("in the range").stuck();
+        let stuck = stuck.expect("no resonance");
+        let masses = (0..count).map(|mass| stuck.mass(&format!("m{mass}")).expect("a mass"));
+        for value in masses.chain([stuck.contact_force()]) {
+            let (re, im) = (value.re.to_f64().to_bits(), value.im.to_f64().to_bits());
+            write!(expected, " {re:x} {im:x}").unwrap();
+        }
+        expected.push('\n');
+    }
+    let two = compiled.at(S::constant(2.0)).expect("in the range").stuck();
+    assert_eq!(two.is_err(), resonant, "{text}");
+    let folder = folder(&format!("stuck_{name}_{scalar}"));
+    let write = |file: &str, text: &str| std::fs::write(folder.join(file), text).expect("written");
+    let fill = |text: &str, real: &str, call: &dyn Fn(&str) -> String| {
+        let names = (0..count).map(|mass| format!("stuck_m{mass}"));
+        let calls = names.chain(["holding_force".to_owned()]);
+        let calls: String = calls.map(|name| call(&name)).collect();
+        let text = text.replace("CALLS", &calls).replace("REAL", real);
+        let text = text.replace("RESONANT", if resonant { "1" } else { "0" });
+        text.replace("POINTS", &POINTS.to_string())
+    };
+    let same = |program: &str| {
+        let output = run(&mut Command::new(folder.join(program)));
+        for (own, expected) in output.lines().zip(expected.lines()) {
+            assert_eq!(own, expected, "{text}: {program}");
+        }
+        assert_eq!(output.len(), expected.len(), "{text}: {program}");
+    };
+    if has("cc") {
+        write("scene.h", &c_header(system.scene(), compiled.tables()));
+        let source = c_source(system.scene(), compiled.tables(), Some("scene.h"));
+        write("scene.c", &source.expect("a form of its own"));
+        let call = |name: &str| {
+            format!("if (scene_{name}(r, &re, &im) != 0) return 1;\nbits(re); bits(im);\n")
+        };
+        write("main.c", &fill(C_STUCK, real, &call));
+        let flags = "-std=c99 -O2 -ffp-contract=off -Wall -Wextra -Werror -Wpedantic -o program";
+        run(Command::new("cc")
+            .current_dir(&folder)
+            .args(flags.split(' '))
+            .args(["main.c", "scene.c", "-lm"]));
+        same("program");
+    }
+    if has("rustc") {
+        let source = rust_source(system.scene(), compiled.tables());
+        write("scene.rs", &source.expect("a form of its own"));
+        let call = |name: &str| format!("shown(tables::{name}(r));\n");
+        write("main.rs", &fill(RUST_STUCK, scalar, &call));
+        let flags = "--edition=2024 -O -Dwarnings main.rs -o program_rs";
+        run(Command::new("rustc")
+            .current_dir(&folder)
+            .args(flags.split(' ')));
+        same("program_rs");
+    }
+}
+
+#[test]
+fn stuck_responses() {
+    let one = "masses: { m0: 1 }, springs: { base - m0: 1 }, contact: m0 - wall, excitation: m0";
+    check_stuck::<f64>("one", one, false);
+    // Held, the first mass resonates at r = √(1 + 3) = 2.
+    let two = "masses: { m0: 1, m1: 1 }, springs: { base - m0: 1, m0 - m1: 3 }, contact: m1 - wall, excitation: m0";
+    check_stuck::<f64>("two", two, true);
+    check_stuck::<f32>(
+        "two_damped",
+        &format!("{two}, damping: modal[0.02, 1.5]"),
+        false,
+    );
+    let rubbing = "masses: { m0: 1, m1: 2, m2: 1 }, springs: { base - m0: 1, m0 - m1: 1, m1 - m2: 2 }, contact: m0 - m1, excitation: m2";
+    check_stuck::<f64>("rubbing", rubbing, false);
+    check_stuck::<f64>(
+        "rubbing_damped",
+        &format!("{rubbing}, damping: modal(0.03)"),
+        false,
+    );
+    check_stuck::<f32>(
+        "rubbing_damped",
+        &format!("{rubbing}, damping: modal(0.03)"),
+        false,
+    );
 }
