@@ -12,7 +12,7 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     let name = arguments.file.name();
     let text = arguments.file.text()?;
     // What a macro would refuse is refused here too.
-    let description = parse_text(&text, &Limits::MACRO).map_err(|diagnostics| {
+    let description = parse_text(&text, &Limits::CHECK).map_err(|diagnostics| {
         let list = diagnostics.list.iter();
         Failure::Lines(list.map(|error| shown(&name, &text, error)).collect())
     })?;

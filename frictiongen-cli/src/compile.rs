@@ -6,7 +6,7 @@ use crate::file::write_file;
 use frictiongen::System;
 use frictiongen::kernel::table::{Factor, Root};
 use frictiongen::study::InvalidScene;
-use frictiongen::study::scene::{Accuracy, Range, Scene, Side};
+use frictiongen::study::scene::{Accuracy, Proving, Range, Scene, Side};
 use frictiongen::study::table::{HeldForm, Product, Proof, Tables, Work};
 use frictiongen_codegen::standalone::{c_header, c_source, rust_source};
 use frictiongen_codegen::{Limits, SceneTables};
@@ -37,6 +37,8 @@ pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Fail
 /// What the options say in place of the description.
 fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failure> {
     let declared = &mut scene.declared;
+    // This command looks for the whole proof in any case.
+    declared.proof = Proving::Quick;
     if let Some(accuracy) = &arguments.accuracy {
         declared.accuracy = Accuracy::Relative(number(accuracy, "--accuracy")?);
         declared.budget = None;
@@ -93,9 +95,9 @@ fn write<S: frictiongen::kernel::Float>(
         )
     };
     let is_code = matches!(arguments.format, Some(TableFormat::Rust | TableFormat::C));
-    if is_code && tables.request.stuck && tables.held.is_none() {
+    if is_code && tables.sliding.is_some() && tables.request.stuck && tables.held.is_none() {
         return Err(Failure::new(
-            "the stuck responses have no form of their own within the accuracy and the bytes: leave `stuck` out of `provide`, or use the macro or the library",
+            "the stuck responses have no form of their own here: their zeros cannot be told apart, their roundings are more than half the accuracy, or they take more than a quarter of the bytes; leave `stuck` out of `provide`, or use the macro or the library",
         ));
     }
     let text = match arguments.format {

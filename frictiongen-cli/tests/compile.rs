@@ -65,6 +65,13 @@ fn a_description_that_declares() {
         text.contains("r from 0.5 to 2\naccuracy        1e-6\n"),
         "{text}"
     );
+    // Of β_lim nothing is proven to 1e-9, whatever a macro is asked for.
+    let proven = declared.replace("0.5..2 }", "0.5..2 }, proof: whole");
+    let text = output(&proven, &["compile", "--accuracy", "1e-9"]);
+    assert!(
+        text.contains("beta_lim        Checked, not proven"),
+        "{text}"
+    );
     let text = output(&declared, &["compile", "--budget", "2000"]);
     let bytes = text
         .lines()
@@ -186,7 +193,7 @@ fn stuck_responses() {
     assert_eq!(
         told,
         [
-            "frictiongen: the stuck responses have no form of their own within the accuracy and the bytes: leave `stuck` out of `provide`, or use the macro or the library"
+            "frictiongen: the stuck responses have no form of their own here: their zeros cannot be told apart, their roundings are more than half the accuracy, or they take more than a quarter of the bytes; leave `stuck` out of `provide`, or use the macro or the library"
         ]
     );
     // Not asked for.

@@ -259,9 +259,11 @@ What the description declares (accuracy, range, side, budget) holds where no opt
 
 Without --format the figures of the tables are printed: accuracy, pieces, bytes, the largest errors
 and where, operations. With it, the code or the data:
-  rust  a file without dependencies: limits(r), and contact(r, beta) if the scene provides a motion
+  rust  a file without dependencies: limits(r); contact(r, beta) if the scene provides a motion;
+        stuck_<mass>(r) and holding_force(r) if it provides stuck
   c     the same in C99; with -o name.c the header name.h beside it
   json  the tables as data
+Where only the exact formulas keep the accuracy, there is no code without the library: it says so.
 
 Exit status:
   0, or 2 with one line on standard error for each thing that is wrong.";

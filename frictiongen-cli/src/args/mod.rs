@@ -91,7 +91,7 @@ pub enum Command {
     /// The motion under a recorded force or motion of the base, step by step
     #[command(after_help = DRIVES)]
     Drive(DriveArguments),
-    /// Tables of the limits and of the contact's motion, to a declared accuracy
+    /// Tables of the limits, the contact's motion and stuck responses, to a declared accuracy
     #[command(after_help = TABLES)]
     Compile(CompileArguments),
     /// The Rust that the macro emits for a description

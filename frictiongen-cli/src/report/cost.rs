@@ -235,7 +235,7 @@ fn bounds(asked: &Asked) -> Option<Bounds> {
 
 /// The emitted functions whose documentation counts operations.
 fn functions(text: &str) -> Result<Vec<Function>, String> {
-    let description = parse_text(text, &Limits::MACRO).map_err(|_| {
+    let description = parse_text(text, &Limits::CHECK).map_err(|_| {
         "The macro refuses this description; “frictiongen check” says why.".to_owned()
     })?;
     let source = pretty(&description)?;

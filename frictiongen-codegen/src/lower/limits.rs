@@ -9,6 +9,8 @@ pub struct Limits {
     pub masses: usize,
     /// Whether the tables of a declared accuracy are built.
     pub tables: bool,
+    /// Whether they are proven; what is only to be checked need not be.
+    pub proof: bool,
 }
 
 impl Limits {
@@ -16,10 +18,17 @@ impl Limits {
     pub const MACRO: Self = Self {
         masses: 64,
         tables: true,
+        proof: true,
+    };
+    /// The same where what is emitted is not what is asked for.
+    pub const CHECK: Self = Self {
+        proof: false,
+        ..Self::MACRO
     };
     /// What is computed at run time.
     pub const RUN_TIME: Self = Self {
         masses: MOST_MASSES,
         tables: false,
+        proof: false,
     };
 }

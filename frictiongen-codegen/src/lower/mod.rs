@@ -165,12 +165,7 @@ fn lower(
         .filter(|_| limits.tables && problems.is_empty())
     {
         match SceneTables::of(scene) {
-            Ok(built) => {
-                tables = built.map(|built| match scene.declared.proof {
-                    Proving::Quick => built.proven_if_small(scene, Work::AT_EXPANSION),
-                    Proving::Whole => built.proven(scene, Work::WHOLE),
-                });
-            }
+            Ok(built) => tables = built,
             Err(error) => {
                 let number = match fields.accuracy.given() {
                     Some(AccuracyEntry::Relative(number)) => Some(number.place),
@@ -209,7 +204,12 @@ fn lower(
     }
     match (scene, syntax.name) {
         (Some(scene), Some(name)) if problems.is_empty() => Ok(Description {
-            tables,
+            // After all that may be wrong: it takes longest.
+            tables: tables.map(|tables| match scene.declared.proof {
+                _ if !limits.proof => tables,
+                Proving::Quick => tables.proven_if_small(&scene, Work::AT_EXPANSION),
+                Proving::Whole => tables.proven(&scene, Work::WHOLE),
+            }),
             attributes: syntax.attributes,
             visibility: syntax.visibility,
             name: name.ident,

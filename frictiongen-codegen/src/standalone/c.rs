@@ -311,7 +311,7 @@ fn stuck_source(
     let mut source = String::new();
     for (name, takes, body) in operations {
         // What is not called would be a warning.
-        if functions.contains(&format!("{name}(")) {
+        if stuck.calls(name) {
             source.push_str(&format!(
                 "\nstatic inline struct number {name}({takes})\n{{\n{body}}}\n"
             ));

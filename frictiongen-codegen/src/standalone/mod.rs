@@ -133,7 +133,7 @@ fn factor_product<S: Float>(numbers: Numbers, factors: &[Factor<S>]) -> String {
     all.join("\n        * ")
 }
 
-/// The same with its poles as an expression.
+/// A product whose poles are an expression.
 fn quotient_over<S: Float>(
     numbers: Numbers,
     product: &Product<S>,

@@ -102,7 +102,7 @@ pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String
     let about = about(tables).join("\n//! ");
     Some(format!(
         "//! Emitted by frictiongen {version} for the scene {scene}.\n//!\n//! {about}\n\
-         #![allow(clippy::all, clippy::pedantic, dead_code)]\n\n\
+         #![allow(clippy::all, clippy::pedantic, dead_code, non_snake_case, unused_parens)]\n\n\
          /// Both limits (β_lim, β*_lim) at the frequency ratio r = ω√(m₁/k₁); none beyond the range.  Below the first the\n\
          /// contact slides all the time, from the second on it never does.\n\
          pub fn limits(r: {real}) -> Option<({real}, {real})> {{\n    \

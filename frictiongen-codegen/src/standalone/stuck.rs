@@ -66,6 +66,17 @@ impl Stuck {
                 .collect(),
         }
     }
+
+    /// Whether an operation is called.
+    pub fn calls(&self, operation: &str) -> bool {
+        let call = format!("{operation}(");
+        let functions = self.poles.iter().chain(&self.masses);
+        let values = functions.map(|function| &function.value);
+        values.chain([&self.force]).any(|value| {
+            let (Expression::Real(text) | Expression::Complex(text)) = value;
+            text.contains(&call)
+        })
+    }
 }
 
 fn poles_name(place: usize) -> String {

@@ -9,13 +9,13 @@ use super::kinks;
 use super::product::Product;
 use super::proof::Proof;
 use super::quotients::Products;
-use super::request::{COARSEST, Request, TableError};
+use super::request::{COARSEST, FINEST, FINEST_PROVEN, Request, TableError};
 use super::shares::{cover, relative};
 use super::split::Landmarks;
 use super::worst::Worst;
 use super::zeros::Zeros;
 use crate::modal::Modal;
-use crate::scene::{Accuracy, Provide, Scene};
+use crate::scene::{Accuracy, Provide, Proving, Scene};
 use frictiongen_kernel::Float;
 
 /// Of a budget of bytes the responses while the contact is stuck may take one part in so many.
@@ -137,7 +137,11 @@ impl<S: Float> Tables<S> {
                 Self::build(&modal, request)
             }
             (Accuracy::Exact, bytes) => {
-                Self::within(&modal, request, bytes.unwrap_or(0.0) as usize)
+                let finest = match declared.proof {
+                    Proving::Quick => FINEST,
+                    Proving::Whole => FINEST_PROVEN,
+                };
+                Self::within_to(&modal, request, bytes.unwrap_or(0.0) as usize, finest)
             }
         };
         tables.map(Some)
@@ -148,6 +152,16 @@ impl<S: Float> Tables<S> {
     /// # Errors
     /// [`TableError::TooFewBytes`], and what [`build`](Self::build) answers.
     pub fn within(modal: &Modal, request: Request, bytes: usize) -> Result<Self, TableError> {
+        Self::within_to(modal, request, bytes, FINEST)
+    }
+
+    /// The same, but none finer than an accuracy.
+    fn within_to(
+        modal: &Modal,
+        request: Request,
+        bytes: usize,
+        finest: f64,
+    ) -> Result<Self, TableError> {
         let coarsest = Request {
             accuracy: COARSEST,
             ..request
@@ -178,7 +192,7 @@ impl<S: Float> Tables<S> {
                 accuracy,
                 ..request
             };
-            if finer.check::<S>().is_err() {
+            if accuracy < finest || finer.check::<S>().is_err() {
                 break;
             }
             match within(finer) {

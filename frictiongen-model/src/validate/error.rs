@@ -187,7 +187,7 @@ pub enum SceneError {
     )]
     WithoutAccuracy { path: Path, field: String },
     #[error(
-        "limits are proven to {FINEST_PROVEN:e} and coarser, not to {value:e}: write `accuracy: {FINEST_PROVEN:e}`, or leave `proof` out; a finer table is checked"
+        "β_lim is proven to {FINEST_PROVEN:e} and coarser, not to {value:e}: write `accuracy: {FINEST_PROVEN:e}`, or leave `proof` out; a finer table is checked"
     )]
     TooFineForProof { path: Path, value: f64 },
     #[error(

@@ -207,6 +207,23 @@ fn where_the_scene_asks() {
     }
 }
 
+/// With bytes in place of an accuracy none is taken that could only be checked.
+#[test]
+fn within_a_budget() {
+    let text = scene("Wall", 1, "modal(0.02)", "1", "f64");
+    let end = text.rfind('}').expect("a scene");
+    let with = |proof: &str| {
+        let fields = format!("provide: [limits], budget: 8192, range: {{ r: 0.2..2.5 }}, {proof}");
+        let read = parse_text(&format!("{}, {fields} }}", &text[..end]), &Limits::MACRO);
+        match read.expect("a scene").tables.expect("tables") {
+            SceneTables::Double(tables) => (tables.request.accuracy, tables.proof.evidence),
+            SceneTables::Single(_) => unreachable!("double precision"),
+        }
+    };
+    assert_eq!(with("").1, Evidence::Checked);
+    assert_eq!(with("proof: whole"), (1e-6, Evidence::Proven));
+}
+
 /// What is known of β_lim and of the motion, and the numbers of a table.
 fn known(tables: &SceneTables) -> ([Proof; 2], String) {
     fn of<S: Float>(tables: &Tables<S>) -> ([Proof; 2], String) {
