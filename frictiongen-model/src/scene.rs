@@ -140,10 +140,10 @@ pub enum Beyond {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Proving {
-    /// Some tenths of a second: what needs longer is checked.
+    /// A second or so: what needs longer is checked.
     #[default]
     Quick,
-    /// As long as a command would, some seconds.
+    /// As long as a command would: some seconds, where nothing is optimised.
     Whole,
 }
 

@@ -118,7 +118,9 @@ pub trait Scalar:
 }
 
 /// A scalar whose value is at hand: what searches, and everything else that must branch, need.
-pub trait Float: Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + 'static {
+pub trait Float:
+    Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + Send + Sync + 'static
+{
     /// One unit in the last place of 1.
     const EPSILON: f64;
     /// What a search tells apart, relative to what it searches.

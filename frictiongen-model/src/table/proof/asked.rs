@@ -4,14 +4,21 @@ use super::super::exact::{Exact, SIZE};
 use super::super::split::Landmarks;
 use super::super::tables::Tables;
 use super::super::zeros::Zeros;
-use super::Prover;
 use super::evidence::{Evidence, Proof, Work};
+use super::found::Piece;
+use super::stage::Chain;
+use super::{Prover, side_by_side};
 use crate::modal::Modal;
 use frictiongen_kernel::Float;
 use std::ops::Range;
 
-/// The work that the proof of a piece takes for each mode, about: where a whole one is worth beginning.
-const PIECE_WORK: usize = 6500;
+/// The work that the proof of a piece takes for each mode, about, where all are damped and where not: whether a whole one
+/// is worth beginning.
+const PIECE_WORK: usize = 2400;
+const PIECE_WORK_UNDAMPED: usize = 4000;
+
+/// A piece may take so many times its share of the work.
+const FAIR: usize = 8;
 
 impl<S: Float> Tables<S> {
     /// The same with what is proven of it.
@@ -24,7 +31,12 @@ impl<S: Float> Tables<S> {
     /// The same where the work is likely to do for the whole of it.
     #[must_use]
     pub fn proven_if_small(self, modal: &Modal, work: Work) -> Self {
-        let needed = PIECE_WORK * self.pieces.len() * modal.resonances.len();
+        let of_piece = if Exact::new(modal).all_damped() {
+            PIECE_WORK
+        } else {
+            PIECE_WORK_UNDAMPED
+        };
+        let needed = of_piece * self.pieces.len() * modal.resonances.len();
         if needed <= work.0 {
             self.proven(modal, work)
         } else {
@@ -46,7 +58,7 @@ impl<S: Float> Tables<S> {
     }
 
     fn proof_of(&self, modal: &Modal, places: Range<usize>, work: Work) -> [Proof; 2] {
-        let mut exact = Exact::new(modal);
+        let chain = Chain::of(modal);
         let ends = (S::constant(self.request.r.0), S::constant(self.request.r.1));
         let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
         let landmarks = Landmarks::of(modal, Zeros::of(modal).as_ref(), (low, high));
@@ -57,17 +69,32 @@ impl<S: Float> Tables<S> {
             .map(|proof| proof.bound.error)
             // Among the functions it is compared with them.
             .or((self.functions > SIZE).then_some(0.0));
-        let mut prover = Prover::new(&mut exact, self.request, work, places.len(), excitation);
-        for place in places {
-            let Some(piece) = self.pieces.get(place) else {
-                continue;
-            };
+        let Work(most) = work;
+        let share = Work(most.min(FAIR * most / places.len().max(1)));
+        let ends = |place: usize| {
             let next = self.pieces.get(place + 1);
             let to = next.map_or(high, |next| next.from.to_f64());
-            let from = piece.from.to_f64().max(low);
+            let from = self.pieces.get(place).map(|piece| piece.from.to_f64());
+            (from.unwrap_or(low).max(low), to)
+        };
+        let one = |exact: &mut Exact<'_>, place: usize| {
+            let prover = Prover::new(exact, &chain, self.request, share, excitation);
+            let piece = self.pieces.get(place)?;
             let zero = landmarks.zero_at(piece.origin.to_f64(), |at| S::constant(at).to_f64());
-            prover.piece(piece, (from, to), &self.kinks, zero);
+            let found = prover.piece(piece, ends(place), &self.kinks, zero);
+            Some((found.work, found))
+        };
+        let all: Vec<usize> = places.collect();
+        let found = side_by_side::answered(&all, most, || Exact::new(modal), one);
+        let mut whole = Piece::nothing(low);
+        let mut found = found.into_iter();
+        for place in all {
+            match found.next() {
+                Some(piece) => whole.and(piece),
+                None => whole.leave(ends(place)),
+            }
         }
-        prover.finished()
+        let work = whole.work;
+        [whole.limit, whole.motion].map(|found| found.finished(work))
     }
 }

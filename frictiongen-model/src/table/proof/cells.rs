@@ -15,8 +15,9 @@ const TUBE_FIRST: f64 = 0.2;
 const TUBE_MOST: f64 = 0.9;
 /// For the roundings of an end of a region.
 pub(super) const ROUNDING: f64 = 1e-12;
-/// There D must be bent by this share of what it is at the witness.
-const BENT: f64 = 0.15;
+
+/// There D must be bent by this share of what it is at the witness, or at a second largest.
+pub(super) const BENT: f64 = 0.15;
 
 /// What is known over an interval of r: at its centre, and over all of it.
 pub(super) struct Part<'a> {
@@ -103,7 +104,13 @@ impl<'a> Cells<'a> {
     }
 
     /// How far before and behind an instant D″ is at least a share of what it is there, and the least that it is.
-    pub fn widened(&self, t: Interval, curve: Interval, budget: &mut Budget) -> ([f64; 2], f64) {
+    pub fn widened(
+        &self,
+        t: Interval,
+        curve: Interval,
+        bent: f64,
+        budget: &mut Budget,
+    ) -> ([f64; 2], f64) {
         let length = TUBE_STEP * (self.level_over.value().high / curve.middle()).sqrt() / PI;
         let (mut least, mut reach) = (curve.low, [0.0_f64; 2]);
         for (place, reach) in reach.iter_mut().enumerate() {
@@ -117,7 +124,7 @@ impl<'a> Cells<'a> {
                     Interval::new(t.low + *reach, t.high + far)
                 };
                 let bend = self.bend(all, budget).low;
-                if far < TUBE_MOST * room && bend > BENT * curve.low {
+                if far < TUBE_MOST * room && bend > bent * curve.low {
                     least = least.min(bend);
                     *reach = far;
                 } else {

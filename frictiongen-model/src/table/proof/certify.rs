@@ -4,7 +4,7 @@
 //! with the witness; in each of them D is bounded below by its value, its slope and a bound of its second derivative.
 //! About the witness, where D nearly vanishes, a single parabola does.
 
-use super::cells::{Cells, Flank, Part, ROUNDING};
+use super::cells::{BENT, Cells, Flank, Part, ROUNDING};
 use super::force;
 use super::found::Budget;
 use super::ridge::Region;
@@ -15,10 +15,14 @@ use std::f64::consts::PI;
 
 /// How far a cell goes at first, in radians of the fastest mode.
 const CELL: f64 = 1.0;
+/// N is far above the witness where the difference is this share of it.
+const FAR_ABOVE: f64 = 0.01;
+/// About a witness, where so little does not do, D must be bent by this share of what it is there.
+const MORE_BENT: f64 = 0.5;
 /// No cell is shorter than this share of its side.
 const SHORTEST: f64 = 1e-3;
 /// From so short a cell on, in radians of the fastest mode, another instant may compete; it is sought so often.
-const COMPETE: f64 = 0.2;
+const COMPETE: f64 = 0.1;
 const MOST_TRIED: usize = 4;
 /// After a cell that holds the next one is so many times as long.
 const LONGER: f64 = 1.4;
@@ -80,27 +84,36 @@ impl Cells<'_> {
             // Where U outweighs S, N is so far above all sums that D has no least there.
             return Some([1.0, 1.0]);
         }
-        let (reach, least) = self.widened(path, curve, budget);
-        if !self.is_least(least) {
-            return None;
-        }
+        // As wide as it may be, or as bent.
+        let tube = [BENT, MORE_BENT].into_iter().find_map(|bent| {
+            let (reach, least) = self.widened(path, curve, bent, budget);
+            self.is_least(least).then_some(reach)
+        });
+        let Some([before, after]) = tube else {
+            // Where N is far above the witness the cells do without a parabola.
+            let far = FAR_ABOVE * self.level_over.value().high < self.above().low;
+            return far.then_some([1.0, 1.0]);
+        };
         // A little less, for the rounding of the shares.
-        let [before, after] = reach;
         Some([
             1.0 - before * (1.0 - ROUNDING) / path.high,
             1.0 - after * (1.0 - ROUNDING) / (1.0 - path.low),
         ])
     }
 
+    /// N − Q = (N² − Q²)/(N + Q).
+    fn above(&self) -> Interval {
+        let seen = self.part.seen_over;
+        let share = Interval::point(self.part.share);
+        let more = share + share + share * share;
+        seen.size.value() * more / (self.level_over.value() + seen.constraint.value())
+    }
+
     /// Whether D, or D/τ, is positive where its second derivative is at least so much:
     /// D ≥ D(τ_w) − D′(τ_w)²/(2 min D″).
     fn is_least(&self, bend: f64) -> bool {
         let (seen_at, seen_over) = (self.part.seen_at, self.part.seen_over);
-        let share = Interval::point(self.part.share);
-        let more = share + share + share * share;
-        let (constraint, level) = (seen_over.constraint.value(), self.level_over.value());
-        // N − Q = (N² − Q²)/(N + Q).
-        let above = seen_over.size.value() * more / (level + constraint);
+        let above = self.above();
         let value = above * seen_over.weight.value();
         let rise = Series::joined(&seen_at.rise, &seen_over.rise).range(self.part.away);
         let rise = rise + above * seen_over.turn.value();

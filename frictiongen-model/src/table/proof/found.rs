@@ -7,8 +7,6 @@ use super::evidence::{Evidence, Proof, Work};
 /// Work that may still be done, in evaluations of one mode.
 pub(super) struct Budget {
     most: usize,
-    /// How far a piece may go.
-    pub of_piece: usize,
     pub spent: usize,
 }
 
@@ -19,7 +17,6 @@ impl Budget {
     pub fn of(work: usize) -> Self {
         Self {
             most: work,
-            of_piece: work,
             spent: 0,
         }
     }
@@ -27,7 +24,7 @@ impl Budget {
         self.spent += work;
     }
     pub fn is_spent(&self) -> bool {
-        self.of_piece.min(self.most) <= self.spent
+        self.most <= self.spent
     }
 }
 
@@ -54,6 +51,14 @@ impl Found {
         }
     }
 
+    /// With what was found of the next piece.
+    pub fn and(&mut self, next: Self) {
+        if next.looked {
+            self.seen(next.bound);
+        }
+        self.open.extend(next.open);
+    }
+
     /// What was proven.
     pub fn finished(mut self, work: usize) -> Proof {
         self.open.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -75,6 +80,36 @@ impl Found {
             open,
             work: Work(work),
         }
+    }
+}
+
+/// What was found of a piece: of β_lim and of the motion, and the work that it took.
+pub(super) struct Piece {
+    pub limit: Found,
+    pub motion: Found,
+    pub work: usize,
+}
+
+impl Piece {
+    pub fn nothing(at: f64) -> Self {
+        Self {
+            limit: Found::nothing(at),
+            motion: Found::nothing(at),
+            work: 0,
+        }
+    }
+
+    /// Not shown, neither of β_lim nor of the motion.
+    pub fn leave(&mut self, part: (f64, f64)) {
+        self.limit.open.push(part);
+        self.motion.open.push(part);
+    }
+
+    /// With what was found of the next one.
+    pub fn and(&mut self, next: Self) {
+        self.limit.and(next.limit);
+        self.motion.and(next.motion);
+        self.work += next.work;
     }
 }
 

@@ -22,6 +22,7 @@ mod found;
 mod motion;
 mod product;
 mod ridge;
+mod side_by_side;
 mod stage;
 mod witness;
 
@@ -38,7 +39,7 @@ use crate::interval::{Interval, Series};
 use candidates::candidates;
 use cells::Part as Asked;
 pub use evidence::{Evidence, Proof, Work};
-use found::{Budget, Found, OF_STAGE, Part};
+use found::{Budget, OF_STAGE, Part, Piece};
 use frictiongen_kernel::Float;
 use motion::Moving;
 pub(super) use product::Receptances;
@@ -47,100 +48,75 @@ use witness::{Seen, Witness};
 
 /// Of the accuracy the share that a larger constraint elsewhere may take.
 const ELSEWHERE: f64 = 1.0 / 32.0;
-/// A piece may take so many times its share of the work.
-const FAIR: usize = 8;
 /// A part is not halved below this share of r.
 const SHORTEST: f64 = 1e-7;
-/// For the motion a part is not halved below this share of its piece, or of its distance from a piece's zero; and a piece
-/// is given up after so many such.
+/// Places so near to each other, relative to them, are one.
+const SAME: f64 = 1e-12;
+/// For the motion a part is not halved below this share of its piece, or of its distance from a piece's zero.
 const SHORTEST_OF_MOTION: f64 = 2e-3;
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
-const MOST_MISSED: usize = 6;
-/// The first part is tried at this fraction of the range, the one after a part that is shown at so many times its length.
-const FIRST: f64 = 32.0;
-const LONGER: f64 = 1.25;
+/// The first part is tried at this fraction of its piece, the one after a part that is shown at so many times its length.
+const FIRST: f64 = 4.0;
+const LONGER: f64 = 1.15;
+/// Where parts stay open no shorter ones are tried than this share of what is left open next.
+const FINER: f64 = 1.0 / 16.0;
 /// A part takes all that is left where that is at most so many times its length.
 const NO_STUB: f64 = 1.2;
 /// At a zero of β_lim κ is below this if it vanishes there.
 const VANISHES: f64 = 1e-14;
 
-/// A table about to be proven.
-pub(super) struct Prover<'a, 'm> {
+/// A piece of a table about to be proven.
+struct Prover<'a, 'm> {
     exact: &'a mut Exact<'m>,
-    chain: Chain,
+    chain: &'a Chain,
     request: Request,
     budget: Budget,
-    /// The work that one piece may take.
-    share: usize,
-    /// The length of the last part.
-    last: f64,
-    of_limit: Found,
-    of_motion: Found,
+    found: Piece,
     /// By how much |V| may be off, where the motion is looked at.
     excitation: Option<f64>,
-    /// Parts of a piece whose motion could not be shown.
-    missed: usize,
+    /// Whether the last part was shown by a witness beside the start.
+    early: bool,
 }
 
 impl<'a, 'm> Prover<'a, 'm> {
-    pub fn new(
+    fn new(
         exact: &'a mut Exact<'m>,
+        chain: &'a Chain,
         request: Request,
         Work(work): Work,
-        pieces: usize,
         excitation: Option<f64>,
     ) -> Self {
-        let chain = Chain::of(exact.modal);
-        let (low, high) = request.r;
+        let (low, _) = request.r;
         Self {
             exact,
             chain,
             request,
-            share: FAIR * work / pieces.max(1),
             budget: Budget::of(work),
-            last: (high - low) / FIRST,
-            of_limit: Found::nothing(low),
-            of_motion: Found::nothing(low),
+            found: Piece::nothing(low),
             excitation,
-            missed: 0,
+            early: true,
         }
     }
 
-    /// What was proven of β_lim, and of the motion.
-    pub fn finished(self) -> [Proof; 2] {
-        let work = self.budget.spent;
-        [self.of_limit, self.of_motion].map(|found| found.finished(work))
-    }
-
-    /// Not shown, neither of β_lim nor of the motion.
-    fn leave(&mut self, part: (f64, f64)) {
-        self.of_limit.open.push(part);
-        self.of_motion.open.push(part);
-    }
-
-    /// One piece from an r to another, with the kinks of β_lim within and the zero that it counts from.
-    pub fn piece<S: Float>(
-        &mut self,
+    /// What is proven of a piece from an r to another, with the kinks of β_lim within and the zero that it counts from.
+    fn piece<S: Float>(
+        mut self,
         piece: &Fitted<S>,
         (from, to): (f64, f64),
         kinks: &[f64],
         zero: Option<Edge>,
-    ) {
+    ) -> Piece {
         if self.request.accuracy < FINEST_PROVEN || !(from < to) {
             if from < to {
-                self.leave((from, to));
+                self.found.leave((from, to));
             }
-            return;
+            return self.found;
         }
-        self.budget.of_piece = self.budget.spent + self.share;
-        self.missed = 0;
+        // A kink at an end, but for its rounding, parts nothing.
+        let apart = SAME * to;
+        let within = |kink: &f64| from + apart < *kink && *kink < to - apart;
         let mut ends = vec![from];
-        ends.extend(
-            kinks
-                .iter()
-                .copied()
-                .filter(|kink| from < *kink && *kink < to),
-        );
+        ends.extend(kinks.iter().copied().filter(within));
         ends.push(to);
         let beside = zero.map(|zero| if zero.at <= from { from } else { to });
         for pair in ends.windows(2) {
@@ -153,6 +129,8 @@ impl<'a, 'm> Prover<'a, 'm> {
                 self.walk(piece, *low, *high, zero);
             }
         }
+        self.found.work = self.budget.spent;
+        self.found
     }
 
     /// From one r to another, by parts.
@@ -160,12 +138,15 @@ impl<'a, 'm> Prover<'a, 'm> {
         let forwards = start < end;
         let mut place = start;
         let mut zero = zero;
-        let mut length = self.last;
+        let mut length = (end - start).abs() / FIRST;
         let shortest = SHORTEST * start.max(end);
+        let mut skip = shortest;
+        // The same of the motion, which is not asked for again before so far from the start.
+        let (mut skip_motion, mut again) = (0.0_f64, 0.0_f64);
         let from_zero = zero.is_some();
         while place != end {
             if self.budget.is_spent() {
-                self.leave((place.min(end), place.max(end)));
+                self.found.leave((place.min(end), place.max(end)));
                 return;
             }
             let rest = (end - place).abs();
@@ -182,35 +163,45 @@ impl<'a, 'm> Prover<'a, 'm> {
             };
             let part = (place.min(next), place.max(next));
             let long = SHORTEST_OF_MOTION * (end - start).abs();
-            let long = if from_zero {
+            let long = if from_zero && zero.is_none() {
                 long.min(SHORTEST_BESIDE_ZERO * (next - start).abs())
             } else {
                 long
             };
-            let insists = self.missed < MOST_MISSED && step > long.max(shortest);
+            let close = long.max(shortest).max(FINER * skip_motion);
+            let insists = again <= (place - start).abs() && close < step;
             match self.part(piece, part, zero, insists) {
                 Some(Part { limit, motion }) => {
                     if let Some(gap) = limit.gap {
-                        self.leave(gap);
+                        self.found.leave(gap);
                     }
-                    self.of_limit.seen(limit.worst);
+                    self.found.limit.seen(limit.worst);
                     match motion {
-                        Some(worst) => self.of_motion.seen(worst),
+                        Some(worst) => {
+                            self.found.motion.seen(worst);
+                            skip_motion *= 0.5;
+                        }
                         None => {
-                            self.missed += 1;
-                            self.of_motion.open.push(part);
+                            self.found.motion.open.push(part);
+                            skip_motion = 2.0 * skip_motion.max(step);
+                            again = (next - start).abs() + skip_motion;
                         }
                     }
                     place = next;
                     zero = None;
-                    self.last = step;
                     length = LONGER * step;
+                    skip = shortest.max(0.5 * skip);
                 }
-                None if step <= shortest => {
-                    self.leave(part);
+                // What is open is not sought to the last digit: the farther it goes, the longer is what is left at once.
+                None if step <= shortest.max(FINER * skip) => {
+                    let far = skip.max(step).min(rest);
+                    let next = if forwards { place + far } else { place - far };
+                    let next = if far < rest { next } else { end };
+                    self.found.leave((place.min(next), place.max(next)));
                     place = next;
                     zero = None;
-                    length = 2.0 * step;
+                    length = far;
+                    skip = 2.0 * far;
                 }
                 None => length = 0.5 * step,
             }
@@ -229,19 +220,18 @@ impl<'a, 'm> Prover<'a, 'm> {
         let centre = zero.map_or(middle, |zero| zero.at);
         let r = Interval::new(from.min(centre), to.max(centre));
         let away = Interval::point(from).hull(Interval::point(to)) - Interval::point(centre);
-        let singular = singular(&self.chain, middle);
+        let singular = singular(self.chain, middle);
         self.budget.spend(OF_STAGE * self.chain.modes.len());
-        let at = Stage::<ORDER>::over(&self.chain, Interval::point(centre), &singular);
-        let over = Stage::<ORDER>::over(&self.chain, r, &singular);
+        let at = Stage::<ORDER>::over(self.chain, Interval::point(centre), &singular);
+        let over = Stage::<ORDER>::over(self.chain, r, &singular);
         let (at, over) = self.oriented(at, over, away, zero)?;
-        for witness in candidates(
-            self.exact,
-            &self.chain,
-            (from, to),
-            centre,
-            &over,
-            &singular,
-        ) {
+        let mut witnesses =
+            candidates(self.exact, self.chain, (from, to), centre, &over, &singular);
+        if !self.early {
+            // What did for the last part is likely to do for this one.
+            witnesses.reverse();
+        }
+        for witness in witnesses {
             let all = r - Interval::point(centre);
             let rest = if matches!(witness, Witness::Early(_)) {
                 early::rest(&over, witness.path::<1>(all).value().high)
@@ -283,7 +273,7 @@ impl<'a, 'm> Prover<'a, 'm> {
                 continue;
             }
             let asked = Asked {
-                chain: &self.chain,
+                chain: self.chain,
                 witness: &witness,
                 away: r - Interval::point(centre),
                 at: &at,
@@ -293,6 +283,7 @@ impl<'a, 'm> Prover<'a, 'm> {
                 share,
             };
             if certify::certified(&asked, &mut self.budget) {
+                self.early = matches!(witness, Witness::Early(_));
                 return Some(Part { limit, motion });
             }
         }

@@ -1,6 +1,6 @@
 //! Other instants whose velocity constraint comes close to that of the witness: beside a kink of β_lim there are two.
 
-use super::cells::{Cells, Flank, ROUNDING};
+use super::cells::{BENT, Cells, Flank, ROUNDING};
 use super::force;
 use super::found::{Budget, OF_STAGE};
 use super::stage::{ORDER, Stage};
@@ -85,7 +85,7 @@ impl Cells<'_> {
         if !(0.0 < curve.low) {
             return None;
         }
-        let (reach, bent) = self.widened(t, curve, budget);
+        let (reach, bent) = self.widened(t, curve, BENT, budget);
         let value = Series::joined(&value_at, &value_over);
         let rise = Series::joined(&rise_at, &rise_over);
         let twice = Interval::point(bent) + Interval::point(bent);

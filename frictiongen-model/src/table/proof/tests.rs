@@ -94,7 +94,9 @@ fn the_bound_holds() {
                 proof.told()
             );
             assert!(proof.evidence != Evidence::Checked, "{name}");
-            assert!(proof.open_length() < 0.05, "{name}");
+            // Beside zeros of undamped chains.
+            let most = if zeta > 0.0 { 0.0 } else { 1e-6 };
+            assert!(proof.open_length() <= most, "{name}");
             assert!(proof.bound.error <= accuracy, "{name}");
             let mut exact = Exact::new(&modal);
             let mut state = 77 + count as u64;
