@@ -157,6 +157,19 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
         None if tables.request.stuck => "stuck           by the exact formulas\n".to_owned(),
         None => String::new(),
     };
+    let reach = tables.declared_reach(scene);
+    let most = scene.declared.range.map_or(0.0, |range| range.beta.1);
+    let regimes = match (reach.always_continuous, reach.never_stuck) {
+        (true, _) => {
+            format!("regimes         continuous at every r, for every beta up to {most}\n")
+        }
+        (false, true) => {
+            format!(
+                "regimes         continuous or stick-slip at every r, for every beta up to {most}\n"
+            )
+        }
+        (false, false) => String::new(),
+    };
     let functions = match tables.functions {
         5 => "beta_lim, a, g, arg V and |V|",
         4 => "beta_lim, a, g and arg V",
@@ -179,6 +192,7 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
          lookup          {} comparisons, then {} additions and multiplications a function\n\
          sliding limit   {sliding}\n\
          {stuck}\
+         {regimes}\
          built from      {} exact values\n",
         scene.name,
         tables.request.accuracy,

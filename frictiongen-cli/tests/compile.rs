@@ -48,6 +48,31 @@ fn the_figures() {
     );
 }
 
+/// Which regimes the declared friction ratios reach.
+#[test]
+fn regimes() {
+    let with = |beta: &str| {
+        let fields = "excitation: block, damping: modal(0.05), accuracy: 1e-3,";
+        let range = format!("{fields} range: {{ r: 0.7..1.3{beta} }}");
+        output(&BLOCK.replace("excitation: block,", &range), &["compile"])
+    };
+    let told = |text: &str| {
+        let line = text.lines().find(|line| line.starts_with("regimes"));
+        line.map(|line| {
+            line.split_whitespace()
+                .skip(1)
+                .collect::<Vec<_>>()
+                .join(" ")
+        })
+    };
+    assert_eq!(told(&with("")), None);
+    let slides = Some("continuous at every r, for every beta up to 0.3".to_owned());
+    assert_eq!(told(&with(", beta: 0..0.3")), slides);
+    let moves = Some("continuous or stick-slip at every r, for every beta up to 0.9".to_owned());
+    assert_eq!(told(&with(", beta: 0..0.9")), moves);
+    assert_eq!(told(&with(", beta: 0..3")), None);
+}
+
 /// What the description declares holds where no option says otherwise.
 #[test]
 fn a_description_that_declares() {

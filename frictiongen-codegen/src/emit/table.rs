@@ -5,7 +5,9 @@ use crate::lower::SceneTables;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
 use frictiongen_model::scene::{Beyond, Range, Side};
-use frictiongen_model::table::{FINEST_PROVEN, FRICTION_SHARES, Product, Report, Tables, Work};
+use frictiongen_model::table::{
+    FINEST_PROVEN, FRICTION_SHARES, Product, Reach, Report, Tables, Work,
+};
 use proc_macro2::{Literal, TokenStream};
 
 /// The tables as constants, and what answers from them; nothing for an exact scene.
@@ -166,19 +168,31 @@ fn domain<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream 
         .range
         .map_or((0.0, f64::INFINITY), |Range { beta, .. }| beta);
     let least = emission.literal(S::constant(least).to_f64());
-    let most = if S::constant(most).is_finite() {
+    let largest = if S::constant(most).is_finite() {
         emission.literal(S::constant(most).to_f64())
     } else {
         code!(::core::#scalar::INFINITY)
     };
     let exact_beyond = declared.beyond == Beyond::Exact;
+    let Reach {
+        always_continuous,
+        never_stuck,
+    } = tables.declared_reach(emission.scene);
+    let about = match (always_continuous, never_stuck) {
+        (true, _) => " Where the tables hold: at every r and β of these the motion is continuous.",
+        (false, true) => " Where the tables hold: at no r and β of these the contact is stuck.",
+        (false, false) => " Where the tables hold.",
+    };
     code! {
+        #[doc = #about]
         #[inline]
         fn domain(&self) -> Domain<#scalar> {
             Domain {
                 r: (#low, #high),
-                beta: (#least, #most),
+                beta: (#least, #largest),
                 exact_beyond: #exact_beyond,
+                always_continuous: #always_continuous,
+                never_stuck: #never_stuck,
             }
         }
     }

@@ -14,11 +14,11 @@ macro_rules! locals {
 }
 
 locals! {
-    absorbs amplitude angle argument at at_1 at_2 at_3 at_4 at_5 at_6 at_7 at_8 at_9 at_10 at_11
-    at_12 at_13 at_14 at_15 at_16 base beta beta_in_range break_away buckets chain channels choice
-    choice_2 choice_3 coefficients constants_1 constants_2 constants_3 constants_4 constants_5
-    constants_6 constants_7 constants_8 constants_9 constants_10 constants_11 constants_12
-    constants_13 constants_14 constants_15 constants_16 constraint contact continuous
+    absorbs always_continuous amplitude angle argument at at_1 at_2 at_3 at_4 at_5 at_6 at_7 at_8
+    at_9 at_10 at_11 at_12 at_13 at_14 at_15 at_16 base beta beta_in_range break_away buckets chain
+    channels choice choice_2 choice_3 coefficients constants_1 constants_2 constants_3 constants_4
+    constants_5 constants_6 constants_7 constants_8 constants_9 constants_10 constants_11
+    constants_12 constants_13 constants_14 constants_15 constants_16 constraint contact continuous
     continuous_at_infinity cosine damped decay_complement decay_exponent decay_factor
     decay_minus_one denominator density detuning difference displacement drag drive driven_im
     driven_re dt dynamics ends exact_beyond fall fall_per_force fast_decay force forced forces
@@ -29,7 +29,7 @@ locals! {
     invisible kind lag last law least lift lines load loads loss low magnitude mass mismatch_im
     mismatch_re mode mode_1 mode_2 mode_3 mode_4 mode_5 mode_6 mode_7 mode_8 mode_9 mode_10 mode_11
     mode_12 mode_13 mode_14 mode_15 mode_16 modes modulus_h modulus_v moments motion nearness_im
-    nearness_re numerator numerator_im numerator_re of off omega on_base on_moving_base
+    nearness_re never_stuck numerator numerator_im numerator_re of off omega on_base on_moving_base
     one_plus_factor orbit origin pace participations parts phase per_force pieces plain_cosine
     plain_detuning pole_weight product product_2 product_3 product_4 product_5 product_6 product_7
     product_8 product_9 product_10 product_11 product_12 product_13 product_14 product_15 product_16

@@ -14,6 +14,10 @@ pub struct Domain<S> {
     pub beta: (S, S),
     /// Whether the exact formulas answer beyond; else nothing does.
     pub exact_beyond: bool,
+    /// Whether all these friction ratios are below both limits at all these frequencies: no limit is then asked.
+    pub always_continuous: bool,
+    /// Whether they are all below β*_lim: it is then not asked.
+    pub never_stuck: bool,
 }
 
 /// A scene with tables of its limits.
@@ -174,7 +178,14 @@ impl<T: Tabled> Compiled<T> {
         // motions would lose energy for ever.  β_lim is then the smaller one, and β*_lim need not be known.
         let one = T::Scalar::constant(1.0);
         let decides = self.scene.numbers().chain.stiction <= one;
-        asked && beta < limit && (decides || beta < self.sliding_limit())
+        let is_below = || beta < limit && (decides || self.slides(beta));
+        asked && (domain.always_continuous || is_below())
+    }
+
+    /// Whether an admitted β is below β*_lim.
+    #[inline]
+    pub(super) fn slides(&self, beta: T::Scalar) -> bool {
+        self.scene.domain().never_stuck || beta < self.sliding_limit()
     }
 
     /// The regime at β = F/P: right except within the declared accuracy of a limit.
@@ -186,9 +197,12 @@ impl<T: Tabled> Compiled<T> {
         if !self.within {
             return self.limits().regime(beta);
         }
+        if self.scene.domain().always_continuous {
+            return Ok(Regime::Continuous);
+        }
         Ok(if self.is_admitted(beta, self.continuous_limit()) {
             Regime::Continuous
-        } else if beta < self.sliding_limit() {
+        } else if self.slides(beta) {
             Regime::StickSlip
         } else {
             Regime::Stuck

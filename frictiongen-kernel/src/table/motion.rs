@@ -132,7 +132,7 @@ impl<T: TabledMotion> Compiled<T> {
             error.into()
         } else if self.is_admitted(beta, limit) {
             NotContinuous::Unbounded
-        } else if beta < self.sliding_limit() {
+        } else if self.slides(beta) {
             NotContinuous::StickSlip
         } else {
             NotContinuous::Stuck

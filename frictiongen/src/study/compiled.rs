@@ -205,6 +205,8 @@ impl<S: Float> Tabled for &CompiledSystem<'_, S> {
             r: (S::constant(low), S::constant(high)),
             beta: (S::constant(0.0), S::constant(f64::INFINITY)),
             exact_beyond: false,
+            always_continuous: false,
+            never_stuck: false,
         }
     }
     fn tabled_limit(&self, r: S) -> S {

@@ -1,5 +1,6 @@
 //! Scenes that declare an accuracy, through the macro: the tables are those of the run-time system, bit for bit.
 
+use frictiongen::kernel::table::Tabled;
 use frictiongen::study::scene::Side;
 use frictiongen::study::table::Request;
 use frictiongen::{
@@ -78,6 +79,28 @@ scene! { BYTES: struct Bytes {
     range: { r: 0.3..2.0 },
 } }
 
+scene! { SLIDING: struct Sliding {
+    masses: { a: 1, b: 1 },
+    springs: { base - a: 1, a - b: 1 },
+    contact: b - wall,
+    excitation: a,
+    damping: modal(0.03),
+    stiction: 1.1,
+    accuracy: 1e-3,
+    range: { r: 0.4..0.8, beta: 0..0.15 },
+} }
+
+scene! { NEVER_STUCK: struct NeverStuck {
+    masses: { a: 1, b: 1 },
+    springs: { base - a: 1, a - b: 1 },
+    contact: b - wall,
+    excitation: a,
+    damping: modal(0.03),
+    scalar: f32,
+    accuracy: 1e-3,
+    range: { r: 0.4..0.8, beta: 0..0.4 },
+} }
+
 /// r over a range, its ends included.
 fn ratios(low: f64, high: f64) -> impl Iterator<Item = f64> {
     (0..=1000).map(move |k| low + (high - low) * f64::from(k) / 1000.0)
@@ -132,6 +155,63 @@ fn of_the_run_time_system() {
         compared += 1;
     }
     assert_eq!(compared, 3003);
+}
+
+/// What the declared friction ratios cannot reach is not asked, and no answer is another.
+#[test]
+fn out_of_reach() {
+    let domain = Sliding.domain();
+    assert!(domain.always_continuous && domain.never_stuck);
+    let system: System = SLIDING.parse().unwrap();
+    let tables = system.compile(0.4..0.8, 1e-3).unwrap();
+    let least = ratios(0.4, 0.8).map(|r| {
+        let limits = tables.at(r).unwrap().limits();
+        limits.continuous.min(limits.sliding)
+    });
+    let least = least.fold(f64::INFINITY, f64::min);
+    assert!(0.15 < least && least < 0.4, "{least}");
+    let mut seen = [0; 2];
+    for r in ratios(0.4, 0.8) {
+        for beta in [0.0, 0.075, 0.15] {
+            let (emitted, compiled) = (Sliding::at(r).unwrap(), tables.at(r).unwrap());
+            assert_eq!(emitted.regime(beta), Ok(Regime::Continuous));
+            assert_eq!(emitted.regime(beta), compiled.regime(beta));
+            assert_eq!(emitted.margin(beta), compiled.margin(beta));
+            let (emitted, compiled) = (emitted.motion(beta), compiled.motion(beta));
+            let (emitted, compiled) = (emitted.unwrap(), compiled.unwrap());
+            assert_eq!(emitted.contact().largest(), compiled.contact().largest());
+        }
+        for beta in [-1e-3, 0.150_1, f64::NAN] {
+            let at = Sliding::at(r).unwrap();
+            assert_eq!(at.regime(beta), Err(OutOfDomain { argument: "beta" }));
+            assert!(at.motion(beta).is_err(), "{beta}");
+        }
+    }
+    let domain = NeverStuck.domain();
+    assert!(!domain.always_continuous && domain.never_stuck);
+    let system: System<f32> = NEVER_STUCK.parse().unwrap();
+    let tables = system.compile(0.4..0.8, 1e-3).unwrap();
+    for r in ratios(0.4, 0.8) {
+        let r = (r as f32).clamp(0.4, 0.8);
+        for beta in [0.0, 0.2, 0.4] {
+            let (emitted, compiled) = (NeverStuck::at(r).unwrap(), tables.at(r).unwrap());
+            let regime = emitted.regime(beta).unwrap();
+            assert_eq!(Ok(regime), compiled.regime(beta));
+            let motion = emitted
+                .motion(beta)
+                .map(|motion| motion.contact().largest());
+            let known = compiled
+                .motion(beta)
+                .map(|motion| motion.contact().largest());
+            assert_eq!(motion, known);
+            seen[usize::from(regime == Regime::Continuous)] += 1;
+        }
+    }
+    assert!(seen[0] > 300 && seen[1] > 300, "{seen:?}");
+    // Without friction ratios, and where the exact formulas answer beyond them, everything is asked.
+    for domain in [Damped.domain(), ExactBeyond.domain()] {
+        assert!(!domain.always_continuous && !domain.never_stuck);
+    }
 }
 
 /// What the tables do not hold comes from the exact formulas, to the bit.

@@ -289,12 +289,15 @@ const _: () = {
         }
     }
     impl Tabled for DeclaredMotion {
+        /// Where the tables hold.
         #[inline]
         fn domain(&self) -> Domain<f64> {
             Domain {
                 r: (0.5, 2.0),
                 beta: (0.0, 2.0),
                 exact_beyond: true,
+                always_continuous: false,
+                never_stuck: false,
             }
         }
         /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.

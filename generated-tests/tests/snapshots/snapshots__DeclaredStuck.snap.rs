@@ -396,12 +396,15 @@ const _: () = {
         }
     }
     impl Tabled for DeclaredStuck {
+        /// Where the tables hold.
         #[inline]
         fn domain(&self) -> Domain<f32> {
             Domain {
                 r: (0.5, 2.0),
                 beta: (0.0, ::core::f32::INFINITY),
                 exact_beyond: false,
+                always_continuous: false,
+                never_stuck: false,
             }
         }
         /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.

@@ -194,7 +194,7 @@ pub(super) fn compared<S: Float>(
 }
 
 /// What the evaluation in the table's scalar rounds off at most; beside a zero, over the distance from it.
-pub(super) fn rounding<S: Float>(
+pub(in crate::table) fn rounding<S: Float>(
     coefficients: &[f64],
     origin: f64,
     (from, to): (f64, f64),

@@ -38,12 +38,14 @@ use super::split::Edge;
 use crate::interval::{Interval, Series};
 use candidates::candidates;
 use cells::Part as Asked;
+pub(super) use compare::rounding;
 pub use evidence::{Evidence, Proof, Work};
 use found::{Budget, OF_STAGE, Part, Piece};
 use frictiongen_kernel::Float;
 use motion::Moving;
-pub(super) use product::Receptances;
+pub(super) use product::{Receptances, unit};
 use stage::{Chain, ORDER, Stage, singular};
+pub(super) use witness::polynomial;
 use witness::{Seen, Witness};
 
 /// Of the accuracy the share that a larger constraint elsewhere may take.

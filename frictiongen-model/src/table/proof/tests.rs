@@ -54,7 +54,7 @@ pub(in crate::table) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64
     })
 }
 
-pub(super) fn request(accuracy: f64, side: Side) -> Request {
+pub(in crate::table) fn request(accuracy: f64, side: Side) -> Request {
     Request {
         r: (0.2, 2.5),
         accuracy,
@@ -65,7 +65,7 @@ pub(super) fn request(accuracy: f64, side: Side) -> Request {
 }
 
 /// Random numbers from 0 to 1.
-pub(super) fn random(state: &mut u64) -> f64 {
+pub(in crate::table) fn random(state: &mut u64) -> f64 {
     *state = state
         .wrapping_mul(6_364_136_223_846_793_005)
         .wrapping_add(1_442_695_040_888_963_407);

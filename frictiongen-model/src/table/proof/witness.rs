@@ -27,7 +27,10 @@ impl Witness {
 }
 
 /// Σ c_k tᵏ.
-pub(super) fn polynomial<const N: usize>(coefficients: &[f64], t: Series<N>) -> Series<N> {
+pub(in crate::table) fn polynomial<const N: usize>(
+    coefficients: &[f64],
+    t: Series<N>,
+) -> Series<N> {
     let zero = Series::fixed(Interval::ZERO);
     coefficients.iter().rev().fold(zero, |sum, coefficient| {
         sum * t + Series::fixed(Interval::point(*coefficient))

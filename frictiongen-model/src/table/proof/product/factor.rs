@@ -54,7 +54,7 @@ pub(super) struct Known {
 }
 
 /// Half a unit in the last place, and the smallest normal number.
-pub(super) fn unit<S: Float>() -> (f64, f64) {
+pub(in crate::table) fn unit<S: Float>() -> (f64, f64) {
     let smallest = if is_single::<S>() {
         NORMAL_SINGLE
     } else {

@@ -1,0 +1,224 @@
+//! Which regimes the friction ratios that may be asked for can reach, as the tables tell them apart.
+
+use super::product::Product;
+use super::proof::{polynomial, rounding, unit};
+use super::tables::Tables;
+use crate::interval::{Interval, Series};
+use crate::scene::{Beyond, Scene};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::table::Factor;
+
+/// So often a part of the range is halved before it counts as undecided.
+const HALVINGS: u32 = 12;
+/// Parts of the range that are looked at first.
+const PARTS: usize = 64;
+
+/// Which regimes friction ratios up to a largest one can reach over the range of the tables.
+///
+/// What is said is so for every number of the scalar, in the arithmetic that is emitted: where nothing is said either may be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Reach {
+    /// Every friction ratio is below both limits: the motion is continuous.
+    pub always_continuous: bool,
+    /// Every friction ratio is below β*_lim: the contact slides.
+    pub never_stuck: bool,
+}
+
+impl<S: Float> Tables<S> {
+    /// What the friction ratios that a scene declares can reach; anything where the exact formulas answer beyond them.
+    #[must_use]
+    pub fn declared_reach(&self, scene: &Scene) -> Reach {
+        let declared = &scene.declared;
+        match (declared.beyond, declared.range) {
+            (Beyond::Error, Some(range)) => self.reach(scene.stiction, range.beta.1),
+            _ => Reach::default(),
+        }
+    }
+
+    /// What friction ratios from 0 to `most`, itself included, can reach; `stiction` is μ.
+    #[must_use]
+    pub fn reach(&self, stiction: f64, most: f64) -> Reach {
+        let most = S::constant(most).to_f64();
+        if !most.is_finite() {
+            return Reach::default();
+        }
+        let sliding = self.sliding.as_ref();
+        let never_stuck = sliding.is_some_and(|product| self.is_above(product, most));
+        // As the kernel has it: without stiction in excess of friction β_lim alone decides.
+        let decides = stiction <= 1.0;
+        Reach {
+            always_continuous: (decides || never_stuck) && self.limit_is_above(most),
+            never_stuck,
+        }
+    }
+
+    /// Both ends of the range, as a lookup sees them.
+    fn ends(&self) -> (f64, f64) {
+        let (low, high) = self.request.r;
+        (S::constant(low).to_f64(), S::constant(high).to_f64())
+    }
+
+    /// Whether β_lim as it is emitted exceeds a number everywhere.
+    fn limit_is_above(&self, most: f64) -> bool {
+        let (low, high) = self.ends();
+        let mut above = !self.pieces.is_empty();
+        for (place, piece) in self.pieces.iter().enumerate() {
+            let next = self.pieces.get(place + 1);
+            let to = next.map_or(high, |next| next.from.to_f64());
+            let from = piece.from.to_f64().max(low);
+            let own = piece.coefficients.first();
+            let coefficients = own.into_iter().flatten().map(|of| of.to_f64());
+            let coefficients: Vec<f64> = coefficients.collect();
+            let origin = piece.origin.to_f64();
+            let off = rounding::<S>(&coefficients, origin, (from, to), None);
+            let least = |r: Interval| {
+                let middle = Interval::point(r.middle());
+                let [at, over] = [middle, r].map(|r| {
+                    let origin = Series::fixed(Interval::point(origin));
+                    polynomial::<3>(&coefficients, Series::variable(r) - origin)
+                });
+                Series::joined(&at, &over).range(r - middle).low - off
+            };
+            above = above && exceeds(Interval::new(from, to), HALVINGS, &least, most);
+        }
+        above
+    }
+
+    /// Whether a product as it is emitted exceeds a number everywhere.
+    fn is_above(&self, product: &Product<S>, most: f64) -> bool {
+        let (low, high) = self.ends();
+        let least = |r: Interval| size::<S>(product, r).low;
+        let mut parts = Interval::new(low, high).parts(PARTS);
+        parts.all(|part| exceeds(part, HALVINGS, &least, most))
+    }
+}
+
+/// Whether what is at least `least` exceeds a number all over an interval.
+fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f64) -> bool {
+    if most < least(r) {
+        return true;
+    }
+    let middle = r.middle();
+    // Where a single place fails nothing is to be gained.
+    if halvings == 0 || !(most < least(Interval::point(middle))) {
+        return false;
+    }
+    let halves = [Interval::new(r.low, middle), Interval::new(middle, r.high)];
+    let mut halves = halves.into_iter();
+    halves.all(|half| exceeds(half, halvings - 1, least, most))
+}
+
+/// What an operation on numbers of the scalar may round to.
+fn rounded<S: Float>(exact: Interval) -> Interval {
+    let (unit, smallest) = unit::<S>();
+    exact * (Interval::ONE + Interval::within(2.0 * unit)) + Interval::within(smallest)
+}
+
+/// The size of a product over an interval, with the roundings of every operation.
+fn size<S: Float>(product: &Product<S>, r: Interval) -> Interval {
+    let of = |factors: &[Factor<S>]| {
+        factors.iter().fold(Interval::ONE, |all, factor| {
+            rounded::<S>(all * value(factor, r))
+        })
+    };
+    let quotient = rounded::<S>(of(&product.numerator) / of(&product.denominator));
+    let root = if product.squared {
+        rounded::<S>(quotient.sqrt())
+    } else {
+        quotient
+    };
+    let value = rounded::<S>(Interval::point(product.gain.to_f64()) * root);
+    // |value|.
+    if value.high < 0.0 { -value } else { value }
+}
+
+/// A factor over an interval.
+fn value<S: Float>(factor: &Factor<S>, r: Interval) -> Interval {
+    let point = |value: S| Interval::point(value.to_f64());
+    let beside = |at: S, rest: S| {
+        let away = rounded::<S>(rounded::<S>(r - point(at)) - point(rest));
+        rounded::<S>(away * rounded::<S>(r + point(at)))
+    };
+    match *factor {
+        Factor::Zero { at, rest } => beside(at, rest),
+        Factor::Pair {
+            at,
+            rest,
+            off,
+            least,
+        } => {
+            let beside = rounded::<S>(beside(at, rest) + point(off));
+            rounded::<S>(rounded::<S>(beside.squared()) + point(least))
+        }
+        Factor::Real { off } => rounded::<S>(rounded::<S>(r.squared()) + point(off)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::proof::tests::{random, request, scene};
+    use super::super::{Reach, Tables};
+    use crate::scene::Side;
+    use frictiongen_kernel::Float;
+
+    /// The least emitted limits, sought at many numbers of the scalar.
+    fn least<S: Float>(tables: &Tables<S>) -> [f64; 2] {
+        let (low, high) = tables.request.r;
+        let mut state = 3;
+        let mut least = [f64::INFINITY; 2];
+        for place in 0..20_000 {
+            let share = match place {
+                0 => 0.0,
+                1 => 1.0,
+                _ => random(&mut state),
+            };
+            let r = S::constant(low + (high - low) * share);
+            let place = tables.pieces.partition_point(|piece| piece.from <= r);
+            let limit = tables.pieces[place.saturating_sub(1)].value(0, r).to_f64();
+            let sliding = tables.sliding.as_ref().unwrap().quotient().size(r).to_f64();
+            least = [least[0].min(limit), least[1].min(sliding)];
+        }
+        least
+    }
+
+    fn told<S: Float>(kind: &str, count: usize, zeta: f64, stiction: f64) {
+        let modal = scene(kind, count, zeta, stiction);
+        let tables = Tables::<S>::build(&modal, request(1e-3, Side::Near)).unwrap();
+        let [limit, sliding] = least(&tables);
+        let name = format!("{kind}{count}, {zeta}, {stiction}: {limit} and {sliding}");
+        let reach = |most| tables.reach(stiction, most);
+        let both = if stiction > 1.0 {
+            limit.min(sliding)
+        } else {
+            limit
+        };
+        // Nearer a bound of the roundings may not tell.
+        for (share, is_below) in [(0.5, true), (0.99, true), (1.001, false), (2.0, false)] {
+            assert_eq!(reach(share * both).always_continuous, is_below, "{name}");
+            assert_eq!(reach(share * sliding).never_stuck, is_below, "{name}");
+        }
+        assert_eq!(reach(f64::INFINITY), Reach::default());
+    }
+
+    #[test]
+    fn up_to_the_least_limit() {
+        for (kind, count, zeta, stiction) in [
+            ("Wall", 1, 0.02, 1.0),
+            ("Wall", 2, 0.05, 1.2),
+            ("Base", 2, 0.02, 1.0),
+            ("Pair", 3, 0.1, 1.3),
+            ("Base", 2, 1.7, 1.0),
+        ] {
+            told::<f64>(kind, count, zeta, stiction);
+            told::<f32>(kind, count, zeta, stiction);
+        }
+    }
+
+    /// A zero of β_lim within the range leaves every regime open.
+    #[test]
+    fn beside_a_zero() {
+        let modal = scene("Wall", 1, 0.0, 1.0);
+        let tables = Tables::<f64>::build(&modal, request(1e-3, Side::Near)).unwrap();
+        assert!(!tables.reach(1.0, 1e-6).always_continuous);
+    }
+}
