@@ -21,10 +21,11 @@ pub struct Interval {
 
 /// The kernel's sine and cosine are within 1.1 units in the last place: within this of theirs.
 const SINE: f64 = 1e-15;
-/// 1 less and more a unit in the last place of numbers about 1, and the smallest number.
+/// 1 less and more a unit in the last place of numbers about 1.
 const BELOW: f64 = 1.0 - f64::EPSILON;
 const ABOVE: f64 = 1.0 + f64::EPSILON;
-const TINY: f64 = 5e-324;
+/// More than the smallest numbers: processors take a hundred times as long for these, and products with it are to be none.
+const TINY: f64 = 1e-290;
 /// libm's exponential is within one unit in the last place; this is relative and more than two.
 const EXPONENTIAL: f64 = 5e-16;
 
@@ -99,7 +100,22 @@ impl Interval {
     /// π.
     #[must_use]
     pub fn pi() -> Self {
-        Self::rounded(std::f64::consts::PI)
+        // The double next to it is below it.
+        Self::new(std::f64::consts::PI, std::f64::consts::PI * ABOVE)
+    }
+
+    /// Twice all of it: a product with 2 rounds nothing off.
+    #[inline(always)]
+    #[must_use]
+    pub fn doubled(self) -> Self {
+        Self::new(2.0 * self.low, 2.0 * self.high)
+    }
+
+    /// Over a positive number.
+    #[inline(always)]
+    #[must_use]
+    pub fn over(self, divisor: f64) -> Self {
+        Self::outward(self.low / divisor, self.high / divisor)
     }
 
     /// The same with room for a rounding of either end; everything where an end is not known.
@@ -107,7 +123,7 @@ impl Interval {
     /// By a product and a difference: macros run without optimisation, where each call of a function counts.
     #[inline(always)]
     fn outward(low: f64, high: f64) -> Self {
-        // One unit in the last place at least, and two at most, then the smallest number for what underflows.
+        // One unit in the last place at least, and two at most, then more than what underflows.
         let low = if low > 0.0 { low * BELOW } else { low * ABOVE } - TINY;
         let high = if high > 0.0 {
             high * ABOVE
@@ -122,6 +138,32 @@ impl Interval {
             return Self::ALL;
         }
         Self { low, high }
+    }
+
+    /// The ends of a product, rounded to nearest; NaN where 0 meets an infinite end.
+    #[inline(always)]
+    fn ends_times(self, other: Self) -> (f64, f64) {
+        let Self { low: a, high: b } = self;
+        let Self { low: c, high: d } = other;
+        // By signs: two products for most.
+        if 0.0 <= a {
+            (
+                if 0.0 <= c { a * c } else { b * c },
+                if 0.0 <= d { b * d } else { a * d },
+            )
+        } else if b <= 0.0 {
+            (
+                if 0.0 <= d { a * d } else { b * d },
+                if 0.0 <= c { b * c } else { a * c },
+            )
+        } else if 0.0 <= c {
+            (a * d, b * d)
+        } else if d <= 0.0 {
+            (b * c, a * c)
+        } else {
+            let both = self.straddling(other);
+            (both.low, both.high)
+        }
     }
 
     /// Whether it is 0 alone.
@@ -304,26 +346,7 @@ impl Mul for Interval {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let Self { low: a, high: b } = self;
-        let Self { low: c, high: d } = other;
-        // By signs: two products for most.
-        let (low, high) = if 0.0 <= a {
-            (
-                if 0.0 <= c { a * c } else { b * c },
-                if 0.0 <= d { b * d } else { a * d },
-            )
-        } else if b <= 0.0 {
-            (
-                if 0.0 <= d { a * d } else { b * d },
-                if 0.0 <= c { b * c } else { a * c },
-            )
-        } else if 0.0 <= c {
-            (a * d, b * d)
-        } else if d <= 0.0 {
-            (b * c, a * c)
-        } else {
-            return self.straddling(other);
-        };
+        let (low, high) = self.ends_times(other);
         #[allow(
             clippy::eq_op,
             reason = "NaN alone is not itself, and `is_nan` is a call"

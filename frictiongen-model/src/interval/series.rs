@@ -1,6 +1,6 @@
 //! Taylor series with intervals as coefficients.
 
-use super::Interval;
+use super::{Interval, TINY};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The first `N` Taylor coefficients f⁽ᵏ⁾/k! of a function of one variable, at a point or, each of them, over an interval.
@@ -80,40 +80,95 @@ impl<const N: usize> Series<N> {
     #[inline]
     #[must_use]
     pub fn times(&self, factor: Interval) -> Self {
-        let mut terms = self.terms;
-        for term in &mut terms {
-            *term = *term * factor;
+        if factor.is_nothing() {
+            return Self::fixed(factor);
         }
-        Self { terms }
+        let mut series = *self;
+        let mut terms = series.terms.as_mut_slice();
+        while let [term, after @ ..] = terms {
+            *term = *term * factor;
+            terms = after;
+        }
+        series
+    }
+
+    /// Adds a number times another series.
+    pub fn add_times(&mut self, other: &Self, factor: Interval) {
+        if factor.is_nothing() {
+            return;
+        }
+        let (mut terms, mut others) = (self.terms.as_mut_slice(), other.terms.as_slice());
+        while let ([term, after @ ..], [other, others_after @ ..]) = (terms, others) {
+            *term = *term + *other * factor;
+            (terms, others) = (after, others_after);
+        }
+    }
+
+    /// All terms up to the last that is not 0.
+    #[inline(always)]
+    fn trimmed(terms: &[Interval]) -> &[Interval] {
+        let mut terms = terms;
+        while let [rest @ .., last] = terms
+            && last.is_nothing()
+        {
+            terms = rest;
+        }
+        terms
     }
 
     /// Σ a_j b_{k−j} over j ≤ k, from j = `first` on.
     ///
-    /// By slices: iterators are calls where nothing is optimised.
+    /// Ends are summed as they come, and given room once, for all roundings: of n terms whose sizes sum to s they are less than
+    /// (n + 1)εs.  By slices: iterators are calls where nothing is optimised.
     #[inline(always)]
-    fn convolved(a: &[Interval; N], b: &[Interval; N], k: usize, first: usize) -> Interval {
-        let mut sum = Interval::ZERO;
-        let mut left = a.get(first..=k).unwrap_or_default();
-        let mut right = b.get(..=k - first).unwrap_or_default();
+    fn convolved(a: &[Interval], b: &[Interval], k: usize, first: usize) -> Interval {
+        let from = if k < first + b.len() {
+            first
+        } else {
+            k + 1 - b.len()
+        };
+        let after = if k < a.len() { k + 1 } else { a.len() };
+        if after <= from {
+            return Interval::ZERO;
+        }
+        let (Some(a), Some(b)) = (a.get(from..after), b.get(k + 1 - after..k + 1 - from)) else {
+            return Interval::ALL;
+        };
+        let (mut left, mut right) = (a, b);
+        let (mut low, mut high, mut size) = (0.0, 0.0, 0.0);
         while let ([a, after @ ..], [before @ .., b]) = (left, right) {
-            if !a.is_nothing() && !b.is_nothing() {
-                let product = *a * *b;
-                sum = if sum.is_nothing() {
-                    product
-                } else {
-                    sum + product
-                };
-            }
+            let (least, most) = a.ends_times(*b);
+            low += least;
+            high += most;
+            size += if most < -least { -least } else { most };
             (left, right) = (after, before);
         }
-        sum
+        #[allow(
+            clippy::eq_op,
+            reason = "NaN alone is not itself, and `is_nan` is a call"
+        )]
+        if !(0.0 < size && size < f64::INFINITY) || low != low {
+            return Self::convolved_term_by_term(a, b);
+        }
+        let room = size * ((after - from + 1) as f64 * f64::EPSILON) + TINY;
+        Interval::new(low - room, high + room)
+    }
+
+    /// The same where ends are infinite, or everything is 0.
+    fn convolved_term_by_term(a: &[Interval], b: &[Interval]) -> Interval {
+        let pairs = a.iter().zip(b.iter().rev());
+        let pairs = pairs.filter(|(a, b)| !a.is_nothing() && !b.is_nothing());
+        let products = pairs.map(|(a, b)| *a * *b);
+        products.reduce(Add::add).unwrap_or(Interval::ZERO)
     }
 
     /// j·a_j.
-    fn counted(&self) -> [Interval; N] {
-        let mut counted = self.terms;
-        for (j, term) in counted.iter_mut().enumerate() {
-            *term = *term * Interval::point(j as f64);
+    fn counted(&self) -> Self {
+        let mut counted = *self;
+        let (mut terms, mut j) = (counted.terms.as_mut_slice(), 0.0);
+        while let [term, after @ ..] = terms {
+            *term = *term * Interval::point(j);
+            (terms, j) = (after, j + 1.0);
         }
         counted
     }
@@ -121,9 +176,15 @@ impl<const N: usize> Series<N> {
     /// The square.
     #[must_use]
     pub fn squared(&self) -> Self {
-        let mut square = *self * *self;
-        if let Some(first) = square.terms.first_mut() {
-            *first = self.value().squared();
+        let own = Self::trimmed(&self.terms);
+        let mut square = Self::fixed(Interval::ZERO);
+        for (k, term) in square.terms.iter_mut().enumerate() {
+            // What stands twice, and the square in the middle.
+            let half = Self::convolved(own, own, k, k / 2 + 1);
+            *term = match own.get(k / 2) {
+                Some(middle) if k % 2 == 0 => half.doubled() + middle.squared(),
+                _ => half.doubled(),
+            };
         }
         square
     }
@@ -132,12 +193,13 @@ impl<const N: usize> Series<N> {
     #[must_use]
     pub fn exp(&self) -> Self {
         let counted = self.counted();
+        let counted = Self::trimmed(&counted.terms);
         let mut series = Self::fixed(self.value().exp());
         for k in 1..N {
             // k·e_k = Σ j a_j e_{k−j}.
-            let sum = Self::convolved(&counted, &series.terms, k, 1);
+            let sum = Self::convolved(counted, &series.terms, k, 1);
             if let Some(term) = series.terms.get_mut(k) {
-                *term = sum / Interval::point(k as f64);
+                *term = sum.over(k as f64);
             }
         }
         series
@@ -149,10 +211,11 @@ impl<const N: usize> Series<N> {
         let (sine, cosine) = self.value().sine_cosine();
         let (mut sine, mut cosine) = (Self::fixed(sine), Self::fixed(cosine));
         let counted = self.counted();
+        let counted = Self::trimmed(&counted.terms);
         for k in 1..N {
-            let rate = Interval::pi() / Interval::point(k as f64);
-            let of_sine = Self::convolved(&counted, &cosine.terms, k, 1);
-            let of_cosine = Self::convolved(&counted, &sine.terms, k, 1);
+            let rate = Interval::pi().over(k as f64);
+            let of_sine = Self::convolved(counted, &cosine.terms, k, 1);
+            let of_cosine = Self::convolved(counted, &sine.terms, k, 1);
             if let Some(term) = sine.terms.get_mut(k) {
                 *term = of_sine * rate;
             }
@@ -167,12 +230,12 @@ impl<const N: usize> Series<N> {
     #[must_use]
     pub fn sqrt(&self) -> Self {
         let mut root = Self::fixed(self.value().sqrt());
+        let inverse = Interval::ONE / (root.value() + root.value());
         for k in 1..N {
             // a_k = 2 b_0 b_k + Σ_{0<j<k} b_j b_{k−j}; the convolution sees b_k as 0 still.
             let known = Self::convolved(&root.terms, &root.terms, k, 1);
-            let twice = root.value() + root.value();
             if let Some(term) = root.terms.get_mut(k) {
-                *term = (self.term(k) - known) / twice;
+                *term = (self.term(k) - known) * inverse;
             }
         }
         root
@@ -230,6 +293,27 @@ impl<const N: usize> Series<N> {
         joined
     }
 
+    /// The same coefficients over an interval with less room: by Taylor's formula from those `at` a place in it, from where the
+    /// interval is `away`.
+    #[must_use]
+    pub fn refined(&self, at: &Self, away: Interval) -> Self {
+        let mut refined = *self;
+        for (k, term) in refined.terms.iter_mut().enumerate() {
+            // Σ_j C(j, k) a_j t^{j−k}, from the highest down; C(j − 1, k) is C(j, k)·(j − k)/j.
+            let mut chosen = 1;
+            for j in k + 1..N {
+                chosen = chosen * j / (j - k);
+            }
+            let mut sum = self.term(N - 1) * Interval::point(chosen as f64);
+            for j in (k + 1..N).rev() {
+                chosen = chosen * (j - k) / j;
+                sum = sum * away + at.term(j - 1) * Interval::point(chosen as f64);
+            }
+            *term = term.both(sum);
+        }
+        refined
+    }
+
     /// The values of the polynomial for all t in an interval: by their middle and its slope, and plainly.
     #[must_use]
     pub fn range(&self, t: Interval) -> Interval {
@@ -249,22 +333,26 @@ impl<const N: usize> Series<N> {
 impl<const N: usize> Add for Series<N> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        let mut terms = self.terms;
-        for (a, b) in terms.iter_mut().zip(&other.terms) {
+        let mut series = self;
+        let (mut terms, mut others) = (series.terms.as_mut_slice(), other.terms.as_slice());
+        while let ([a, after @ ..], [b, others_after @ ..]) = (terms, others) {
             *a = *a + *b;
+            (terms, others) = (after, others_after);
         }
-        Self { terms }
+        series
     }
 }
 
 impl<const N: usize> Sub for Series<N> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        let mut terms = self.terms;
-        for (a, b) in terms.iter_mut().zip(&other.terms) {
+        let mut series = self;
+        let (mut terms, mut others) = (series.terms.as_mut_slice(), other.terms.as_slice());
+        while let ([a, after @ ..], [b, others_after @ ..]) = (terms, others) {
             *a = *a - *b;
+            (terms, others) = (after, others_after);
         }
-        Self { terms }
+        series
     }
 }
 
@@ -281,8 +369,17 @@ impl<const N: usize> Mul for Series<N> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let mut terms = [Interval::ZERO; N];
+        if let ([own], [a], [b]) = (
+            terms.as_mut_slice(),
+            self.terms.as_slice(),
+            other.terms.as_slice(),
+        ) {
+            *own = *a * *b;
+            return Self { terms };
+        }
+        let (a, b) = (Self::trimmed(&self.terms), Self::trimmed(&other.terms));
         for (k, term) in terms.iter_mut().enumerate() {
-            *term = Self::convolved(&self.terms, &other.terms, k, 0);
+            *term = Self::convolved(a, b, k, 0);
         }
         Self { terms }
     }
@@ -297,11 +394,13 @@ impl<const N: usize> Div for Series<N> {
                 terms: [Interval::ALL; N],
             };
         }
+        let divisor = Self::trimmed(&other.terms);
+        let inverse = Interval::ONE / other.value();
         for k in 0..N {
-            // a_k = Σ b_j q_{k−j}, of which q_k is seen as 0 still.
-            let known = Self::convolved(&other.terms, &quotient.terms, k, 0);
+            // a_k = Σ b_j q_{k−j}, from j = 1 on.
+            let known = Self::convolved(divisor, &quotient.terms, k, 1);
             if let Some(term) = quotient.terms.get_mut(k) {
-                *term = (self.term(k) - known) / other.value();
+                *term = (self.term(k) - known) * inverse;
             }
         }
         quotient

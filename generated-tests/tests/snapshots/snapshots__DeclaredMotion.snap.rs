@@ -302,7 +302,7 @@ const _: () = {
         }
         /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.
         ///
-        /// Proven at every r: at most 6.12e-4 off, the bound being largest at r = 0.5196055126953124.
+        /// Proven at every r: at most 5.82e-4 off, the bound being largest at r = 0.500548828125.
         ///
         /// Operations at every r: a lookup of 1 comparison, 14 additions and multiplications.
         #[inline]
@@ -325,7 +325,7 @@ const _: () = {
         ///
         /// To 1e-3 up to β = 0.98·β_lim; nearer to it the error grows at most as 1/(1 − (β/β_lim)²).
         ///
-        /// Proven at every r: at most 7.63e-4 off, the bound being largest at r = 0.5196055126953124.
+        /// Proven at every r: at most 7.10e-4 off, the bound being largest at r = 0.9971381365212574.
         #[inline]
         fn tabled_contact(&self, r: f64) -> Option<ContactTable<f64>> {
             Some(

@@ -44,6 +44,7 @@ pub(super) enum Flank {
 pub(super) struct Cells<'a> {
     pub thin: Stage<1>,
     pub wide: Stage<2>,
+    pub flat: Stage<1>,
     /// N.
     pub level_at: Series<1>,
     pub level_over: Series<2>,
@@ -70,6 +71,7 @@ impl<'a> Cells<'a> {
         Self {
             thin: part.at.truncated(),
             wide: part.over.truncated(),
+            flat: part.over.truncated(),
             level_at: level_at.truncated(),
             level_over: level_over.truncated(),
             full_at: level_at,
@@ -90,15 +92,22 @@ impl<'a> Cells<'a> {
         (value, derivatives, (sine, cosine))
     }
 
+    /// F′, F″ and F‴ alone.
+    pub fn derivatives(&self, t: Interval) -> ([Interval; 3], (Interval, Interval)) {
+        let waves = t.sine_cosine();
+        let motions = force::motions(&self.flat, &Series::fixed(t));
+        (force::derivatives(&self.flat, &motions, waves), waves)
+    }
+
     /// D″ over a box of τ for all r.
     pub fn bend(&self, t: Interval, budget: &mut Budget) -> Interval {
         budget.spend(2 * self.wide.modes.len());
         let level = self.level_over.value();
-        let (_, [_, second, third], (sine, cosine)) = self.boxed(t);
+        let ([_, second, third], (sine, cosine)) = self.derivatives(t);
         let plain = -(level * sine) - second;
         // In the middle, and how it changes from there.
         let middle = Interval::point(t.middle());
-        let (_, [_, second, _], (sine, _)) = self.boxed(middle);
+        let ([_, second, _], (sine, _)) = self.derivatives(middle);
         let moves = (-(level * cosine) - third) * (t - middle) * Interval::pi();
         plain.both(-(level * sine) - second + moves)
     }

@@ -133,7 +133,7 @@ impl Cells<'_> {
         let mut end = (EARLY / fastest.fold(1.0, f64::max)).max(2.0 * path.high);
         for _ in 0..EARLY_STEPS {
             budget.spend(self.wide.modes.len());
-            let (_, [_, _, third], (_, cosine)) = self.boxed(Interval::new(0.0, end));
+            let ([_, _, third], (_, cosine)) = self.derivatives(Interval::new(0.0, end));
             let third = -(self.level_over.value() * cosine) - third;
             let bend = (Interval::point(third.low) / Interval::point(3.0)).low;
             if path.high < end && self.is_least(bend) {

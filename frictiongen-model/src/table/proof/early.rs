@@ -44,19 +44,29 @@ pub(super) fn over_tau<const N: usize>(
     tau: &Series<N>,
 ) -> (Series<N>, Series<N>) {
     let zero = Series::fixed(Interval::ZERO);
-    let mut coefficients = [zero; TERMS + 1];
+    // p⁽ⁿ⁾ = k_n xⁿ⁻¹ at τ = 0, with k_n + 2ζk_{n−1} + k_{n−2} = 0 and x = σ/r.  Modes differ by numbers alone: sums of
+    // κc(1 + g)·k_nσⁿ⁻¹ and κcu/x²·k_{n+1}σⁿ.
+    let mut sums = [(zero, zero); TERMS + 1];
     for mode in &stage.modes {
-        let two_zeta = mode.oscillator.zeta + mode.oscillator.zeta;
-        let (loss, square) = (mode.x.times(two_zeta), mode.x.squared());
-        // Derivatives of p and of the cosine at τ = 0.
-        let (mut p, mut next) = (zero, Series::fixed(Interval::ONE));
-        for (n, coefficient) in coefficients.iter_mut().enumerate() {
-            let cosine = OF_COSINE.get(n % 4).copied().unwrap_or(0.0);
-            let forced_slope = Series::fixed(Interval::point(cosine)) - next;
-            *coefficient = *coefficient + mode.free * p + mode.forced_slope * forced_slope;
-            let following = -(loss * next) - square * p;
-            (p, next) = (next, following);
+        let own = mode.oscillator;
+        let two_zeta = own.zeta.doubled();
+        let (mut constant, mut next, mut power) =
+            (Interval::ZERO, Interval::ONE, Interval::ONE / own.sigma);
+        for (free, forced) in &mut sums {
+            free.add_times(&mode.free, constant * power);
+            power = power * own.sigma;
+            forced.add_times(&mode.forced_slope, next * power);
+            (constant, next) = (next, -(two_zeta * next + constant));
         }
+    }
+    let mut coefficients = [zero; TERMS + 1];
+    let mut power = Series::fixed(Interval::ONE);
+    let rows = coefficients.iter_mut().zip(&sums).enumerate().skip(1);
+    for (n, (coefficient, (free, forced))) in rows {
+        let cosine = OF_COSINE.get(n % 4).copied().unwrap_or(0.0);
+        *coefficient = (*free - *forced * stage.inverse) * power
+            + stage.quadrature.times(Interval::point(cosine));
+        power = power * stage.inverse;
     }
     let mut factorial = 1.0;
     let (mut value, mut slope) = (zero, zero);
@@ -82,7 +92,7 @@ pub(super) fn rest<const N: usize>(stage: &Stage<N>, t: f64) -> [Interval; 2] {
     let mut most = 0.0;
     for (mode, (p, slope)) in stage.modes.iter().zip(&motions) {
         let x = mode.x.value();
-        let loss = x * (mode.oscillator.zeta + mode.oscillator.zeta);
+        let loss = x * mode.oscillator.zeta.doubled();
         let (mut p, mut next) = (p.value(), slope.value());
         for _ in 0..=TERMS {
             let following = -(loss * next) - x.squared() * p;

@@ -14,7 +14,7 @@ impl Cells<'_> {
         let part = self.part;
         let (t, _, _) = self.instant(Flank::Before, Interval::new(0.0, share));
         let t = Interval::new(0.0, t.high);
-        let (_, [_, second, third], (sine, cosine)) = self.boxed(t);
+        let ([_, second, third], (sine, cosine)) = self.derivatives(t);
         let level = self.level_over.value();
         let (at, over) = if matches!(part.witness, Witness::BreakAway) {
             // N − μm* − H_c, and (μ − 1)m*.
@@ -86,10 +86,10 @@ impl Cells<'_> {
     pub fn last(&self, share: f64, budget: &mut Budget) -> bool {
         budget.spend(2 * self.wide.modes.len());
         let level = self.level_over.value();
-        let (_, [slope, _, _], _) = self.boxed(Interval::ONE);
+        let ([slope, _, _], _) = self.derivatives(Interval::ONE);
         let start = level + slope;
         let (t, _, _) = self.instant(Flank::After, Interval::new(0.0, share));
-        let (_, [_, second, _], (sine, _)) = self.boxed(Interval::new(t.low, 1.0));
+        let ([_, second, _], (sine, _)) = self.derivatives(Interval::new(t.low, 1.0));
         let bend = -(level * sine) - second;
         let reach = (Interval::ONE - Interval::point(t.low)) * Interval::pi();
         let half = Interval::point(0.5);

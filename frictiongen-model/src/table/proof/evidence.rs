@@ -26,15 +26,15 @@ impl Evidence {
     }
 }
 
-/// How much work a proof may take, in evaluations of one mode: of a processor 0.2 microseconds each, two where nothing is
-/// optimised.
+/// How much work a proof may take, in evaluations of one mode: of a processor a quarter of a microsecond each, one and a half where
+/// nothing is optimised.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Work(pub usize);
 
 impl Work {
     /// What a macro spends.  A table that needs more is told from its size, and left checked.
     pub const AT_EXPANSION: Self = Self(1_700_000);
-    /// What a command spends: two or three seconds at most.
+    /// What a command spends: four seconds of a processor at most.
     pub const WHOLE: Self = Self(16_000_000);
 }
 

@@ -10,13 +10,13 @@ fn free<const N: usize>(mode: &ModeStage<N>, t: &Series<N>) -> (Series<N>, Serie
     match own.kind {
         Kind::Undamped => {
             let (s, c) = turns.sine_cosine();
-            (s / mode.x, c)
+            (s * mode.slow, c)
         }
         Kind::Under => {
             let decay_factor = turns.times(-(Interval::pi() * own.zeta)).exp();
             let (s, c) = turns.times(own.q).sine_cosine();
             let (s, c) = (decay_factor * s, decay_factor * c);
-            let p = (s / mode.x).times(Interval::ONE / own.q);
+            let p = (s * mode.slow).times(Interval::ONE / own.q);
             (p, c - s.times(own.zeta_over_q))
         }
         Kind::Critical => {
@@ -28,7 +28,7 @@ fn free<const N: usize>(mode: &ModeStage<N>, t: &Series<N>) -> (Series<N>, Serie
             let rates = [Interval::ONE / own.fast, own.fast];
             let [slow, fast] = rates.map(|rate| turns.times(-(Interval::pi() * rate)).exp());
             let half = Interval::ONE / (own.q + own.q);
-            let p = ((slow - fast) / mode.x).times(half);
+            let p = ((slow - fast) * mode.slow).times(half);
             let [slow_rate, fast_rate] = rates;
             let slope = (fast.times(fast_rate) - slow.times(slow_rate)).times(half);
             (p, slope)
@@ -50,11 +50,11 @@ pub(super) fn value<const N: usize>(
     motions: &[(Series<N>, Series<N>)],
     cosine: &Series<N>,
 ) -> Series<N> {
-    let zero = Series::fixed(Interval::ZERO);
-    let modes = stage.modes.iter().zip(motions);
-    modes.fold(zero, |sum, (mode, (p, slope))| {
-        sum + mode.free * *p + mode.forced_slope * (*cosine - *slope)
-    })
+    let mut sum = Series::fixed(Interval::ZERO);
+    for (mode, (p, slope)) in stage.modes.iter().zip(motions) {
+        sum = sum + mode.free * *p + mode.forced_slope * (*cosine - *slope);
+    }
+    sum
 }
 
 /// F′ at an instant.
@@ -63,14 +63,14 @@ pub(super) fn slope<const N: usize>(
     motions: &[(Series<N>, Series<N>)],
     sine: &Series<N>,
 ) -> Series<N> {
-    let zero = Series::fixed(Interval::ZERO);
-    let modes = stage.modes.iter().zip(motions);
-    modes.fold(zero, |sum, (mode, (p, slope))| {
+    let mut sum = Series::fixed(Interval::ZERO);
+    for (mode, (p, slope)) in stage.modes.iter().zip(motions) {
         // −p″ = x(2ζp′ + xp).
-        let two_zeta = mode.oscillator.zeta + mode.oscillator.zeta;
+        let two_zeta = mode.oscillator.zeta.doubled();
         let bent = mode.x * (slope.times(two_zeta) + mode.x * *p);
-        sum + mode.free * *slope + mode.forced_slope * (bent - *sine)
-    })
+        sum = sum + mode.free * *slope + mode.forced_slope * (bent - *sine);
+    }
+    sum
 }
 
 /// F′, F″ and F‴ over a box of r and τ.
@@ -82,11 +82,18 @@ pub(super) fn derivatives<const N: usize>(
     let mut sums = [Interval::ZERO; 3];
     for (mode, (p, slope)) in stage.modes.iter().zip(motions) {
         let x = mode.x.value();
-        let (two_zeta, square) = (mode.oscillator.zeta + mode.oscillator.zeta, x.squared());
+        let square = x.squared();
         let (p, p1) = (p.value(), slope.value());
-        let p2 = -(x * (p1 * two_zeta + x * p));
-        let p3 = -(x * (p2 * two_zeta + x * p1));
-        let p4 = -(x * p3 * two_zeta + square * p2);
+        let (p2, p3, p4);
+        if mode.oscillator.kind == Kind::Undamped {
+            (p2, p3) = (-(square * p), -(square * p1));
+            p4 = -(square * p2);
+        } else {
+            let loss = x * mode.oscillator.zeta.doubled();
+            p2 = -(loss * p1 + square * p);
+            p3 = -(loss * p2 + square * p1);
+            p4 = -(loss * p3 + square * p2);
+        }
         let (a, b) = (mode.free.value(), mode.forced_slope.value());
         let [first, second, third] = &mut sums;
         *first = *first + a * p1 + b * (-sine - p2);
@@ -101,7 +108,7 @@ pub(super) fn bend_at_start<const N: usize>(stage: &Stage<N>) -> Series<N> {
     let one = Series::fixed(Interval::ONE);
     let zero = Series::fixed(Interval::ZERO);
     stage.modes.iter().fold(zero, |sum, mode| {
-        let two_zeta = mode.oscillator.zeta + mode.oscillator.zeta;
+        let two_zeta = mode.oscillator.zeta.doubled();
         let curve = mode.x.times(two_zeta);
         let third = mode.x.squared() - curve.squared();
         sum - mode.free * curve + mode.forced_slope * (third - one)

@@ -225,7 +225,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         let singular = singular(self.chain, middle);
         self.budget.spend(OF_STAGE * self.chain.modes.len());
         let at = Stage::<ORDER>::over(self.chain, Interval::point(centre), &singular);
-        let over = Stage::<ORDER>::over(self.chain, r, &singular);
+        let mut over = Stage::<ORDER>::over(self.chain, r, &singular);
+        over.refine(&at, r - Interval::point(centre));
         let (at, over) = self.oriented(at, over, away, zero)?;
         let mut witnesses =
             candidates(self.exact, self.chain, (from, to), centre, &over, &singular);
@@ -241,7 +242,10 @@ impl<'a, 'm> Prover<'a, 'm> {
                 [Interval::ZERO; 2]
             };
             let seen_at = Seen::of(&witness, &at, Interval::ZERO, rest);
-            let seen_over = Seen::of(&witness, &over, all, rest);
+            let mut seen_over = Seen::of(&witness, &over, all, rest);
+            seen_over.constraint = seen_over.constraint.refined(&seen_at.constraint, all);
+            seen_over.size = seen_over.size.refined(&seen_at.size, all);
+            seen_over.rise = seen_over.rise.refined(&seen_at.rise, all);
             self.budget.spend(OF_STAGE * self.chain.modes.len());
             // A constraint is no witness where it is negative; undamped its size is one.
             let is_one = self.chain.all_undamped || 0.0 <= seen_over.constraint.value().low;

@@ -117,8 +117,8 @@ impl Cells<'_> {
         for (mode, full) in stage.modes.iter_mut().zip(&self.part.at.modes) {
             let of =
                 |series: &Series<ORDER>| Series::fixed(Interval::point(value_at(series, away)));
-            (mode.x, mode.free, mode.forced_slope) =
-                (of(&full.x), of(&full.free), of(&full.forced_slope));
+            (mode.x, mode.slow) = (of(&full.x), of(&full.slow));
+            (mode.free, mode.forced_slope) = (of(&full.free), of(&full.forced_slope));
         }
         stage
     }

@@ -99,6 +99,8 @@ pub(super) struct ModeStage<const N: usize> {
     pub oscillator: Oscillator,
     /// √λ/r.
     pub x: Series<N>,
+    /// r/√λ.
+    pub slow: Series<N>,
     /// Of p in the velocity constraint: κc(1 + g).
     pub free: Series<N>,
     /// Of cos τ − p′: κcu/x².
@@ -109,6 +111,8 @@ pub(super) struct ModeStage<const N: usize> {
 #[derive(Clone, Debug)]
 pub(super) struct Stage<const N: usize> {
     pub modes: Vec<ModeStage<N>>,
+    /// 1/r.
+    pub inverse: Series<N>,
     /// κ, where it is not 1.
     pub kappa: Option<Series<N>>,
     /// κV, real and imaginary part.
@@ -144,7 +148,6 @@ impl<const N: usize> Stage<N> {
     /// At the frequencies of an interval.
     pub fn over(chain: &Chain, r: Interval, singular: &[bool]) -> Self {
         let one = Series::fixed(Interval::ONE);
-        let two = Interval::point(2.0);
         let (ratio, inverse) = (Series::<N>::variable(r), Series::<N>::inverse(r));
         let square = ratio.squared();
         let half = Interval::point(0.5);
@@ -184,13 +187,14 @@ impl<const N: usize> Stage<N> {
         for ((mode, (sine, cosine)), singular) in chain.modes.iter().zip(&waves).zip(singular) {
             let x = inverse.times(mode.sigma);
             let detuning = square - Series::fixed(mode.sigma * mode.sigma);
+            let slow = ratio.times(Interval::ONE / mode.sigma);
             let c = mode.inverse_mass;
             let (free, forced_slope);
             if *singular {
                 let rest = others();
                 let with = |value: Series<N>| rest.map_or(value, |rest| rest * value);
                 free = scaled(Series::fixed(c));
-                forced_slope = with(*sine * ratio).times(c / mode.sigma);
+                forced_slope = with(*sine * slow).times(c);
                 let beside = x.value() - Interval::ONE;
                 let term = if beside.size() < RESONANT {
                     // cos(πx/2)/(x² − 1) = −(π/2) sinc(π(x − 1)/2)/(x + 1).
@@ -202,14 +206,14 @@ impl<const N: usize> Stage<N> {
                 let [re, _] = &mut excitation;
                 *re = *re + with(term).times(mode.residue);
             } else {
-                let (rise, over_forced_slope) = functions(mode, &x, &ratio, (sine, cosine));
+                let (rise, over_forced_slope) = functions(mode, &x, &slow, (sine, cosine));
                 forced_slope = scaled(over_forced_slope.times(c));
                 free = scaled(rise.times(c));
                 let [re, im] = &mut excitation;
                 if mode.kind == Kind::Undamped {
                     *re = *re - scaled(square / detuning).times(mode.residue);
                 } else {
-                    let loss = ratio.times(two * mode.zeta * mode.sigma);
+                    let loss = ratio.times(mode.zeta.doubled() * mode.sigma);
                     let size = detuning.squared() + loss.squared();
                     let term = scaled(square / size).times(mode.residue);
                     *re = *re - term * detuning;
@@ -218,7 +222,7 @@ impl<const N: usize> Stage<N> {
                 if mode.kind != Kind::Undamped {
                     // c(g + 2ζx·u/x²), and c·g/x².
                     let own = free - scaled(Series::fixed(c));
-                    let carried = x.times(two * mode.zeta) * forced_slope;
+                    let carried = x.times(mode.zeta.doubled()) * forced_slope;
                     reversal = reversal + own + carried;
                     let softness = Interval::ONE / (mode.sigma * mode.sigma);
                     displacement = displacement + own * square.times(softness);
@@ -228,6 +232,7 @@ impl<const N: usize> Stage<N> {
             modes.push(ModeStage {
                 oscillator: *mode,
                 x,
+                slow,
                 free,
                 forced_slope,
             });
@@ -235,12 +240,26 @@ impl<const N: usize> Stage<N> {
         let mass = scaled(Series::fixed(chain.inverse_mass));
         Self {
             modes,
+            inverse,
             kappa,
             excitation,
             quadrature,
             displacement,
             start: reversal + mass,
             break_away: reversal + mass.times(chain.stiction),
+        }
+    }
+
+    /// With less room over an interval, by what it is at a place in it.
+    pub fn refine(&mut self, at: &Self, away: Interval) {
+        for (over, at) in self.excitation.iter_mut().zip(&at.excitation) {
+            *over = over.refined(at, away);
+        }
+        self.quadrature = self.quadrature.refined(&at.quadrature, away);
+        self.break_away = self.break_away.refined(&at.break_away, away);
+        for (over, at) in self.modes.iter_mut().zip(&at.modes) {
+            over.free = over.free.refined(&at.free, away);
+            over.forced_slope = over.forced_slope.refined(&at.forced_slope, away);
         }
     }
 
@@ -262,11 +281,13 @@ impl<const N: usize> Stage<N> {
         let modes = self.modes.iter().map(|mode| ModeStage {
             oscillator: mode.oscillator,
             x: mode.x.truncated(),
+            slow: mode.slow.truncated(),
             free: mode.free.truncated(),
             forced_slope: mode.forced_slope.truncated(),
         });
         Stage {
             modes: modes.collect(),
+            inverse: self.inverse.truncated(),
             kappa: self.kappa.map(|kappa| kappa.truncated()),
             excitation: self.excitation.map(|part| part.truncated()),
             quadrature: self.quadrature.truncated(),
@@ -281,16 +302,14 @@ impl<const N: usize> Stage<N> {
 fn functions<const N: usize>(
     mode: &Oscillator,
     x: &Series<N>,
-    ratio: &Series<N>,
+    slow: &Series<N>,
     (half_sine, half_cosine): (&Series<N>, &Series<N>),
 ) -> (Series<N>, Series<N>) {
     let one = Series::fixed(Interval::ONE);
     let (two, four) = (Interval::point(2.0), Interval::point(4.0));
     let half = Interval::point(0.5);
-    // 1/x.
-    let slow = ratio.times(Interval::ONE / mode.sigma);
     match mode.kind {
-        Kind::Undamped => (one, *half_sine / *half_cosine * slow),
+        Kind::Undamped => (one, *half_sine / *half_cosine * *slow),
         Kind::Under => {
             let e = x.times(-(Interval::pi() * mode.zeta)).exp();
             let (s, c) = x.times(mode.q * half).sine_cosine();
@@ -299,7 +318,7 @@ fn functions<const N: usize>(
             let near = (one - e).squared() + (ec * c).times(four);
             let both = ec * s;
             let g = (one - e.squared() - both.times(four * mode.zeta_over_q)) / near;
-            let u = (both / near * slow).times(four / mode.q);
+            let u = (both / near * *slow).times(four / mode.q);
             (one + g, u)
         }
         Kind::Critical => {
@@ -316,7 +335,7 @@ fn functions<const N: usize>(
             let near = (one + e_slow) * (one + e_fast);
             let apart = e_slow - e_fast;
             let g = (one - e_slow * e_fast - apart.times(mode.zeta_over_q)) / near;
-            let u = (apart / near * slow).times(Interval::ONE / mode.q);
+            let u = (apart / near * *slow).times(Interval::ONE / mode.q);
             (one + g, u)
         }
     }

@@ -7,7 +7,8 @@ use super::certify::certified;
 use super::found::Budget;
 use super::stage::{Chain, ORDER, Stage, singular};
 use super::witness::{Seen, Witness};
-use crate::interval::Interval;
+use super::{early, force};
+use crate::interval::{Interval, Series};
 use crate::modal::Modal;
 use crate::scene::{
     Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
@@ -276,4 +277,44 @@ fn witnesses_that_are_none() {
         accepted * 10 > largest * 8 && largest > 200,
         "{accepted} of {largest}"
     );
+}
+
+/// The series beside the start of the half period against the sum itself, for modes of every kind, slopes in r included.
+#[test]
+fn early_as_anywhere() {
+    let mut state = 5;
+    let mut widest = 0.0_f64;
+    for zeta in [0.0, 0.02, -0.3, 1.0, 1.7] {
+        let modal = scene("Pair", 3, zeta, 1.0);
+        let chain = Chain::of(&modal);
+        for _ in 0..200 {
+            let r = 0.6 + 1.9 * random(&mut state);
+            let stage = Stage::<3>::over(&chain, Interval::point(r), &singular(&chain, r));
+            let fastest = chain.modes.iter().map(|mode| mode.sigma.high / r);
+            let fastest = fastest.fold(1.0, f64::max) * (1.0 + zeta.abs());
+            let t = (0.05 + 0.1 * random(&mut state)) / fastest;
+            let path = Series::<3>::fixed(Interval::point(t));
+            let tau = path.times(Interval::pi());
+            let rest = early::rest(&stage, t).map(Series::fixed);
+            let (value, slope) = early::over_tau(&stage, &tau);
+            let (value, slope) = (value + rest[0], slope + rest[1]);
+            let (sine, cosine) = path.sine_cosine();
+            let motions = force::motions(&stage, &path);
+            let own = force::value(&stage, &motions, &cosine) / tau;
+            let own_slope = (force::slope(&stage, &motions, &sine) - own) / tau;
+            for (a, b) in [(value, own), (slope, own_slope)] {
+                for (k, (a, b)) in a.terms.iter().zip(&b.terms).enumerate() {
+                    let apart = (a.low - b.high).max(b.low - a.high);
+                    // The rest is one of values; slopes in r are compared but for it.
+                    let slack = if k == 0 { 0.0 } else { 1e-7 * (1.0 + a.size()) };
+                    assert!(
+                        apart <= slack,
+                        "ζ = {zeta}, r = {r}, t = {t}: {k}, {a:?}, {b:?}"
+                    );
+                    widest = widest.max(a.high - a.low);
+                }
+            }
+        }
+    }
+    assert!(widest < 1e-3, "{widest:e}");
 }
