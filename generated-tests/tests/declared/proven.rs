@@ -84,7 +84,7 @@ fn of_all_chains() {
 }
 
 #[test]
-#[ignore = "half a minute: many points, to 1e-4"]
+#[ignore = "seconds, optimised: many points, to 1e-4"]
 fn of_all_chains_whole() {
     chains(1e-4, 20_000);
 }

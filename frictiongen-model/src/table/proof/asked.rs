@@ -14,7 +14,7 @@ use std::ops::Range;
 
 /// The work that the proof of a piece takes for each mode, about, where all are damped and where not: whether a whole one
 /// is worth beginning.
-const PIECE_WORK: usize = 1900;
+const PIECE_WORK: usize = 1800;
 const PIECE_WORK_UNDAMPED: usize = 2600;
 
 /// A piece may take so many times its share of the work.
