@@ -24,7 +24,8 @@ const SINE: f64 = 1e-15;
 /// 1 less and more a unit in the last place of numbers about 1.
 const BELOW: f64 = 1.0 - f64::EPSILON;
 const ABOVE: f64 = 1.0 + f64::EPSILON;
-/// More than the smallest numbers: processors take a hundred times as long for these, and products with it are to be none.
+/// Room for what underflows.  A subnormal number would do, but processors are much slower with these; products with this one are
+/// still normal numbers.
 const TINY: f64 = 1e-290;
 /// libm's exponential is within one unit in the last place; this is relative and more than two.
 const EXPONENTIAL: f64 = 5e-16;
@@ -100,11 +101,11 @@ impl Interval {
     /// π.
     #[must_use]
     pub fn pi() -> Self {
-        // The double next to it is below it.
+        // The nearest double is below π.
         Self::new(std::f64::consts::PI, std::f64::consts::PI * ABOVE)
     }
 
-    /// Twice all of it: a product with 2 rounds nothing off.
+    /// Twice all of it, without a rounding.
     #[inline(always)]
     #[must_use]
     pub fn doubled(self) -> Self {
@@ -114,7 +115,7 @@ impl Interval {
     /// Over a positive number.
     #[inline(always)]
     #[must_use]
-    pub fn over(self, divisor: f64) -> Self {
+    pub fn divided_by(self, divisor: f64) -> Self {
         Self::outward(self.low / divisor, self.high / divisor)
     }
 
@@ -123,7 +124,7 @@ impl Interval {
     /// By a product and a difference: macros run without optimisation, where each call of a function counts.
     #[inline(always)]
     fn outward(low: f64, high: f64) -> Self {
-        // One unit in the last place at least, and two at most, then more than what underflows.
+        // One unit in the last place at least, and two at most, then room for what underflows.
         let low = if low > 0.0 { low * BELOW } else { low * ABOVE } - TINY;
         let high = if high > 0.0 {
             high * ABOVE

@@ -118,8 +118,8 @@ impl<const N: usize> Series<N> {
 
     /// Σ a_j b_{k−j} over j ≤ k, from j = `first` on.
     ///
-    /// Ends are summed as they come, and given room once, for all roundings: of n terms whose sizes sum to s they are less than
-    /// (n + 1)εs.  By slices: iterators are calls where nothing is optimised.
+    /// The ends of the products are summed to nearest, and the sum is given room for all roundings at once: with n products whose
+    /// sizes sum to s these are less than (n + 1)εs.  By slices: iterators are calls where nothing is optimised.
     #[inline(always)]
     fn convolved(a: &[Interval], b: &[Interval], k: usize, first: usize) -> Interval {
         let from = if k < first + b.len() {
@@ -199,7 +199,7 @@ impl<const N: usize> Series<N> {
             // k·e_k = Σ j a_j e_{k−j}.
             let sum = Self::convolved(counted, &series.terms, k, 1);
             if let Some(term) = series.terms.get_mut(k) {
-                *term = sum.over(k as f64);
+                *term = sum.divided_by(k as f64);
             }
         }
         series
@@ -213,7 +213,7 @@ impl<const N: usize> Series<N> {
         let counted = self.counted();
         let counted = Self::trimmed(&counted.terms);
         for k in 1..N {
-            let rate = Interval::pi().over(k as f64);
+            let rate = Interval::pi().divided_by(k as f64);
             let of_sine = Self::convolved(counted, &cosine.terms, k, 1);
             let of_cosine = Self::convolved(counted, &sine.terms, k, 1);
             if let Some(term) = sine.terms.get_mut(k) {
@@ -230,7 +230,7 @@ impl<const N: usize> Series<N> {
     #[must_use]
     pub fn sqrt(&self) -> Self {
         let mut root = Self::fixed(self.value().sqrt());
-        let inverse = Interval::ONE / (root.value() + root.value());
+        let inverse = Interval::ONE / root.value().doubled();
         for k in 1..N {
             // a_k = 2 b_0 b_k + Σ_{0<j<k} b_j b_{k−j}; the convolution sees b_k as 0 still.
             let known = Self::convolved(&root.terms, &root.terms, k, 1);
@@ -293,8 +293,8 @@ impl<const N: usize> Series<N> {
         joined
     }
 
-    /// The same coefficients over an interval with less room: by Taylor's formula from those `at` a place in it, from where the
-    /// interval is `away`.
+    /// The coefficients over an interval, tightened by Taylor's formula from those `at` a place in it; `away` is the interval less
+    /// that place.
     #[must_use]
     pub fn refined(&self, at: &Self, away: Interval) -> Self {
         let mut refined = *self;

@@ -69,12 +69,14 @@ fn held(name: &str, text: &str, accuracy: f64, points: usize, random: &mut Rando
 const OPEN: f64 = 0.004;
 
 fn chains(accuracy: f64, points: usize) {
-    let mut random = Random(44);
+    let (mut random, mut seen) = (Random(44), 0);
     for (name, text) in scenes("f64") {
         let open = held(&name, &text, accuracy, points, &mut random).expect("a table");
         let most = if name.contains("none") { OPEN } else { 0.0 };
         assert!(open <= most, "{name}: {open:e} of the range is open");
+        seen += 1;
     }
+    assert_eq!(seen, 44);
 }
 
 /// Chains are proven: whole with damping, undamped but for zeros and what is beside one or two resonances.

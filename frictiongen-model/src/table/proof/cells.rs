@@ -42,8 +42,11 @@ pub(super) enum Flank {
 
 /// What is known of a part, with what the cells of its half period ask for.
 pub(super) struct Cells<'a> {
+    /// The chain at the centre of the part,
     pub thin: Stage<1>,
+    /// over the part with its slope in r,
     pub wide: Stage<2>,
+    /// and over the part alone.
     pub flat: Stage<1>,
     /// N.
     pub level_at: Series<1>,
@@ -92,7 +95,7 @@ impl<'a> Cells<'a> {
         (value, derivatives, (sine, cosine))
     }
 
-    /// F′, F″ and F‴ alone.
+    /// F′, F″ and F‴ over a box; sine and cosine of τ.
     pub fn derivatives(&self, t: Interval) -> ([Interval; 3], (Interval, Interval)) {
         let waves = t.sine_cosine();
         let motions = force::motions(&self.flat, &Series::fixed(t));

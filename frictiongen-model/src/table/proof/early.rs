@@ -44,8 +44,8 @@ pub(super) fn over_tau<const N: usize>(
     tau: &Series<N>,
 ) -> (Series<N>, Series<N>) {
     let zero = Series::fixed(Interval::ZERO);
-    // p⁽ⁿ⁾ = k_n xⁿ⁻¹ at τ = 0, with k_n + 2ζk_{n−1} + k_{n−2} = 0 and x = σ/r.  Modes differ by numbers alone: sums of
-    // κc(1 + g)·k_nσⁿ⁻¹ and κcu/x²·k_{n+1}σⁿ.
+    // At τ = 0 the nth derivative of p is k_n xⁿ⁻¹, with k_n + 2ζk_{n−1} + k_{n−2} = 0.  As x = σ/r, its power of r is the same in
+    // all modes: these are the sums of κc(1 + g)·k_nσⁿ⁻¹ and of κcu/x²·k_{n+1}σⁿ over them.
     let mut sums = [(zero, zero); TERMS + 1];
     for mode in &stage.modes {
         let own = mode.oscillator;
@@ -59,23 +59,18 @@ pub(super) fn over_tau<const N: usize>(
             (constant, next) = (next, -(two_zeta * next + constant));
         }
     }
-    let mut coefficients = [zero; TERMS + 1];
-    let mut power = Series::fixed(Interval::ONE);
-    let rows = coefficients.iter_mut().zip(&sums).enumerate().skip(1);
-    for (n, (coefficient, (free, forced))) in rows {
+    let (mut power, mut factorial) = (Series::fixed(Interval::ONE), 1.0);
+    let mut coefficients = Vec::with_capacity(TERMS);
+    for (n, (free, forced)) in sums.iter().enumerate().skip(1) {
         let cosine = OF_COSINE.get(n % 4).copied().unwrap_or(0.0);
-        *coefficient = (*free - *forced * stage.inverse) * power
+        let derivative = (*free - *forced * stage.inverse) * power
             + stage.quadrature.times(Interval::point(cosine));
+        factorial *= n as f64;
+        coefficients.push(derivative.times(Interval::ONE / Interval::point(factorial)));
         power = power * stage.inverse;
     }
-    let mut factorial = 1.0;
     let (mut value, mut slope) = (zero, zero);
-    let mut scaled = Vec::with_capacity(TERMS);
-    for (n, coefficient) in coefficients.iter().enumerate().skip(1) {
-        factorial *= n as f64;
-        scaled.push(coefficient.times(Interval::ONE / Interval::point(factorial)));
-    }
-    for (power, coefficient) in scaled.iter().enumerate().rev() {
+    for (power, coefficient) in coefficients.iter().enumerate().rev() {
         value = value * *tau + *coefficient;
         if power > 0 {
             slope = slope * *tau + coefficient.times(Interval::point(power as f64));

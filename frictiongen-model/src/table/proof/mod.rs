@@ -222,11 +222,12 @@ impl<'a, 'm> Prover<'a, 'm> {
         let centre = zero.map_or(middle, |zero| zero.at);
         let r = Interval::new(from.min(centre), to.max(centre));
         let away = Interval::point(from).hull(Interval::point(to)) - Interval::point(centre);
+        let all = r - Interval::point(centre);
         let singular = singular(self.chain, middle);
         self.budget.spend(OF_STAGE * self.chain.modes.len());
         let at = Stage::<ORDER>::over(self.chain, Interval::point(centre), &singular);
         let mut over = Stage::<ORDER>::over(self.chain, r, &singular);
-        over.refine(&at, r - Interval::point(centre));
+        over.refine(&at, all);
         let (at, over) = self.oriented(at, over, away, zero)?;
         let mut witnesses =
             candidates(self.exact, self.chain, (from, to), centre, &over, &singular);
@@ -235,7 +236,6 @@ impl<'a, 'm> Prover<'a, 'm> {
             witnesses.reverse();
         }
         for witness in witnesses {
-            let all = r - Interval::point(centre);
             let rest = if matches!(witness, Witness::Early(_)) {
                 early::rest(&over, witness.path::<1>(all).value().high)
             } else {
@@ -243,9 +243,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             };
             let seen_at = Seen::of(&witness, &at, Interval::ZERO, rest);
             let mut seen_over = Seen::of(&witness, &over, all, rest);
-            seen_over.constraint = seen_over.constraint.refined(&seen_at.constraint, all);
-            seen_over.size = seen_over.size.refined(&seen_at.size, all);
-            seen_over.rise = seen_over.rise.refined(&seen_at.rise, all);
+            seen_over.refine(&seen_at, all);
             self.budget.spend(OF_STAGE * self.chain.modes.len());
             // A constraint is no witness where it is negative; undamped its size is one.
             let is_one = self.chain.all_undamped || 0.0 <= seen_over.constraint.value().low;
@@ -281,7 +279,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             let asked = Asked {
                 chain: self.chain,
                 witness: &witness,
-                away: r - Interval::point(centre),
+                away: all,
                 at: &at,
                 over: &over,
                 seen_at: &seen_at,

@@ -92,4 +92,11 @@ impl<const N: usize> Seen<N> {
             rise,
         }
     }
+
+    /// With less room over an interval, by what it is at a place in it.
+    pub fn refine(&mut self, at: &Self, away: Interval) {
+        self.constraint = self.constraint.refined(&at.constraint, away);
+        self.size = self.size.refined(&at.size, away);
+        self.rise = self.rise.refined(&at.rise, away);
+    }
 }
