@@ -7,12 +7,15 @@ use core::fmt;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Regime {
-    /// It slides all the time: the closed form holds.
+    /// β < β_lim and β < β*_lim: the contact slides all the time, the closed form holds.
     Continuous,
-    /// Between the two limits.
+    /// β_lim ≤ β < β*_lim: the contact stops and slides in turn.
     StickSlip,
-    /// It never slides.
+    /// β ≥ β_lim and β ≥ β*_lim: a stuck state exists.  With μ = 1 motion from rest always ends in one; with μ > 1 it may
+    /// end in stick-slip instead.
     Stuck,
+    /// β*_lim ≤ β < β_lim, only with μ > 1: the closed form and a stuck state both exist.
+    Bistable,
 }
 
 /// An argument that is NaN or negative, or infinite where that has no meaning.
@@ -33,7 +36,7 @@ pub struct OutOfDomain {
 pub enum NotContinuous {
     /// β lies between the limits: the contact stops and slides in turn.
     StickSlip,
-    /// β is at or beyond the sliding limit: the contact never slides.
+    /// β is at or above both limits: no motion slides all the time, and a stuck state exists.
     Stuck,
     /// On an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,
@@ -126,8 +129,8 @@ impl fmt::Display for OutOfDomain {
 impl fmt::Display for NotContinuous {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::StickSlip => f.write_str("no continuous motion: the friction ratio lies between the limits, the contact sticks and slips"),
-            Self::Stuck => f.write_str("no continuous motion: the friction ratio is at or beyond the sliding limit, the contact is stuck"),
+            Self::StickSlip => f.write_str("no continuous motion: the friction ratio is between the continuous and the sliding limit, and the contact sticks and slips"),
+            Self::Stuck => f.write_str("no continuous motion: the friction ratio is at or above both limits, where the contact can stay stuck"),
             Self::Unbounded => f.write_str("no steady motion: on an undamped resonance this friction ratio does not bound the amplitude"),
             Self::OutOfDomain => OutOfDomain { argument: "beta" }.fmt(f),
         }

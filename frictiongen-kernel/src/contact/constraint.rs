@@ -172,7 +172,8 @@ impl<S: Float> Chain<S> {
 }
 
 impl<S: Float> Chain<S> {
-    /// β, if the motion at it is continuous and bounded; else which regime it is instead.
+    /// β, if a bounded motion exists at it that slides all the time, β < β_lim; else which regime it is instead.
+    /// β*_lim does not decide: with μ > 1 a stuck state may exist beside the motion.
     /// `unbounded` are the undamped resonances that the load drives, `at_infinity` is β_lim for r → ∞.
     ///
     /// # Errors
@@ -191,20 +192,24 @@ impl<S: Float> Chain<S> {
         waves: &mut [Wave<S, D>],
     ) -> Result<S, NotContinuous> {
         let beta = check_beta(beta)?;
-        if !(beta < sliding) {
-            return Err(NotContinuous::Stuck);
-        }
+        let refused = || {
+            if beta < sliding {
+                NotContinuous::StickSlip
+            } else {
+                NotContinuous::Stuck
+            }
+        };
         if !r.is_finite() {
             // The limit itself decides, not the sums at a large r, which round it otherwise.  On a moving
             // base it is infinite: no friction is felt there, and the formulas must not feel it either.
             if !(beta < at_infinity) {
-                return Err(NotContinuous::StickSlip);
+                return Err(refused());
             }
             let felt = at_infinity.is_finite();
             return Ok(if felt { beta } else { S::constant(0.0) });
         }
         if !(S::constant(0.0) < r && self.is_continuous(beta, contact, modes, at, waves)) {
-            return Err(NotContinuous::StickSlip);
+            return Err(refused());
         }
         if unbounded.contains(&r) {
             return Err(NotContinuous::Unbounded);

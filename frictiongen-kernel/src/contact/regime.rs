@@ -42,15 +42,20 @@ pub fn check_beta<S: Float>(beta: S) -> Result<S, OutOfDomain> {
     }
 }
 
-/// The regime of β between the two limits.
+/// The regime of β from which steady states exist: the closed form below β_lim, a stuck state from β*_lim on.
 #[inline]
 pub fn regime<S: Float>(beta: S, continuous: S, sliding: S) -> Regime {
-    if !(beta < sliding) {
-        Regime::Stuck
-    } else if beta < continuous {
-        Regime::Continuous
-    } else {
-        Regime::StickSlip
+    regime_of(beta < continuous, beta < sliding)
+}
+
+/// The regime of a β that is or is not below β_lim, and is or is not below β*_lim.
+#[inline]
+pub(crate) fn regime_of(slides_always: bool, slides: bool) -> Regime {
+    match (slides_always, slides) {
+        (true, true) => Regime::Continuous,
+        (false, true) => Regime::StickSlip,
+        (false, false) => Regime::Stuck,
+        (true, false) => Regime::Bistable,
     }
 }
 
@@ -58,9 +63,10 @@ pub fn regime<S: Float>(beta: S, continuous: S, sliding: S) -> Regime {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Limits<S> {
-    /// β_lim, exact: below it the contact slides all the time.
+    /// β_lim, exact: below it a motion exists in which the contact slides all the time.
     pub continuous: S,
-    /// β*_lim: from it on the contact never slides.
+    /// β*_lim: from it on a stuck state exists.  With μ = 1 the contact then ends stuck whatever the start; with μ > 1
+    /// sliding motions may exist as well.
     pub sliding: S,
 }
 
@@ -73,7 +79,7 @@ impl<S: Float> Limits<S> {
         Ok(regime(check_beta(beta)?, self.continuous, self.sliding))
     }
 
-    /// β/min(β_lim, β*_lim) − 1, without another search: negative in the continuous regime.
+    /// β/min(β_lim, β*_lim) − 1, without another search: negative where the motion is continuous whatever the start.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -117,7 +123,7 @@ pub(crate) fn check_rooms(
     Ok(())
 }
 
-/// β/min(β_lim, β*_lim) − 1: negative in the continuous regime; 0 where β and the limit both are.
+/// β/min(β_lim, β*_lim) − 1: negative where the motion is continuous whatever the start; 0 where β and the limit both are.
 #[inline]
 pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {
     let limit = continuous.min(sliding);

@@ -246,7 +246,8 @@ impl<T: Scene> At<T> {
         ))
     }
 
-    /// β*_lim = |V|/(μ|H|), from which on the contact never slides (6.11, 6.27, 6.33).
+    /// β*_lim = |V|/(μ|H|), from which on a stuck state exists (6.11, 6.27, 6.33).  With μ > 1 motion from rest may go on
+    /// sliding above it.
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {
@@ -281,7 +282,7 @@ impl<T: Scene> At<T> {
         Ok(regime::regime(beta, continuous, sliding))
     }
 
-    /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime.  It searches as [`regime`](Self::regime) does.
+    /// β/min(β_lim, β*_lim) − 1: negative where the motion is continuous whatever the start.  It searches as [`regime`](Self::regime) does.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.

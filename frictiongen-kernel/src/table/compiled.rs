@@ -117,7 +117,7 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// β*_lim = |V|/(μ|H|), from which on the contact never slides (6.11, 6.27, 6.33), to the declared accuracy.
+    /// β*_lim = |V|/(μ|H|), from which on a stuck state exists (6.11, 6.27, 6.33), to the declared accuracy.
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {
@@ -174,18 +174,21 @@ impl<T: Tabled> Compiled<T> {
         // Below β_lim β is finite; a bound that is not there costs nothing.
         let asked = beta >= T::Scalar::constant(0.0)
             && (domain.exact_beyond || (low <= beta && (!high.is_finite() || beta <= high)));
-        // A contact that grips no better than it rubs cannot stick while it can slide all the time: the difference of both
-        // motions would lose energy for ever.  β_lim is then the smaller one, and β*_lim need not be known.
-        let one = T::Scalar::constant(1.0);
-        let decides = self.scene.numbers().chain.stiction <= one;
-        let is_below = || beta < limit && (decides || self.slides(beta));
-        asked && (domain.always_continuous || is_below())
+        asked && (domain.always_continuous || beta < limit)
     }
 
-    /// Whether an admitted β is below β*_lim.
+    /// Whether a β that may be asked for is below β*_lim.
     #[inline]
     pub(super) fn slides(&self, beta: T::Scalar) -> bool {
         self.scene.domain().never_stuck || beta < self.sliding_limit()
+    }
+
+    /// Whether an admitted β is below β*_lim as well.  A contact that grips no better than it rubs cannot stick while it
+    /// can slide all the time: the difference of both motions would lose energy for ever.  β_lim is then the smaller limit.
+    #[inline]
+    fn slides_if_admitted(&self, beta: T::Scalar) -> bool {
+        let one = T::Scalar::constant(1.0);
+        self.scene.numbers().chain.stiction <= one || self.slides(beta)
     }
 
     /// The regime at β = F/P: right except within the declared accuracy of a limit.
@@ -197,19 +200,17 @@ impl<T: Tabled> Compiled<T> {
         if !self.within {
             return self.limits().regime(beta);
         }
-        if self.scene.domain().always_continuous {
-            return Ok(Regime::Continuous);
-        }
-        Ok(if self.is_admitted(beta, self.continuous_limit()) {
-            Regime::Continuous
-        } else if self.slides(beta) {
-            Regime::StickSlip
+        let always = self.scene.domain().always_continuous;
+        let admitted = always || self.is_admitted(beta, self.continuous_limit());
+        let slides = if admitted {
+            self.slides_if_admitted(beta)
         } else {
-            Regime::Stuck
-        })
+            self.slides(beta)
+        };
+        Ok(regime::regime_of(admitted, slides))
     }
 
-    /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime.
+    /// β/min(β_lim, β*_lim) − 1: negative where the motion is continuous whatever the start.
     ///
     /// # Errors
     /// As of [`regime`](Self::regime).

@@ -18,6 +18,7 @@ pub fn regime(regime: Regime) -> &'static str {
         Regime::Continuous => "continuous",
         Regime::StickSlip => "stick-slip",
         Regime::Stuck => "stuck",
+        Regime::Bistable => "bistable",
         _ => "",
     }
 }

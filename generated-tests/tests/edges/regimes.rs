@@ -72,18 +72,19 @@ where
                 continue;
             }
             all.asked += 1;
-            let regime = if !(beta < sliding) {
-                Regime::Stuck
-            } else if beta < continuous {
-                Regime::Continuous
-            } else {
-                Regime::StickSlip
+            let regime = match (beta < continuous, beta < sliding) {
+                (true, true) => Regime::Continuous,
+                (false, true) => Regime::StickSlip,
+                (false, false) => Regime::Stuck,
+                (true, false) => Regime::Bistable,
             };
             let told = at.regime(beta).expect("in the domain");
             let motion = at.motion(beta);
             let right = match (&motion, regime) {
-                (Ok(_), Regime::Continuous) => !unbounded.contains(&r),
-                (Err(NotContinuous::Unbounded), Regime::Continuous) => unbounded.contains(&r),
+                (Ok(_), Regime::Continuous | Regime::Bistable) => !unbounded.contains(&r),
+                (Err(NotContinuous::Unbounded), Regime::Continuous | Regime::Bistable) => {
+                    unbounded.contains(&r)
+                }
                 (Err(NotContinuous::StickSlip), Regime::StickSlip)
                 | (Err(NotContinuous::Stuck), Regime::Stuck) => true,
                 _ => false,

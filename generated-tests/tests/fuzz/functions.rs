@@ -183,7 +183,9 @@ where
             })?;
             let instead = at.motion(beta).err();
             let agree = match instead {
-                None | Some(NotContinuous::Unbounded) => regime == Regime::Continuous,
+                None | Some(NotContinuous::Unbounded) => {
+                    matches!(regime, Regime::Continuous | Regime::Bistable)
+                }
                 Some(NotContinuous::StickSlip) => regime == Regime::StickSlip,
                 Some(NotContinuous::Stuck) => regime == Regime::Stuck,
                 Some(_) => false,
