@@ -21,8 +21,7 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
     /// The steady state at r and β that is reached from a state at a maximum of the excitation, or
-    /// from rest where none is given.  From rest the sliding limit decides: from `sliding` = β*_lim
-    /// on the contact is stuck.
+    /// from rest where none is given.  `sliding` is β*_lim: from there on the motion may end with the contact stuck.
     ///
     /// `last` says what happens where the motion does not settle: with it the answer is the motion's last
     /// [`MAX_PERIOD`](super::MAX_PERIOD) cycles, and [`Self::is_settled`] is false; without it there is an error.
@@ -62,12 +61,15 @@ where
                 return Err(crate::errors::OutOfDomain { argument }.into());
             }
         }
-        let sticks = start.is_none() && !(beta < sliding);
+        // From β*_lim on a stuck state exists, and what happens decides whether it is reached.
+        let holding = (!(beta < sliding)).then_some(dynamics.chain.stiction * sliding);
+        let mut unbounded = None;
         for (index, mode) in dynamics.modes.iter().enumerate() {
             settles(&dynamics, mode, index)?;
-            if !sticks {
-                bounded(mode, r, beta)?;
-            }
+            unbounded = unbounded.or(bounded(mode, r, beta).err());
+        }
+        if let (Some(error), None) = (unbounded, holding) {
+            return Err(error);
         }
         let clean = parts.clone();
         let (modes, held) = setting.split(parts.as_mut());
@@ -98,19 +100,22 @@ where
             setting.load_state(displacements, velocities, cycle_map.modes);
             cycle_map.contact_state = setting.contact_state(cycle_map.modes, zero);
         }
-        let found = if sticks {
-            let found = stuck(&mut cycle_map, &mut workspace)?;
-            record.stuck(&cycle_map);
+        let settled = match (beta.is_zero(), holding) {
+            (true, None) => Settled::Found(linear(&mut cycle_map, &mut workspace)?),
+            // Nothing moves the contact, and nothing holds it.
+            (true, Some(_)) => Settled::Stuck(zero),
+            _ => settle(&mut cycle_map, &mut workspace, holding)?,
+        };
+        let found = if let Settled::Stuck(offset) = settled {
+            let found = stuck(&mut cycle_map, &mut workspace, offset)?;
+            record.stuck(&cycle_map, offset);
             found
         } else {
-            let found = if beta.is_zero() {
-                linear(&mut cycle_map, &mut workspace)?
-            } else {
-                match settle(&mut cycle_map, &mut workspace)? {
-                    Settled::Found(found) => found,
-                    Settled::Not(_) if last => Found::NONE,
-                    Settled::Not(error) => return Err(error),
-                }
+            let found = match (settled, unbounded) {
+                (Settled::Not(_), Some(error)) => return Err(error),
+                (Settled::Not(error), None) if !last => return Err(error),
+                (Settled::Found(found), _) => found,
+                _ => Found::NONE,
             };
             // However long the way, the period itself may take as much again.
             cycle_map.step_budget = MAX_STEPS;
@@ -174,11 +179,12 @@ fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
     Ok(())
 }
 
-/// The state while the contact never slides (6.11, 6.27, 6.33): every held mode in its steady motion
-/// about the contact's middle.
+/// The state while the contact never slides (6.11, 6.27, 6.33): every held mode in its steady motion, with z̄ held at
+/// `offset`.
 pub(super) fn stuck<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
+    offset: S,
 ) -> Result<Found, NoOrbit> {
     let zero = S::constant(0.0);
     let at = (zero, S::constant(1.0));
@@ -189,10 +195,14 @@ pub(super) fn stuck<S: Float>(
     let driven = cycle_map.setting.dynamics.in_contact();
     let states = cycle_map.modes.iter_mut().take(driven);
     let states = states.map(|part| (&mut part.y, &mut part.u));
-    let lifted = cycle_map.setting.lifted(zero, at);
+    let lifted = cycle_map.setting.lifted(offset, at);
     cycle_map.setting.release(cycle_map.held, lifted, states);
-    cycle_map.contact_state.contact = Contact::Stuck;
-    cycle_map.contact_state.departing = None;
+    cycle_map.contact_state = ContactState {
+        t: zero,
+        contact: Contact::Stuck,
+        departing: None,
+        wedged: false,
+    };
     // A deviation of the contact stays where it is, one of its velocity is gone at once, and the
     // held modes' decay by themselves.
     let one = S::constant(1.0);
@@ -212,7 +222,7 @@ pub(super) fn stuck<S: Float>(
     Ok(Found {
         settled: true,
         period: 1,
-        symmetric: true,
+        symmetric: offset.is_zero(),
         marginal: true,
     })
 }

@@ -156,8 +156,9 @@ where
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         let mut record = Record::new(&mut marks, states, 2 * modes);
         if plain.sticks() {
-            stuck(&mut cycle_map, &mut workspace)?;
-            record.stuck(&cycle_map);
+            let offset = plain.held_since_the_start()?;
+            stuck(&mut cycle_map, &mut workspace, offset)?;
+            record.stuck(&cycle_map, offset);
         } else {
             if plain.is_closed() {
                 closed::set(&mut cycle_map);
@@ -212,6 +213,17 @@ where
     fn sticks(&self) -> bool {
         let mut marks = self.marks().iter();
         self.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
+    }
+
+    /// z̄ of a contact that never slides, if it has not slid on the way either: at rest z̄ is 0, on a moving base −1.  Where
+    /// it has, the offset depends on every slip.
+    fn held_since_the_start<U: Float>(&self) -> Result<U, NoDerivative> {
+        let offset = self.offset();
+        if offset.is_zero() || offset == -self.setting.base {
+            Ok(U::constant(offset.to_f64()))
+        } else {
+            Err(NoDerivative::Marginal)
+        }
     }
 
     /// Whether it is the closed form's motion: sliding all the time, with one reversal in half a cycle.

@@ -4,7 +4,7 @@ use super::gauss::{PANEL, SIXTEEN};
 use super::segments::Segments;
 use super::{Orbit, SegmentStart, rates};
 use crate::number::complex::{self, Complex};
-use crate::number::phase::within_cycle;
+use crate::number::phase::{within_cycle, wrapped};
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Part, Sum, lift, rotated};
 
@@ -67,10 +67,16 @@ where
     }
 
     /// The lag of the motion's largest |x̄| behind the excitation's maximum, rad, in (−π, π]; by half
-    /// a turn more where x̄ is negative there.  Of equal ones the smallest |lag| counts, then the
-    /// positive one.
+    /// a turn more where x̄ is negative there.  Where the contact stops at its largest displacement, its lag is that of
+    /// the beginning of the stop.  Of equal maxima the smallest |lag| counts, then the positive one.
     pub fn phase(&self) -> S {
         self.best().lag.unwrap_or(S::constant(0.0))
+    }
+
+    /// The lag of the motion's fundamental component behind the excitation, −arg X₁, rad, in (−π, π].
+    pub fn fundamental_phase(&self) -> S {
+        let fundamental = self.harmonic(1);
+        wrapped(-fundamental.im.atan2(fundamental.re))
     }
 
     /// x̄ at τ, counted from where the relative motion in the contact leaves its maximum.
@@ -179,28 +185,45 @@ where
     }
 
     /// Whether the motion is the relative one in the contact, up to what the contact carries.
-    fn is_contact(&self) -> bool {
+    pub(super) fn is_contact(&self) -> bool {
         self.shape.is_none()
     }
 
-    /// The relative motion is largest where its velocity is zero: at events, and all along a stop.
+    /// The relative motion is largest where its velocity is zero: at events.  It comes to its largest displacement where a
+    /// stop begins, not where it ends.
     fn at_events(&self, best: &mut Best<S>) {
-        let zero = S::constant(0.0);
+        let (mut first, mut stuck) = (None, false);
         for mark in self.orbit.segments() {
-            best.note(mark.contact_state.t, mark.relative);
-            if mark.contact_state.contact == Contact::Stuck {
-                let turns = mark.length * S::inverse_pi();
-                best.note(mark.contact_state.t + turns, mark.relative);
-                // The excitation's maximum, or for a negative one its minimum, within the stop.
-                let (one, two) = (S::constant(1.0), S::constant(2.0));
-                let target = if mark.relative < zero { one } else { zero };
-                for target in [target, target + two] {
-                    if mark.contact_state.t <= target && target <= mark.contact_state.t + turns {
-                        best.note(target, mark.relative);
-                    }
-                }
+            if first.is_none() {
+                first = Some(mark);
+            } else if !stuck {
+                best.note(mark.contact_state.t, mark.relative);
             }
+            stuck = mark.contact_state.contact == Contact::Stuck;
         }
+        match first {
+            // What the first segment begins with is known once the last one is.
+            Some(first) if !stuck => best.note(first.contact_state.t, first.relative),
+            Some(first) if best.lag.is_none() => {
+                best.value = first.relative.abs();
+            }
+            _ => {}
+        }
+    }
+
+    /// The least and the largest relative displacement.
+    pub(super) fn extremes_at_events(&self) -> (S, S) {
+        let mut extremes: Option<(S, S)> = None;
+        for mark in self.orbit.segments() {
+            let (least, most) = extremes.unwrap_or((mark.relative, mark.relative));
+            extremes = Some((least.min(mark.relative), most.max(mark.relative)));
+        }
+        extremes.unwrap_or((S::constant(0.0), S::constant(0.0)))
+    }
+
+    /// Whether the motion repeats with the opposite sign after half a period.
+    pub(super) fn is_symmetric(&self) -> bool {
+        self.orbit.symmetric
     }
 
     fn asked(&self, tau: S, question: impl Fn(&Sum<'_, S>, S) -> S) -> S {
@@ -210,7 +233,7 @@ where
         question(&self.aimed(segments.parts(), &mark), since)
     }
 
-    fn each(&self, mut question: impl FnMut(&SegmentStart<S>, &Sum<'_, S>)) {
+    pub(super) fn each(&self, mut question: impl FnMut(&SegmentStart<S>, &Sum<'_, S>)) {
         let mut segments = self.orbit.segments();
         while let Some(mark) = segments.next() {
             let sum = self.aimed(segments.parts(), &mark);

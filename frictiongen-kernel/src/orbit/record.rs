@@ -58,10 +58,11 @@ impl<'s, S: Float> Record<'s, S> {
         }
     }
 
-    /// A contact that sticks for the whole cycle.
-    pub(super) fn stuck(&mut self, cycle_map: &CycleMap<'_, '_, S>) {
+    /// A contact that sticks for the whole cycle, with z̄ held at `offset`.
+    pub(super) fn stuck(&mut self, cycle_map: &CycleMap<'_, '_, S>, offset: S) {
         if let Some(first) = self.marks.first_mut() {
             first.length = S::pi() + S::pi();
+            first.relative = offset;
         }
         self.save(cycle_map, 0);
         self.count = 1;

@@ -3,6 +3,7 @@
 
 use super::candidate::{Candidate, Found, MAX_PERIOD, Verdict};
 use super::cycle_map::{CycleMap, Pattern};
+use super::hold::Hold;
 use super::newton::{Map, Workspace, same};
 use crate::errors::NoOrbit;
 use crate::number::scalar::Float;
@@ -23,18 +24,26 @@ const NEARLY_BACK: f64 = 1e-2;
 const NEARER: f64 = 0.1;
 
 /// Where a motion leads to.
-pub(super) enum Settled {
+pub(super) enum Settled<S> {
     Found(Found),
+    /// The contact sticks for ever, with z̄ held at this.
+    Stuck(S),
     /// It has gone through all its cycles, and why none of them repeats.
     Not(NoOrbit),
 }
 
 /// Follows the motion until a steady state is settled.  The cycle map then stands on it, or on the motion.
+/// `holding` is |V/H| where β is large enough for a stuck state.
 pub(super) fn settle<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
-) -> Result<Settled, NoOrbit> {
+    holding: Option<S>,
+) -> Result<Settled<S>, NoOrbit> {
     let monotone = cycle_map.setting.dynamics.chain.stiction <= S::constant(1.0);
+    let mut hold = holding.map(|steady| Hold::new(steady, monotone));
+    if let Some(offset) = hold.as_mut().and_then(|hold| hold.held(cycle_map)) {
+        return Ok(Settled::Stuck(offset));
+    }
     let mut failure = NoOrbit::Unsettled;
     let (mut cycles, mut wanted) = (0, 2);
     let mut halves = [Pattern::default(); 4];
@@ -48,8 +57,19 @@ pub(super) fn settle<S: Float>(
                 halves = [half, a, b, c];
                 settled[0] = if half == a { settled[0] + 1 } else { 0 };
                 settled[1] = if half == b { settled[1] + 1 } else { 0 };
+                if let Some(hold) = &mut hold {
+                    hold.note(half);
+                    if let Some(offset) = hold.held(cycle_map) {
+                        return Ok(Settled::Stuck(offset));
+                    }
+                }
             }
             cycles += 1;
+        }
+        if monotone && hold.is_some() {
+            // Two motions never part, and a stuck one exists: no other is steady.
+            wanted = cycles * 2;
+            continue;
         }
         // A section where no event is near.
         let middle = cycle_map.middle * S::pi();
@@ -89,8 +109,8 @@ pub(super) fn settle<S: Float>(
         // With μ = 1 two motions never part: what repeats after several cycles is one of a continuum.
         if FIRST_ASKED <= cycles && (!monotone || MAX_CYCLES <= cycles * 2) {
             match several(cycle_map, workspace, &mut cycles, failure)? {
-                Settled::Found(found) => return Ok(Settled::Found(found)),
                 Settled::Not(error) => failure = error,
+                found => return Ok(found),
             }
         }
         wanted = cycles * 2;
@@ -105,7 +125,7 @@ fn several<S: Float>(
     workspace: &mut Workspace<'_, S>,
     cycles: &mut u32,
     mut failure: NoOrbit,
-) -> Result<Settled, NoOrbit> {
+) -> Result<Settled<S>, NoOrbit> {
     let mut after = 1;
     for _ in 0..MOST_TRIED {
         let most = MAX_PERIOD.min(*cycles);

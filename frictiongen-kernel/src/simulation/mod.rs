@@ -38,7 +38,7 @@ pub(crate) use clock::Total;
 pub(crate) use local::ROUNDINGS as SUM_ROUNDINGS;
 pub(crate) use part::lift;
 pub(crate) use power::{Power, TERMS, WALK};
-pub(crate) use segment::{ContactState, End, leap, span};
+pub(crate) use segment::{ContactState, End, leap, phase, span};
 pub(crate) use sum::Sum;
 pub(crate) use walk::{Start, Walk, first_reach, first_zero};
 

@@ -236,11 +236,9 @@ impl<S: Float> Part<S> {
         self.steady.re.abs() + self.steady.im.abs()
     }
 
-    /// Sets it to its steady motion; none on an undamped resonance.
-    pub(crate) fn settle(&mut self, phase: (S, S)) -> Option<()> {
-        let zero = S::constant(0.0);
-        self.centre = zero;
-        let steady = if self.near {
+    /// The complex amplitude of its steady displacement; none on an undamped resonance.
+    fn steady(&self) -> Option<Complex<S>> {
+        Some(if self.near {
             let x = self.x;
             let one = S::constant(1.0);
             let loss = (self.zeta + self.zeta) * x;
@@ -251,12 +249,52 @@ impl<S: Float> Part<S> {
             complex::mul(self.steady, complex::reciprocal(d, true), true)
         } else {
             self.steady
-        };
-        let (sine, cosine) = phase;
-        self.y = rotated(steady, sine, cosine);
+        })
+    }
+
+    /// y and u of its steady motion about 0; none on an undamped resonance.
+    fn settled(&self, (sine, cosine): (S, S)) -> Option<[S; 2]> {
+        let steady = self.steady()?;
+        let y = rotated(steady, sine, cosine);
         let slope = -(steady.re * sine) - steady.im * cosine;
-        self.u = slope / self.x - rotated(self.direct, sine, cosine);
+        Some([y, slope / self.x - rotated(self.direct, sine, cosine)])
+    }
+
+    /// Sets it to its steady motion; none on an undamped resonance.
+    pub(crate) fn settle(&mut self, phase: (S, S)) -> Option<()> {
+        self.centre = S::constant(0.0);
+        [self.y, self.u] = self.settled(phase)?;
         Some(())
+    }
+
+    /// Bound on what its free vibration, its motion now less the steady one, adds to the function sought at any later
+    /// time.  The largest number of the scalar on an undamped resonance, where no motion is steady.
+    pub(crate) fn free_amplitude(&self, phase: (S, S)) -> S {
+        let Some([y, u]) = self.settled(phase) else {
+            return S::constant(f64::MAX);
+        };
+        let [a, b] = self.weighted([self.y - self.centre - y, self.u - u]);
+        if self.oscillates() {
+            (a * a + b * b / self.q2).sqrt()
+        } else {
+            // e^{−ζxτ}sin(qxτ)/q stays below 1 for ζ beyond 0.4.
+            a.abs() + b.abs()
+        }
+    }
+
+    /// Whether its free vibration never dies.
+    pub(crate) fn is_undamped(&self) -> bool {
+        self.kind == Kind::Undamped
+    }
+
+    /// The coefficients of c and s in weight·(y, u) of a free motion.
+    #[inline]
+    fn weighted(&self, [y, u]: [S; 2]) -> [S; 2] {
+        let ([of_y, of_u], zeta) = (self.weight, self.zeta);
+        [
+            of_y * y + of_u * u,
+            of_y * (zeta * y + u) - of_u * (zeta * u + y),
+        ]
     }
 
     /// By what its free motion is multiplied in τ: e^{x(−ζ ± iq)τ}.
@@ -282,12 +320,8 @@ impl<S: Float> Part<S> {
     /// The coefficients of c and s in weight·(y, u), of its derivative, and the bound on its third.
     #[inline]
     pub(crate) fn aim(&mut self) {
-        let ([of_y, of_u], [y, u]) = (self.weight, self.free);
         let zeta = self.zeta;
-        self.value = [
-            of_y * y + of_u * u,
-            of_y * (zeta * y + u) - of_u * (zeta * u + y),
-        ];
+        self.value = self.weighted(self.free);
         self.slope = self.derived(self.value);
         let cube = self.x * self.x * self.x;
         let [a, b] = self.value;

@@ -32,6 +32,14 @@ impl<S: Float> Sum<'_, S> {
                 level = note(end, value);
             }
         }
+        let start = self.local(zero);
+        if start.slope.abs() <= self.noise * self.rate && !(start.curve * start.value < zero) {
+            // It starts from the bottom of a valley, where no climb begins: from between its ends everything is in sight.
+            for share in [0.3, 0.5] {
+                let value = self.local(self.reach * S::constant(share)).value;
+                level = level.max(value.abs());
+            }
+        }
         for _ in 0..MAX_CLIMBS {
             let Walk::Zero(tau, _) = first_reach(self, level * near, from, Start::Anywhere, &mut 0)
             else {

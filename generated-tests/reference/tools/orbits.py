@@ -114,7 +114,7 @@ def harmonic(segments, rows, n, period):
 
 
 def extremes(segments, rows, held):
-    """Every local maximum of |x|, as value and place, and stops in which it is constant."""
+    """Every local maximum of |x|, as value and place; where it is constant in a stop, the beginning of that."""
     for before, segment, row in zip([None, *segments], segments, rows):
         rates, length = segment.motion.rates, segment.length
         value = lambda t: float((row @ np.exp(rates * t)).real)
@@ -122,7 +122,7 @@ def extremes(segments, rows, held):
         started = held and before is not None and before.contact == 0
         stopped = held and segment.event == "stop"
         if held and segment.contact == 0:
-            yield value(0), segment.start, length
+            yield value(0), segment.start
             continue
         slope = lambda t: float(((row * rates) @ np.exp(rates * t)).real)
         count = int(24 * length / TAU * max(1, np.abs(rates).max())) + 8
@@ -131,19 +131,16 @@ def extremes(segments, rows, held):
         # The ends of a segment belong to it: there the slope may vanish.
         for i, t in enumerate(grid):
             if (i == 0 and not started) or (i == count - 1 and not stopped):
-                yield value(t), segment.start + t, 0.0
+                yield value(t), segment.start + t
             if i and slopes[i - 1] * slopes[i] < 0:
                 t = brentq(slope, grid[i - 1], t, xtol=1e-15)
-                yield value(t), segment.start + t, 0.0
+                yield value(t), segment.start + t
 
 
-def lags(value, start, length):
-    """The smallest lag of an extreme, by half a turn more where it is negative."""
+def lag(value, start):
+    """The lag of an extreme, by half a turn more where it is negative; of a stop that of its beginning."""
     turned = start + (np.pi if value < 0 else 0)
-    wrap = lambda t: np.pi - (np.pi - t) % TAU
-    if length and (-turned) % TAU <= length:
-        return 0.0
-    return min((wrap(turned), wrap(turned + length)), key=abs)
+    return np.pi - (np.pi - turned) % TAU
 
 
 def motion(it, segments, which, period):
@@ -151,10 +148,10 @@ def motion(it, segments, which, period):
     scene = it.scene
     held = which is None or (scene.s == 0 and not isinstance(scene.contact[1], int) and which == scene.contact[0] - 1)
     found = list(extremes(segments, rows, held))
-    amplitude = max(abs(value) for value, _, _ in found)
-    near = [lags(*one) for one in found if abs(one[0]) > amplitude * (1 - TWINS)]
-    best = [lags(*one) for one in found if abs(one[0]) > amplitude * (1 - 1e-13)]
-    spread = max(abs((lag - near[0] + np.pi) % TAU - np.pi) for lag in near)
+    amplitude = max(abs(value) for value, _ in found)
+    near = [lag(*one) for one in found if abs(one[0]) > amplitude * (1 - TWINS)]
+    best = [lag(*one) for one in found if abs(one[0]) > amplitude * (1 - 1e-13)]
+    spread = max(abs((one - near[0] + np.pi) % TAU - np.pi) for one in near)
     first = harmonic(segments, rows, 1, period)
     third = harmonic(segments, rows, 3, period)
     return {

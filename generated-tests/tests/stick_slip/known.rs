@@ -142,8 +142,13 @@ fn the_closed_form_on_either_side() {
                 compared += 2 + 4 * 2 + 4;
             }
             let stuck = at.stuck().expect("a response");
+            // The stuck motion itself at a maximum of the excitation: Re(A e^{iτ}) and its rate.
+            let state = masses
+                .clone()
+                .map(|mass| stuck.mass_at(mass).expect("a mass"));
+            let (x, v): (Vec<f64>, Vec<f64>) = state.map(|a| (a.re, -a.im)).unzip();
             for beta in [at.sliding_limit(), at.sliding_limit() * 1.5] {
-                let orbit = orbit(system, r, beta);
+                let orbit = at.orbit_from(beta, (&x[..], &v[..])).expect("it sticks");
                 assert_eq!((orbit.stops(), orbit.reversals()), (0, 0), "{what}");
                 assert_eq!(orbit.stuck_fraction(), 1.0, "{what}");
                 compared += 3;
@@ -211,8 +216,8 @@ fn hardly_sliding() {
     assert_eq!(compared, 200 * 3);
 }
 
-/// Between β*_lim and β_n on the resonance: too little friction to bound a sliding motion, but from
-/// rest none begins.
+/// Between β*_lim and β_n on the resonance friction bounds no sliding motion, but a contact that is at rest on the base
+/// stays so.
 #[test]
 fn stuck_on_a_resonance() {
     let base = block("base", "stiction: 1.5");
@@ -220,10 +225,17 @@ fn stuck_on_a_resonance() {
     scene.contact.to = frictiongen::study::scene::Node::Base;
     let moving = System::<f64>::try_from(scene).expect("a scene");
     let at = moving.at(1.0).expect("in the domain");
-    let orbit = at.orbit(0.7).expect("it sticks");
-    assert_eq!(orbit.stuck_fraction(), 1.0);
+    let orbit = at.orbit_from(0.7, (&[1.0], &[0.0])).expect("it sticks");
+    assert_eq!((orbit.stuck_fraction(), orbit.offset()), (1.0, 0.0));
     assert!((amplitude(&orbit) - 1.0).abs() < 1e-15);
-    // Torn loose it slides, and grows.
+    // At absolute rest the base stands at Y: the spring tears the contact loose, and it slides and grows.
+    let rest = at.orbit(0.7);
+    assert_eq!(rest.map(|orbit| orbit.stops()), Err(NoOrbit::Unbounded));
+    // With enough friction it stays where it is, a whole Y off.
+    let orbit = at.orbit(1.4).expect("it sticks");
+    assert_eq!((orbit.stuck_fraction(), orbit.offset()), (1.0, -1.0));
+    assert!((amplitude(&orbit) - 2.0).abs() < 1e-15);
+    assert!((orbit.mass_at(0).expect("a mass").centred_amplitude() - 1.0).abs() < 1e-15);
     let torn = at.orbit_from(0.7, (&[5.0], &[5.0]));
     assert_eq!(torn.map(|orbit| orbit.stops()), Err(NoOrbit::Unbounded));
 }

@@ -1,14 +1,17 @@
 //! Stick-slip motion in time and its steady states.
 
+mod above;
 mod amplitudes;
 mod edges;
 mod emitted;
 mod energy;
 mod errors;
 mod events;
+mod from_rest;
 mod independent;
 mod known;
 mod multipliers;
+mod plain;
 mod reference;
 mod runs;
 mod several;

@@ -1,0 +1,64 @@
+//! Between which displacements a steady motion goes, where it is not centred.
+
+use super::{Orbit, OrbitMotion};
+use crate::number::complex::Complex;
+use crate::number::scalar::Float;
+use crate::simulation::Part;
+
+impl<S, P, V, C> Orbit<'_, S, P, V, C>
+where
+    S: Float,
+    P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
+    V: AsRef<[S]> + AsMut<[S]>,
+    C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+{
+    /// The middle of the contact's relative motion, (max z̄ + min z̄)/2 over P/k₁, for base motion over Y.  It is 0 for a
+    /// symmetric state, and z̄ itself for a contact that sticks off its centre.
+    pub fn offset(&self) -> S {
+        if self.symmetric {
+            return S::constant(0.0);
+        }
+        let (least, most) = self.contact().extremes();
+        (least + most) * S::constant(0.5)
+    }
+}
+
+impl<S, P, V, C> OrbitMotion<'_, '_, S, P, V, C>
+where
+    S: Float,
+    P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
+    V: AsRef<[S]> + AsMut<[S]>,
+    C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+{
+    /// The least and the largest x̄ of the period (P/k₁; for base motion Y).
+    pub fn extremes(&self) -> (S, S) {
+        let largest = self.amplitude();
+        if self.is_symmetric() {
+            return (-largest, largest);
+        }
+        if self.is_contact() {
+            return self.extremes_at_events();
+        }
+        // Moved by its largest size the motion has one sign, and what is largest is an extreme.
+        let shifted = |shift: S| {
+            let mut most = S::constant(0.0);
+            self.each(|_, sum| {
+                let mut sum = *sum;
+                sum.constant = sum.constant + shift;
+                sum.peaks(most, |_, value| {
+                    most = most.max(value.abs());
+                    most
+                });
+            });
+            most - largest
+        };
+        (-shifted(-largest), shifted(largest))
+    }
+
+    /// Half the distance between the least and the largest x̄ of the period (P/k₁; for base motion Y): the amplitude about
+    /// the motion's own middle.
+    pub fn centred_amplitude(&self) -> S {
+        let (least, most) = self.extremes();
+        (most - least) * S::constant(0.5)
+    }
+}
