@@ -58,7 +58,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             fn settled(
                 at: &At<Self>,
                 beta: #scalar,
-                start: Option<Start<'_, #scalar>>,
+                start: Start<'_, #scalar>,
                 last: bool,
             ) -> Result<#orbit, NoOrbit> {
                 Orbit::new(

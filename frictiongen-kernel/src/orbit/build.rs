@@ -5,7 +5,7 @@ use super::cycle_map::CycleMap;
 use super::newton::{Map, Workspace, multipliers, same};
 use super::record::{Record, Recorded};
 use super::shooting::{MAX_STEPS, Settled, settle};
-use super::{MAX_SEGMENTS, Orbit, SegmentStart};
+use super::{MAX_SEGMENTS, Orbit, SegmentStart, Start};
 use crate::errors::NoOrbit;
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Plain};
@@ -20,8 +20,7 @@ where
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
-    /// The steady state at r and β that is reached from a state at a maximum of the excitation, or
-    /// from rest where none is given.  `sliding` is β*_lim: from there on the motion may end with the contact stuck.
+    /// The steady state at r and β that is reached from a start at a maximum of the excitation.  `sliding` is β*_lim: from there on the motion may end with the contact stuck.
     ///
     /// `last` says what happens where the motion does not settle: with it the answer is the motion's last
     /// [`MAX_PERIOD`](super::MAX_PERIOD) cycles, and [`Self::is_settled`] is false; without it there is an error.
@@ -37,7 +36,7 @@ where
         r: S,
         beta: S,
         sliding: S,
-        start: Option<(&[S], &[S])>,
+        start: Start<'_, S>,
         last: bool,
         mut parts: P,
         mut numbers: V,
@@ -95,14 +94,12 @@ where
         };
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         let mut record = Record::new(&mut marks, states, 2 * dynamics.modes.len());
-        if let Some((displacements, velocities)) = start {
-            setting.check_state((displacements, velocities))?;
-            setting.load_state(displacements, velocities, cycle_map.modes);
-            cycle_map.contact_state = setting.contact_state(cycle_map.modes, zero);
-        }
-        let settled = match (beta.is_zero(), holding) {
+        start
+            .checked(holding.is_some())?
+            .place(&mut cycle_map, &mut workspace)?;
+        let settled = match (beta.is_zero() || start == Start::Stuck, holding) {
             (true, None) => Settled::Found(linear(&mut cycle_map, &mut workspace)?),
-            // Nothing moves the contact, and nothing holds it.
+            // At β = 0 nothing moves the contact, and nothing holds it.
             (true, Some(_)) => Settled::Stuck(zero),
             _ => settle(&mut cycle_map, &mut workspace, holding)?,
         };
@@ -133,7 +130,7 @@ where
             reversals,
             origin,
         } = record.done();
-        Ok(Self {
+        let mut orbit = Self {
             setting,
             parts: clean,
             numbers,
@@ -146,9 +143,15 @@ where
             symmetric: found.symmetric,
             marginal: found.marginal,
             settled: found.settled,
+            offset_range: None,
             origin: origin.0,
             origin_cycle: origin.1,
-        })
+        };
+        let held = holding.filter(|_| orbit.never_slides());
+        // What is left of the grip carries a constant force.
+        let held = held.map(|steady| (setting.grip() - steady).max(zero) * setting.receptance);
+        orbit.offset_range = held.or(found.reach.map(|reach| orbit.offset().abs() * reach));
+        Ok(orbit)
     }
 }
 
@@ -185,7 +188,7 @@ pub(super) fn stuck<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
     offset: S,
-) -> Result<Found, NoOrbit> {
+) -> Result<Found<S>, NoOrbit> {
     let zero = S::constant(0.0);
     let at = (zero, S::constant(1.0));
     for part in cycle_map.held.iter_mut() {
@@ -224,6 +227,7 @@ pub(super) fn stuck<S: Float>(
         period: 1,
         symmetric: offset.is_zero(),
         marginal: true,
+        reach: None,
     })
 }
 
@@ -231,7 +235,7 @@ pub(super) fn stuck<S: Float>(
 fn linear<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
-) -> Result<Found, NoOrbit> {
+) -> Result<Found<S>, NoOrbit> {
     let at = (S::constant(0.0), S::constant(1.0));
     let driven = cycle_map.setting.dynamics.in_contact();
     for part in cycle_map.modes.iter_mut().take(driven) {
@@ -247,6 +251,7 @@ fn linear<S: Float>(
         period: 1,
         symmetric: true,
         marginal: S::constant(1.0 - ON_CIRCLE * S::EPSILON) < largest,
+        reach: None,
     })
 }
 
@@ -260,6 +265,17 @@ pub(super) fn settle_free<S: Float>(
         part.settle(at).ok_or(NoOrbit::Unbounded)?;
     }
     Ok(())
+}
+
+/// Fails if the state is not finite.
+pub(super) fn bounded_state<S: Float>(cycle_map: &CycleMap<'_, '_, S>) -> Result<(), NoOrbit> {
+    let driven = cycle_map.setting.dynamics.in_contact();
+    let mut parts = cycle_map.modes.iter().take(driven);
+    if parts.all(|part| part.y.is_finite() && part.u.is_finite()) {
+        Ok(())
+    } else {
+        Err(crate::errors::OutOfDomain { argument: "start" }.into())
+    }
 }
 
 /// To the first event of a period; nowhere where there is none.

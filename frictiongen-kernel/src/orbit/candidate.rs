@@ -46,7 +46,7 @@ const ONE_REVERSAL: Pattern = Pattern {
 
 /// What is found.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Found {
+pub(super) struct Found<S> {
     /// Whether the motion repeats at all.
     pub settled: bool,
     /// In cycles of the excitation.
@@ -55,21 +55,24 @@ pub(super) struct Found {
     pub symmetric: bool,
     /// A member of a continuum, or at its end.
     pub marginal: bool,
+    /// Of a continuum: by how much more than this member the last one is off its centre.
+    pub reach: Option<S>,
 }
 
-impl Found {
+impl<S> Found<S> {
     /// The last cycles of a motion that does not repeat.
     pub(super) const NONE: Self = Self {
         settled: false,
         period: MAX_PERIOD,
         symmetric: false,
         marginal: false,
+        reach: None,
     };
 }
 
 /// What a fixed point is good for.
-pub(super) enum Verdict {
-    Found(Found),
+pub(super) enum Verdict<S> {
+    Found(Found<S>),
     /// One of a continuum: the motion must go on before it can be said which.
     Wait,
     No,
@@ -96,7 +99,7 @@ impl<S: Float> Candidate<S> {
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S>,
         workspace: &mut Workspace<'_, S>,
-    ) -> Result<Verdict, NoOrbit> {
+    ) -> Result<Verdict<S>, NoOrbit> {
         let Some(pattern) = newton(cycle_map, workspace, self.map)? else {
             return Ok(Verdict::No);
         };
@@ -117,13 +120,14 @@ impl<S: Float> Candidate<S> {
         let same = pattern == self.wanted;
         if self.monotone || (same && (near || self.attracts(cycle_map, workspace, largest)?)) {
             if self.map.symmetric && self.map.period == 1 && pattern == ONE_REVERSAL {
-                closed::set(cycle_map);
+                closed::set(cycle_map, cycle_map.setting.beta);
             }
             return Ok(Verdict::Found(Found {
                 settled: true,
                 period: self.map.period,
                 symmetric: self.map.symmetric,
                 marginal: false,
+                reach: None,
             }));
         }
         Ok(Verdict::No)
@@ -185,17 +189,18 @@ impl<S: Float> Candidate<S> {
         far: S,
         scale: S,
         cycles: u32,
-    ) -> Result<Verdict, NoOrbit> {
-        let found = |symmetric| {
+    ) -> Result<Verdict<S>, NoOrbit> {
+        let found = |symmetric, reach| {
             Ok(Verdict::Found(Found {
                 settled: true,
                 period: self.map.period,
                 symmetric,
                 marginal: true,
+                reach,
             }))
         };
         if far <= scale * S::constant(REACHED) {
-            return found(self.map.symmetric);
+            return found(self.map.symmetric, None);
         }
         if self.map.period != 1 {
             return Ok(Verdict::No);
@@ -216,7 +221,7 @@ impl<S: Float> Candidate<S> {
         if !self.map.symmetric || cycles < LEAST_FOLLOWED || !calm {
             return Ok(Verdict::Wait);
         }
-        continuum::member(cycle_map, workspace, self.monotone)?;
-        found(false)
+        let reach = continuum::member(cycle_map, workspace, self.monotone)?;
+        found(false, Some(reach))
     }
 }

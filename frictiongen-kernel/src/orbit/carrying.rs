@@ -155,13 +155,13 @@ where
         };
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         let mut record = Record::new(&mut marks, states, 2 * modes);
-        if plain.sticks() {
+        if plain.never_slides() {
             let offset = plain.held_since_the_start()?;
             stuck(&mut cycle_map, &mut workspace, offset)?;
             record.stuck(&cycle_map, offset);
         } else {
             if plain.is_closed() {
-                closed::set(&mut cycle_map);
+                closed::set(&mut cycle_map, beta);
             } else if plain.marginal {
                 return Err(NoDerivative::Marginal);
             } else {
@@ -200,6 +200,7 @@ where
             symmetric: plain.symmetric,
             marginal: plain.marginal,
             settled: true,
+            offset_range: None,
             origin: origin.0,
             origin_cycle: origin.1,
         };
@@ -210,7 +211,7 @@ where
     }
 
     /// Whether the contact never slides.
-    fn sticks(&self) -> bool {
+    pub fn never_slides(&self) -> bool {
         let mut marks = self.marks().iter();
         self.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
     }
@@ -288,7 +289,7 @@ where
                 }
             }
             (first, before) = (false, mark.contact_state.contact);
-            if self.sticks() {
+            if self.never_slides() {
                 return false;
             }
             // How steeply the function meets zero whose zero ends the segment.

@@ -44,15 +44,13 @@ impl<'a, S: Float> Driven<'a, S> {
     }
 }
 
-/// Sets the cycle map to the closed form's state at a maximum of the relative motion.
-pub(super) fn set<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>) {
+/// Sets the cycle map to the closed form's state for a friction ratio, at a maximum of the relative motion.
+pub(super) fn set<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>, beta: S) {
     let one = S::constant(1.0);
     let dynamics = &cycle_map.setting.dynamics;
     let driven = Driven::new(dynamics, one / cycle_map.setting.r);
     let contact = driven.contact();
-    let friction = dynamics
-        .chain
-        .friction(&contact, driven.inverse_r, cycle_map.setting.beta);
+    let friction = dynamics.chain.friction(&contact, driven.inverse_r, beta);
     let known = driven.modes.iter().map(|mode| (mode, driven.at(mode)));
     let dominant =
         dynamics

@@ -14,18 +14,23 @@ use crate::number::scalar::Float;
 
 /// So many roundings a half cycle leaves between a member of a continuum and itself.
 const ROUNDINGS: f64 = 256.0;
+/// The end of a continuum is bisected so often,
+const BISECTIONS: u32 = 60;
+/// and looked for up to so many doublings of the motion's own share.
+const DOUBLINGS: u32 = 20;
 /// The half-period map is inverted so far beside its multiplier 1.
 const SHIFT: f64 = 1e-8;
 
 /// The cycle map stands on the symmetric member, and `workspace.state` is the motion in the same section; sets
-/// the cycle map to the member that the motion tends to.  `monotone` says that μ = 1: with more, a stop does not
+/// the cycle map to the member that the motion tends to, and returns by how much more than that member's share the last one
+/// has.  `monotone` says that μ = 1: with more, a stop does not
 /// shrink, because the contact holds until the force has grown, and only a motion that never stops stays.
 pub(super) fn member<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
     monotone: bool,
-) -> Result<(), NoOrbit> {
-    let (zero, one, half) = (S::constant(0.0), S::constant(1.0), S::constant(0.5));
+) -> Result<S, NoOrbit> {
+    let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let size = cycle_map.size();
     let contact_state = cycle_map.contact_state;
     let scale = cycle_map.scale();
@@ -90,24 +95,42 @@ pub(super) fn member<S: Float>(
         Ok(pattern.stops == 0 && distance <= scale * tolerance)
     };
     if shifted(cycle_map, one)? {
-        return Ok(());
+        let (mut inside, mut outside) = (one, one + one);
+        for _ in 0..DOUBLINGS {
+            if !shifted(cycle_map, outside)? {
+                break;
+            }
+            (inside, outside) = (outside, outside + outside);
+        }
+        let last = last_inside(inside, outside, |share| shifted(cycle_map, share))?;
+        shifted(cycle_map, one)?;
+        return Ok(last);
     }
     if !monotone {
         return Err(NoOrbit::Unsettled);
     }
-    let (mut inside, mut outside) = (zero, one);
-    for _ in 0..60 {
-        let middle = (inside + outside) * half;
-        if shifted(cycle_map, middle)? {
-            inside = middle;
-        } else {
-            outside = middle;
-        }
-    }
+    let inside = last_inside(zero, one, |share| shifted(cycle_map, share))?;
     // A little less: at the very end rounding decides whether it stops.
     let inside = inside * (one - S::constant(ROUNDINGS * S::EPSILON));
     if inside.is_zero() || !shifted(cycle_map, inside)? {
         return Err(NoOrbit::Unsettled);
     }
-    Ok(())
+    Ok(one)
+}
+
+/// The last share of an interval for which the motion is steady: it is at the one end, and not at the other.
+fn last_inside<S: Float>(
+    mut inside: S,
+    mut outside: S,
+    mut is_steady: impl FnMut(S) -> Result<bool, NoOrbit>,
+) -> Result<S, NoOrbit> {
+    for _ in 0..BISECTIONS {
+        let middle = (inside + outside) * S::constant(0.5);
+        if is_steady(middle)? {
+            inside = middle;
+        } else {
+            outside = middle;
+        }
+    }
+    Ok(inside)
 }

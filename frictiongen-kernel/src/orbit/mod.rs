@@ -22,13 +22,17 @@ mod rates;
 mod record;
 mod segments;
 mod shooting;
+mod start;
+mod states;
 mod variational;
 
 pub use candidate::MAX_PERIOD;
 pub use carrying::NoDerivative;
 pub use motion::OrbitMotion;
-pub use provides::{ProvidesOrbit, Start};
+pub use provides::ProvidesOrbit;
 pub use shooting::{MAX_CYCLES, MAX_STEPS};
+pub use start::Start;
+pub use states::{Known, States};
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
@@ -107,6 +111,8 @@ pub struct Orbit<'a, S, P, V, C> {
     symmetric: bool,
     marginal: bool,
     settled: bool,
+    /// Of a continuum: how far off its centre the contact's motion may be.
+    offset_range: Option<S>,
     /// The excitation's phase in half-turns where τ = 0: a maximum of z̄, at its end; and its cycle, as in [`SegmentStart`].
     origin: S,
     origin_cycle: S,
@@ -295,6 +301,14 @@ where
     #[must_use]
     pub fn is_marginal(&self) -> bool {
         self.marginal
+    }
+
+    /// How far off its centre the contact may come to rest or slide, |offset| over P/k₁, for base motion over Y: every state
+    /// of a continuum is between −this and this.  A stuck contact has one, and a chain without damping at r = 1/2n; none
+    /// elsewhere, and where it is not known.
+    #[must_use]
+    pub fn offset_range(&self) -> Option<S> {
+        self.offset_range
     }
 
     /// The excitation's angle at τ = 0, where the relative motion in the contact leaves its maximum:

@@ -1,39 +1,40 @@
 //! A scene that provides steady states.
 
-use crate::errors::NoOrbit;
+use super::{Known, Start, States};
+use crate::contact::regime::check_beta;
+use crate::errors::{NoOrbit, OutOfDomain};
 use crate::response::{At, Scene};
 use crate::table::{Compiled, Tabled};
-
-/// Displacements, then velocities, of every mass.
-pub type Start<'s, S> = (&'s [S], &'s [S]);
+use core::ops::Deref;
 
 /// A scene that provides `orbit`.
 pub trait ProvidesOrbit: Scene {
     /// The steady state, with a method for each mass.
-    type Orbit;
+    type Orbit: Deref<Target: Known>;
     /// A number for each mass.
     type State: AsRef<[Self::Scalar]> + ?Sized;
 
-    /// The steady state from `start` or from rest; with `last` the last 64 cycles where it does not settle.
+    /// The steady state from `start`; with `last` the last 64 cycles where it does not settle.
     ///
     /// # Errors
     /// [`NoOrbit`] says why there is none.
     fn settled(
         at: &At<Self>,
         beta: Self::Scalar,
-        start: Option<Start<'_, Self::Scalar>>,
+        start: Start<'_, Self::Scalar>,
         last: bool,
     ) -> Result<Self::Orbit, NoOrbit>;
 }
 
 impl<T: ProvidesOrbit> At<T> {
-    /// The steady state at β = F/P that is reached from rest, in any regime.
+    /// The steady state at β = F/P that motion from rest ends in, in any regime: every mass at x̄ = 0 without velocity where
+    /// the excitation is at its maximum.
     ///
     /// # Errors
     /// [`NoOrbit`] says why there is none.
     #[inline]
     pub fn orbit(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
-        T::settled(self, beta, None, false)
+        T::settled(self, beta, Start::Rest, false)
     }
 
     /// The steady state as [`orbit`](Self::orbit) gives it.  Where the motion from rest does not settle, its last 64
@@ -44,7 +45,7 @@ impl<T: ProvidesOrbit> At<T> {
     /// finite.
     #[inline]
     pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
-        T::settled(self, beta, None, true)
+        T::settled(self, beta, Start::Rest, true)
     }
 
     /// The steady state that is reached from another state at a maximum of the excitation: x̄ and dx̄/dτ of every
@@ -58,12 +59,18 @@ impl<T: ProvidesOrbit> At<T> {
         beta: T::Scalar,
         state: (&T::State, &T::State),
     ) -> Result<T::Orbit, NoOrbit> {
-        T::settled(
-            self,
-            beta,
-            Some((state.0.as_ref(), state.1.as_ref())),
-            false,
-        )
+        let start = Start::State(state.0.as_ref(), state.1.as_ref());
+        T::settled(self, beta, start, false)
+    }
+
+    /// Every steady state at β that is found from a fixed list of starts, one at a time: rest, the stuck state, the closed
+    /// form, and motions at neighbouring friction ratios.  The first is that of [`orbit`](Self::orbit), unless motion from
+    /// rest does not settle.  With μ = 1 there is one state, or one continuum.  Unstable states are left out.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β.
+    pub fn states(&self, beta: T::Scalar) -> Result<States<T>, OutOfDomain> {
+        States::new(self.clone(), check_beta(beta)?)
     }
 }
 
@@ -95,5 +102,13 @@ impl<T: Tabled + ProvidesOrbit> Compiled<T> {
         state: (&T::State, &T::State),
     ) -> Result<T::Orbit, NoOrbit> {
         self.exact().orbit_from(beta, state)
+    }
+
+    /// Every steady state that is found from a fixed list of starts, as [`At::states`] gives them.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`], as there.
+    pub fn states(&self, beta: T::Scalar) -> Result<States<T>, OutOfDomain> {
+        self.exact().states(beta)
     }
 }

@@ -25,7 +25,7 @@ const NEARER: f64 = 0.1;
 
 /// Where a motion leads to.
 pub(super) enum Settled<S> {
-    Found(Found),
+    Found(Found<S>),
     /// The contact sticks for ever, with z̄ held at this.
     Stuck(S),
     /// It has gone through all its cycles, and why none of them repeats.

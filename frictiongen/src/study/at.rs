@@ -136,12 +136,12 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
     fn settled(
         at: &At<Self>,
         beta: S,
-        start: Option<Start<'_, S>>,
+        start: Start<'_, S>,
         last: bool,
     ) -> Result<SystemOrbit<'a, S>, NoOrbit> {
         let system = *at.scene();
-        if let Some(start) = start {
-            system.check_state(start)?;
+        if let Start::State(displacements, velocities) = start {
+            system.check_state((displacements, velocities))?;
         }
         let dynamics = system.dynamics_in_time()?;
         let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
@@ -157,7 +157,11 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
             vec![zero; orbit::numbers(modes, driven)],
             vec![Complex::new(zero, zero); 2 * driven],
         )?;
-        Ok(SystemOrbit { system, orbit })
+        Ok(SystemOrbit {
+            system,
+            orbit,
+            from_rest: true,
+        })
     }
 }
 

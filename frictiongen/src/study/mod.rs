@@ -56,7 +56,7 @@ pub use optimum::{
 pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
 pub use parameter::{OperatingPoint, Parameter, Slope};
 pub use physical::{ParameterSensitivity, ResponseSensitivities};
-pub use response::{Size, Swing, SystemResponse};
+pub use response::{Size, Swing, SystemHeld, SystemResponse};
 pub use sensitivity::{Sensitive, Varied};
 pub use simulation::SystemSimulation;
 pub use stepper::{SystemInput, SystemStepSaved, SystemStepStore, SystemStepTables, SystemStepper};

@@ -9,11 +9,6 @@ use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 use frictiongen_kernel::simulation::Part;
 use std::ops::Deref;
 
-/// Lags that differ by so much are equal,
-const SAME_LAG: f64 = 1e-9;
-/// and in `f32` by so many roundings.
-const ROUNDINGS: f64 = 64.0;
-
 /// A steady state of a system, as the kernel holds it.
 pub type SystemOrbitState<'a, S = f64> = Orbit<'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>>;
 
@@ -64,6 +59,7 @@ pub type SystemOrbitMotion<'o, 'a, S = f64> =
 pub struct SystemOrbit<'a, S = f64> {
     pub(super) system: &'a System<S>,
     pub(super) orbit: SystemOrbitState<'a, S>,
+    pub(super) from_rest: bool,
 }
 
 impl<'a, S: Float> SystemOrbit<'a, S> {
@@ -76,45 +72,30 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
     }
 
     /// The phase of the contact's motion with the opposite sign, in (−π, π]: what
-    /// [`contact_is_reversed`](System::contact_is_reversed) asks for. As for `phase`, of several lags at which that
-    /// motion is farthest the smallest counts, and then the positive one.
+    /// [`contact_is_reversed`](System::contact_is_reversed) asks for.
     #[must_use]
     pub fn reversed_contact_phase(&self) -> S {
-        let contact = self.orbit.contact();
-        let (amplitude, phase) = contact.largest();
-        let (zero, turn) = (S::constant(0.0), S::constant(2.0) * S::pi());
-        // Within rounding of the farthest, and of equal lags.
-        let same = S::constant(SAME_LAG.max(ROUNDINGS * S::EPSILON));
-        let mut best = reversed_phase(phase);
-        let mut note = |lag: S| {
-            let lag = if S::pi() < lag { lag - turn } else { lag };
-            let shorter = best.abs() - lag.abs();
-            if same < shorter || (shorter.abs() <= same && best < lag) {
-                best = lag;
-            }
-        };
-        for (start, length) in self.orbit.sticking_intervals() {
-            let middle = start + length * S::constant(0.5) - self.orbit.origin();
-            let relative = contact.displacement(middle);
-            if relative.abs() < amplitude - amplitude * same {
-                continue;
-            }
-            // Where the motion is negative the opposite one has its maximum; else half a turn away.
-            let from = if zero < relative {
-                start + S::pi()
-            } else {
-                start
-            };
-            let from = from - (from / turn).floor() * turn;
-            let to = from + length;
-            if turn <= to {
-                note(zero);
-            } else {
-                note(from);
-                note(to);
-            }
+        let phase = self.orbit.contact().phase();
+        // A contact that stays where it is has none.
+        if self.orbit.never_slides() {
+            phase
+        } else {
+            reversed_phase(phase)
         }
-        best
+    }
+}
+
+impl<S> SystemOrbit<'_, S> {
+    /// Whether it is what motion from the start that was asked for ends in; false for another steady state, where a motion
+    /// did not settle.
+    #[must_use]
+    pub fn is_from_rest(&self) -> bool {
+        self.from_rest
+    }
+
+    pub(super) fn not_from_rest(mut self) -> Self {
+        self.from_rest = false;
+        self
     }
 }
 

@@ -5,11 +5,12 @@
 
 use super::error::{StudyError, UnknownMass};
 use super::parameter::{OperatingPoint, Parameter, Slope, parameters_of};
+use super::response::{share_of_base, static_share};
 use super::sensitivity::{Sensitive, Varied};
 use super::system::System;
 use super::units::{Load, angular_frequency, reversed_phase};
-use super::{NoDerivative, SystemResponse};
-use crate::{Complex, Of, OutOfDomain, Regime};
+use super::{NoDerivative, SystemHeld, SystemResponse};
+use crate::{Of, OutOfDomain, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::{Float, Scalar};
@@ -217,18 +218,8 @@ pub(super) fn swing(
             }
             (amplitude, phase)
         }
-        SystemResponse::Stuck(_) => {
-            let still = match of {
-                Of::Contact => None,
-                Of::Mass(index) => varied.at(r)?.stuck()?.mass_at(index),
-            };
-            let moves =
-                |motion: &Complex<Sensitive>| !(motion.re.vanishes() && motion.im.vanishes());
-            let Some(motion) = still.filter(moves) else {
-                return Ok((Sensitive::constant(0.0), None));
-            };
-            (motion.re.hypot(motion.im), -(motion.im.atan2(motion.re)))
-        }
+        SystemResponse::Stuck(held) => return stuck_swing(varied, held, r, of),
+
         SystemResponse::Continuous(_) => {
             let motion = varied.at(r)?.motion(beta)?;
             let motion = match of {
@@ -241,6 +232,33 @@ pub(super) fn swing(
     };
     let phase = if turned { reversed_phase(phase) } else { phase };
     Ok((amplitude, Some(phase)))
+}
+
+/// The same while the contact is stuck.  The offset of a contact that has not slid on the way is 0, or on a moving base
+/// −Y; that of one that has slid depends on every slip.
+fn stuck_swing(
+    varied: &Varied,
+    held: &SystemHeld<'_>,
+    r: Sensitive,
+    of: Of,
+) -> Result<(Sensitive, Option<Sensitive>), StudyError> {
+    let offset = held.offset();
+    if offset != 0.0 && offset != -share_of_base(held.at().scene()) {
+        return Err(NoDerivative::Marginal.into());
+    }
+    let offset = Sensitive::constant(offset);
+    let Of::Mass(index) = of else {
+        return Ok((offset.abs(), None));
+    };
+    let at = varied.at(r)?;
+    let motion = at.stuck()?.mass_at(index);
+    let motion = motion.ok_or(NoDerivative::Graze)?;
+    let constant = offset * static_share(*at.scene(), index).ok_or(NoDerivative::Graze)?;
+    if motion.re.vanishes() && motion.im.vanishes() {
+        return Ok((constant.abs(), None));
+    }
+    let amplitude = motion.re.hypot(motion.im) + constant.abs();
+    Ok((amplitude, Some(-(motion.im.atan2(motion.re)))))
 }
 
 /// An operating point in groups where one parameter is the variable.

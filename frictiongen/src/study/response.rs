@@ -5,8 +5,14 @@ use super::motion::{SystemMotion, SystemStuck};
 use super::orbit::SystemOrbit;
 use super::system::System;
 use super::units::{polar, reversed_phase};
-use crate::{Complex, Error, NotContinuous, Of, OutOfDomain, Regime};
+use crate::{Complex, Error, NoOrbit, NotContinuous, Of, OutOfDomain, Regime, StuckResonance};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
+use std::ops::Deref;
+
+/// A multiplier counts as on the unit circle within so many roundings, as it does for a steady state.
+const ON_CIRCLE: f64 = 4096.0;
 
 /// The steady response of a system at one frequency ratio and one friction ratio.
 ///
@@ -36,10 +42,67 @@ use frictiongen_kernel::response::Scene as _;
 pub enum SystemResponse<'a> {
     /// The contact slides all the time: the closed form.
     Continuous(SystemMotion<'a>),
-    /// Between the limits: the steady state that is reached from rest.
+    /// The steady state from event to event.
     StickSlip(Box<SystemOrbit<'a>>),
     /// The contact never slides.
-    Stuck(SystemStuck<'a>),
+    Stuck(SystemHeld<'a>),
+}
+
+/// The response while the contact is stuck, at the offset where it came to rest.
+#[derive(Clone, Debug)]
+pub struct SystemHeld<'a> {
+    stuck: SystemStuck<'a>,
+    offset: f64,
+    offset_range: f64,
+}
+
+impl<'a> SystemHeld<'a> {
+    /// z̄ of the contact: 0 if it sticks at its centre.
+    #[must_use]
+    pub fn offset(&self) -> f64 {
+        self.offset
+    }
+
+    /// The largest |z̄| at which friction can hold the contact.
+    #[must_use]
+    pub fn offset_range(&self) -> f64 {
+        self.offset_range
+    }
+
+    /// The constant friction force that holds the contact off its centre, over P, for base motion over k₁Y; positive
+    /// against positive sliding.
+    #[must_use]
+    pub fn constant_force(&self) -> f64 {
+        -(self.offset / receptance(self.stuck.at().scene()))
+    }
+
+    /// The constant displacement of a mass that the offset brings about; none if there is no such mass.
+    #[must_use]
+    pub fn mass_offset(&self, index: usize) -> Option<f64> {
+        let system = *self.stuck.at().scene();
+        Some(self.offset * static_share(system, index)?)
+    }
+}
+
+impl<'a> Deref for SystemHeld<'a> {
+    type Target = SystemStuck<'a>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.stuck
+    }
+}
+
+/// By how much a constant displacement of the contact moves a mass, Σφ_k(φᵀw)/λ over Σ(φᵀw)²/λ.
+pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<S> {
+    let zero = S::constant(0.0);
+    let shape = system.shape(mass)?;
+    let (mut moved, mut receptance) = (zero, zero);
+    for (mode, component) in system.numbers().modes.iter().zip(shape) {
+        let lambda = mode.resonance * mode.resonance;
+        moved = moved + *component * mode.contact / lambda;
+        receptance = receptance + mode.contact * mode.contact / lambda;
+    }
+    Some(moved / receptance)
 }
 
 /// How far something swings, and when.
@@ -71,23 +134,109 @@ pub enum Size {
 }
 
 impl<'a> SystemAt<'a> {
-    /// The steady response at β = F/P, in whatever regime.
+    /// The steady response at β = F/P, in whatever regime: the state that motion from rest ends in.
+    ///
+    /// With μ = 1 that is the closed form for every β < β_lim, except for a chain without damping at r = 1/2n, where it is
+    /// one of a continuum.  With μ > 1 other states may exist beside the closed form and beside the stuck state, and the
+    /// motion is followed.
+    ///
+    /// Where motion from rest does not settle, the answer is another stable steady state, found from the closed form, a
+    /// neighbouring friction ratio or the stuck state; [`SystemOrbit::is_from_rest`] is false then.  Where none is found
+    /// either, the answer is the last 64 cycles of the motion from rest.
     ///
     /// # Errors
     /// [`NotContinuous::Unbounded`] and [`StuckResonance`](crate::StuckResonance) on an undamped resonance,
-    /// [`NoOrbit`](crate::NoOrbit) where no steady state with stops was found, [`OutOfDomain`] for NaN, negative and
+    /// [`NoOrbit`](crate::NoOrbit) where there is no steady state to follow, [`OutOfDomain`] for NaN, negative and
     /// infinite β.
     pub fn response(&self, beta: f64) -> Result<SystemResponse<'a>, Error> {
-        match self.motion(beta) {
-            Ok(motion) => Ok(SystemResponse::Continuous(motion)),
-            Err(NotContinuous::Stuck) => Ok(SystemResponse::Stuck(self.stuck()?)),
-            Err(NotContinuous::StickSlip) => {
-                let orbit = self.orbit_or_last_cycles(beta)?;
-                Ok(SystemResponse::StickSlip(Box::new(orbit)))
-            }
+        let motion = self.motion(beta);
+        match motion {
+            Ok(motion) if self.is_unique() => Ok(SystemResponse::Continuous(motion)),
             Err(NotContinuous::OutOfDomain) => Err(OutOfDomain { argument: "beta" }.into()),
-            Err(error) => Err(error.into()),
+            Err(NotContinuous::Unbounded) if beta < self.sliding_limit() => {
+                Err(NotContinuous::Unbounded.into())
+            }
+            // Neither 0 nor ∞ has a cycle to follow.
+            Ok(motion) if !self.has_cycles() => Ok(SystemResponse::Continuous(motion)),
+            Err(NotContinuous::Stuck) if !self.has_cycles() => {
+                Ok(SystemResponse::Stuck(self.held(0.0, 0.0)?))
+            }
+            motion => {
+                let orbit = self.settled_orbit(beta)?;
+                self.told(orbit, motion.ok())
+            }
         }
+    }
+
+    /// The response that an orbit is.
+    fn told(
+        &self,
+        orbit: SystemOrbit<'a>,
+        motion: Option<SystemMotion<'a>>,
+    ) -> Result<SystemResponse<'a>, Error> {
+        let slides = (orbit.stops(), orbit.reversals(), orbit.period()) == (0, 2, 1);
+        match motion {
+            // Within rounding below β*_lim a motion may be too small to be seen.
+            _ if orbit.is_settled()
+                && orbit.never_slides()
+                && !(orbit.beta() < self.sliding_limit()) =>
+            {
+                let range = orbit.offset_range().unwrap_or(0.0);
+                Ok(SystemResponse::Stuck(self.held(orbit.offset(), range)?))
+            }
+            Some(motion) if orbit.is_settled() && slides && orbit.is_symmetric() => {
+                Ok(SystemResponse::Continuous(motion))
+            }
+            _ => Ok(SystemResponse::StickSlip(Box::new(orbit))),
+        }
+    }
+
+    /// The response with so much friction that the contact stays where it is at rest: at its centre, or for a contact with
+    /// the moving base where the base has gone by then.
+    pub(super) fn locked(&self) -> Result<SystemResponse<'a>, Error> {
+        let offset = -share_of_base(self.scene());
+        Ok(SystemResponse::Stuck(self.held(offset, f64::INFINITY)?))
+    }
+
+    /// The response while the contact is stuck at an offset.
+    fn held(&self, offset: f64, offset_range: f64) -> Result<SystemHeld<'a>, StuckResonance> {
+        Ok(SystemHeld {
+            stuck: self.stuck()?,
+            offset,
+            offset_range,
+        })
+    }
+
+    /// The steady state that motion from rest ends in; where it does not settle, another that is stable.
+    fn settled_orbit(&self, beta: f64) -> Result<SystemOrbit<'a>, NoOrbit> {
+        let last = self.orbit_or_last_cycles(beta)?;
+        if last.is_settled() {
+            return Ok(last);
+        }
+        let mut others = self.states(beta)?;
+        let other = others.find(|orbit| orbit.is_stable());
+        Ok(other.map_or(last, SystemOrbit::not_from_rest))
+    }
+
+    /// Whether no other steady state can exist beside the closed form: with μ = 1, unless an undamped mode turns an even
+    /// number of times in half a period.
+    fn is_unique(&self) -> bool {
+        let numbers = self.scene().numbers();
+        let even = |x: f64| {
+            let half = x * 0.5;
+            half > 0.5 && (half - half.round()).abs() <= ON_CIRCLE * f64::EPSILON * half
+        };
+        let inverse = self.inverse_ratio();
+        let marginal = |mode: &Mode<f64>| {
+            mode.kind == Kind::Undamped && mode.in_contact && even(mode.resonance * inverse)
+        };
+        numbers.chain.stiction <= 1.0 && !numbers.modes.iter().any(marginal)
+    }
+
+    /// Whether r is neither 0 nor infinite.
+    fn has_cycles(&self) -> bool {
+        let r = self.frequency_ratio();
+        0.0 < r && r.is_finite()
     }
 }
 
@@ -97,6 +246,9 @@ impl SystemResponse<'_> {
     pub fn regime(&self) -> Regime {
         match self {
             Self::Continuous(_) => Regime::Continuous,
+            Self::StickSlip(orbit) if orbit.stops() == 0 && orbit.is_settled() => {
+                Regime::Continuous
+            }
             Self::StickSlip(_) => Regime::StickSlip,
             Self::Stuck(_) => Regime::Stuck,
         }
@@ -131,16 +283,73 @@ impl SystemResponse<'_> {
             (Self::StickSlip(orbit), Of::Mass(index)) => {
                 Some(moving(orbit.mass_at(index)?.largest()))
             }
-            (Self::Stuck(_), Of::Contact) => Some(Swing::REST),
-            (Self::Stuck(stuck), Of::Mass(index)) => {
-                let (amplitude, phase) = polar(stuck.mass_at(index)?);
-                let at_rest = amplitude == 0.0;
-                Some(if at_rest {
-                    Swing::REST
-                } else {
-                    moving((amplitude, phase))
+            (Self::Stuck(held), Of::Contact) => Some(Swing {
+                amplitude: held.offset.abs(),
+                phase: None,
+            }),
+            (Self::Stuck(held), Of::Mass(index)) => {
+                let (amplitude, phase) = polar(held.mass_at(index)?);
+                // The largest |x̄| is on the side of the offset, where the motion turns.
+                Some(Swing {
+                    amplitude: amplitude + held.mass_offset(index)?.abs(),
+                    phase: (amplitude != 0.0).then_some(phase),
                 })
             }
+        }
+    }
+
+    /// Half the distance between the least and the largest x̄: the amplitude about the motion's own middle, over P/k₁, for
+    /// base motion over Y; none if there is no such mass.
+    #[must_use]
+    pub fn centred_amplitude(&self, of: Of) -> Option<f64> {
+        match (self, of) {
+            (Self::Continuous(_), _) => Some(self.swing(of)?.amplitude),
+            (Self::StickSlip(orbit), Of::Contact) => Some(orbit.contact().centred_amplitude()),
+            (Self::StickSlip(orbit), Of::Mass(index)) => {
+                Some(orbit.mass_at(index)?.centred_amplitude())
+            }
+            (Self::Stuck(_), Of::Contact) => Some(0.0),
+            (Self::Stuck(held), Of::Mass(index)) => Some(polar(held.mass_at(index)?).0),
+        }
+    }
+
+    /// The middle of the contact's relative motion, over P/k₁, for base motion over Y; 0 for a symmetric motion.
+    #[must_use]
+    pub fn offset(&self) -> f64 {
+        match self {
+            Self::Continuous(_) => 0.0,
+            Self::StickSlip(orbit) => orbit.offset(),
+            Self::Stuck(held) => held.offset,
+        }
+    }
+
+    /// How far off its centre the contact may be in a state of the same continuum, as
+    /// [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range) gives it.
+    #[must_use]
+    pub fn offset_range(&self) -> Option<f64> {
+        match self {
+            Self::Continuous(_) => None,
+            Self::StickSlip(orbit) => orbit.offset_range(),
+            Self::Stuck(held) => Some(held.offset_range),
+        }
+    }
+
+    /// Whether it is one of a continuum of steady states.
+    #[must_use]
+    pub fn is_marginal(&self) -> bool {
+        match self {
+            Self::Continuous(_) => false,
+            Self::StickSlip(orbit) => orbit.is_marginal(),
+            Self::Stuck(_) => true,
+        }
+    }
+
+    /// Whether motion from rest ends in it, as [`SystemOrbit::is_from_rest`] says.
+    #[must_use]
+    pub fn is_from_rest(&self) -> bool {
+        match self {
+            Self::StickSlip(orbit) => orbit.is_from_rest(),
+            Self::Continuous(_) | Self::Stuck(_) => true,
         }
     }
 
@@ -182,8 +391,8 @@ impl SystemResponse<'_> {
                 fastest(&motion.at().orbit(motion.friction().beta).ok()?, of, size)
             }
             Self::StickSlip(orbit) => fastest(orbit, of, size),
-            // One harmonic: all sizes are the same.
-            Self::Stuck(_) => Some(self.swing(of)?.amplitude),
+            // One harmonic: all sizes are the same, but for the offset.
+            Self::Stuck(_) => self.centred_amplitude(of),
         }
     }
 
@@ -197,26 +406,31 @@ impl SystemResponse<'_> {
             (Self::Continuous(motion), Of::Mass(index)) => motion.mass_at(index)?.harmonic(n),
             (Self::StickSlip(orbit), Of::Contact) => orbit.contact().harmonic(n),
             (Self::StickSlip(orbit), Of::Mass(index)) => orbit.mass_at(index)?.harmonic(n),
+            (Self::Stuck(held), Of::Contact) if n == 0 => Complex::new(held.offset, 0.0),
             (Self::Stuck(_), Of::Contact) => none,
-            (Self::Stuck(stuck), Of::Mass(index)) => {
-                let amplitude = stuck.mass_at(index)?;
-                if n == 1 { amplitude } else { none }
+            (Self::Stuck(held), Of::Mass(index)) => {
+                let amplitude = held.mass_at(index)?;
+                match n {
+                    0 => Complex::new(held.mass_offset(index)?, 0.0),
+                    1 => amplitude,
+                    _ => none,
+                }
             }
         })
     }
 
     /// The largest friction force of the period over P: β while the contact slides, μβ where it stops and breaks away,
-    /// and what holds it where it never slides, μβ*_lim. A contact that came to rest off its middle carries a constant
-    /// force beside.
+    /// and what holds it where it never slides, μβ*_lim and the constant force of its offset.
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         match self {
             Self::Continuous(motion) => motion.friction().beta,
             Self::StickSlip(orbit) if orbit.stops() == 0 => orbit.beta(),
             Self::StickSlip(orbit) => orbit.beta() * stiction(orbit.system),
-            Self::Stuck(stuck) => {
-                let at = stuck.at();
-                at.sliding_limit() * stiction(at.scene())
+            Self::Stuck(held) => {
+                let at = held.at();
+                let forced = at.sliding_limit() * stiction(at.scene());
+                forced + held.constant_force().abs()
             }
         }
     }
@@ -246,6 +460,19 @@ fn fastest(orbit: &SystemOrbit<'_>, of: Of, size: Size) -> Option<f64> {
         Size::Velocity => motion.largest_velocity(),
         Size::Acceleration => motion.largest_acceleration(),
     })
+}
+
+/// s: 1 for a contact with the moving base.
+pub(super) fn share_of_base(system: &System) -> f64 {
+    let on_base = (&system).numbers().chain.on_moving_base.is_some();
+    f64::from(u8::from(on_base))
+}
+
+/// wᵀK̄⁻¹w, by how much a unit of constant force moves the contact.
+fn receptance(system: &System) -> f64 {
+    let modes = system.numbers().modes.iter();
+    let terms = modes.map(|mode| (mode.contact / mode.resonance).powi(2));
+    terms.sum()
 }
 
 /// μ.

@@ -150,6 +150,7 @@ impl Varied {
         Ok(SystemOrbit {
             system: &self.system,
             orbit,
+            from_rest: true,
         })
     }
 

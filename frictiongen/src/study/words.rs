@@ -71,6 +71,7 @@ pub fn answer(response: &SystemResponse<'_>) -> &'static str {
 pub fn found(orbit: &SystemOrbit<'_>) -> &'static str {
     match (orbit.is_marginal(), orbit.is_stable()) {
         _ if !orbit.is_settled() => "last 64 cycles",
+        _ if !orbit.is_from_rest() => "orbit: not from rest",
         (true, _) => "orbit: marginal",
         (false, true) if orbit.period() > 1 => "subharmonic",
         (false, true) => "orbit: stable",
@@ -85,6 +86,7 @@ pub fn on_curve(point: Result<&CurvePoint, Error>) -> &'static str {
     match point {
         Err(error) => no_answer(error),
         Ok(point) if !point.settled => "last 64 cycles",
+        Ok(point) if !point.from_rest => "orbit: not from rest",
         Ok(point) if point.regime == Regime::StickSlip => "orbit",
         Ok(_) => "closed form",
     }

@@ -1,7 +1,7 @@
 //! A slice of another length is an error, and nothing is left out in silence.
 
 use frictiongen::kernel::Complex;
-use frictiongen::kernel::orbit::{Orbit, numbers};
+use frictiongen::kernel::orbit::{Orbit, Start, numbers};
 use frictiongen::kernel::simulation::{Dynamics, HeldMode, Part, Simulation};
 use frictiongen::kernel::{
     contact::sums::Chain,
@@ -91,7 +91,7 @@ fn room_of_another_size() {
     assert_eq!(run(1, Some((&[0.1], &[0.2]))), Ok(()));
     assert_eq!(run(1, Some((&[], &[0.2]))), out("state"));
     assert_eq!(run(1, Some((&[0.1, 0.2], &[0.2]))), out("state"));
-    let orbit = |room: usize, multipliers: usize, state: Option<(&[f64], &[f64])>| {
+    let orbit = |room: usize, multipliers: usize, start: Start<'_, f64>| {
         let parts = vec![Part::empty(); 1];
         let room = vec![0.0; room];
         let multipliers = vec![Complex { re: 0.0, im: 0.0 }; multipliers];
@@ -100,7 +100,7 @@ fn room_of_another_size() {
             0.3,
             0.4,
             1.0989,
-            state,
+            start,
             false,
             parts,
             room,
@@ -110,9 +110,9 @@ fn room_of_another_size() {
     };
     let none = |argument| Err(NoOrbit::OutOfDomain(OutOfDomain { argument }));
     let room = numbers(1, 1);
-    assert_eq!(orbit(room, 2, None), Ok(()));
-    assert_eq!(orbit(room - 1, 2, None), none("numbers"));
-    assert_eq!(orbit(room + 1, 2, None), none("numbers"));
-    assert_eq!(orbit(room, 1, None), none("multipliers"));
-    assert_eq!(orbit(room, 2, Some((&[0.1], &[]))), none("state"));
+    assert_eq!(orbit(room, 2, Start::Rest), Ok(()));
+    assert_eq!(orbit(room - 1, 2, Start::Rest), none("numbers"));
+    assert_eq!(orbit(room + 1, 2, Start::Rest), none("numbers"));
+    assert_eq!(orbit(room, 1, Start::Rest), none("multipliers"));
+    assert_eq!(orbit(room, 2, Start::State(&[0.1], &[])), none("state"));
 }

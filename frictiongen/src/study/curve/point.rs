@@ -17,6 +17,12 @@ pub struct CurvePoint {
     pub period: u32,
     /// Whether it repeats; otherwise the values are of its last 64 cycles.
     pub settled: bool,
+    /// Whether it is one of a continuum of steady states.
+    pub marginal: bool,
+    /// Whether motion from rest ends in it; false for another state, where motion from rest does not settle.
+    pub from_rest: bool,
+    /// The middle of the contact's motion, over P/k₁, for base motion over Y.
+    pub offset: f64,
     /// The motions asked for, in their order.
     pub movements: Vec<Movement>,
     /// The largest friction force over P, for base motion over k₁Y.
@@ -57,6 +63,9 @@ impl CurvePoint {
             stops,
             period,
             settled: response.is_settled(),
+            marginal: response.is_marginal(),
+            from_rest: response.is_from_rest(),
+            offset: response.offset(),
             movements,
             contact_force: response.contact_force(),
             friction_work: response.friction_work(),

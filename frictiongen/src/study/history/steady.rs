@@ -1,7 +1,7 @@
 //! One period of a steady state, from the closed forms and from the steady state with stops.
 
 use super::{History, HistoryError, HistoryEvent, check, phase};
-use crate::study::{SystemMotion, SystemOrbit, SystemResponse, SystemStuck};
+use crate::study::{SystemHeld, SystemMotion, SystemOrbit, SystemResponse};
 use crate::{Complex, NoOrbit, Of, OutOfDomain};
 use frictiongen_kernel::simulation::{Contact, Event};
 use std::f64::consts::{PI, TAU};
@@ -17,8 +17,7 @@ impl SystemResponse<'_> {
     }
 
     /// One period of the steady state, sampled, with every event: τ counts from a maximum of the excitation, of several
-    /// from that of [`subharmonic`](Self::subharmonic). Where a stuck contact stays depends on what was before; here its
-    /// displacement is 0.
+    /// from that of [`subharmonic`](Self::subharmonic).
     ///
     /// ```
     /// use frictiongen::{Of, System};
@@ -174,23 +173,23 @@ fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
 }
 
 /// The contact never slides.
-fn held(history: &mut History, stuck: &SystemStuck<'_>, of: &[Of]) {
-    let force = stuck.contact_force();
-    let amplitudes: Vec<Complex<f64>> = of
+fn held(history: &mut History, held: &SystemHeld<'_>, of: &[Of]) {
+    let (force, constant) = (held.contact_force(), held.constant_force());
+    let amplitudes: Vec<(Complex<f64>, f64)> = of
         .iter()
         .filter_map(|of| match of {
-            Of::Contact => Some(Complex::new(0.0, 0.0)),
-            Of::Mass(index) => stuck.mass_at(*index),
+            Of::Contact => Some((Complex::new(0.0, 0.0), held.offset())),
+            Of::Mass(index) => Some((held.mass_at(*index)?, held.mass_offset(*index)?)),
         })
         .collect();
     for tau in instants(history) {
         let (sine, cosine) = tau.sin_cos();
-        let moments = amplitudes.iter().map(|amplitude| {
-            let displacement = amplitude.re * cosine - amplitude.im * sine;
+        let moments = amplitudes.iter().map(|(amplitude, offset)| {
+            let displacement = offset + amplitude.re * cosine - amplitude.im * sine;
             let velocity = -(amplitude.re * sine) - amplitude.im * cosine;
             (displacement, velocity)
         });
-        let holding = force.re * cosine - force.im * sine;
+        let holding = constant + force.re * cosine - force.im * sine;
         history.push(moments, (Contact::Stuck, holding));
     }
 }

@@ -46,6 +46,10 @@ pub struct MapPoint {
     pub stable: bool,
     /// Whether the state is a member of a continuum, or at its end.
     pub marginal: bool,
+    /// Whether motion from rest ends in it; false for another state, where motion from rest does not settle.
+    pub from_rest: bool,
+    /// The middle of the contact's motion, over P/k₁, for base motion over Y.
+    pub offset: f64,
     /// The amplitudes asked for, in their order: over P/k₁, for base motion over Y.
     pub amplitudes: Vec<f64>,
 }
@@ -109,6 +113,8 @@ impl MapPoint {
             stuck_fraction,
             stable,
             marginal,
+            from_rest: response.is_from_rest(),
+            offset: response.offset(),
             amplitudes: of.iter().map(amplitude).collect::<Option<_>>()?,
         })
     }

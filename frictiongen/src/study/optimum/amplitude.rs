@@ -50,7 +50,7 @@ impl<'s> Amplitude<'s> {
         let at = self.system.at(r)?;
         match friction {
             Friction::Ratio(beta) => at.response(beta),
-            Friction::Locked => Ok(SystemResponse::Stuck(at.stuck()?)),
+            Friction::Locked => at.locked(),
         }
     }
 

@@ -1,0 +1,82 @@
+//! Where a motion starts that is followed to its steady state.
+
+use super::MAX_STEPS;
+use super::build::bounded_state;
+use super::closed;
+use super::cycle_map::CycleMap;
+use super::newton::Workspace;
+use crate::errors::{NoOrbit, OutOfDomain};
+use crate::number::scalar::Float;
+
+/// Cycles that a motion is followed for at a neighbouring friction ratio.
+const NEIGHBOURING: u32 = 64;
+
+/// Where a motion starts, with the excitation at its maximum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Start<'s, S> {
+    /// Every mass at its place and at rest.
+    Rest,
+    /// Displacements x̄ and velocities dx̄/dτ of the masses.
+    State(&'s [S], &'s [S]),
+    /// The stuck state with the contact at its centre; β ≥ β*_lim.
+    Stuck,
+    /// The closed form's motion at this friction ratio, which need not be the one at hand.
+    ClosedForm(S),
+    /// From rest, some cycles at this friction ratio first.
+    Neighbour(S),
+}
+
+impl<S: Float> Start<'_, S> {
+    /// Puts the cycle map there; `Stuck` is left to the caller.
+    pub(super) fn place(
+        self,
+        cycle_map: &mut CycleMap<'_, '_, S>,
+        workspace: &mut Workspace<'_, S>,
+    ) -> Result<(), NoOrbit> {
+        let (zero, setting) = (S::constant(0.0), cycle_map.setting);
+        match self {
+            Self::Rest | Self::Stuck => {}
+            Self::State(displacements, velocities) => {
+                setting.check_state((displacements, velocities))?;
+                setting.load_state(displacements, velocities, cycle_map.modes);
+                cycle_map.contact_state = setting.contact_state(cycle_map.modes, zero);
+            }
+            Self::ClosedForm(beta) => {
+                closed::set(cycle_map, beta);
+                bounded_state(cycle_map)?;
+                if beta != setting.beta {
+                    let t = cycle_map.contact_state.t;
+                    cycle_map.contact_state = setting.contact_state(cycle_map.modes, t);
+                }
+            }
+            Self::Neighbour(beta) => {
+                let mut neighbour = *setting;
+                neighbour.beta = beta;
+                let mut there = CycleMap {
+                    setting: &neighbour,
+                    modes: &mut *cycle_map.modes,
+                    held: &mut *cycle_map.held,
+                    step_budget: MAX_STEPS,
+                    ..*cycle_map
+                };
+                there.contact_state = neighbour.contact_state(there.modes, zero);
+                for _ in 0..2 * NEIGHBOURING {
+                    there.half(None)?;
+                }
+                there.save(workspace.state);
+                let contact_state = there.contact_state;
+                cycle_map.restore(workspace.state, &contact_state);
+                bounded_state(cycle_map)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The same; an error for a start that does not exist at this β.
+    pub(super) fn checked(self, holds: bool) -> Result<Self, OutOfDomain> {
+        if self == Self::Stuck && !holds {
+            return Err(OutOfDomain { argument: "start" });
+        }
+        Ok(self)
+    }
+}

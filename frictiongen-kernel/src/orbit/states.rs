@@ -1,0 +1,150 @@
+//! The steady states that exist side by side.
+
+use super::{Orbit, ProvidesOrbit, Start};
+use crate::errors::OutOfDomain;
+use crate::number::complex::Complex;
+use crate::number::scalar::{Float, Scalar};
+use crate::response::{At, Scene};
+use crate::simulation::Part;
+use core::fmt;
+
+/// Starts that are tried.
+const STARTS: usize = 9;
+/// States whose amplitudes and sticking times differ by less than this, relative, are one.
+const ALIKE: f64 = 1e-6;
+/// Shares of β_lim at which the closed form is a start where β is above it,
+const FORMER: [f64; 2] = [0.98, 0.5];
+/// and of β for motions at a neighbouring friction ratio.
+const NEIGHBOURS: [f64; 4] = [0.97, 1.03, 0.8, 1.25];
+
+/// What tells one steady state from another.
+#[derive(Clone, Copy, Debug)]
+pub struct Print<S> {
+    sticks: bool,
+    counts: (u32, usize, usize),
+    sizes: [S; 2],
+}
+
+/// A steady state as an item of [`States`].
+pub trait Known {
+    /// Its scalar.
+    type Scalar: Float;
+
+    /// What tells it from others.
+    fn print(&self) -> Print<Self::Scalar>;
+}
+
+impl<S, P, V, C> Known for Orbit<'_, S, P, V, C>
+where
+    S: Float,
+    P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
+    V: AsRef<[S]> + AsMut<[S]>,
+    C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+{
+    type Scalar = S;
+
+    fn print(&self) -> Print<S> {
+        Print {
+            sticks: self.never_slides(),
+            counts: (self.period(), self.stops(), self.reversals()),
+            sizes: [self.contact().amplitude(), self.stuck_fraction()],
+        }
+    }
+}
+
+impl<S: Float> Print<S> {
+    /// Two stuck states belong to one continuum, whatever their offsets.
+    fn is_alike(&self, other: &Self) -> bool {
+        let near = |(a, b): (&S, &S)| (*a - *b).abs() <= a.abs().max(b.abs()) * S::constant(ALIKE);
+        let mut sizes = self.sizes.iter().zip(&other.sizes);
+        self.sticks == other.sticks
+            && (self.sticks || (self.counts == other.counts && sizes.all(near)))
+    }
+}
+
+/// The steady states of [`At::states`], each followed when it is asked for.
+pub struct States<T: Scene> {
+    at: At<T>,
+    beta: T::Scalar,
+    starts: [Option<Start<'static, T::Scalar>>; STARTS],
+    seen: [Option<Print<T::Scalar>>; STARTS],
+    next: usize,
+}
+
+impl<T: Scene> fmt::Debug for States<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("States")
+            .field("next", &self.next)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<T: ProvidesOrbit> States<T> {
+    pub(super) fn new(at: At<T>, beta: T::Scalar) -> Result<Self, OutOfDomain> {
+        let mut starts = [None; STARTS];
+        let mut places = starts.iter_mut();
+        let mut add = |start: Option<Start<'static, T::Scalar>>| {
+            if let (Some(place), Some(_)) = (places.next(), start) {
+                *place = start;
+            }
+        };
+        add(Some(Start::Rest));
+        let (zero, one) = (T::Scalar::constant(0.0), T::Scalar::constant(1.0));
+        // With μ = 1 two motions never part.
+        if at.scene().numbers().chain.stiction <= one || beta.is_zero() {
+            return Ok(Self::of(at, beta, starts));
+        }
+        add((!(beta < at.sliding_limit())).then_some(Start::Stuck));
+        let limit = at.continuous_limit();
+        let closed =
+            |beta: T::Scalar| (zero < beta && beta.is_finite()).then_some(Start::ClosedForm(beta));
+        if beta < limit {
+            add(closed(beta));
+        } else {
+            for share in FORMER {
+                add(closed(limit * T::Scalar::constant(share)));
+            }
+        }
+        for share in NEIGHBOURS {
+            add(Some(Start::Neighbour(beta * T::Scalar::constant(share))));
+        }
+        Ok(Self::of(at, beta, starts))
+    }
+
+    fn of(at: At<T>, beta: T::Scalar, starts: [Option<Start<'static, T::Scalar>>; STARTS]) -> Self {
+        let seen = [None; STARTS];
+        Self {
+            at,
+            beta,
+            starts,
+            seen,
+            next: 0,
+        }
+    }
+}
+
+impl<T: ProvidesOrbit> Iterator for States<T>
+where
+    <T::Orbit as core::ops::Deref>::Target: Known<Scalar = T::Scalar>,
+{
+    type Item = T::Orbit;
+
+    fn next(&mut self) -> Option<T::Orbit> {
+        loop {
+            let start = *self.starts.get(self.next)?;
+            self.next += 1;
+            let Some(start) = start else { continue };
+            let Ok(orbit) = T::settled(&self.at, self.beta, start, false) else {
+                continue;
+            };
+            let print = orbit.print();
+            if self.seen.iter().flatten().any(|seen| seen.is_alike(&print)) {
+                continue;
+            }
+            if let Some(place) = self.seen.get_mut(self.next - 1) {
+                *place = Some(print);
+            }
+            return Some(orbit);
+        }
+    }
+}
