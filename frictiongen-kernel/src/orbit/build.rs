@@ -101,7 +101,7 @@ where
             (true, None) => Settled::Found(linear(&mut cycle_map, &mut workspace)?),
             // At β = 0 nothing moves the contact, and nothing holds it.
             (true, Some(_)) => Settled::Stuck(zero),
-            _ => settle(&mut cycle_map, &mut workspace, holding)?,
+            _ => settle(&mut cycle_map, &mut workspace, holding, start.most_cycles())?,
         };
         let found = if let Settled::Stuck(offset) = settled {
             let found = stuck(&mut cycle_map, &mut workspace, offset)?;

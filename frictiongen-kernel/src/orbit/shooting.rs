@@ -1,6 +1,7 @@
 //! The steady state as a fixed point of the half-period map times −1, or of the period map; the period is one cycle of
 //! the excitation, or several.
 
+use super::Start;
 use super::candidate::{Candidate, Found, MAX_PERIOD, Verdict};
 use super::cycle_map::{CycleMap, Pattern};
 use super::hold::Hold;
@@ -9,7 +10,9 @@ use crate::errors::NoOrbit;
 use crate::number::scalar::Float;
 
 /// So many cycles are followed at most before the search for a steady state is given up.
-pub const MAX_CYCLES: u32 = 2048;
+pub const MAX_CYCLES: u32 = 512;
+/// The same from a start that is near a steady state or leads nowhere.
+const MAX_CYCLES_NEAR: u32 = 128;
 /// So many steps from one place of a motion to the next are made at most on the way: half of the steady
 /// states of random scenes take a thousand, none has been seen to take half of this.  Modes a thousand
 /// times as fast as the excitation would need as many for every cycle.
@@ -23,6 +26,16 @@ const NEARLY_BACK: f64 = 1e-2;
 /// and to within this share of how near it comes after fewer cycles.
 const NEARER: f64 = 0.1;
 
+impl<S> Start<'_, S> {
+    /// How many cycles are followed from here at most.
+    pub(super) fn most_cycles(&self) -> u32 {
+        match self {
+            Self::Rest | Self::State(..) => MAX_CYCLES,
+            Self::Stuck | Self::ClosedForm(_) | Self::Neighbour(_) => MAX_CYCLES_NEAR,
+        }
+    }
+}
+
 /// Where a motion leads to.
 pub(super) enum Settled<S> {
     Found(Found<S>),
@@ -33,11 +46,12 @@ pub(super) enum Settled<S> {
 }
 
 /// Follows the motion until a steady state is settled.  The cycle map then stands on it, or on the motion.
-/// `holding` is |V/H| where β is large enough for a stuck state.
+/// `holding` is |V/H| where β is large enough for a stuck state; at most `most` cycles are followed.
 pub(super) fn settle<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
     holding: Option<S>,
+    most: u32,
 ) -> Result<Settled<S>, NoOrbit> {
     let monotone = cycle_map.setting.dynamics.chain.stiction <= S::constant(1.0);
     let mut hold = holding.map(|steady| Hold::new(steady, monotone));
@@ -49,7 +63,7 @@ pub(super) fn settle<S: Float>(
     let mut halves = [Pattern::default(); 4];
     // How many half cycles in a row have had the pattern of the one or two before.
     let mut settled = [0u32; 2];
-    while cycles < MAX_CYCLES {
+    while cycles < most {
         while cycles < wanted {
             for _ in 0..2 {
                 let half = cycle_map.half(None)?;
@@ -107,7 +121,7 @@ pub(super) fn settle<S: Float>(
             cycle_map.restore(workspace.state, &candidate.here);
         }
         // With μ = 1 two motions never part: what repeats after several cycles is one of a continuum.
-        if FIRST_ASKED <= cycles && (!monotone || MAX_CYCLES <= cycles * 2) {
+        if FIRST_ASKED <= cycles && (!monotone || most <= cycles * 2) {
             match several(cycle_map, workspace, &mut cycles, failure)? {
                 Settled::Not(error) => failure = error,
                 found => return Ok(found),

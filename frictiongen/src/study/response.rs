@@ -174,7 +174,7 @@ impl<'a> SystemAt<'a> {
         orbit: SystemOrbit<'a>,
         motion: Option<SystemMotion<'a>>,
     ) -> Result<SystemResponse<'a>, Error> {
-        let slides = (orbit.stops(), orbit.reversals(), orbit.period()) == (0, 2, 1);
+        let slides = slides_twice(&orbit);
         match motion {
             // Within rounding below β*_lim a motion may be too small to be seen.
             _ if orbit.is_settled()
@@ -184,7 +184,7 @@ impl<'a> SystemAt<'a> {
                 let range = orbit.offset_range().unwrap_or(0.0);
                 Ok(SystemResponse::Stuck(self.held(orbit.offset(), range)?))
             }
-            Some(motion) if orbit.is_settled() && slides && orbit.is_symmetric() => {
+            Some(motion) if slides && orbit.is_symmetric() => {
                 Ok(SystemResponse::Continuous(motion))
             }
             _ => Ok(SystemResponse::StickSlip(Box::new(orbit))),
@@ -246,9 +246,7 @@ impl SystemResponse<'_> {
     pub fn regime(&self) -> Regime {
         match self {
             Self::Continuous(_) => Regime::Continuous,
-            Self::StickSlip(orbit) if orbit.stops() == 0 && orbit.is_settled() => {
-                Regime::Continuous
-            }
+            Self::StickSlip(orbit) if slides_twice(orbit) => Regime::Continuous,
             Self::StickSlip(_) => Regime::StickSlip,
             Self::Stuck(_) => Regime::Stuck,
         }
@@ -447,6 +445,11 @@ impl SystemResponse<'_> {
             Self::Stuck(_) => 0.0,
         }
     }
+}
+
+/// Whether it slides all the time and turns twice in a cycle, as the closed form does.
+fn slides_twice(orbit: &SystemOrbit<'_>) -> bool {
+    orbit.is_settled() && (orbit.stops(), orbit.reversals(), orbit.period()) == (0, 2, 1)
 }
 
 /// The largest velocity or acceleration in a steady state.
