@@ -161,6 +161,7 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
             system,
             orbit,
             from_rest: true,
+            slides: false,
         })
     }
 }

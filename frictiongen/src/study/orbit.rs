@@ -60,6 +60,8 @@ pub struct SystemOrbit<'a, S = f64> {
     pub(super) system: &'a System<S>,
     pub(super) orbit: SystemOrbitState<'a, S>,
     pub(super) from_rest: bool,
+    /// Whether it is of a continuum with the closed form.
+    pub(super) slides: bool,
 }
 
 impl<'a, S: Float> SystemOrbit<'a, S> {
@@ -91,6 +93,11 @@ impl<S> SystemOrbit<'_, S> {
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         self.from_rest
+    }
+
+    pub(super) fn sliding(mut self) -> Self {
+        self.slides = true;
+        self
     }
 
     pub(super) fn not_from_rest(mut self) -> Self {

@@ -187,6 +187,8 @@ impl<'a> SystemAt<'a> {
             Some(motion) if slides && orbit.is_symmetric() => {
                 Ok(SystemResponse::Continuous(motion))
             }
+            // Another of the closed form's continuum.
+            Some(_) if slides => Ok(SystemResponse::StickSlip(Box::new(orbit.sliding()))),
             _ => Ok(SystemResponse::StickSlip(Box::new(orbit))),
         }
     }
@@ -246,7 +248,7 @@ impl SystemResponse<'_> {
     pub fn regime(&self) -> Regime {
         match self {
             Self::Continuous(_) => Regime::Continuous,
-            Self::StickSlip(orbit) if slides_twice(orbit) => Regime::Continuous,
+            Self::StickSlip(orbit) if orbit.slides => Regime::Continuous,
             Self::StickSlip(_) => Regime::StickSlip,
             Self::Stuck(_) => Regime::Stuck,
         }

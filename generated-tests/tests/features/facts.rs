@@ -108,7 +108,10 @@ fn f10_without_stick_slip() {
     let (ranges, certainty) = features.regimes(1.0, [0.6, 1.4]).unwrap();
     assert_eq!(certainty, Certainty::Proven);
     let regimes: Vec<Regime> = ranges.iter().map(|range| range.regime).collect();
-    assert_eq!(regimes, [Regime::Stuck, Regime::Continuous]);
+    assert_eq!(
+        regimes,
+        [Regime::Stuck, Regime::Bistable, Regime::Continuous]
+    );
     close(ranges[0].to, 1.5_f64.sqrt(), ROUNDING);
     assert!(matches!(ranges[0].end, RegimeEnd::Sliding(_)));
     // With μ = 1 there is stick-slip between.  β*_lim is β on the resonance itself, where V − βH has no pole left.

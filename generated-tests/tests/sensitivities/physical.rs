@@ -26,7 +26,7 @@ const SCENES: &[Case] = &[
             (1.75, 1.0, Regime::Continuous),
             (2.5, 2.0, Regime::StickSlip),
             (1.0, 1.0, Regime::StickSlip),
-            (3.0, 8.0, Regime::Stuck),
+            (3.0, 80.0, Regime::Stuck),
         ],
     ),
     (
@@ -40,7 +40,7 @@ const SCENES: &[Case] = &[
         &[
             (0.5, 0.125, Regime::Continuous),
             (0.5, 2.0, Regime::StickSlip),
-            (0.5, 8.0, Regime::Stuck),
+            (0.5, 80.0, Regime::Stuck),
         ],
     ),
 ];

@@ -36,6 +36,9 @@ pub struct CurvePoint {
 pub struct Movement {
     /// Amplitude and phase.
     pub swing: Swing,
+    /// Half the distance between the least and the largest x̄, over P/k₁, for base motion over Y: the amplitude of a motion
+    /// off its centre about its own middle.
+    pub centred: f64,
     /// The largest |dx̄/dτ| and |d²x̄/dτ²|, if they were asked for.
     pub rates: Option<(f64, f64)>,
     /// The harmonics asked for, in their order.
@@ -82,6 +85,7 @@ impl Movement {
         let harmonics = request.harmonics.iter();
         let movement = Self {
             swing: response.swing(of)?,
+            centred: response.centred_amplitude(of)?,
             rates: if request.rates { both() } else { None },
             harmonics: harmonics
                 .map(|n| response.harmonic(of, *n))
