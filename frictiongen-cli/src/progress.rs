@@ -45,7 +45,7 @@ impl Progress {
             self.next = Some(now + PACE);
             self.shown = true;
             let percent = self.done.saturating_mul(100) / self.total.max(1);
-            write(&format!(
+            say(&format!(
                 "\rfrictiongen: {percent:>3} % of {} {}",
                 self.total, self.what
             ));
@@ -56,14 +56,15 @@ impl Progress {
 impl Drop for Progress {
     fn drop(&mut self) {
         if self.shown {
-            write("\r\x1b[K");
+            say("\r\x1b[K");
         }
     }
 }
 
-fn write(text: &str) {
+/// Writes a text on standard error.
+pub fn say(text: &str) {
     let mut stderr = io::stderr().lock();
-    // Progress that cannot be told is no reason to stop.
+    // What cannot be told is no reason to stop.
     let _ = stderr.write_all(text.as_bytes());
     let _ = stderr.flush();
 }

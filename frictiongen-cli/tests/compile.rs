@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{BLOCK, FRAME, failure, json, output};
+use common::{BLOCK, FRAME, failure, json, output, run_with};
 use std::path::PathBuf;
 use std::{fs, process};
 
@@ -71,6 +71,16 @@ fn regimes() {
     let moves = Some("continuous or stick-slip at every r, for every beta up to 0.9".to_owned());
     assert_eq!(told(&with(", beta: 0..0.9")), moves);
     assert_eq!(told(&with(", beta: 0..3")), None);
+    // With μ = 2 a stuck state may exist below β_lim.
+    let with = |beta: &str| {
+        let fields = "excitation: block, damping: modal(0.05), stiction: 2, accuracy: 1e-3,";
+        let range = format!("{fields} range: {{ r: 0.9..1.1, beta: 0..{beta} }}");
+        output(&BLOCK.replace("excitation: block,", &range), &["compile"])
+    };
+    let both = Some("continuous or bistable at every r, for every beta up to 0.52".to_owned());
+    assert_eq!(told(&with("0.52")), both);
+    let slides = Some("continuous at every r, for every beta up to 0.4".to_owned());
+    assert_eq!(told(&with("0.4")), slides);
 }
 
 /// What the description declares holds where no option says otherwise.
@@ -208,11 +218,13 @@ fn stuck_responses() {
     }
     let code = output(&scene, &["compile", "--format", "rust"]);
     for function in ["stuck_lower", "stuck_upper", "holding_force"] {
-        let declared = format!("pub fn {function}(r: f64) -> Option<(f64, f64)>");
+        let declared = format!("pub fn {function}(r: f64) -> Result<(f64, f64), Error>");
         assert!(code.contains(&declared), "{code}");
     }
     let code = output(&scene, &["compile", "--format", "c"]);
-    assert!(code.contains("int frame_stuck_lower(double r, double *re, double *im);"));
+    assert!(
+        code.contains("enum frame_status frame_stuck_lower(double r, double *re, double *im);")
+    );
     // Where they take more than a quarter of the bytes, code without the library has none.
     let told = failure(FIVE, &["compile", "--format", "c"]);
     assert_eq!(
@@ -262,7 +274,8 @@ fn code_in_files() {
     let declared = fs::read_to_string(&header).unwrap();
     fs::remove_file(&path).unwrap();
     fs::remove_file(&header).unwrap();
-    assert!(declared.contains("int frame_limits(double r, double *continuous, double *sliding);"));
+    let limits = "enum frame_status frame_limits(double r, double *continuous, double *sliding);";
+    assert!(declared.contains(limits), "{declared}");
     let rust = output(
         "",
         &[
@@ -276,8 +289,75 @@ fn code_in_files() {
             "rust",
         ],
     );
-    assert!(rust.contains("pub fn limits(r: f64) -> Option<(f64, f64)>"));
+    assert!(rust.contains("pub fn limits(r: f64) -> Result<(f64, f64), Error>"));
     assert!(rust.contains("pub fn contact(r: f64, beta: f64)"));
+}
+
+/// A name for the functions of C, for programs with two tables of one scene.
+#[test]
+fn a_name() {
+    let declared = BLOCK.replace(
+        "excitation: block,",
+        "excitation: block, accuracy: 1e-2, range: { r: 0.5..2 }",
+    );
+    let of = |arguments: &[&str]| output(&declared, &[&["compile"], arguments].concat());
+    let code = of(&["--format", "c", "--name", "fine"]);
+    for text in ["fine_limits(", "fine_contact(", "FINE_OK", "FINE_TABLES_H"] {
+        assert!(code.contains(text), "{code}");
+    }
+    assert!(!code.contains("block_limits"), "{code}");
+    assert!(of(&["--format", "c"]).contains("block_limits("));
+    let told = |arguments: &[&str]| failure(&declared, &[&["compile"], arguments].concat());
+    for (arguments, message) in [
+        (
+            &["--name", "fine"][..],
+            "--name is what names in C begin with",
+        ),
+        (
+            &["--name", "fine", "--format", "rust"],
+            "--name is what names in C begin with",
+        ),
+        (
+            &["--name", "2nd", "--format", "c"],
+            "--name is `2nd`, with which no name in C begins",
+        ),
+        (
+            &["--name", "", "--format", "c"],
+            "--name is ``, with which no name in C begins",
+        ),
+        (
+            &["--name", "zähler", "--format", "c"],
+            "--name is `zähler`, with which no name in C begins",
+        ),
+    ] {
+        let lines = told(arguments);
+        assert_eq!(lines.len(), 1, "{lines:?}");
+        assert!(lines[0].contains(message), "{lines:?}");
+    }
+}
+
+/// What `provide` asks for and no table holds is told on standard error.
+#[test]
+fn what_is_left_out() {
+    let with = |provide: &str| {
+        let fields = format!("excitation: block, provide: [{provide}],");
+        BLOCK.replace("excitation: block,", &fields)
+    };
+    let told = |provide: &str, format: &[&str]| {
+        let options = ["compile", "--accuracy", "1e-2", "--r", "0.5:2"];
+        let run = run_with(with(provide), &[&options[..], format].concat());
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        run.err
+    };
+    for format in ["c", "rust", "json"] {
+        let format = ["--format", format];
+        assert_eq!(told("limits, motion, stuck", &format), "");
+        let err = told("limits, motion(block), orbit, simulation, stepper", &format);
+        let left_out = "frictiongen: `compile` leaves out motion(block), orbit, simulation, stepper of `provide`: it writes limits, the contact's motion and stuck responses; use the macro or the library for the rest\n";
+        assert_eq!(err, left_out);
+        assert!(told("limits, stepper", &format).contains("leaves out stepper of"));
+    }
+    assert_eq!(told("limits, stepper", &[]), "");
 }
 
 #[test]

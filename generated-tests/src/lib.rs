@@ -5,6 +5,7 @@ pub mod data;
 pub mod reference;
 pub mod scenes;
 pub mod shown;
+pub mod wedges;
 
 /// The larger of two; NaN if either is, so that a NaN does not vanish in a maximum.
 #[must_use]

@@ -1,9 +1,12 @@
-//! `reference/closed_form.json` and `reference/extremes.json`, and a comparison of any system with them.
+//! `reference/closed_form.json`, `reference/extremes.json` and the wedges of `reference/several_states.json`, and a
+//! comparison of any system with them.
 //!
 //! A comparison counts what it compares, by kind.  A value that the reference does not have is no
 //! reason to compare less: a missing key or a list of another length panics.
 
-use frictiongen::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady, StuckAt};
+use frictiongen::{
+    ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Regime, Steady, StuckAt,
+};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use serde_json::Value;
@@ -20,6 +23,13 @@ pub fn closed_form() -> Vec<Value> {
 pub fn extremes() -> Vec<Value> {
     let text = include_str!("../reference/extremes.json");
     serde_json::from_str(text).expect("the reference is JSON")
+}
+
+/// The scenes of `several_states.json` at friction ratios between β*_lim and β_lim.
+pub fn wedges() -> Vec<Value> {
+    let text = include_str!("../reference/several_states.json");
+    let all: Value = serde_json::from_str(text).expect("the reference is JSON");
+    list(&all["wedge"], "wedges").to_vec()
 }
 
 /// A number of the reference, in quotes or not.
@@ -235,12 +245,46 @@ where
 {
     let mut worst = Worst::default();
     compare_frequencies(system, reference, &mut worst);
+    let points = list_of(&reference["points"], 3, "points");
+    compare_points(system, points, &mut worst);
+    worst
+}
+
+/// Every value of one scene of [`wedges`] against a system, and the regime.
+pub fn compare_wedge<S: Float, F: FrictionSystem<Scalar = S>>(
+    system: &F,
+    reference: &Value,
+) -> Worst
+where
+    for<'a> F::At<'a>: MotionAt<Scalar = S> + StuckAt,
+{
+    let mut worst = Worst::default();
+    let points = list(&reference["points"], "points");
+    compare_points(system, points, &mut worst);
+    for point in points {
+        let at = system.at(S::constant(number(&point["r"])));
+        let at = at.expect("a ratio in the domain");
+        for motion in list(&point["motions"], "motions") {
+            let regime = at.regime(S::constant(number(&motion["beta"])));
+            assert_eq!(regime, Ok(Regime::Bistable), "{motion}");
+        }
+    }
+    worst
+}
+
+fn compare_points<S: Float, F: FrictionSystem<Scalar = S>>(
+    system: &F,
+    points: &[Value],
+    worst: &mut Worst,
+) where
+    for<'a> F::At<'a>: MotionAt<Scalar = S> + StuckAt,
+{
     let masses = system.masses();
-    for point in list_of(&reference["points"], 3, "points") {
+    for point in points {
         let r = number(&point["r"]);
         let place = format!("r = {r}");
         let at = system.at(S::constant(r)).expect("a ratio in the domain");
-        compare_limits(&at, point, &place, &mut worst);
+        compare_limits(&at, point, &place, worst);
         let stuck = list_of(&point["stuck"], masses, "stuck amplitudes");
         let amplitude = |value: &Value| number(&value[0]).hypot(number(&value[1]));
         let largest = stuck.iter().map(amplitude).fold(1e-300, f64::max);
@@ -250,10 +294,9 @@ where
             worst.note("stuck", got.im, &want[1], largest, &place);
         }
         for reference in list_of(&point["motions"], 2, "motions") {
-            compare_motion(&at, reference, masses, &place, &mut worst);
+            compare_motion(&at, reference, masses, &place, worst);
         }
     }
-    worst
 }
 
 fn compare_contact<S: Float>(

@@ -1,13 +1,16 @@
-//! The reference values of `reference/closed_form.json` at run time and through the macro.
+//! The reference values of `reference/closed_form.json` and of the wedges in `reference/several_states.json`, at run time
+//! and through the macro.
 
 use frictiongen::System;
+use frictiongen::study::scene::Scene;
 use frictiongen_codegen::{Limits, parse_text};
 use frictiongen_kernel::number::dd::Dd;
 use generated_tests::larger;
 use generated_tests::reference::{
-    Worst, closed_form, compare, compare_extremes, description, extremes,
+    Worst, closed_form, compare, compare_extremes, compare_wedge, description, extremes, wedges,
 };
 use generated_tests::scenes::{TEXTS, compare_double, compare_single};
+use generated_tests::wedges as emitted_wedges;
 
 /// Double precision: 1e-12 of each quantity's scale, some 4500 roundings.  A point within 1e-2 of a
 /// sub-harmonic takes up to three digits of the sixteen; at r far above the resonances the modal terms of a
@@ -55,6 +58,58 @@ fn run_time_system() {
         worst.join(compare(&system, &reference));
     }
     all_within(&worst, DOUBLE);
+}
+
+/// 64 roundings of a quantity's scale: the value itself, for displacements and harmonics the amplitude of their mass, for a
+/// stuck response the largest of its scene, for a phase one radian.  A rounding is ε = 2⁻⁵².  The worst takes 21.
+const WEDGE: f64 = 64.0 * f64::EPSILON;
+/// Values of the wedges: 22 points of 14 scenes, 44 motions of 80 masses.
+const WEDGES: [(&str, usize); 10] = [
+    ("amplitude", 80),
+    ("contact amplitude", 44),
+    ("contact phase", 44),
+    ("continuous limit", 22),
+    ("displacement", 3 * 80),
+    ("harmonic", 6 * 80),
+    ("phase", 80),
+    ("sliding limit", 22),
+    ("stuck", 80),
+    ("without search", 22),
+];
+
+#[track_caller]
+fn all_wedges_within(worst: &Worst, tolerance: impl Fn(&str) -> f64) {
+    println!("{worst}");
+    assert_eq!(worst.compared(), WEDGES);
+    assert_eq!(worst.beyond(tolerance), Vec::<String>::new());
+}
+
+/// With μ > 1 the closed form is a steady state for every β < β_lim, also from β*_lim on.
+#[test]
+fn wedges_at_run_time() {
+    let (mut worst, mut wide) = (Worst::default(), Worst::default());
+    for reference in wedges() {
+        let text = description(&reference);
+        let system: System = text.parse().expect("a valid scene");
+        worst.join(compare_wedge(&system, &reference));
+        let system: System<Dd> = text.parse().expect("a valid scene");
+        wide.join(compare_wedge(&system, &reference));
+    }
+    all_wedges_within(&worst, |_| WEDGE);
+    all_wedges_within(&wide, |kind| if kind == "phase" { PLACES } else { DIGITS });
+}
+
+#[test]
+fn emitted_wedges() {
+    let mut worst = Worst::default();
+    let references = wedges();
+    for scene in emitted_wedges::compare(&references) {
+        worst.join(scene);
+    }
+    all_wedges_within(&worst, |_| WEDGE);
+    for (text, reference) in emitted_wedges::TEXTS.iter().zip(&references) {
+        assert_eq!(read(text), read(description(reference)));
+    }
 }
 
 /// Half a unit of the reference's 20th digit, 5e-20, and as much again for the comparison.
@@ -153,12 +208,16 @@ fn texts_are_the_references() {
     let references = closed_form();
     assert_eq!(TEXTS.len(), references.len());
     for (text, reference) in TEXTS.iter().zip(&references) {
-        let read = |text: &str| {
-            parse_text(text, &Limits::MACRO)
-                .expect("a valid scene")
-                .scene
-        };
         assert_eq!(read(text), read(description(reference)));
+    }
+}
+
+/// A scene without its name.
+fn read(text: &str) -> Scene {
+    let scene = parse_text(text, &Limits::MACRO).expect("a valid scene");
+    Scene {
+        name: String::new(),
+        ..scene.scene
     }
 }
 

@@ -41,6 +41,9 @@ pub struct CompileArguments {
     /// Print code or data instead of the figures
     #[arg(long, value_enum)]
     pub format: Option<TableFormat>,
+    /// Names in C begin with this [default: the scene's name]. Two tables of one scene need two names
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
     /// Write to this file instead of standard output
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,

@@ -179,8 +179,13 @@ fn domain<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream 
         never_stuck,
     } = tables.declared_reach(emission.scene);
     let about = match (always_continuous, never_stuck) {
-        (true, _) => " Where the tables hold: at every r and β of these the motion is continuous.",
-        (false, true) => " Where the tables hold: at no r and β of these the contact is stuck.",
+        (true, true) => {
+            " Where the tables hold: at every r and β of these the motion is continuous."
+        }
+        (true, false) => {
+            " Where the tables hold: at every r and β of these the closed form is a steady state."
+        }
+        (false, true) => " Where the tables hold: at no r and β of these a stuck state exists.",
         (false, false) => " Where the tables hold.",
     };
     code! {

@@ -1,18 +1,18 @@
 //! Tables as code that needs nothing else: a Rust file, or C99.
 //!
 //! Both compute what the kernel computes, operation by operation, so that all three agree to the last bit; but for
-//! the arc tangent of a phase, which is the platform's.
+//! the arc tangent of a phase, which is the platform's, or in Rust without std the file's own.
 
 mod c;
 mod rust;
 mod stuck;
 
-pub use c::{c_header, c_source};
+pub use c::{c_header, c_name, c_source};
 pub use rust::rust_source;
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
-use frictiongen_model::scene::Scene;
+use frictiongen_model::scene::{Excitation, Scene};
 use frictiongen_model::table::{Product, Tables};
 
 /// Numbers as a language writes them.
@@ -157,9 +157,76 @@ fn quotient_over<S: Float>(
     }
 }
 
-/// Whether a contact whose motion is continuous cannot stick as well: β_lim is then the smaller limit.
-fn sticks_late(scene: &Scene) -> bool {
-    scene.stiction <= 1.0
+/// What a function answers, or why it does not: name, number in C, meaning.
+const STATUSES: [(&str, i32, &str); 5] = [
+    ("OutOfDomain", -1, "r or beta is not in the domain"),
+    ("Ok", 0, "the values are written"),
+    (
+        "StickSlip",
+        1,
+        "beta_lim <= beta < beta*_lim: the contact stops and slides in turn",
+    ),
+    (
+        "Stuck",
+        2,
+        "beta is at or above both limits: no motion slides all the time, and a stuck state exists",
+    ),
+    (
+        "Unbounded",
+        3,
+        "on an undamped resonance, of the chain with its contact stuck for a stuck response",
+    ),
+];
+
+/// What both languages ask of an argument, and call what they answer.
+struct Asked {
+    numbers: Numbers,
+    /// Whether r is out of the domain.
+    r_outside: String,
+    /// Whether r or beta is.
+    outside: String,
+    /// Whether r is on an undamped resonance that the load drives; none where none is in the range.
+    unbounded: Option<String>,
+    /// What beta is.
+    beta: &'static str,
+    /// What an amplitude is.
+    amplitude: &'static str,
+    /// What a force is divided by.
+    load: &'static str,
+}
+
+impl Asked {
+    fn of<S: Float>(numbers: Numbers, scene: &Scene, tables: &Tables<S>) -> Self {
+        let write = |value: f64| numbers.write(S::constant(value).to_f64());
+        let (low, high) = tables.request.r;
+        let largest = if numbers.single {
+            f64::from(f32::MAX)
+        } else {
+            f64::MAX
+        };
+        let declared = scene.declared.range;
+        let (least, most) = declared.map_or((0.0, largest), |range| range.beta);
+        let r = format!("{} <= r && r <= {}", write(low), write(high));
+        // An infinite friction is none that may be asked for.
+        let beta = format!(
+            "{} <= beta && beta <= {}",
+            write(least),
+            write(most.min(largest))
+        );
+        let on = tables.unbounded.iter();
+        let on = on.map(|own| format!("r == {}", numbers.write(own.to_f64())));
+        let on: Vec<String> = on.collect();
+        let moving = scene.excitation == Excitation::Base;
+        Self {
+            numbers,
+            r_outside: format!("!({r})"),
+            outside: format!("!({r} && {beta})"),
+            unbounded: (!on.is_empty()).then(|| on.join(" || ")),
+            beta: if moving { "F/(k1 Y)" } else { "F/P" },
+            amplitude: if moving { "x/Y" } else { "x k1/P" },
+            load: if moving { "k1 Y" } else { "P" },
+        }
+    }
 }
 
 /// A name in the style of a function: `TwoStorey` becomes `two_storey`.

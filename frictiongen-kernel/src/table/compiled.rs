@@ -14,7 +14,8 @@ pub struct Domain<S> {
     pub beta: (S, S),
     /// Whether the exact formulas answer beyond; else nothing does.
     pub exact_beyond: bool,
-    /// Whether all these friction ratios are below both limits at all these frequencies: no limit is then asked.
+    /// Whether all these friction ratios are below β_lim at all these frequencies: the closed form then answers without a
+    /// look at it.
     pub always_continuous: bool,
     /// Whether they are all below β*_lim: it is then not asked.
     pub never_stuck: bool,

@@ -23,7 +23,7 @@ const SAME: f64 = 1e-26;
 const PLACES: usize = 33;
 
 /// A double-double rounded once to a scalar.
-fn rounded<S: Float>(value: Dd) -> S {
+pub(super) fn rounded<S: Float>(value: Dd) -> S {
     // A double halfway between two numbers of a narrower scalar would hide on which side the low part is: it moves.
     let moved = if value.lo > 0.0 {
         value.hi.next_up()

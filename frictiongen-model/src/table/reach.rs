@@ -18,9 +18,9 @@ const PARTS: usize = 64;
 /// What is said is so for every number of the scalar, in the arithmetic that is emitted: where nothing is said either may be.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reach {
-    /// Every friction ratio is below both limits: the motion is continuous.
+    /// Every friction ratio is below β_lim: the closed form answers.
     pub always_continuous: bool,
-    /// Every friction ratio is below β*_lim: the contact slides.
+    /// Every friction ratio is below β*_lim: no stuck state exists.
     pub never_stuck: bool,
 }
 
@@ -42,13 +42,13 @@ impl<S: Float> Tables<S> {
         if !most.is_finite() {
             return Reach::default();
         }
+        let always_continuous = self.limit_is_above(most);
         let sliding = self.sliding.as_ref();
-        let never_stuck = sliding.is_some_and(|product| self.is_above(product, most));
-        // As the kernel has it: without stiction in excess of friction β_lim alone decides.
-        let decides = stiction <= 1.0;
+        // As the kernel has it: a contact that grips no better than it rubs cannot stick below β_lim.
+        let decides = always_continuous && stiction <= 1.0;
         Reach {
-            always_continuous: (decides || never_stuck) && self.limit_is_above(most),
-            never_stuck,
+            always_continuous,
+            never_stuck: decides || sliding.is_some_and(|product| self.is_above(product, most)),
         }
     }
 
@@ -157,7 +157,7 @@ fn value<S: Float>(factor: &Factor<S>, r: Interval) -> Interval {
 #[cfg(test)]
 mod tests {
     use super::super::proof::tests::{random, request, scene};
-    use super::super::{Reach, Tables};
+    use super::super::{Reach, Request, Tables};
     use crate::scene::Side;
     use frictiongen_kernel::Float;
 
@@ -187,14 +187,9 @@ mod tests {
         let [limit, sliding] = least(&tables);
         let name = format!("{kind}{count}, {zeta}, {stiction}: {limit} and {sliding}");
         let reach = |most| tables.reach(stiction, most);
-        let both = if stiction > 1.0 {
-            limit.min(sliding)
-        } else {
-            limit
-        };
         // Nearer a bound of the roundings may not tell.
         for (share, is_below) in [(0.5, true), (0.99, true), (1.001, false), (2.0, false)] {
-            assert_eq!(reach(share * both).always_continuous, is_below, "{name}");
+            assert_eq!(reach(share * limit).always_continuous, is_below, "{name}");
             assert_eq!(reach(share * sliding).never_stuck, is_below, "{name}");
         }
         assert_eq!(reach(f64::INFINITY), Reach::default());
@@ -212,6 +207,22 @@ mod tests {
             told::<f64>(kind, count, zeta, stiction);
             told::<f32>(kind, count, zeta, stiction);
         }
+    }
+
+    /// Every piece is looked at up to its end, the last one up to the end of the range, where β_lim is the least here.
+    #[test]
+    fn up_to_the_end_of_the_range() {
+        let modal = scene("Wall", 1, 0.02, 1.0);
+        let request = Request {
+            r: (1.2, 2.5),
+            ..request(1e-3, Side::Near)
+        };
+        let tables = Tables::<f64>::build(&modal, request).unwrap();
+        let last = tables.pieces.last().unwrap();
+        let (begins, ends) = (last.value(0, last.from), last.value(0, 2.5));
+        assert!(ends < 0.6 && 0.6 < begins, "{begins} to {ends}");
+        assert!(tables.reach(1.0, 0.999 * ends).always_continuous);
+        assert!(!tables.reach(1.0, 0.6).always_continuous);
     }
 
     /// A zero of β_lim within the range leaves every regime open.

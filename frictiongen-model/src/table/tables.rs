@@ -4,6 +4,7 @@ use super::cover::Stuck;
 use super::exact::Exact;
 use super::fit::{Fitted, TERMS, terms};
 use super::held::Held;
+use super::held_build::rounded;
 use super::index::Index;
 use super::kinks;
 use super::product::Product;
@@ -71,6 +72,9 @@ pub struct Tables<S> {
     pub sliding_proof: Proof,
     /// The same of |V|, where it is a product.
     pub excitation_proof: Proof,
+    /// The undamped resonances in the range that the load drives, as numbers of the scalar: there the amplitude of a
+    /// continuous motion is infinite.
+    pub unbounded: Vec<S>,
     /// Where β_lim bends, ascending.
     pub(super) kinks: Vec<f64>,
 }
@@ -339,6 +343,8 @@ impl<S: Float> Tables<S> {
         let size = core::mem::size_of::<S>();
         let bytes = numbers * size + index.buckets.len() * narrow;
         let bytes = bytes + products.sum::<usize>() * size;
+        let mut unbounded: Vec<S> = modal.unbounded(false).into_iter().map(rounded).collect();
+        unbounded.retain(|own| ends.0 <= *own && *own <= ends.1);
         Ok(Self {
             request,
             functions,
@@ -359,6 +365,7 @@ impl<S: Float> Tables<S> {
             motion_proof: Proof::none((low, high)),
             sliding_proof,
             excitation_proof,
+            unbounded,
             kinks,
         })
     }

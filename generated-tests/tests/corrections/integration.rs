@@ -48,8 +48,13 @@ fn step(plain: &Plain, t: f64, y: &State, h: f64, friction: Option<f64>) -> Stat
 
 /// Runs from rest for some periods; the friction holds the contact where it can.
 pub fn run(plain: &Plain, beta: f64, periods: usize) -> Steady {
-    let zero = DVector::zeros(plain.n());
-    integrate(plain, beta, periods, 0.0, (zero.clone(), zero), None)
+    run_from(plain, beta, periods, DVector::zeros(plain.n()))
+}
+
+/// Runs from displacements without velocity, at a maximum of the excitation.
+pub fn run_from(plain: &Plain, beta: f64, periods: usize, start: DVector<f64>) -> Steady {
+    let velocity = DVector::zeros(plain.n());
+    integrate(plain, beta, periods, 0.0, (start, velocity), None)
 }
 
 /// Runs on from the continuous motion at its maximum.

@@ -13,11 +13,12 @@ const SOURCES: [&str; 6] = [
 ];
 
 /// The corrections: where, and the test.
-const ROWS: [(&str, &str); 31] = [
+const ROWS: [(&str, &str); 32] = [
     ("2.31, 6.8", "eq_2_31_and_6_8"),
     ("2.4, 2.9", "eq_2_4_and_2_9"),
     ("3.15", "eq_3_15"),
     ("3.33, 3.34", "eq_3_33_and_3_34"),
+    ("sections 3.4.3, 3.6", "sections_3_4_3_and_3_6"),
     ("section 3.6.2", "section_3_6_2"),
     ("4.5", "eq_4_5"),
     ("section 4.4.2", "section_4_4_2"),

@@ -1,5 +1,6 @@
 //! Section 6.5: contacts that stick.
 
+use super::integration::run_from;
 use super::page::states;
 use super::plain::{Contact, Scene, unit};
 use super::{close, judged};
@@ -17,6 +18,41 @@ fn between() -> Scene {
 
 fn regime(scene: &Scene, r: f64, beta: f64) -> Regime {
     scene.system().at(r).unwrap().regime(beta).unwrap()
+}
+
+/// With static friction above kinetic the contact of one mass slides for ever from z̄ = 4, and sticks from where the stuck
+/// state is, at the same β ≥ β*_lim.
+#[test]
+fn sections_3_4_3_and_3_6() {
+    let (scene, r, beta) = (unit(1, Contact::Base(0)).stiction(2.0), 1.1, 0.65);
+    let plain = scene.at(r);
+    let (x, force) = plain.stuck();
+    let sliding_limit = force.norm() / plain.mu;
+    let printed_sticks = beta >= sliding_limit;
+    let limit = plain.velocity_limit(2.0).min(plain.break_away_limit(2.0));
+    let right_slides = beta < limit;
+    // The base stands at 1: z̄ = 4 is x̄ = 5.
+    let steady = run_from(&plain, beta, 400, DVector::from_element(1, 5.0));
+    assert_eq!(steady.stops, 0);
+    assert!(printed_sticks && right_slides);
+    let amplitude = steady.at(0.0).0[0] - steady.phi.cos();
+    close(amplitude, plain.amplitude_phase(beta).0, 1e-8);
+    // The stuck state holds as well: with the base's displacement and velocity nothing ever slides.
+    let held = run_from(&plain, beta, 40, x.map(|x| x.re));
+    assert_eq!(held.at(0.0).0[0] - 1.0, 0.0);
+    // The project knows both.
+    let system = scene.system();
+    let at = system.at(r).unwrap();
+    close(at.sliding_limit(), sliding_limit, 1e-14);
+    close(at.continuous_limit(), limit, 1e-6);
+    assert_eq!(at.regime(beta), Ok(Regime::Bistable));
+    close(
+        at.motion(beta).unwrap().contact().amplitude(),
+        amplitude,
+        1e-8,
+    );
+    let numbers = [(sliding_limit, 3), (limit, 3), (amplitude, 2)];
+    states("sections_3_4_3_and_3_6", &numbers);
 }
 
 /// The load that the contact has to bear while stuck, against what static friction can give.

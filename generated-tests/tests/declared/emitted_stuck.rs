@@ -45,6 +45,27 @@ scene! { SINGLE: struct Single {
     range: { r: 0.2..2.5 },
 } }
 
+scene! { OWN_POLES: struct OwnPoles {
+    masses: { a: 1, b: 2, c: 1 },
+    springs: { base - a: 1, a - b: 1, b - c: 1 },
+    contact: b - base,
+    excitation: base,
+    provide: [limits, stuck],
+    accuracy: 1e-6,
+    range: { r: 0.2..2.5 },
+} }
+
+scene! { OWN_POLES_DAMPED: struct OwnPolesDamped {
+    masses: { a: 1, b: 2, c: 1 },
+    springs: { base - a: 1, a - b: 1, b - c: 1 },
+    contact: b - base,
+    excitation: base,
+    damping: rayleigh(0.02, 0.03),
+    provide: [limits, stuck],
+    accuracy: 1e-6,
+    range: { r: 0.2..2.5 },
+} }
+
 scene! { BEYOND: struct Beyond {
     masses: { a: 1, b: 1 },
     springs: { base - a: 1, a - b: 2 },
@@ -120,6 +141,15 @@ fn within_the_accuracy() {
     within!(OnTwo, ON_TWO, f64, 0.3..2.5, 1e-6, [lower, upper]);
     within!(Five, FIVE, f64, 0.2..2.5, 1e-9, [a, b, c, d, e]);
     within!(Single, SINGLE, f32, 0.2..2.5, 1e-5, [a, b, c]);
+    within!(OwnPoles, OWN_POLES, f64, 0.2..2.5, 1e-6, [a, b, c]);
+    within!(
+        OwnPolesDamped,
+        OWN_POLES_DAMPED,
+        f64,
+        0.2..2.5,
+        1e-6,
+        [a, b, c]
+    );
     within!(Beyond, BEYOND, f64, 0.4..2.0, 1e-3, [a, b]);
     within!(FewBytes, FEW_BYTES, f64, 0.3..2.0, 1e-9, [a, b, c, d]);
 }

@@ -171,3 +171,53 @@ fn least(stage: &Stage<1>, level: f64, mut t: f64) -> Option<f64> {
     }
     Some(t)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::random;
+    use super::*;
+
+    /// Wherever the end of a side is within a part, and from the share on up to the one that is told, the instant is in the
+    /// region; and it is told to the full.
+    #[test]
+    fn within_the_region() {
+        let (mut state, mut told) = (9, 0);
+        for _ in 0..20_000 {
+            let mut number = || random(&mut state);
+            let (from, width) = (number(), 0.5 * number());
+            let region = Region {
+                from,
+                to: (from + width).min(1.0),
+            };
+            let low = 0.02 + 0.9 * number();
+            let path = Interval::new(low, low + (0.99 - low) * 0.3 * number());
+            let share = number();
+            for side in [Flank::Before, Flank::After] {
+                let instant = |share: f64, end: f64| match side {
+                    Flank::Before => share * end,
+                    Flank::After => 1.0 - (1.0 - end) * share,
+                };
+                let Some(reach) = region.reach(side, share, path) else {
+                    continue;
+                };
+                assert!(share < reach);
+                let ends = [path.low, path.middle(), path.high];
+                for (end, share) in ends
+                    .into_iter()
+                    .flat_map(|end| [(end, share), (end, reach)])
+                {
+                    let t = instant(share, end);
+                    assert!(
+                        region.from <= t && t <= region.to,
+                        "{t} in {region:?}, {share} of {path:?}"
+                    );
+                }
+                let further = ends.map(|end| instant(reach * (1.0 + 1e-6), end));
+                let is_out = |t: f64| !(region.from <= t && t <= region.to);
+                assert!(further.into_iter().any(is_out), "{region:?}, {path:?}");
+                told += 1;
+            }
+        }
+        assert!(told > 2000, "{told}");
+    }
+}

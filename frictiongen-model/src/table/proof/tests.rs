@@ -170,6 +170,29 @@ fn a_wrong_coefficient_is_not_proven() {
     assert_eq!(found, 3 * (4 + 6 + 6 + 6));
 }
 
+/// On the safe side a table that is above β_lim by less than its accuracy is not proven either.
+#[test]
+fn above_the_limit_is_not_safe() {
+    let accuracy = 1e-3;
+    for (kind, count, zeta) in [("Wall", 1, 0.02), ("Base", 2, 0.02), ("Wall", 1, 0.0)] {
+        let modal = scene(kind, count, zeta, 1.2);
+        let mut tables = Tables::<f64>::build(&modal, request(accuracy, Side::Safe)).unwrap();
+        let place = tables.pieces.len() / 2;
+        let next = tables.pieces.get(place + 1).map_or(2.5, |next| next.from);
+        let length = next - tables.pieces[place].from;
+        let open = |tables: &Tables<f64>| {
+            let [proof, _] = tables.prove_piece(&modal, place, Work(300_000));
+            proof.open_length() / length
+        };
+        assert!(open(&tables) < 1e-3, "{kind}{count}");
+        // From somewhere between one accuracy below and β_lim to above it, by less than one accuracy.
+        for coefficient in &mut tables.pieces[place].coefficients[0] {
+            *coefficient *= 1.0 + 0.97 * accuracy;
+        }
+        assert!(open(&tables) > 0.5, "{kind}{count}: {}", open(&tables));
+    }
+}
+
 /// In single precision the roundings of the evaluation count.
 #[test]
 fn single_precision() {

@@ -276,6 +276,34 @@ fn a_wrong_number_is_not_proven() {
     assert!(found > 1200, "{found}");
 }
 
+/// What a zero may be off goes into the bound: over the distance from the zero, which is below 5 everywhere, and half of it
+/// under a root.
+#[test]
+fn uncertain_zeros_are_in_the_bound() {
+    let (weight, mut seen) = (1e-6, 0);
+    for (kind, count, zeta, stiction) in KINDS {
+        let modal = scene(kind, count, zeta, stiction);
+        let (known, zeros) = (Exact::new(&modal), Zeros::of(&modal));
+        let asked = asked(1e-3, Side::Near);
+        let tables = Tables::<f64>::build(&modal, asked).unwrap();
+        let product = tables.sliding.unwrap();
+        let sound = Receptances::of(&known, zeros.as_ref(), 2.5).unwrap();
+        let all = sound.receptance.zeros.len();
+        for place in 0..all {
+            let mut uncertain = Receptances::of(&known, zeros.as_ref(), 2.5).unwrap();
+            uncertain.receptance.zeros[place].1 = weight;
+            let (own, sound) = (
+                uncertain.sliding(&product, &asked),
+                sound.sliding(&product, &asked),
+            );
+            let more = own.bound.error - sound.bound.error;
+            assert!(more > weight / 25.0, "{kind}{count}, {zeta}: {more:e}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 30, "{seen}");
+}
+
 /// Zeros that are off by far less than an accuracy leave a weight that says so.
 #[test]
 fn zeros_that_are_none() {

@@ -1,16 +1,17 @@
 //! `frictiongen compile`: tables of a declared accuracy, their figures, or them as code or data.
 
+mod data;
+
 use crate::args::{CompileArguments, TableFormat};
 use crate::failure::Failure;
 use crate::file::write_file;
+use crate::progress;
 use frictiongen::System;
-use frictiongen::kernel::table::{Factor, Root};
 use frictiongen::study::InvalidScene;
-use frictiongen::study::scene::{Accuracy, Proving, Range, Scene, Side};
-use frictiongen::study::table::{HeldForm, Product, Proof, Tables, Work};
-use frictiongen_codegen::standalone::{c_header, c_source, rust_source};
+use frictiongen::study::scene::{Accuracy, Provide, Proving, Range, Scene, Side};
+use frictiongen::study::table::{Tables, Work};
+use frictiongen_codegen::standalone::{c_header, c_name, c_source, rust_source};
 use frictiongen_codegen::{Limits, SceneTables};
-use serde_json::{Value, json};
 use std::io::Write;
 use std::path::Path;
 
@@ -24,13 +25,63 @@ const LIMITS: Limits = Limits {
 pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let mut scene = arguments.file.constant_level(&LIMITS)?.scene;
     declare(&mut scene, arguments)?;
+    let name = c_prefix(&scene, arguments)?;
     let tables = SceneTables::of(&scene).map_err(Failure::new)?;
     match tables.map(|tables| tables.proven(&scene, Work::WHOLE)) {
-        Some(SceneTables::Double(tables)) => write(&scene, &tables, arguments, out),
-        Some(SceneTables::Single(tables)) => write(&scene, &tables, arguments, out),
-        None => Err(Failure::new(
-            "how exact the tables are to be is not said: give --accuracy 1e-4 or --budget 4096, or write it in the description",
-        )),
+        Some(SceneTables::Double(tables)) => write(&scene, &tables, (arguments, &name), out)?,
+        Some(SceneTables::Single(tables)) => write(&scene, &tables, (arguments, &name), out)?,
+        None => {
+            return Err(Failure::new(
+                "how exact the tables are to be is not said: give --accuracy 1e-4 or --budget 4096, or write it in the description",
+            ));
+        }
+    }
+    if arguments.format.is_some() {
+        say_what_is_left_out(&scene);
+    }
+    Ok(())
+}
+
+/// With what the names in C begin.
+fn c_prefix(scene: &Scene, arguments: &CompileArguments) -> Result<String, Failure> {
+    let Some(name) = &arguments.name else {
+        return Ok(c_name(scene));
+    };
+    if arguments.format != Some(TableFormat::C) {
+        return Err(Failure::new(
+            "--name is what names in C begin with; write --format c, or leave it out",
+        ));
+    }
+    let is_letter = |letter: char| letter.is_ascii_alphabetic() || letter == '_';
+    let sound =
+        name.starts_with(is_letter) && name.chars().all(|c| is_letter(c) || c.is_ascii_digit());
+    if !sound {
+        return Err(Failure::new(format_args!(
+            "--name is `{name}`, with which no name in C begins; write letters, digits and underscores, for example frame_fine"
+        )));
+    }
+    Ok(name.clone())
+}
+
+/// Says on standard error what of `provide` is not written.
+fn say_what_is_left_out(scene: &Scene) {
+    let word = |item: &Provide| match item {
+        Provide::Motion(Some(masses)) if !masses.is_empty() => {
+            let names = masses.iter().filter_map(|mass| scene.masses.get(*mass));
+            let names: Vec<&str> = names.map(|mass| mass.name.as_str()).collect();
+            Some(format!("motion({})", names.join(", ")))
+        }
+        Provide::Orbit => Some("orbit".to_owned()),
+        Provide::Simulation => Some("simulation".to_owned()),
+        Provide::Stepper => Some("stepper".to_owned()),
+        Provide::Limits | Provide::Motion(_) | Provide::Stuck => None,
+    };
+    let left_out: Vec<String> = scene.provide.iter().filter_map(word).collect();
+    if !left_out.is_empty() {
+        progress::say(&format!(
+            "frictiongen: `compile` leaves out {} of `provide`: it writes limits, the contact's motion and stuck responses; use the macro or the library for the rest\n",
+            left_out.join(", ")
+        ));
     }
 }
 
@@ -85,7 +136,7 @@ fn number(text: &str, option: &str) -> Result<f64, Failure> {
 fn write<S: frictiongen::kernel::Float>(
     scene: &Scene,
     tables: &Tables<S>,
-    arguments: &CompileArguments,
+    (arguments, name): (&CompileArguments, &str),
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let path = arguments.output.as_deref();
@@ -103,16 +154,15 @@ fn write<S: frictiongen::kernel::Float>(
     let text = match arguments.format {
         None => figures(scene, tables),
         Some(TableFormat::Rust) => rust_source(scene, tables).ok_or_else(no_form)?,
-        Some(TableFormat::Json) => format!("{}\n", data(scene, tables)),
+        Some(TableFormat::Json) => format!("{}\n", data::of(scene, tables)),
         Some(TableFormat::C) => {
             let header = path.map(|path| path.with_extension("h"));
-            let name = header
-                .as_deref()
-                .and_then(Path::file_name)
-                .map(|name| name.to_string_lossy());
-            let source = c_source(scene, tables, name.as_deref()).ok_or_else(no_form)?;
+            let file = header.as_deref().and_then(Path::file_name);
+            let file = file.map(|file| file.to_string_lossy());
+            let source = c_source(scene, tables, name, file.as_deref()).ok_or_else(no_form)?;
             if let Some(header) = &header {
-                write_file(header, arguments.file.path(), &c_header(scene, tables))?;
+                let text = c_header(scene, tables, name);
+                write_file(header, arguments.file.path(), &text)?;
             }
             source
         }
@@ -160,8 +210,13 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
     let reach = tables.declared_reach(scene);
     let most = scene.declared.range.map_or(0.0, |range| range.beta.1);
     let regimes = match (reach.always_continuous, reach.never_stuck) {
-        (true, _) => {
+        (true, true) => {
             format!("regimes         continuous at every r, for every beta up to {most}\n")
+        }
+        (true, false) => {
+            format!(
+                "regimes         continuous or bistable at every r, for every beta up to {most}\n"
+            )
         }
         (false, true) => {
             format!(
@@ -208,107 +263,4 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
         tables.additions_and_multiplications(),
         report.evaluations,
     )
-}
-
-/// The tables as data.
-fn data<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> Value {
-    let value = |value: S| value.to_f64();
-    let factor = |factor: &Factor<S>| match *factor {
-        Factor::Zero { at, rest } => json!({ "zero": [value(at), value(rest)] }),
-        Factor::Pair {
-            at,
-            rest,
-            off,
-            least,
-        } => json!({ "pair": [value(at), value(rest), value(off), value(least)] }),
-        Factor::Real { off } => json!({ "real": [value(off)] }),
-    };
-    let product = |product: &Option<Product<S>>| match product {
-        None => Value::Null,
-        Some(product) => json!({
-            "gain": value(product.gain),
-            "squared": product.squared,
-            "numerator": product.numerator.iter().map(factor).collect::<Vec<_>>(),
-            "denominator": product.denominator.iter().map(factor).collect::<Vec<_>>(),
-        }),
-    };
-    let root = |root: &Root<S>| match *root {
-        Root::Pair {
-            at,
-            rest,
-            off,
-            rate,
-        } => json!({ "pair": [value(at), value(rest), value(off), value(rate)] }),
-        Root::Real { rate } => json!({ "real": [value(rate)] }),
-    };
-    let form = |form: &HeldForm<S>| match form {
-        HeldForm::Fixed(amplitude) => json!({ "fixed": value(*amplitude) }),
-        HeldForm::Undamped(own) => json!({ "undamped": product(&Some(own.clone())) }),
-        HeldForm::Damped {
-            gain,
-            numerator,
-            denominator,
-        } => json!({ "damped": {
-            "gain": value(*gain),
-            "numerator": numerator.iter().map(root).collect::<Vec<_>>(),
-            "denominator": denominator.iter().map(root).collect::<Vec<_>>(),
-        } }),
-    };
-    let stuck = tables.held.as_ref().map(|held| {
-        let named = scene.masses.iter().zip(&held.masses);
-        let masses = named.map(|(mass, own)| (mass.name.clone(), form(own)));
-        json!({
-            "masses": Value::Object(masses.collect()),
-            "contact_force": form(&held.force),
-            "resonances": held.resonances.iter().map(|own| value(*own)).collect::<Vec<_>>(),
-            "largest_error": { "value": held.worst.error, "r": held.worst.at },
-            "checked_points": held.points,
-        })
-    });
-    let pieces = tables.pieces.iter().map(|piece| {
-        let of = piece.coefficients.iter();
-        let of = of.map(|of| of.iter().map(|c| value(*c)).collect::<Vec<f64>>());
-        json!({
-            "from": value(piece.from),
-            "origin": value(piece.origin),
-            "coefficients": of.collect::<Vec<_>>(),
-        })
-    });
-    let functions = ["beta_lim", "a", "g", "arg_V", "abs_V"];
-    let functions = functions.get(..tables.functions).unwrap_or_default();
-    json!({
-        "version": 1,
-        "scene": scene.name,
-        "range": { "r": [tables.request.r.0, tables.request.r.1] },
-        "accuracy": tables.request.accuracy,
-        "side": if tables.request.side == Side::Safe { "safe" } else { "near" },
-        "functions": functions,
-        "index": {
-            "low": value(tables.index.low),
-            "density": value(tables.index.density),
-            "halvings": tables.index.halvings,
-            "buckets": tables.index.buckets,
-        },
-        "pieces": pieces.collect::<Vec<_>>(),
-        "sliding_limit": product(&tables.sliding),
-        "excitation": product(&tables.excitation),
-        "stuck": stuck,
-        "bytes": tables.report.bytes,
-        "largest_error": { "value": tables.report.worst.error, "r": tables.report.worst.at },
-        "checked_points": tables.report.points,
-        "proof": proof(&tables.proof),
-        "sliding_proof": proof(&tables.sliding_proof),
-        "excitation_proof": proof(&tables.excitation_proof),
-        "motion_proof": proof(&tables.motion_proof),
-    })
-}
-
-/// What is proven, as data.
-fn proof(proof: &Proof) -> Value {
-    json!({
-        "evidence": proof.evidence.word(),
-        "bound": { "value": proof.bound.error, "r": proof.bound.at },
-        "open": proof.open,
-        "work": proof.work.0,
-    })
 }

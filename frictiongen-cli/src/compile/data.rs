@@ -1,0 +1,109 @@
+//! Tables as JSON.
+
+use frictiongen::kernel::table::{Factor, Root};
+use frictiongen::study::scene::{Scene, Side};
+use frictiongen::study::table::{HeldForm, Product, Proof, Tables};
+use serde_json::{Value, json};
+
+/// The tables as data.
+pub(super) fn of<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> Value {
+    let value = |value: S| value.to_f64();
+    let factor = |factor: &Factor<S>| match *factor {
+        Factor::Zero { at, rest } => json!({ "zero": [value(at), value(rest)] }),
+        Factor::Pair {
+            at,
+            rest,
+            off,
+            least,
+        } => json!({ "pair": [value(at), value(rest), value(off), value(least)] }),
+        Factor::Real { off } => json!({ "real": [value(off)] }),
+    };
+    let product = |product: &Option<Product<S>>| match product {
+        None => Value::Null,
+        Some(product) => json!({
+            "gain": value(product.gain),
+            "squared": product.squared,
+            "numerator": product.numerator.iter().map(factor).collect::<Vec<_>>(),
+            "denominator": product.denominator.iter().map(factor).collect::<Vec<_>>(),
+        }),
+    };
+    let root = |root: &Root<S>| match *root {
+        Root::Pair {
+            at,
+            rest,
+            off,
+            rate,
+        } => json!({ "pair": [value(at), value(rest), value(off), value(rate)] }),
+        Root::Real { rate } => json!({ "real": [value(rate)] }),
+    };
+    let form = |form: &HeldForm<S>| match form {
+        HeldForm::Fixed(amplitude) => json!({ "fixed": value(*amplitude) }),
+        HeldForm::Undamped(own) => json!({ "undamped": product(&Some(own.clone())) }),
+        HeldForm::Damped {
+            gain,
+            numerator,
+            denominator,
+        } => json!({ "damped": {
+            "gain": value(*gain),
+            "numerator": numerator.iter().map(root).collect::<Vec<_>>(),
+            "denominator": denominator.iter().map(root).collect::<Vec<_>>(),
+        } }),
+    };
+    let stuck = tables.held.as_ref().map(|held| {
+        let named = scene.masses.iter().zip(&held.masses);
+        let masses = named.map(|(mass, own)| (mass.name.clone(), form(own)));
+        json!({
+            "masses": Value::Object(masses.collect()),
+            "contact_force": form(&held.force),
+            "resonances": held.resonances.iter().map(|own| value(*own)).collect::<Vec<_>>(),
+            "largest_error": { "value": held.worst.error, "r": held.worst.at },
+            "checked_points": held.points,
+        })
+    });
+    let pieces = tables.pieces.iter().map(|piece| {
+        let of = piece.coefficients.iter();
+        let of = of.map(|of| of.iter().map(|c| value(*c)).collect::<Vec<f64>>());
+        json!({
+            "from": value(piece.from),
+            "origin": value(piece.origin),
+            "coefficients": of.collect::<Vec<_>>(),
+        })
+    });
+    let functions = ["beta_lim", "a", "g", "arg_V", "abs_V"];
+    let functions = functions.get(..tables.functions).unwrap_or_default();
+    json!({
+        "version": 1,
+        "scene": scene.name,
+        "range": { "r": [tables.request.r.0, tables.request.r.1] },
+        "accuracy": tables.request.accuracy,
+        "side": if tables.request.side == Side::Safe { "safe" } else { "near" },
+        "functions": functions,
+        "index": {
+            "low": value(tables.index.low),
+            "density": value(tables.index.density),
+            "halvings": tables.index.halvings,
+            "buckets": tables.index.buckets,
+        },
+        "pieces": pieces.collect::<Vec<_>>(),
+        "sliding_limit": product(&tables.sliding),
+        "excitation": product(&tables.excitation),
+        "stuck": stuck,
+        "bytes": tables.report.bytes,
+        "largest_error": { "value": tables.report.worst.error, "r": tables.report.worst.at },
+        "checked_points": tables.report.points,
+        "proof": proof(&tables.proof),
+        "sliding_proof": proof(&tables.sliding_proof),
+        "excitation_proof": proof(&tables.excitation_proof),
+        "motion_proof": proof(&tables.motion_proof),
+    })
+}
+
+/// What is proven, as data.
+fn proof(proof: &Proof) -> Value {
+    json!({
+        "evidence": proof.evidence.word(),
+        "bound": { "value": proof.bound.error, "r": proof.bound.at },
+        "open": proof.open,
+        "work": proof.work.0,
+    })
+}

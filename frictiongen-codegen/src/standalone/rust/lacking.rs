@@ -1,0 +1,61 @@
+//! The square root and the arc tangent, which `core` lacks.
+
+use super::super::Numbers;
+
+/// Parts of one in which the arc tangent begins: its series then runs over 1/16 at the most.
+const PARTS: u32 = 8;
+
+/// A trait with both, for a file that may be built without std.  Methods of the type itself go before those of a trait, so
+/// std's are taken where it is linked.
+pub(super) fn source(numbers: Numbers) -> String {
+    // Bits of the fraction, of the exponent's bias, the integers, what the root is shifted by, and what a subnormal number
+    // is multiplied by.
+    let (real, fraction, bias, bits, wide, shift, scale) = if numbers.single {
+        ("f32", 23, 127, "u32", "u64", 25, 24)
+    } else {
+        ("f64", 52, 1023, "u64", "u128", 54, 54)
+    };
+    // Odd terms up to t¹³, or t⁷: what is left is below 1e-18 and 3e-11 of t.
+    let terms = if numbers.single { 4 } else { 7 };
+    let last = 2 * terms - 1;
+    let series = (1..terms - 1)
+        .rev()
+        .fold(format!("1.0 / {last}.0"), |inner, k| {
+            format!("1.0 / {}.0 - square * ({inner})", 2 * k + 1)
+        });
+    let arcs = (0..=PARTS).map(|k| (f64::from(k) / f64::from(PARTS)).atan());
+    let arcs = numbers.list(arcs);
+    let parts = numbers.write(f64::from(PARTS));
+    let one_more = PARTS + 1;
+    format!(
+        "/// What `core` lacks.  Where std is linked its own methods of these names are taken.\n\
+         trait Lacking {{\n    fn sqrt(self) -> Self;\n    fn atan2(self, x: Self) -> Self;\n}}\n\n\
+         impl Lacking for {real} {{\n    \
+         /// Rounded correctly: an integer root of one more digit, rounded to the nearest.  Of a number that is not negative.\n    \
+         fn sqrt(self) -> {real} {{\n        \
+         if !(0.0 < self && self < {real}::INFINITY) {{\n            return self;\n        }}\n        \
+         let subnormal = self < {real}::MIN_POSITIVE;\n        \
+         let scale = (1_{bits} << {scale}) as {real};\n        \
+         let bits = (if subnormal {{ self * scale }} else {{ self }}).to_bits();\n        \
+         let fraction = (bits & ((1 << {fraction}) - 1)) | (1 << {fraction});\n        \
+         let exponent = (bits >> {fraction}) as i32 - {bias} - {fraction} - if subnormal {{ {scale} }} else {{ 0 }};\n        \
+         let shift = {shift} + ((exponent - {shift}) & 1);\n        \
+         let root = (({wide}::from(fraction) << shift).isqrt() + 1) >> 1;\n        \
+         let exponent = (exponent - shift) / 2 + 1 + {bias};\n        \
+         root as {real} * {real}::from_bits((exponent as {bits}) << {fraction})\n    }}\n\n    \
+         /// Of a point that is not left of the origin.  With s the smaller and l the larger coordinate,\n    \
+         /// atan(s/l) = atan(k/{PARTS}) + atan((s − l·k/{PARTS})/(l + s·k/{PARTS})).\n    \
+         fn atan2(self, x: {real}) -> {real} {{\n        \
+         const ARCS: [{real}; {one_more}] = [{arcs}];\n        \
+         let y = {real}::abs(self);\n        \
+         let (small, large) = if y <= x {{ (y, x) }} else {{ (x, y) }};\n        \
+         if small == 0.0 && large == 0.0 {{\n            return self;\n        }}\n        \
+         let k = ({parts} * (small / large) + 0.5) as usize;\n        \
+         let node = k as {real} / {parts};\n        \
+         let t = (small - node * large) / (large + node * small);\n        \
+         let square = t * t;\n        \
+         let arc = ARCS[k] + (t - t * square * ({series}));\n        \
+         let arc = if y <= x {{ arc }} else {{ core::{real}::consts::FRAC_PI_2 - arc }};\n        \
+         if self < 0.0 {{ -arc }} else {{ arc }}\n    }}\n}}\n\n"
+    )
+}
