@@ -18,4 +18,5 @@ mod made;
 mod phase;
 mod recordings;
 mod sweeps;
+mod unexplained;
 mod units;
