@@ -179,6 +179,39 @@ def test_every_answer_that_can_be_drawn_is(frame):
     plt.close("all")
 
 
+def test_a_band_and_points_do_not_look_alike(frame):
+    at = {"base": 0.001}
+    band = frame.map(hz=(1, 7), friction=(0, 2.4), **at)
+    assert band.shape == (161, 81)
+    np.testing.assert_allclose(band.frequency_Hz, np.linspace(1, 7, 161), rtol=1e-15)
+    np.testing.assert_allclose(band.friction_N, np.linspace(0, 2.4, 81), rtol=1e-15)
+    assert band.frequency_Hz[-1] == 7 and band.friction_N[-1] == 2.4
+    for points in ([1, 7], np.array([1.0, 7.0])):
+        assert frame.map(hz=points, friction=[0, 2.4], **at).frequency_Hz.tolist() == [1, 7]
+    assert frame.limits(hz=(1, 7)).r.shape == (161,)
+    assert frame.response(hz=(1, 7), beta=(0.1, 0.2)).shape == (161, 81)
+
+
+def test_pictures_do_not_reach_below_zero(frame):
+    import matplotlib.pyplot as plt
+
+    at = {"base": 0.001}
+    two = frame.map(hz=[1, 7], friction=[0.4, 2.4], **at)
+    for ax in (
+        two.plot(),
+        two.plot(shade="lower"),
+        frame.map(hz=[0, 0.5, 4], friction=[0, 1.0, 4], **at).plot(shade="stuck"),
+        frame.limits(r=np.linspace(0, 2, 50)).plot(),
+        frame.response(hz=np.linspace(0, 7, 20), friction=[0.4], **at).plot(),
+        frame.curve(hz=(0.05, 7), friction=0.4, **at).plot(),
+    ):
+        ax.figure.canvas.draw()
+        assert ax.get_xlim()[0] >= 0 and ax.get_ylim()[0] >= 0
+    # Half a step beyond the last: cells are about their points.
+    assert two.plot().get_xlim()[1] == 10
+    plt.close("all")
+
+
 def test_a_system_is_not_pickled_silently(frame):
     with pytest.raises(TypeError):
         pickle.dumps(frame)
