@@ -275,10 +275,26 @@ fn limit_lines_pass_the_limits() {
 fn a_law_that_falls_with_speed_is_refused() {
     let system = system(
         "struct S { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - wall, excitation: a,
-         friction: stribeck(0.1: 0.8, 0.3: 0.6) }",
+         friction: stribeck(0.1: 0.8, 0.3: 0.6), provide: [simulation] }",
     );
     let error = system.map(&request(), |_| true).unwrap_err();
     assert_eq!(error.argument, "stribeck");
+}
+
+/// A mass that is not there is called that, not a number.
+#[test]
+fn a_mass_that_is_not_there() {
+    let request = MapRequest {
+        of: vec![Of::Mass(1)],
+        ..request()
+    };
+    let error = system(SCENES[0].1).map(&request, |_| true).unwrap_err();
+    assert_eq!(error.argument, "mass");
+    let told = error.to_string();
+    assert!(
+        told.contains("no mass of this place") && !told.contains("finite"),
+        "{told}"
+    );
 }
 
 /// Every frequency that is asked for has its column, the smallest and the largest numbers too.
