@@ -70,7 +70,7 @@ def test_arguments_may_be_whatever_numpy_reads(frame):
     expected = frame.limits(r=[1.0, 2.0]).continuous_limit
     strided = np.array([1.0, 9.0, 2.0, 9.0])[::2]
     single = np.array([1, 2], np.float32)
-    for r in [(1, 2), np.array([1, 2]), range(1, 3), strided, single, pandas.Series([1.0, 2.0])]:
+    for r in [[1, 2], np.array([1, 2]), range(1, 3), strided, single, pandas.Series([1.0, 2.0])]:
         assert (frame.limits(r=r).continuous_limit == expected).all()
 
 

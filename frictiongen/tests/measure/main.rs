@@ -1,5 +1,4 @@
 //! Friction and parameters from recordings that are made here: the simulation, sampled, with noise.
-#![cfg(feature = "measure")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -20,3 +19,4 @@ mod recordings;
 mod sweeps;
 mod unexplained;
 mod units;
+mod weights;

@@ -2,7 +2,7 @@
 
 use super::ACROSS;
 use super::measure::Measure;
-use super::numbers::{Given, ends, one, points};
+use super::numbers::{Given, ends, numbers, one, points};
 use crate::columns::{Columns, cell};
 use crate::errors::domain;
 use frictiongen::System;
@@ -194,6 +194,8 @@ impl Band {
         let (given, unit) = chosen(arguments)?;
         let argument = unit.argument();
         let Some((from, to)) = ends(argument, given)? else {
+            // A text is no number to begin with.
+            numbers(argument, given)?;
             return Err(domain(format_args!(
                 "{argument}: a band is needed, a tuple (from, to); a list or an array has points, for `limits`, `response` and `map`"
             )));
