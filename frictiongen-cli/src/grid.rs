@@ -106,6 +106,11 @@ pub fn band(text: &str, quantity: Quantity) -> Result<[f64; 3], GridError> {
         let step = number(step, Quantity::FrictionRatio)?;
         admit(first, quantity)?;
         admit(last, quantity)?;
+        if last < first {
+            return Err(format!(
+                "a range goes from its lower end to its upper one: write {last}:{first}"
+            ));
+        }
         if !(first < last) {
             return Err(format!("the range from {first:?} to {last:?} has no width"));
         }

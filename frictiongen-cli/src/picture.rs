@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::measure::Measure;
 use frictiongen::System;
 use frictiongen_plot::desk::{Scales, sketch};
-use frictiongen_plot::{Figure, Label};
+use frictiongen_plot::{Figure, Label, Sketch};
 use std::io::Write;
 
 /// Pixels of a PNG for each of the SVG's.
@@ -29,14 +29,24 @@ pub fn part_name(part: &Part) -> Label {
     Label::verbatim(&part.name)
 }
 
-/// Writes a figure of a system, with its sketch.
+/// Writes a figure of a system under a harmonic load, with its sketch.
 pub fn write(
     figure: Figure,
     system: &System,
     form: Form,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let figure = figure.with_sketch(sketch(system.scene(), true));
+    write_with(figure, sketch(system.scene(), true), form, out)
+}
+
+/// Writes a figure with a sketch.
+pub fn write_with(
+    figure: Figure,
+    sketch: Sketch,
+    form: Form,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let figure = figure.with_sketch(sketch);
     let bytes = match form {
         Form::Png => figure.png(SCALE).map_err(Failure::new)?,
         _ => figure.svg().into_bytes(),

@@ -99,6 +99,31 @@ fn tells_work_and_writes_pictures() {
         fs::remove_file(file).unwrap();
     }
     assert!(drawn.contains("friction force (N)"), "{drawn}");
+    // The base moves as recorded, and each spring has its own stiffness.
+    let words = text_of(&drawn);
+    assert!(words.contains("y(t)") && !words.contains("cos"), "{words}");
+    assert!(words.contains("k1") && words.contains("k2"), "{words}");
+}
+
+/// What a reader sees of a picture's text.
+fn text_of(picture: &str) -> String {
+    let pieces = picture.split('<').filter_map(|tag| tag.split_once('>'));
+    pieces.map(|(_, text)| text).collect()
+}
+
+/// The recording of `drive` is any input: nothing says that it has one driving frequency.
+#[test]
+fn help_asks_for_no_driving_frequency() {
+    let help = output("", &["drive", "--help"]);
+    assert!(
+        help.contains("as CSV or UFF58") && !help.contains("driving frequency"),
+        "{help}"
+    );
+    let help = output("", &["identify", "--help"]);
+    assert!(
+        help.contains("A recording has one driving frequency"),
+        "{help}"
+    );
 }
 
 #[test]
@@ -145,7 +170,13 @@ fn says_what_is_wrong_with_a_recording() {
             "twice",
             "time_s,base_mm,friction_N\n0,0,1\n0.01,1,1\n",
             Some("1"),
-            "friction",
+            "the friction force is given as a number and as the channel `friction`",
+        ),
+        (
+            "uneven",
+            "time_s,base_mm\n0,0\n0.005,1\n0.02,0\n",
+            Some("1"),
+            "the time step changes from 0.005 s to 0.015 s at line 4",
         ),
         (
             "below",

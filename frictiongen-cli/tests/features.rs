@@ -115,7 +115,7 @@ fn refused() {
     let told = |input: &str, line: &str| failure(input, &split(line)).join("\n");
     for (line, words) in [
         ("features --r 0:2", "--r"),
-        ("features --r 2:1", "has no width"),
+        ("features --r 2:1", "write 1:2"),
         ("features --r 0.5:0.1:2", "without a step"),
         ("features --r 1e-9:2", "crowd"),
         (

@@ -126,7 +126,7 @@ fn what_is_wrong_is_named() {
         ),
         (
             "--r 2:1 --of block",
-            "--r `2:1`: the range from 2.0 to 1.0 has no width",
+            "--r `2:1`: a range goes from its lower end to its upper one: write 1:2",
         ),
         (
             "--r -1:1 --of block",

@@ -212,3 +212,97 @@ fn a_drive_that_drifts() {
         "{lines:?}"
     );
 }
+
+/// A recording of the plate with μ = 1 and F = 0.4 k Y, steady, made from the library's own answer, with noise.
+fn made(scene: &str, hertz: f64, late: f64) -> String {
+    let system: frictiongen::System = scene.parse().unwrap();
+    let load = frictiongen::study::Load::Base(1.75e-3);
+    let beta = system.load_scale(load).unwrap().friction_ratio(0.53);
+    let at = system.at(system.frequency_ratio_at_hertz(hertz)).unwrap();
+    let response = at.response(beta).unwrap();
+    let orders = [1, 3, 5, 7, 9];
+    let harmonics = orders.map(|order| {
+        let of = frictiongen::Of::Mass(0);
+        (order, response.harmonic(of, order).unwrap())
+    });
+    let mut text = "time_s,base_mm,plate_mm\n".to_owned();
+    for i in 0..2000_u32 {
+        let t = f64::from(i) / 100.0;
+        let tau = std::f64::consts::TAU * hertz * t;
+        let rest = 2e-3 * (f64::from(i * (i % 1009) % 997) - 498.0) / 288.0;
+        let other = 2e-3 * (f64::from(i * (i % 887) % 991) - 495.0) / 286.0;
+        let moved: f64 = harmonics
+            .iter()
+            .map(|(order, x)| {
+                (x * frictiongen::Complex::from_polar(1.0, f64::from(*order) * (tau - late))).re
+            })
+            .sum();
+        let _ = writeln!(
+            text,
+            "{t:.2},{:.5},{:.5}",
+            1.75 * tau.cos() + rest,
+            1.75 * moved + other
+        );
+    }
+    text
+}
+
+/// A misfit that noise does not explain is the first thing told, in words and in JSON.
+#[test]
+fn a_late_channel_is_not_explained() {
+    let scene = std::fs::read_to_string(plate()).unwrap();
+    let late = [1.2, 1.6].map(|hertz: f64| {
+        let hertz = 3.086 * hertz;
+        file(
+            "late.csv",
+            &made(&scene, hertz, std::f64::consts::TAU * hertz * 0.004),
+        )
+    });
+    let arguments = ["identify", &plate(), &late[0], &late[1]];
+    let table = output("", &arguments);
+    let first = table.lines().find(|line| line.starts_with("verdict"));
+    assert!(
+        first.is_some_and(|line| line.contains("does not explain the measurement")),
+        "{table}"
+    );
+    assert!(!table.contains("tells the friction force"), "{table}");
+    let json = json(&output("", &[&arguments[..], &["--json"]].concat()));
+    assert!(
+        json["verdict"]
+            .as_str()
+            .unwrap()
+            .contains("does not explain")
+    );
+    assert_eq!(json["points"][0]["value"], "not explained");
+}
+
+/// μ without a stop: named, and the force is as narrow as without it.
+#[test]
+fn stiction_without_a_stop_is_not_determined() {
+    let scene = std::fs::read_to_string(plate()).unwrap();
+    let good = [1.2, 1.6].map(|hertz| file("good.csv", &made(&scene, 3.086 * hertz, 0.0)));
+    let plate = plate();
+    let arguments = ["identify", &plate, &good[0], &good[1], "--json"];
+    let force = |json: &serde_json::Value| {
+        let point = &json["points"][1];
+        assert_eq!(point["quantity"], "friction force");
+        ["value", "from", "to"].map(|name| point[name].as_f64().unwrap())
+    };
+    let alone = force(&json(&output("", &arguments)));
+    let with = json(&output(
+        "",
+        &[&arguments[..], &["--also", "stiction"]].concat(),
+    ));
+    assert!(
+        with["not determined"].as_str().unwrap().starts_with("mu: "),
+        "{with}"
+    );
+    // Another fit, by steps in place of sections: the same to a hundredth of the interval.
+    for (a, b) in alone.iter().zip(force(&with)) {
+        assert!(
+            (a - b).abs() < 0.01 * (alone[2] - alone[1]),
+            "{alone:?} {with}"
+        );
+    }
+    assert!(alone[1] < 0.53 && 0.53 < alone[2], "{alone:?}");
+}

@@ -331,7 +331,7 @@ fn scenes_without_an_answer_say_so() {
 #[test]
 fn bad_options_are_refused() {
     for (arguments, told) in [
-        (&["--r", "2:1"][..], "has no width"),
+        (&["--r", "2:1"][..], "write 1:2"),
         (&["--r", "0.5:0.1:2"], "without a step"),
         (&["--friction", "1"], "give --force"),
         (&["--base", "1"], "--force"),

@@ -24,7 +24,7 @@ pub enum Regime {
 pub struct OutOfDomain {
     /// Which argument: "r", "beta", "state", "reach"; or a slice that is too short or too long, "parts",
     /// "numbers", "multipliers", "continuous", "sliding"; of a stepper "dt", "force", "forces",
-    /// "base", "friction", "stiction", "steps", "saved"; of a run in time "amplitude" and "steepness"; or
+    /// "base", "friction", "stiction", "steps", "saved"; of a map "mass"; of a run in time "amplitude" and "steepness"; or
     /// "stribeck" where the friction law has no constant kinetic level, which a stepper and `simulation_under` do without.
     pub argument: &'static str,
 }
@@ -120,6 +120,7 @@ impl fmt::Display for OutOfDomain {
                 "with this load the kinetic level changes the motion more than 4096 times as fast as the fastest mode does"
             }
             "saved" => "it belongs to another scene",
+            "mass" => "the scene has no mass of this place; places are counted from 0",
             _ => "it must be a finite number, not negative",
         };
         write!(f, "{} is outside the domain: {needed}", self.argument)

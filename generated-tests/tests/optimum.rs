@@ -145,7 +145,6 @@ fn two_equal_peaks() {
 /// The frame up to below its second resonance: the largest is no more than at friction ratios near by, where steady states
 /// with stops come and go.
 #[test]
-#[ignore = "half a minute without optimisation"]
 fn where_steady_states_jump() {
     let (system, request) = asked(FRAME, "lower", 0.33, 1.3);
     let (optimum, seconds) = optimum(&system, &request);
@@ -210,7 +209,6 @@ fn an_undamped_mass_is_held() {
 /// One mass between a wall and its base, on which it rubs: the friction that helps is a 250th of the one that holds it. The
 /// least lies between two steps of a scan of which the upper is a flat top, so that their tangents do not meet between.
 #[test]
-#[ignore = "half a minute without optimisation"]
 fn a_least_that_a_scan_hides() {
     let text =
         "struct Block { masses: { block: 1 }, springs: { base - block: 0.1, block - wall: 1 },

@@ -68,7 +68,7 @@ pub fn curve<'py>(
     let system = &system.system;
     let band = Band::of(system, &frequency)?;
     let measure = Measure::of(system, &load)?;
-    let frictions = Frictions::of(&friction, &measure)?;
+    let frictions = Frictions::listed(&friction, &measure)?;
     let parts: Vec<Part> = parts(system, "of", of.as_ref())?;
     let of: Vec<Of> = parts.iter().map(|part| part.of).collect();
     let mut request = CurveRequest::new(band.from, band.to, &of);

@@ -70,7 +70,7 @@ def test_arguments_may_be_whatever_numpy_reads(frame):
     expected = frame.limits(r=[1.0, 2.0]).continuous_limit
     strided = np.array([1.0, 9.0, 2.0, 9.0])[::2]
     single = np.array([1, 2], np.float32)
-    for r in [(1, 2), np.array([1, 2]), range(1, 3), strided, single, pandas.Series([1.0, 2.0])]:
+    for r in [[1, 2], np.array([1, 2]), range(1, 3), strided, single, pandas.Series([1.0, 2.0])]:
         assert (frame.limits(r=r).continuous_limit == expected).all()
 
 
@@ -176,6 +176,39 @@ def test_every_answer_that_can_be_drawn_is(frame):
     assert frame.limits(**at).plot(ax=ax) is ax
     with pytest.raises(ValueError, match="at least two frequencies"):
         frame.map(r=0.9, beta=[0.1, 0.2]).plot()
+    plt.close("all")
+
+
+def test_a_band_and_points_do_not_look_alike(frame):
+    at = {"base": 0.001}
+    band = frame.map(hz=(1, 7), friction=(0, 2.4), **at)
+    assert band.shape == (161, 81)
+    np.testing.assert_allclose(band.frequency_Hz, np.linspace(1, 7, 161), rtol=1e-15)
+    np.testing.assert_allclose(band.friction_N, np.linspace(0, 2.4, 81), rtol=1e-15)
+    assert band.frequency_Hz[-1] == 7 and band.friction_N[-1] == 2.4
+    for points in ([1, 7], np.array([1.0, 7.0])):
+        assert frame.map(hz=points, friction=[0, 2.4], **at).frequency_Hz.tolist() == [1, 7]
+    assert frame.limits(hz=(1, 7)).r.shape == (161,)
+    assert frame.response(hz=(1, 7), beta=(0.1, 0.2)).shape == (161, 81)
+
+
+def test_pictures_do_not_reach_below_zero(frame):
+    import matplotlib.pyplot as plt
+
+    at = {"base": 0.001}
+    two = frame.map(hz=[1, 7], friction=[0.4, 2.4], **at)
+    for ax in (
+        two.plot(),
+        two.plot(shade="lower"),
+        frame.map(hz=[0, 0.5, 4], friction=[0, 1.0, 4], **at).plot(shade="stuck"),
+        frame.limits(r=np.linspace(0, 2, 50)).plot(),
+        frame.response(hz=np.linspace(0, 7, 20), friction=[0.4], **at).plot(),
+        frame.curve(hz=(0.05, 7), friction=0.4, **at).plot(),
+    ):
+        ax.figure.canvas.draw()
+        assert ax.get_xlim()[0] >= 0 and ax.get_ylim()[0] >= 0
+    # Half a step beyond the last: cells are about their points.
+    assert two.plot().get_xlim()[1] == 10
     plt.close("all")
 
 

@@ -189,7 +189,7 @@ def test_how_they_look(chain, frame):
 @pytest.mark.parametrize(
     ("asked", "said"),
     [
-        ({"hz": 1.0}, "hz: a band is two numbers"),
+        ({"hz": 1.0}, "hz: a band is needed, a tuple"),
         ({"hz": (3, 1)}, "a band begins above 0 and ends above its start"),
         ({"hz": (math.nan, 1)}, "a band begins above 0"),
         ({"hz": (1, 3), "r": (1, 3)}, "give one of r, hz and omega"),

@@ -10,7 +10,7 @@ pub struct RecordingArguments {
     /// The description; standard input if it is -
     #[arg(value_name = "FILE")]
     pub scene: PathBuf,
-    /// Recordings, as CSV or UFF58, each at one driving frequency
+    /// Recordings, as CSV or UFF58
     #[arg(value_name = "RECORDING", required = true)]
     pub recordings: Vec<PathBuf>,
     /// Which column is what: base, force or a mass; may be given more than once [default: by their names]
@@ -164,6 +164,7 @@ Recordings:
   A universal file has a data set 58 for each channel, with the unit as label of its ordinate.
   --channel upper=AI1:mm  the column AI1 is the mass upper, in mm; columns not named are left out
   --channel upper=3:mm    the third column
+  A recording has one driving frequency, or is a free vibration for --decay of identify.
   The steady part is found; a constant or clipped channel, a drive that drifts, uneven steps of time
   and fewer than 8 cycles are errors.
 
@@ -173,6 +174,8 @@ Exit status:
 /// Below the options of `identify`.
 pub const IDENTIFICATIONS: &str = "\
 Answers:
+  not explained   the description does not move like the rig: residuals exceed what noise makes once in
+                  1000 recordings, and the force may be far from the rig's
   told            the interval of 95 % holds one friction force, and is narrower than that is large
   several levels  several friction forces give this response: each with its interval
   stuck           the contact never slides: the interval begins at the least force that holds it
@@ -183,7 +186,8 @@ Quantities:
   friction force  F in N, for a scene in kg and N/m
   condition       how much a relative error of the data grows on the way to the friction force
   misfit          sum of squares of residuals over deviations, by degrees of freedom: 1 where noise
-                  is all that is left; where it is more than chance the intervals are wider
+                  is all that is left; where it is more than chance the answer is not explained, and
+                  the intervals are wider
   amplitude, lag  of the fundamental over the excitation, measured and computed
 
 ";

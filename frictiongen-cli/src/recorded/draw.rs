@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::picture;
 use frictiongen::System;
 use frictiongen::measure::{Identified, Observation};
+use frictiongen_plot::desk::sketch_under_record;
 use frictiongen_plot::{
     Across, Axis, Colour, Figure, Guide, Label, Line, Marker, Markers, Panel, Stroke,
 };
@@ -97,5 +98,5 @@ pub fn driven(
     let title = Label::verbatim(&system.scene().name);
     let figure = Figure::new("", title, 1, vec![moved, gripped])
         .with_caption(Label::verbatim(&driven.account()));
-    picture::write(figure, system, form, out)
+    picture::write_with(figure, sketch_under_record(system.scene()), form, out)
 }

@@ -33,6 +33,10 @@ pub fn run(arguments: &FitArguments, out: &mut dyn Write) -> Result<(), Failure>
 fn lines(system: &System, found: &SweepFit, points: usize) -> Lines {
     let mut lines = Lines::default();
     let scene = system.scene();
+    if !found.is_explained() {
+        let note = "the description does not explain the sweep: residuals exceed the deviations; check the chain, the damping and that friction was off";
+        lines.said.push(("verdict", note.to_owned()));
+    }
     lines.estimate("sqrt(k1/m1)", found.reference, 1.0, "Hz");
     // r over f, and over ω.
     let inverse = frictiongen::measure::Estimate {

@@ -10,7 +10,7 @@ use crate::measure::Measure;
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
-use frictiongen::measure::{Identified, IdentifyRequest, Observation, Unknown, Using, Verdict};
+use frictiongen::measure::{Identified, IdentifyRequest, Observation, Unknown, Using};
 use frictiongen::study::scene::Excitation;
 use frictiongen::study::units::{hertz, polar};
 use frictiongen::study::words;
@@ -93,12 +93,19 @@ fn between(text: &str) -> Result<(f64, f64), Failure> {
 fn lines(system: &System, observations: &[Observation], found: &Identified) -> Lines {
     let mut lines = Lines::default();
     lines.said.push(("verdict", found.verdict.to_string()));
-    if !found.is_explained() {
-        let note = "the scene moves otherwise than the rig by more than noise: see the residuals; the intervals are as much wider";
-        lines.said.push(("note", note.to_owned()));
+    let open = found.undetermined();
+    if !open.is_empty() {
+        let names: Vec<String> = open.iter().map(|unknown| unknown.symbol(system)).collect();
+        lines.said.push((
+            "not determined",
+            format!(
+                "{}: the response does not change with it here; the other results hold at any value of it",
+                names.join(", ")
+            ),
+        ));
     }
     lines.word("friction force is", found.verdict.word());
-    if found.verdict == Verdict::SeveralLevels {
+    if 1 < found.levels.len() {
         for (index, level) in found.levels.iter().enumerate() {
             lines.estimate(format!("friction force {}", index + 1), *level, 1.0, "N");
         }

@@ -12,7 +12,8 @@ pub(crate) fn closest<'c>(
     if length > LONGEST {
         return None;
     }
-    let allowed = if length <= 2 { 1 } else { length.div_ceil(3) };
+    // One slip in up to five letters: two of them make `crate` of `brace`.
+    let allowed = (length / 3).max(1);
     candidates
         .into_iter()
         .filter(|candidate| candidate.chars().count() <= LONGEST)

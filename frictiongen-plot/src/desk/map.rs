@@ -1,7 +1,7 @@
 //! Maps over frequency and friction.
 
 use super::regimes::limit_lines;
-use super::scales::Scales;
+use super::scales::{Scales, short};
 use crate::{Axis, Cells, Colour, Figure, Fill, Label, Line, Panel, Point, Raster, Stroke};
 use frictiongen::study::{Boundary, LimitLines, Map, MapPoint, Pattern};
 use frictiongen::{Error, Regime};
@@ -76,8 +76,13 @@ pub fn map_panel(
                     .map_or(f64::NAN, |size| scales.length(*size))
             };
             let cells = values(&places, read);
+            let (end, most) = upper(&cells);
+            let mut label = scales.length_text().to_owned();
+            if end < most {
+                label += &format!("; top colour ≥ {}, largest {}", short(end), short(most));
+            }
             Cells::Values {
-                bar: Axis::new(scales.length_label(), 0.0, upper(&cells)),
+                bar: Axis::new(label, 0.0, end),
                 cells,
             }
         }
@@ -162,8 +167,9 @@ fn values(places: &Places<'_>, read: impl Fn(&MapPoint) -> f64) -> Vec<f64> {
     places.iter().map(value).collect()
 }
 
-/// What nine tenths of the cells stay below, times a little: a pole would leave the rest in one colour.
-fn upper(cells: &[f64]) -> f64 {
+/// The end of the scale of colours, and the largest value.  The end is at most twice what nine tenths of the cells stay below: a
+/// pole would leave the rest in one colour.
+fn upper(cells: &[f64]) -> (f64, f64) {
     let mut finite: Vec<f64> = cells
         .iter()
         .copied()
@@ -172,8 +178,13 @@ fn upper(cells: &[f64]) -> f64 {
     finite.sort_by(f64::total_cmp);
     let most = finite.last().copied().unwrap_or(1.0);
     let usual = finite.get(finite.len() * 9 / 10).copied().unwrap_or(1.0);
-    let upper = most.min(2.0 * usual);
-    if 0.0 < upper { upper } else { 1.0 }
+    // A motion that rests at nine tenths of the places has no usual size.
+    let end = if 0.0 < usual {
+        most.min(2.0 * usual)
+    } else {
+        most
+    };
+    (if 0.0 < end { end } else { 1.0 }, most)
 }
 
 fn classes(places: &Places<'_>) -> Cells {

@@ -12,4 +12,4 @@ pub use map::{Shade, map_figure, map_panel};
 pub use motions::{history_figure, spectrum_figure};
 pub use regimes::{limit_lines, regimes};
 pub use scales::Scales;
-pub use sketch::sketch;
+pub use sketch::{sketch, sketch_under_record};

@@ -174,16 +174,21 @@ impl Scales {
     /// What stands along that axis.
     #[must_use]
     pub fn length_label(&self) -> Label {
+        self.length_text().into()
+    }
+
+    /// The same with its markup.
+    pub(super) fn length_text(&self) -> &'static str {
         match (self.load, self.base_motion) {
-            (Some(_), _) => "amplitude (mm)".into(),
-            (None, true) => "amplitude over *Y*".into(),
-            (None, false) => "amplitude over *P*/*k*_1".into(),
+            (Some(_), _) => "amplitude (mm)",
+            (None, true) => "amplitude over *Y*",
+            (None, false) => "amplitude over *P*/*k*_1",
         }
     }
 }
 
 /// A number in a legend: four digits, without needless noughts.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return value.to_string();
     }

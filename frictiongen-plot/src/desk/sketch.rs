@@ -3,7 +3,20 @@
 use crate::{Contact, End, Excitation, Label, Sketch, Spring};
 use frictiongen::study::scene::{self, Node, Scene};
 
-/// The sketch of a scene: masses and springs with the names that the theory gives them, or with the scene's own.
+/// The sketch of a scene whose excitation is a record: *y*(*t*) or *f*(*t*) in place of a cosine.  Masses have their own names.
+#[must_use]
+pub fn sketch_under_record(scene: &Scene) -> Sketch {
+    let mut sketch = sketch(scene, true);
+    match &mut sketch.excitation {
+        Excitation::Force { label, .. } => *label = "*f*(*t*)".into(),
+        Excitation::Base { label } => *label = "*y*(*t*)".into(),
+        Excitation::None => {}
+    }
+    sketch
+}
+
+/// The sketch of a scene: masses with the names that the theory gives them, or with the scene's own, and springs by their
+/// number, in the order of the description.
 #[must_use]
 pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
     let end = |node: Node| match node {
@@ -27,7 +40,7 @@ pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
         .enumerate()
         .map(|(index, spring)| Spring {
             between: (end(spring.from), end(spring.to)),
-            label: if own_names || single {
+            label: if scene.springs.len() == 1 {
                 "*k*".into()
             } else {
                 Label::from(format!("*k*_{}", index + 1))

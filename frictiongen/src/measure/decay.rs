@@ -292,20 +292,15 @@ fn of(
         .collect();
     let fit = minimise(&free, &bounds, residuals, linearise);
     let fit = fit.filter(|fit| fit.settled).ok_or(MeasureError::NoFit)?;
-    let freedom = count.saturating_sub(free.len()).max(1);
+    let freedom = count.saturating_sub(fit.rank).max(1);
     let deviation = (fit.squares / freedom as f64).sqrt();
     let quantile = student(freedom);
     let shape = whole(&fit.parameters).ok_or(MeasureError::NoFit)?;
     let estimate = |part: usize| {
         let value = shape.get(part).copied().unwrap_or(f64::NAN);
         let place = parts.iter().position(|free| *free == part);
-        let variance = place.map_or(Some(0.0), |at| {
-            Some(*fit.covariance.as_ref()?.get((at, at))?)
-        });
-        let reach = variance.map_or(f64::INFINITY, |variance| {
-            quantile * deviation * variance.sqrt()
-        });
-        (value, reach)
+        let variance = place.map_or(0.0, |at| fit.own_variance(at));
+        (value, quantile * deviation * variance.sqrt())
     };
     let ((length, reach), (decrement, wide), (half, slow)) =
         (estimate(5), estimate(4), estimate(3));

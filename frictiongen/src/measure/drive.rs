@@ -108,7 +108,7 @@ impl<'r> Inputs<'r> {
             (Some(track), None) => inputs.friction = Friction::Recorded(track),
             (None, Some(_)) => {}
             (None, None) => return Err(MeasureError::NoFriction),
-            (Some(_), Some(_)) => return Err(MeasureError::Twice("friction".to_owned())),
+            (Some(_), Some(_)) => return Err(MeasureError::TwoFrictions),
         }
         let driven = inputs.base.is_some() || inputs.force.is_some() || !inputs.others.is_empty();
         if !driven {

@@ -78,6 +78,8 @@ pub enum MeasureError {
     NoDrive(&'static str),
     /// No friction force was given.
     NoFriction,
+    /// The friction force was given, and recorded too.
+    TwoFrictions,
     /// No mass was recorded.
     NoMass,
     /// A channel whose unit does not fit what it is of.
@@ -198,7 +200,9 @@ impl std::fmt::Display for MeasureError {
                 after,
             } => write!(
                 f,
-                "the samples are not evenly spaced: from {before:.6e} s to {after:.6e} s at {place}"
+                "the samples are not evenly spaced: the time step changes from {} s to {} s at {place}",
+                short(*before),
+                short(*after)
             ),
             Self::Lengths(channel) => {
                 write!(f, "the channel `{channel}` has another number of samples")
@@ -234,6 +238,9 @@ impl std::fmt::Display for MeasureError {
             Self::NoFriction => {
                 f.write_str("no friction force is given: give one, or a channel `friction` in N")
             }
+            Self::TwoFrictions => f.write_str(
+                "the friction force is given as a number and as the channel `friction`: leave one of the two out",
+            ),
             Self::NoMass => write!(f, "the motion of no mass was recorded"),
             Self::WrongDimension { channel, unit } => {
                 write!(f, "the channel `{channel}` cannot be in {unit}")
@@ -318,6 +325,11 @@ impl From<InvalidScene> for MeasureError {
     fn from(error: InvalidScene) -> Self {
         Self::Scene(error)
     }
+}
+
+/// Seven digits of a number, without needless noughts.
+fn short(value: f64) -> f64 {
+    format!("{value:.6e}").parse().unwrap_or(value)
 }
 
 impl From<LoadError> for MeasureError {

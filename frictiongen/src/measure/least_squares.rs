@@ -11,8 +11,10 @@ const MOST_STEPS: usize = 200;
 const SMALL: f64 = 1e-10;
 /// What damping grows and shrinks by (Marquardt's choice).
 const GROWTH: f64 = 10.0;
-/// Singular values below this part of the largest tell nothing.
+/// The data do not determine a direction whose singular value is below this part of the largest.
 const RANK: f64 = 1e-12;
+/// A parameter whose relative change in such a direction is below this one, of a direction of length 1, is determined.
+const APART: f64 = 1e-6;
 
 /// Residuals with their derivatives, one column for each parameter.
 pub(super) struct Linearised {
@@ -28,10 +30,52 @@ pub(super) struct Fit {
     pub(super) settled: bool,
     /// The sum of squares.
     pub(super) squares: f64,
-    /// The covariance for residuals of deviation 1; none where the data do not tell some parameter.
-    pub(super) covariance: Option<DMatrix<f64>>,
-    /// The largest singular value of the Jacobian over the smallest, with each parameter measured by its own size.
+    /// The number of directions that the data determine: of parameters, if each is determined.
+    pub(super) rank: usize,
+    /// The largest singular value of the Jacobian over the smallest of a determined direction, with each parameter measured by
+    /// its own size.
     pub(super) condition: f64,
+    /// Directions in the parameters' relative changes, each with its singular value, 0 where the data do not determine it.
+    directions: Vec<(DVector<f64>, f64)>,
+}
+
+impl Fit {
+    /// The variance, for residuals of deviation 1, of a quantity with this gradient by the parameters: infinite where the data
+    /// do not determine it.
+    pub(super) fn variance(&self, gradient: &DVector<f64>) -> f64 {
+        if self.directions.is_empty() {
+            return f64::INFINITY;
+        }
+        let sizes = self.parameters.iter().map(|value| size(*value));
+        let relative = DVector::from_iterator(
+            gradient.len(),
+            gradient.iter().zip(sizes).map(|(slope, size)| slope * size),
+        );
+        let terms = self.directions.iter().map(|(direction, value)| {
+            let along = direction.dot(&relative);
+            if 0.0 < *value {
+                (along / value).powi(2)
+            } else if along.abs() <= APART * relative.norm() {
+                0.0
+            } else {
+                f64::INFINITY
+            }
+        });
+        terms.sum()
+    }
+
+    /// The variance of a parameter.
+    pub(super) fn own_variance(&self, index: usize) -> f64 {
+        let count = self.parameters.len();
+        self.variance(&DVector::from_fn(count, |row, _| {
+            if row == index { 1.0 } else { 0.0 }
+        }))
+    }
+}
+
+/// What a relative change of a parameter is a part of.
+fn size(value: f64) -> f64 {
+    if value == 0.0 { 1.0 } else { value.abs() }
 }
 
 /// Minimises the sum of squares from `start`.
@@ -101,36 +145,36 @@ pub(super) fn minimise(
     Some(fit)
 }
 
-/// A fit with its covariance.
+/// A fit with what the data determine.
 fn judged(parameters: Vec<f64>, squares: f64, jacobian: &DMatrix<f64>) -> Fit {
     let mut scaled = jacobian.clone();
-    let sizes: Vec<f64> = parameters
-        .iter()
-        .map(|value| if *value == 0.0 { 1.0 } else { value.abs() })
-        .collect();
-    for (index, size) in sizes.iter().enumerate() {
-        scaled.column_mut(index).scale_mut(*size);
+    for (index, value) in parameters.iter().enumerate() {
+        scaled.column_mut(index).scale_mut(size(*value));
     }
+    let (rows, columns) = scaled.shape();
     let decomposed = scaled.svd(false, true);
     let values = &decomposed.singular_values;
-    let (largest, smallest) = (values.max(), values.min());
-    let told = 0.0 < largest && RANK * largest < smallest && jacobian.ncols() <= jacobian.nrows();
-    let covariance = decomposed.v_t.filter(|_| told).map(|v_t| {
-        let count = parameters.len();
-        DMatrix::from_fn(count, count, |i, j| {
-            let terms = values.iter().enumerate().map(|(k, value)| {
-                let entry = |at: usize| v_t.get((k, at)).copied().unwrap_or(0.0);
-                entry(i) * entry(j) / (value * value)
-            });
-            let size = |at: usize| sizes.get(at).copied().unwrap_or(1.0);
-            terms.sum::<f64>() * size(i) * size(j)
-        })
+    let largest = values.max();
+    let determined = |value: f64| 0.0 < largest && RANK * largest < value;
+    let kept = || values.iter().copied().filter(|value| determined(*value));
+    let directions = decomposed.v_t.as_ref().filter(|_| columns <= rows);
+    let directions = directions.map(|v_t| {
+        let rows = v_t.row_iter().zip(values.iter());
+        let direction = rows.map(|(row, value)| {
+            let value = if determined(*value) { *value } else { 0.0 };
+            (row.transpose(), value)
+        });
+        direction.collect()
     });
     Fit {
         parameters,
         settled: false,
         squares,
-        covariance,
-        condition: largest / smallest,
+        rank: kept().count(),
+        condition: kept()
+            .map(|value| largest / value)
+            .max_by(f64::total_cmp)
+            .unwrap_or(f64::INFINITY),
+        directions: directions.unwrap_or_default(),
     }
 }

@@ -1,6 +1,5 @@
 //! Motions over time and their spectra, beside an integrator of its own, runs in other steps, steady states and the
 //! balance of energy.
-#![cfg(feature = "desk")]
 #![allow(
     clippy::expect_used,
     clippy::unwrap_used,

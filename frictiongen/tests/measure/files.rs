@@ -166,7 +166,7 @@ fn a_rate_of_times() {
         (vec![1.0], "too short: 1 times"),
         (
             vec![0.0, 1.0, 3.0],
-            "not evenly spaced: from 1.000000e0 s to 2.000000e0 s at sample 2",
+            "not evenly spaced: the time step changes from 1 s to 2 s at sample 2",
         ),
         (vec![0.0, f64::NAN, 1.0], "at sample 1"),
         (vec![1.0, 0.0], "at sample 1"),

@@ -1,5 +1,4 @@
 //! Friction and parameters from recordings that are made here: the simulation, sampled, with noise.
-#![cfg(feature = "measure")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -18,4 +17,6 @@ mod made;
 mod phase;
 mod recordings;
 mod sweeps;
+mod unexplained;
 mod units;
+mod weights;

@@ -1,5 +1,4 @@
 //! What users met in their first hour, each as a test.
-#![cfg(feature = "study")]
 #![allow(
     clippy::expect_used,
     clippy::unwrap_used,

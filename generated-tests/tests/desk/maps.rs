@@ -276,3 +276,46 @@ fn limit_lines_pass_the_limits() {
         block.limit_lines(1.0, 1.0, 1e-4).is_err() && block.limit_lines(-1.0, 1.0, 1e-4).is_err()
     );
 }
+
+/// Without a constant kinetic level no column has an answer: that is an error, and not a map without columns.
+#[test]
+fn a_law_that_falls_with_speed_is_refused() {
+    let system = system(
+        "struct S { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - wall, excitation: a,
+         friction: stribeck(0.1: 0.8, 0.3: 0.6), provide: [simulation] }",
+    );
+    let error = system.map(&request(), |_| true).unwrap_err();
+    assert_eq!(error.argument, "stribeck");
+}
+
+/// A mass that is not there is called that, not a number.
+#[test]
+fn a_mass_that_is_not_there() {
+    let request = MapRequest {
+        of: vec![Of::Mass(1)],
+        ..request()
+    };
+    let error = system(SCENES[0].1).map(&request, |_| true).unwrap_err();
+    assert_eq!(error.argument, "mass");
+    let told = error.to_string();
+    assert!(
+        told.contains("no mass of this place") && !told.contains("finite"),
+        "{told}"
+    );
+}
+
+/// Every frequency that is asked for has its column, the smallest and the largest numbers too.
+#[test]
+fn no_column_is_lost() {
+    for (name, text) in SCENES {
+        let request = MapRequest {
+            r: vec![0.0, 5e-324, 1e-300, 0.4, 1.0, 1e150, f64::MAX],
+            beta: vec![0.0, 0.3, 1e300],
+            of: vec![Of::Mass(0)],
+        };
+        let map = system(text).map(&request, |_| true).unwrap();
+        let r: Vec<f64> = map.columns.iter().map(|column| column.r).collect();
+        assert_eq!(r, request.r, "{name}");
+        assert!(map.columns.iter().all(|column| column.points.len() == 3));
+    }
+}

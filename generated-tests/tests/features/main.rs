@@ -5,6 +5,7 @@
     reason = "a test may fail"
 )]
 
+mod beside;
 mod dense;
 mod facts;
 mod scenes;

@@ -9,6 +9,7 @@
 
 mod brute_force;
 mod case;
+mod numbers;
 
 use brute_force::{Tried, golden};
 use case::{ABSORBER, BLOCK, FIRST_SPRING, SHARP};
@@ -100,8 +101,18 @@ fn sharp_as_by_receptances() {
 /// One mass: softer to its base it moves less, and at the end of the interval friction is best as a map has it. Nowhere on a
 /// map of the whole interval is it less.
 #[test]
+fn one_mass_as_by_a_coarse_map() {
+    one_mass([6, 8]);
+}
+
+/// The same on a map of a million responses.
+#[test]
 #[ignore = "a map of a million responses: a minute"]
 fn one_mass_as_by_brute_force() {
+    one_mass([16, 31]);
+}
+
+fn one_mass([values, forces]: [u32; 2]) {
     let tuned = BLOCK.tuned(1.0);
     assert!(tuned.at_end && tuned.value == 0.1, "{}", tuned.value);
     assert_ne!(tuned.optimum.kind, OptimumKind::Stuck);
@@ -115,11 +126,11 @@ fn one_mass_as_by_brute_force() {
     );
     assert!(offs[0] < 1e-6 && offs[1] < 1e-9, "{offs:?}");
     let mut count = 0;
-    for place in 0..=15 {
-        let value = 0.1 * 30.0_f64.powf(f64::from(place) / 15.0);
+    for place in 0..values {
+        let value = 0.1 * 30.0_f64.powf(f64::from(place) / f64::from(values - 1));
         let mut tried = Tried::new(&BLOCK, value);
-        for step in 0..=30 {
-            let share = f64::from(step) / 30.0;
+        for step in 0..forces {
+            let share = f64::from(step) / f64::from(forces - 1);
             let there = tried.largest(0.12 * share * share);
             assert!(amplitude <= there * (1.0 + 1e-9), "{value}: {there}");
         }

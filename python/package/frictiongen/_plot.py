@@ -47,6 +47,19 @@ def _column(answer: Any, motion: str, name: str, unit: str) -> tuple[Any, str]:
     return inner[name], f"{name} of {motion}"
 
 
+def _edges(values: Any) -> Any:
+    """Where cells about these values end: in the middle between neighbours, half a step beyond the ends, and not below 0."""
+    middles = 0.5 * (values[1:] + values[:-1])
+    first, last = values[0] - (middles[0] - values[0]), values[-1] + (values[-1] - middles[-1])
+    return np.maximum(np.concatenate([[first], middles, [last]]), 0.0)
+
+
+def _within(ax: Axes, along: Any) -> None:
+    """Ends the frequency axis where the data end, and never below 0."""
+    if np.size(along) > 1:
+        ax.margins(x=0)
+
+
 def _first(answer: Any, of: str | None) -> str:
     """The motion asked for, or the first mass, or else the contact."""
     if of is not None:
@@ -64,6 +77,8 @@ def limits(answer: answers.Limits, ax: Axes | None) -> Axes:
             ax.plot(along, values, label=name.replace("_", " "))
     ax.set_xlabel(label)
     ax.set_ylabel("friction (N)" if "sliding_limit_N" in answer else "friction ratio β")
+    _within(ax, along)
+    ax.set_ylim(bottom=0.0)
     ax.legend()
     return ax
 
@@ -80,6 +95,8 @@ def response(answer: answers.Response, ax: Axes | None, of: str | None) -> Axes:
         ax.plot(np.ravel(along), values[:, place], marker=marker, label=f"{force:g}{unit}")
     ax.set_xlabel(label)
     ax.set_ylabel(title)
+    _within(ax, along)
+    ax.set_ylim(bottom=0.0)
     ax.legend(title="friction")
     return ax
 
@@ -99,6 +116,7 @@ def curve(answer: answers.Curve, ax: Axes | None, of: str | None) -> Axes:
     ax.set_xlabel(label)
     ax.set_ylabel(title)
     ax.set_yscale("log")
+    _within(ax, along)
     ax.legend(title="friction; dashed: with stops,\ndotted: stuck")
     return ax
 
@@ -130,6 +148,7 @@ def map(answer: answers.Map, ax: Axes | None, shade: str) -> Axes:
     if answer.r.ndim != 1 or answer.beta.ndim != 1 or min(answer.shape) < 2:
         raise ValueError("a picture of a map needs at least two frequencies and two frictions")
     ax = _axes(ax)
+    cells = _edges(along), _edges(friction)
     if shade == "region":
         import matplotlib
 
@@ -137,9 +156,7 @@ def map(answer: answers.Map, ax: Axes | None, shade: str) -> Axes:
         codes = _places(answer.region, regions)
 
         colours = matplotlib.colormaps["viridis"].resampled(len(regions))
-        drawn = ax.pcolormesh(
-            along, friction, codes.T, cmap=colours, vmin=-0.5, vmax=len(regions) - 0.5, shading="nearest"
-        )
+        drawn = ax.pcolormesh(*cells, codes.T, cmap=colours, vmin=-0.5, vmax=len(regions) - 0.5)
         bar = ax.figure.colorbar(drawn, ax=ax, ticks=range(len(regions)))
         bar.ax.set_yticklabels(regions)
     else:
@@ -149,7 +166,7 @@ def map(answer: answers.Map, ax: Axes | None, shade: str) -> Axes:
             values, title = _column(answer, shade, "amplitude", "m")
         # Resonances stand out by orders of magnitude.
         norm = None if shade == "stuck" or not (values > 0).any() else "log"
-        drawn = ax.pcolormesh(along, friction, values.T, norm=norm, shading="nearest")
+        drawn = ax.pcolormesh(*cells, values.T, norm=norm)
         ax.figure.colorbar(drawn, ax=ax, label=title)
     top = float(np.max(friction))
     for limit, stroke in (("continuous_limit", "-"), ("sliding_limit", "--")):

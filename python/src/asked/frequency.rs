@@ -1,7 +1,8 @@
 //! The frequencies asked for: ratios r, Hz or rad/s.
 
+use super::ACROSS;
 use super::measure::Measure;
-use super::numbers::{Given, numbers, one};
+use super::numbers::{Given, ends, numbers, one, points};
 use crate::columns::{Columns, cell};
 use crate::errors::domain;
 use frictiongen::System;
@@ -73,7 +74,7 @@ impl Frequencies {
         in_time: bool,
     ) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;
-        let given = numbers(unit.argument(), given)?;
+        let given = points(unit.argument(), given, ACROSS)?;
         let mut r = Vec::with_capacity(given.values.len());
         for (index, value) in given.values.iter().enumerate() {
             let place = || given.place(unit.argument(), index);
@@ -192,10 +193,11 @@ impl Band {
     pub fn of(system: &System, arguments: &FrequencyArguments<'_>) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;
         let argument = unit.argument();
-        let given = numbers(argument, given)?;
-        let [from, to] = *given.values.as_slice() else {
+        let Some((from, to)) = ends(argument, given)? else {
+            // A text is no number to begin with.
+            numbers(argument, given)?;
             return Err(domain(format_args!(
-                "{argument}: a band is two numbers, (from, to)"
+                "{argument}: a band is needed, a tuple (from, to); a list or an array has points, for `limits`, `response` and `map`"
             )));
         };
         if !(0.0 < from && from < to && to.is_finite()) {

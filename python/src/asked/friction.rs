@@ -1,8 +1,9 @@
 //! The friction asked for: ratios β, or forces.
 
+use super::UP;
 use super::frequency::survives;
 use super::measure::Measure;
-use super::numbers::{Given, numbers};
+use super::numbers::{Given, ends, points};
 use crate::columns::{Columns, cell};
 use crate::errors::domain;
 use frictiongen::study::LoadScale;
@@ -25,8 +26,8 @@ impl Frictions {
     /// As given, under a load.
     pub fn of((beta, friction): &FrictionArguments<'_>, measure: &Measure) -> PyResult<Self> {
         let (argument, given) = match (beta, friction) {
-            (Some(beta), None) => ("beta", numbers("beta", beta)?),
-            (None, Some(friction)) => ("friction", numbers("friction", friction)?),
+            (Some(beta), None) => ("beta", points("beta", beta, UP)?),
+            (None, Some(friction)) => ("friction", points("friction", friction, UP)?),
             _ => return Err(domain("the friction: give one of beta and friction")),
         };
         let refused = |index: usize, value: f64, why: &str| {
@@ -81,6 +82,21 @@ impl Frictions {
             beta,
             force,
         })
+    }
+
+    /// The same where each friction costs a whole curve: one number, or a list.
+    pub fn listed(arguments: &FrictionArguments<'_>, measure: &Measure) -> PyResult<Self> {
+        let (beta, friction) = arguments;
+        for (argument, given) in [("beta", beta), ("friction", friction)] {
+            if let Some(given) = given
+                && ends(argument, given)?.is_some()
+            {
+                return Err(domain(format_args!(
+                    "{argument}: a tuple is a band (from, to); here a number or a list of frictions is needed"
+                )));
+            }
+        }
+        Self::of(arguments, measure)
     }
 
     /// The only one, and its force or else its ratio.

@@ -15,6 +15,12 @@ use frictiongen::{Of, System};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
+/// The points that cover a band of frequencies.
+const ACROSS: u32 = 161;
+
+/// The points that cover a band of frictions.
+const UP: u32 = 81;
+
 /// The most points of an answer, as of the command.
 pub const MOST_POINTS: usize = 10_000_000;
 

@@ -3,7 +3,7 @@
 use crate::errors::{domain, wrong_type};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyBool;
+use pyo3::types::{PyBool, PyTuple};
 use std::ops::RangeInclusive;
 
 /// Numbers, and whether it was one alone.
@@ -76,6 +76,39 @@ pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Given> {
     Ok(Given {
         values: flat.as_slice()?.to_vec(),
         is_one: shape.is_empty(),
+    })
+}
+
+/// The two ends of a band, if a tuple is given; a list and an array have points.
+pub fn ends(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Option<(f64, f64)>> {
+    if !given.is_instance_of::<PyTuple>() {
+        return Ok(None);
+    }
+    match *numbers(argument, given)?.values.as_slice() {
+        [from, to] => Ok(Some((from, to))),
+        ref values => Err(domain(format_args!(
+            "{argument}: a tuple is a band of two numbers, (from, to), and this one has {}; a list or an array has points",
+            values.len()
+        ))),
+    }
+}
+
+/// One number, points in a row, or a band (from, to) that `count` points cover evenly.
+pub fn points(argument: &str, given: &Bound<'_, PyAny>, count: u32) -> PyResult<Given> {
+    let Some((from, to)) = ends(argument, given)? else {
+        return numbers(argument, given);
+    };
+    if !(0.0 <= from && from < to && to.is_finite()) {
+        return Err(domain(format_args!(
+            "{argument} is ({from:?}, {to:?}): a band begins at 0 or above and ends above its start; points are a list or an array"
+        )));
+    }
+    let steps = count.max(2) - 1;
+    let share = |index: u32| f64::from(index) / f64::from(steps);
+    let inner = (0..steps).map(|index| from + (to - from) * share(index));
+    Ok(Given {
+        values: inner.chain([to]).collect(),
+        is_one: false,
     })
 }
 

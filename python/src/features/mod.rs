@@ -34,7 +34,7 @@ pub fn features<'py>(
     let band = Band::of_or_usual(system, &frequency, &measure)?;
     let frictions = match friction {
         (None, None) => Vec::new(),
-        given => Frictions::of(&given, &measure)?.beta,
+        given => Frictions::listed(&given, &measure)?.beta,
     };
     if MOST_FRICTIONS < frictions.len() {
         return Err(domain(format_args!(

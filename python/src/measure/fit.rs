@@ -112,6 +112,8 @@ fn answer<'py>(
     let natural = found.natural.iter().copied().map(interval);
     once.set_item("natural_frequencies_Hz", natural.collect::<Vec<_>>())?;
     once.set_item("misfit", found.misfit)?;
+    once.set_item("freedom", found.freedom)?;
+    once.set_item("is_explained", found.is_explained())?;
     once.set_item("scatter", found.scatter)?;
     once.set_item("condition", found.condition)?;
     let columns = compared(py, system, points, &found)?;

@@ -7,7 +7,7 @@ use crate::asked::{Optional, harmonics, names, numbers};
 use crate::errors::{domain, measurement};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::measure::{IdentifyRequest, Unknown};
+use frictiongen::measure::{Estimate, IdentifyRequest, Unknown};
 use frictiongen::study::units::hertz;
 use frictiongen::{Of, System};
 use pyo3::prelude::*;
@@ -44,10 +44,7 @@ fn range(given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<(f64, f64)>> {
 }
 
 /// The names of what else was found, each with its unit.
-fn named(
-    system: &System,
-    found: &[(Unknown, frictiongen::measure::Estimate)],
-) -> Vec<(String, Interval)> {
+fn named(system: &System, found: &[(Unknown, Estimate)]) -> Vec<(String, Interval)> {
     let mut all = Vec::new();
     for (unknown, estimate) in found {
         match unknown {
@@ -112,6 +109,14 @@ pub fn identify<'py>(
     once.set_item("verdict", found.verdict.word())?;
     once.set_item("says", found.verdict.to_string())?;
     once.set_item("unknowns", named(system, &found.unknowns))?;
+    let open: Vec<(Unknown, Estimate)> = found
+        .unknowns
+        .iter()
+        .filter(|(unknown, _)| found.undetermined().contains(unknown))
+        .copied()
+        .collect();
+    let open = named(system, &open).into_iter().map(|(name, _)| name);
+    once.set_item("undetermined", open.collect::<Vec<_>>())?;
     once.set_item("condition", found.condition)?;
     once.set_item("misfit", found.misfit)?;
     once.set_item("freedom", found.freedom)?;

@@ -2,7 +2,7 @@
 
 use super::observation::Observation;
 use super::request::Unknown;
-use crate::measure::statistics::excess;
+use crate::measure::statistics::is_chance;
 use crate::study::System;
 use crate::{Complex, Regime};
 
@@ -25,9 +25,12 @@ impl Estimate {
     }
 }
 
-/// Whether a measurement tells the friction force.
+/// What a measurement tells of the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
+    /// The description does not explain the measurement: residuals exceed what noise of the given deviations makes once in
+    /// 1000 recordings.  Force and interval are those of the best fit, and may be far from the rig's.
+    NotExplained,
     /// It does.
     Told,
     /// Several forces give this response: see [`Identified::levels`].
@@ -47,6 +50,7 @@ impl Verdict {
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
+            Self::NotExplained => "not explained",
             Self::Told => "told",
             Self::SeveralLevels => "several levels",
             Self::Stuck => "stuck",
@@ -59,6 +63,7 @@ impl Verdict {
 impl std::fmt::Display for Verdict {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
+            Self::NotExplained => "the description does not explain the measurement: residuals exceed the noise; check damping, stiction, masses and springs, and delays between the channels, before you use the force below",
             Self::Told => "the measurement tells the friction force",
             Self::SeveralLevels => "several friction forces give this response; another frequency, or amplitude and phase together, would tell which",
             Self::Stuck => "the contact is stuck: this tells only the least force that holds it",
@@ -88,16 +93,16 @@ pub struct Identified {
     pub friction: Estimate,
     /// All forces that explain the measurements as well, with their intervals, ascending; one where it is told.
     pub levels: Vec<Estimate>,
-    /// Whether it is told.
+    /// What the measurements tell.
     pub verdict: Verdict,
-    /// What else was asked, in the order of the request; an infinite interval where it is not told.
+    /// The other unknowns, in the order of the request.  An infinite interval: see [`Identified::undetermined`].
     pub unknowns: Vec<(Unknown, Estimate)>,
     /// The sum of squares of the residuals over their deviations, over the degrees of freedom; none where there are none.
-    /// Above 1 by more than chance the scene does not explain the measurement, and the intervals are that much wider.
+    /// Above 1 by more than chance the verdict is [`Verdict::NotExplained`], and the intervals are that much wider.
     pub misfit: Option<f64>,
-    /// The degrees of freedom: data less unknowns.
+    /// The degrees of freedom: data less the unknowns that they determine.
     pub freedom: usize,
-    /// By how much a relative error of the data may be multiplied, at most, between parameters: the condition of the fit.
+    /// The largest factor on a relative error of the data, between determined parameters: the condition of the fit.
     pub condition: f64,
     /// Each observation beside the scene's answer.
     pub explained: Vec<Explained>,
@@ -106,10 +111,19 @@ pub struct Identified {
 }
 
 impl Identified {
-    /// Whether what is left is no more than noise, as far as chance can tell.
+    /// Whether noise explains the residuals.  Without freedom there is nothing to judge by, and this is true.
     #[must_use]
     pub fn is_explained(&self) -> bool {
-        excess(self.misfit, self.freedom) == 1.0
+        is_chance(self.misfit, self.freedom)
+    }
+
+    /// The unknowns that the measurements do not determine: the response does not change with them, or two of them change it
+    /// alike.  The other estimates hold whatever their values are.
+    #[must_use]
+    pub fn undetermined(&self) -> Vec<Unknown> {
+        let all = self.unknowns.iter();
+        let open = all.filter(|(_, estimate)| estimate.to.is_infinite());
+        open.map(|(unknown, _)| *unknown).collect()
     }
 
     /// Residuals of an observation: measured less computed, over the load.

@@ -6,7 +6,7 @@ use super::model::{self, Along, Direction};
 use super::observation::{Observation, Using};
 use super::request::IdentifyRequest;
 use crate::measure::MeasureError;
-use crate::measure::statistics::{CHI, excess};
+use crate::measure::statistics::{CHI, excess, is_chance};
 use crate::study::System;
 use crate::{Complex, Regime};
 
@@ -304,6 +304,9 @@ impl Alone {
         if verdict == Verdict::Stuck {
             // Every one from here on is as good.
             friction.value = friction.from;
+        }
+        if !is_chance(self.misfit, self.freedom) {
+            verdict = Verdict::NotExplained;
         }
         Ok(Identified {
             condition: condition(problem, &friction, &explained),

@@ -1,6 +1,6 @@
 //! The friction force together with other unknowns.
 
-use super::answer::{Estimate, Identified};
+use super::answer::{Estimate, Identified, Verdict};
 use super::data::Weighed;
 use super::friction::{Alone, Problem, verdict};
 use super::model::{self, Along, Direction};
@@ -8,7 +8,7 @@ use super::request::Unknown;
 use crate::Complex;
 use crate::measure::MeasureError;
 use crate::measure::least_squares::{Fit, Linearised, minimise};
-use crate::measure::statistics::{NORMAL, excess};
+use crate::measure::statistics::{NORMAL, excess, is_chance};
 use crate::study::{Quantity, System};
 use nalgebra::{DMatrix, DVector};
 
@@ -217,17 +217,13 @@ pub(super) fn fit(
 
 fn answer(several: &Several<'_, '_>, fit: Fit, data: usize) -> Result<Identified, MeasureError> {
     let (problem, unknowns) = (several.problem, several.unknowns);
-    let freedom = data - fit.parameters.len();
+    let freedom = data - fit.rank;
     let misfit = (freedom > 0).then(|| fit.squares / freedom as f64);
     let scale = excess(misfit, freedom).sqrt();
     let system = several.system(&fit.parameters).ok_or(MeasureError::NoFit)?;
     let estimate = |index: usize| {
         let value = fit.parameters.get(index).copied().unwrap_or(f64::NAN);
-        let variance = fit
-            .covariance
-            .as_ref()
-            .and_then(|all| all.get((index, index)));
-        let reach = variance.map_or(f64::INFINITY, |variance| NORMAL * scale * variance.sqrt());
+        let reach = NORMAL * scale * fit.own_variance(index).sqrt();
         Estimate {
             value,
             from: (value - reach).max(0.0),
@@ -241,11 +237,16 @@ fn answer(several: &Several<'_, '_>, fit: Fit, data: usize) -> Result<Identified
         ..*problem
     };
     changed.explains(friction.value)?;
+    let told = verdict(&friction, 1, &explained);
     let unknowns = unknowns.iter().enumerate();
     let unknowns = unknowns.map(|(index, unknown)| (*unknown, estimate(index + 1)));
     Ok(Identified {
         levels: vec![friction],
-        verdict: verdict(&friction, 1, &explained),
+        verdict: if is_chance(misfit, freedom) {
+            told
+        } else {
+            Verdict::NotExplained
+        },
         friction,
         unknowns: unknowns.collect(),
         misfit,

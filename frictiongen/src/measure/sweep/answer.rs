@@ -1,6 +1,7 @@
 //! What a sweep tells.
 
 use crate::measure::identify::Estimate;
+use crate::measure::statistics::is_chance;
 use crate::study::System;
 
 /// What a sweep without friction says.
@@ -18,6 +19,8 @@ pub struct SweepFit {
     pub natural: Vec<Estimate>,
     /// The sum of squares over the degrees of freedom, where deviations were given.
     pub misfit: Option<f64>,
+    /// The degrees of freedom: points less the parameters that they determine.
+    pub freedom: usize,
     /// The root of the mean square of the relative residuals.
     pub scatter: f64,
     /// The condition of the fit.
@@ -26,4 +29,13 @@ pub struct SweepFit {
     pub residuals: Vec<f64>,
     /// The scene with what was found; its first mass as it was.
     pub system: System,
+}
+
+impl SweepFit {
+    /// Whether the given deviations explain the residuals.  Without deviations or freedom there is nothing to judge by, and this
+    /// is true.
+    #[must_use]
+    pub fn is_explained(&self) -> bool {
+        is_chance(self.misfit, self.freedom)
+    }
 }

@@ -40,7 +40,7 @@ pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureEr
             nearest: value.norm(),
         });
     }
-    let freedom = residuals.len() - fit.parameters.len();
+    let freedom = residuals.len() - fit.rank;
     let weighed = sweep.points.iter().all(|point| point.deviation.is_some());
     let reduced = (freedom > 0).then(|| fit.squares / freedom as f64);
     let reach = if weighed {
@@ -50,11 +50,7 @@ pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureEr
     };
     // The interval of what moves with the parameters as this gradient says.
     let interval = |value: f64, gradient: &DVector<f64>| {
-        let variance = fit
-            .covariance
-            .as_ref()
-            .map(|covariance| gradient.dot(&(covariance * gradient)));
-        let reach = variance.map_or(f64::INFINITY, |variance| reach * variance.sqrt());
+        let reach = reach * fit.variance(gradient).sqrt();
         Estimate {
             value,
             from: (value - reach).max(0.0),
@@ -99,6 +95,7 @@ pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureEr
         damping: sweep.damping.then(|| own(last)),
         natural,
         misfit: reduced.filter(|_| weighed),
+        freedom,
         scatter,
         condition: fit.condition,
         residuals,

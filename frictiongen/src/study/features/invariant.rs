@@ -214,7 +214,14 @@ impl Features<'_> {
             Edge::Invariant => 3,
         };
         edges.sort_by(|a, b| a.0.total_cmp(&b.0).then(rank(&a.1).cmp(&rank(&b.1))));
-        edges.dedup_by(|b, a| (b.0 - a.0).abs() <= 1e-13 * a.0);
+        // Zeros of two functions at one place differ by roundings, in either order.
+        edges.dedup_by(|b, a| {
+            let same = (b.0 - a.0).abs() <= SAME * a.0;
+            if same && rank(&b.1) < rank(&a.1) {
+                a.1 = b.1;
+            }
+            same
+        });
         let growth = |r: f64| {
             let first = functions
                 .first()

@@ -153,8 +153,8 @@ impl System {
     /// `go_on` is told after each column how many are done, from any thread; where it says `false` the rest is left out.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a frequency ratio or a friction ratio that is negative, NaN or infinite, and for a mass that
-    /// the scene does not have.  Where a point has no response, its result says why.
+    /// [`OutOfDomain`] for a frequency ratio or a friction ratio that is negative, NaN or infinite, for a mass that the
+    /// scene does not have, and ("stribeck") for `friction: stribeck`.  Where a point has no response, its result says why.
     pub fn map(
         &self,
         request: &MapRequest,
@@ -177,28 +177,33 @@ impl System {
         let relaxed = std::sync::atomic::Ordering::Relaxed;
         let column = |r: &f64| {
             let column = self.column(*r, request, || !stopped.load(relaxed))?;
-            if !go_on(done.fetch_add(1, relaxed) + 1) {
+            if column.is_some() && !go_on(done.fetch_add(1, relaxed) + 1) {
                 stopped.store(true, relaxed);
             }
-            Some(column)
+            Ok(column)
         };
         // Neighbouring columns cost alike, and some a hundred times as much: one at a time.
         let columns = request.r.par_iter().with_max_len(1).map(column);
-        let columns: Vec<Option<MapColumn>> = columns.collect();
+        let columns: Vec<Option<MapColumn>> = columns.collect::<Result<_, OutOfDomain>>()?;
         Ok(Map {
             beta: request.beta.clone(),
             columns: columns.into_iter().flatten().collect(),
         })
     }
 
-    /// A column, unless it is cancelled.
-    fn column(&self, r: f64, request: &MapRequest, go_on: impl Fn() -> bool) -> Option<MapColumn> {
-        let at = self.at(r).ok()?;
+    /// A column, unless it is cancelled; an error if the scene has no answer at this frequency, whatever the friction.
+    fn column(
+        &self,
+        r: f64,
+        request: &MapRequest,
+        go_on: impl Fn() -> bool,
+    ) -> Result<Option<MapColumn>, OutOfDomain> {
+        let at = self.at(r)?;
         let limits = at.limits();
         let mut points = Vec::with_capacity(request.beta.len());
         for beta in &request.beta {
             if !go_on() {
-                return None;
+                return Ok(None);
             }
             let point = at
                 .response(*beta)
@@ -206,7 +211,7 @@ impl System {
             points
                 .push(point.and_then(|point| point.ok_or(OutOfDomain { argument: "mass" }.into())));
         }
-        Some(MapColumn { r, limits, points })
+        Ok(Some(MapColumn { r, limits, points }))
     }
 }
 

@@ -114,3 +114,31 @@ impl<'s> Amplitude<'s> {
         ])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Amplitude, Friction};
+    use crate::Of;
+    use crate::study::System;
+
+    /// The contact does not touch the second mode, which nothing damps: with stops there is no steady state, and that counts.
+    #[test]
+    fn what_has_no_answer_is_counted() {
+        let text = "struct Chain { masses: { a: 1, b: 1, c: 1 }, contact: b - wall, excitation: a,
+            springs: { base - a: 1, a - b: 1, b - c: 1, c - wall: 1 } }";
+        let system: System = text.parse().unwrap();
+        let limits = system.at(0.5).unwrap().limits();
+        let amplitude = Amplitude::new(&system, Of::Mass(0));
+        let slides = Friction::Ratio(0.5 * limits.continuous);
+        assert!(amplitude.at(0.5, slides).is_finite());
+        assert_eq!((amplitude.asked.get(), amplitude.silent.get()), (1, 0));
+        let stops = Friction::Ratio(0.5 * (limits.continuous + limits.sliding));
+        for asked in [1, 2] {
+            assert!(amplitude.at(0.5, stops).is_nan());
+            assert_eq!(
+                (amplitude.asked.get(), amplitude.silent.get()),
+                (1 + asked, asked)
+            );
+        }
+    }
+}

@@ -22,6 +22,7 @@ struct Frame {
     excitation: base,
     damping: modal[0.010, 0.012],
     colour: red,
+    brace: 1200,
 }
 }
 }

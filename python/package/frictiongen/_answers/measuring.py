@@ -51,10 +51,12 @@ class Transmissibilities(Table):
 class Identification(Table):
     """The friction force that explains measurements, and each motion beside what the system does with it, a line for each.
 
-    `friction_N` is the force with its interval.  `verdict` says what the measurements tell: told, several levels (each of
-    `levels` explains them), stuck (any force from `friction_N.low` on), not told; `says` in a sentence.  `unknowns` is what
-    else was looked for, by name.  `misfit`, the sum of squares of residuals over deviations by the `freedom`, is 1 where
-    noise is all that is left, and None without freedom; `is_explained` is whether it is no more than chance.
+    `friction_N` is the force with its interval.  `verdict` says what the measurements tell: not explained (residuals exceed
+    the noise, and the force may be far from the rig's), told, several levels (each of `levels` explains them), stuck (any
+    force from `friction_N.low` on), not told, all but stuck; `says` is the same as a sentence.  `unknowns` has the other
+    unknowns by name, and `undetermined` the names of those that the measurements do not determine: the other results hold at
+    any value of these.  `misfit`, the sum of squares of residuals over deviations by the `freedom`, is 1 where noise is all
+    that is left, and None without freedom; `is_explained` is whether noise exceeds it more than once in 1000 recordings.
     `condition` is by how much a relative error of the data may grow.  `system` has what was found.
     """
 
@@ -63,6 +65,7 @@ class Identification(Table):
     verdict: str
     says: str
     unknowns: dict[str, Estimate]
+    undetermined: list[str]
     condition: float
     misfit: float | None
     freedom: int
@@ -90,6 +93,7 @@ class Identification(Table):
         self.levels = [Estimate(*level) for level in once["levels"]]
         self.verdict, self.says = once["verdict"], once["says"]
         self.unknowns = _estimates(once["unknowns"])
+        self.undetermined = once["undetermined"]
         self.condition, self.misfit = once["condition"], once["misfit"]
         self.freedom, self.is_explained = once["freedom"], once["is_explained"]
         self.system = system
@@ -111,8 +115,8 @@ class Fit(Table):
 
     `reference_Hz` is sqrt(k1/m1)/2pi, `mass_ratios` m/m1 and `stiffness_ratios` k/k1 of the masses and springs from the
     second on, `natural_frequencies_Hz`, `damping` if it was asked for.  `scatter` is the root of the mean square of the
-    relative residuals; `misfit` is 1 where noise is all that is left, None where no deviations were given.  `system` has
-    what was found, its first mass as it was.
+    relative residuals; `misfit` is 1 where noise is all that is left, None where no deviations were given; `is_explained` is
+    whether noise exceeds it more than once in 1000 sweeps.  `system` has what was found, its first mass as it was.
     """
 
     reference_Hz: Estimate
@@ -121,6 +125,8 @@ class Fit(Table):
     damping: Estimate | None
     natural_frequencies_Hz: list[Estimate]
     misfit: float | None
+    freedom: int
+    is_explained: bool
     scatter: float
     condition: float
     #: The description with what was found.
@@ -139,6 +145,7 @@ class Fit(Table):
         self.damping = None if once["damping"] is None else Estimate(*once["damping"])
         self.natural_frequencies_Hz = [Estimate(*found) for found in once["natural_frequencies_Hz"]]
         self.misfit, self.scatter, self.condition = once["misfit"], once["scatter"], once["condition"]
+        self.freedom, self.is_explained = once["freedom"], once["is_explained"]
         self.system = system
 
     def plot(self, ax: Axes | None = None) -> Axes:

@@ -21,14 +21,16 @@ class Steady(Base):
     def limits(
         self,
         *,
-        r: ArrayLike | None = None,
-        hz: ArrayLike | None = None,
-        omega: ArrayLike | None = None,
+        r: tuple[float, float] | ArrayLike | None = None,
+        hz: tuple[float, float] | ArrayLike | None = None,
+        omega: tuple[float, float] | ArrayLike | None = None,
         force: float | None = None,
         base: float | None = None,
         estimates: bool = False,
     ) -> Limits:
         """The limits of continuous motion and of sliding over frequency, exact.
+
+        A tuple (from, to) is a band, which 161 frequencies cover; a list or an array has the frequencies.
 
         :param estimates: also `continuous_limit_without_search`, never too small, and `continuous_limit_per_mode`, never
             too large.
@@ -44,9 +46,9 @@ class Steady(Base):
     def limits_without_search(
         self,
         *,
-        r: ArrayLike | None = None,
-        hz: ArrayLike | None = None,
-        omega: ArrayLike | None = None,
+        r: tuple[float, float] | ArrayLike | None = None,
+        hz: tuple[float, float] | ArrayLike | None = None,
+        omega: tuple[float, float] | ArrayLike | None = None,
         force: float | None = None,
         base: float | None = None,
     ) -> Limits:
@@ -65,11 +67,11 @@ class Steady(Base):
     def response(
         self,
         *,
-        r: ArrayLike | None = None,
-        hz: ArrayLike | None = None,
-        omega: ArrayLike | None = None,
-        beta: ArrayLike | None = None,
-        friction: ArrayLike | None = None,
+        r: tuple[float, float] | ArrayLike | None = None,
+        hz: tuple[float, float] | ArrayLike | None = None,
+        omega: tuple[float, float] | ArrayLike | None = None,
+        beta: tuple[float, float] | ArrayLike | None = None,
+        friction: tuple[float, float] | ArrayLike | None = None,
         force: float | None = None,
         base: float | None = None,
         of: str | Iterable[str] | None = None,
@@ -77,8 +79,8 @@ class Steady(Base):
     ) -> Response:
         """Regime, amplitudes and phases over frequency and friction: closed form, steady state with stops, or stuck.
 
-        Frequencies and frictions may each be a number or an array; the answer has the shape of the frequencies followed by
-        that of the frictions.
+        Frequencies and frictions may each be a number, a list or an array, or a band (from, to), which 161 frequencies or 81
+        frictions cover.  The answer has the shape of the frequencies followed by that of the frictions.
 
         :param of: only these motions: masses, or `contact`; all if left out.
         :param harmonics: also the harmonics X1, X3, ... up to this one.
@@ -129,9 +131,9 @@ class Steady(Base):
     def curve(
         self,
         *,
-        r: tuple[float, float] | ArrayLike | None = None,
-        hz: tuple[float, float] | ArrayLike | None = None,
-        omega: tuple[float, float] | ArrayLike | None = None,
+        r: tuple[float, float] | None = None,
+        hz: tuple[float, float] | None = None,
+        omega: tuple[float, float] | None = None,
         beta: ArrayLike | None = None,
         friction: ArrayLike | None = None,
         force: float | None = None,
@@ -142,7 +144,7 @@ class Steady(Base):
         harmonics: int | None = None,
         rates: bool = False,
     ) -> Curve:
-        """Responses along frequency from one end of a band to the other, refined where they bend.
+        """Responses along frequency from one end of a band (from, to) to the other, refined where they bend.
 
         :param accuracy: how far a straight line between neighbours may stray, relative to the curve; 5e-4 if left out.
         :param step: how far apart neighbours are at most, in the unit of the frequency.
@@ -169,22 +171,26 @@ class Steady(Base):
     def map(
         self,
         *,
-        r: ArrayLike | None = None,
-        hz: ArrayLike | None = None,
-        omega: ArrayLike | None = None,
-        beta: ArrayLike | None = None,
-        friction: ArrayLike | None = None,
+        r: tuple[float, float] | ArrayLike | None = None,
+        hz: tuple[float, float] | ArrayLike | None = None,
+        omega: tuple[float, float] | ArrayLike | None = None,
+        beta: tuple[float, float] | ArrayLike | None = None,
+        friction: tuple[float, float] | ArrayLike | None = None,
         force: float | None = None,
         base: float | None = None,
         of: str | Iterable[str] | None = None,
     ) -> Map:
         """What the contact does at every pair of a frequency and a friction, on all cores.
 
+        A tuple (from, to) is a band, which 161 frequencies or 81 frictions cover; a list or an array has the points.
+
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)
         >>> map = frame.map(hz=numpy.linspace(0.5, 7, 14), friction=numpy.linspace(0, 2.4, 7), base=0.001)
         >>> map.shape, int((map.regime == "stuck").sum())
         ((14, 7), 54)
+        >>> frame.map(hz=(1, 7), friction=[0.4, 0.8], base=0.001).shape
+        (161, 2)
         """
         return Map(
             _native.map(self._native, (r, hz, omega), (beta, friction), (force, base), names(of)),
