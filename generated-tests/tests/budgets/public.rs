@@ -170,6 +170,7 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
             "orbit::Orbit::mass",
             "orbit::Orbit::mass_at",
             "orbit::Orbit::multipliers",
+            "orbit::Orbit::offset_range",
             "orbit::Orbit::origin",
             "orbit::Orbit::period",
             "orbit::Orbit::reversals",

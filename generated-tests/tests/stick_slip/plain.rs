@@ -64,16 +64,16 @@ pub struct Run<'p> {
     pub largest: Option<Vec<f64>>,
 }
 
-/// Mass matrix over m₁, stiffness over k₁, damping over √(m₁k₁), load, contact and base share.
-fn matrices(
-    scene: &Scene,
-) -> (
+/// Mass matrix over m₁, stiffness over k₁, damping over √(m₁k₁), load and contact vectors, base share.
+type Matrices = (
     DMatrix<f64>,
     DMatrix<f64>,
     DMatrix<f64>,
     [DVector<f64>; 2],
     f64,
-) {
+);
+
+fn matrices(scene: &Scene) -> Matrices {
     let n = scene.masses.len();
     let (m1, k1) = (scene.masses[0].value, scene.springs[0].stiffness);
     let mass = DMatrix::from_fn(n, n, |i, j| {
