@@ -20,9 +20,13 @@ pub struct Sample<'i, S> {
 impl<S: Float> Sample<'_, S> {
     /// Nothing, if a scene can take it.
     pub(super) fn check(&self, scene: &StepScene<'_, S>, stiction: S) -> Result<(), OutOfDomain> {
-        let (_, most) = S::inverse_ratio_range();
-        let most = most * scene.units.stiffness;
-        let sound = |value: S| value.abs() <= most;
+        let (_, limit) = S::inverse_ratio_range();
+        let most = limit * scene.units.stiffness;
+        let sound = |value: S| {
+            let size = value.abs();
+            // What it does in a step is a few times this energy, which has to stay finite too.
+            size <= most && size * (size / scene.units.stiffness) <= limit * limit
+        };
         if self.forces.len() != scene.forces.len() {
             return Err(OutOfDomain { argument: "forces" });
         }

@@ -45,6 +45,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         if self.status.contact != Contact::Stuck {
             let Some(departure) = departing else {
                 self.status.unknown = true;
+                self.status.holding = S::constant(0.0);
                 let none = [S::constant(0.0); 2];
                 let velocity = self.velocity(none);
                 return self.move_modes(&velocity, none, left);
@@ -52,6 +53,26 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             self.grip(departure.stuck);
         }
         self.move_held(left);
+    }
+
+    /// Says what the contact does before the first step, under the inputs of its start.
+    pub(super) fn begin(&mut self) {
+        self.judge();
+        if self.status.contact != Contact::Stuck {
+            return;
+        }
+        let force = self.held_force();
+        let friction = self.status.friction;
+        let grip = friction * self.status.stiction;
+        // The first step tells how a moving base speeds up, and with it whether the contact goes.
+        self.status.holding = force.abs().min(grip).copysign(force);
+        if grip < force.abs() && !self.scene.rubs_on_base() {
+            // It goes at once: the first step finds that again, and counts the event.
+            self.leave();
+            self.status.contact = Contact::along(force);
+            self.status.holding = friction.copysign(force);
+            self.status.unknown = true;
+        }
     }
 
     /// Says what the contact does, of which nothing is known but the state.
@@ -64,7 +85,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let speed = rate.abs() * S::constant(f64::from(pace.parts)) / pace.step;
         self.status.contact = Contact::along(rate);
         self.status.line = law::place(self.scene.law, speed);
-        if rate.abs() <= velocity.size * S::constant(ROUNDINGS * S::EPSILON) {
+        let size = velocity.size + self.status.given * pace.span;
+        if rate.abs() <= size * S::constant(ROUNDINGS * S::EPSILON) {
             // Whether it leaves at once, the force that holds it will say.
             self.grip(None);
         }
@@ -246,7 +268,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 
     /// From sticking to sliding: the modes take over.
-    fn leave(&mut self) {
+    pub(super) fn leave(&mut self) {
         let [base, rate] = self.carried();
         let lifted = (self.status.place + base, rate);
         let receptance = self.table.pace.receptance;

@@ -228,3 +228,79 @@ fn more_than_is_followed() {
     }
     assert!(exceeded > 100);
 }
+
+/// The strongest force that is taken, always along the motion: the work grows until a step is refused, and is finite until
+/// then.
+#[test]
+fn work_stays_finite() {
+    fn check<S: Plain>(text: &str, radians: f64) {
+        let scene = scene(text);
+        let dt = radians / crate::plain::chain::Chain::of(&scene, &[]).fastest;
+        let of = |force: f64| Load {
+            base: [0.0; 2],
+            forces: vec![force; scene.masses.len()],
+            friction: 0.0,
+        };
+        let mut rig: Rig<S> = rig(&scene, LINEAR, dt);
+        let taken = |force: f64| crate::rig::try_advance(&mut rig.clone(), &of(force)).is_ok();
+        let mut strongest = 1e300;
+        while !taken(strongest) {
+            strongest *= 0.5;
+        }
+        assert!(
+            strongest > 1e9 * scene.springs[0].stiffness,
+            "{strongest:e}"
+        );
+        let mut refused = false;
+        for step in 0..20_000 {
+            let velocity = rig.mass(0).velocity().to_f64();
+            match crate::rig::try_advance(&mut rig, &of(strongest.copysign(velocity))) {
+                Ok(_) => {}
+                Err(error) => {
+                    assert_eq!(error.argument, "work");
+                    refused = true;
+                    break;
+                }
+            }
+            let work = rig.work();
+            for value in [work.load, work.friction, work.damping, work.stored] {
+                assert!(
+                    value.is_finite(),
+                    "{text}, {radians} rad, step {step}: {work:?}"
+                );
+            }
+        }
+        // In a step of many turns the force does not know where the motion goes.
+        assert!(
+            refused || radians > 10.0,
+            "{text}, {radians} rad, {strongest:e}: {:?}",
+            rig.work()
+        );
+    }
+    for stiffness in ["6e-4", "600", "6e9"] {
+        for radians in [0.05, 0.9, 900.0] {
+            let text = ONE.replace("600", stiffness);
+            check::<f32>(&text, radians);
+            check::<f64>(&text, radians);
+        }
+    }
+}
+
+/// A motion that has decayed to numbers below the normal ones is none that a contact without friction tells of.
+#[test]
+fn decay_without_friction_has_no_events() {
+    for text in [PAIR, WALL, ONE_ON_BASE] {
+        let scene = scene(text);
+        let mut rig: Rig<f32> = rig(&scene, LINEAR, 0.05);
+        let mut events = 0;
+        for step in 0..200_000 {
+            let load = Load {
+                base: [0.0; 2],
+                forces: vec![if step == 0 { 1.0 } else { 0.0 }; scene.masses.len()],
+                friction: 0.0,
+            };
+            events += advance(&mut rig, &load).events;
+        }
+        assert_eq!(events, 0, "{text}");
+    }
+}

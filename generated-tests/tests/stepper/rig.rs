@@ -176,6 +176,14 @@ pub fn advance<S: Plain>(rig: &mut Rig<S>, load: &Load) -> Stepped<S> {
     with(load, |sample| rig.advance(sample)).expect("a sound load")
 }
 
+/// The same, with the error of a load that it cannot take.
+pub fn try_advance<S: Plain>(
+    rig: &mut Rig<S>,
+    load: &Load,
+) -> Result<Stepped<S>, frictiongen::OutOfDomain> {
+    with(load, |sample| rig.advance(sample))
+}
+
 /// Tells a stepper the load at the start.
 pub fn begin<S: Plain>(rig: &mut Rig<S>, load: &Load) {
     with(load, |sample| rig.begin(sample)).expect("a sound load");
