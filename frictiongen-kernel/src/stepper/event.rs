@@ -4,7 +4,7 @@ use super::drive::derived;
 use super::part::{ROUNDINGS, Through};
 use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Start, Walk, first_reach, first_zero, law};
+use crate::simulation::{Contact, Start, Walk, first_reach, first_zero, law, lift};
 
 /// The contact, on the point of leaving zero velocity.
 #[derive(Clone, Copy, Debug)]
@@ -250,6 +250,10 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 
     /// From sliding to sticking, at this place or where the modes say: the held modes take over.
+    ///
+    /// What is held is how far the modes are from those of the chain at rest with its contact there.  Far from the origin
+    /// these are small differences of large numbers, in the softest mode above all, and their rounding would strain stiff
+    /// springs.  The contact moves by none of them, so that the softest mode's follows from the others'.
     fn grip(&mut self, place: Option<S>) {
         let dynamics = &self.scene.dynamics;
         let receptance = self.table.pace.receptance;
@@ -261,10 +265,27 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         self.status.place = place.unwrap_or(now - base);
         self.status.contact = Contact::Stuck;
         self.status.line = 0;
-        let lifted = (self.status.place + base, rate);
-        let states = self.store.modes.iter().copied();
+        let lifted = self.status.place + base;
+        let zero = S::constant(0.0);
+        let (mut moved, mut softest, mut most) = (zero, (0, S::constant(1.0)), zero);
+        let scratch = &mut *self.store.scratch;
+        let modes = dynamics.driven().iter().zip(&*self.store.modes);
+        for (index, ((mode, [y, u]), to)) in modes.zip(scratch.iter_mut()).enumerate() {
+            let lift = lift(mode, receptance);
+            *to = [*y - lift * lifted, *u];
+            moved = moved + mode.contact * to[0];
+            let share = (mode.contact * lift).abs();
+            if most < share {
+                (softest, most) = ((index, mode.contact), share);
+            }
+        }
+        let (index, contact) = softest;
+        if let Some([y, _]) = scratch.get_mut(index) {
+            *y = *y - moved / contact;
+        }
+        let states = scratch.iter().copied();
         let held = self.store.held.iter_mut().map(|[y, u]| (y, u));
-        dynamics.project(receptance, states, lifted, held);
+        dynamics.project(receptance, states, (zero, rate), held);
     }
 
     /// From sticking to sliding: the modes take over.

@@ -1,5 +1,6 @@
 //! Loads and steps that nobody would choose: the bound on events is kept and told, no energy is made, nothing is NaN.
 
+use crate::both::Both;
 use crate::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, rig, scene};
 use crate::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE, sticky};
 use frictiongen_kernel::Plain;
@@ -145,6 +146,46 @@ fn grazing() {
     }
     println!("{events} events");
     assert!(events > 1000);
+}
+
+/// The same forces, none of them within a rounding of the grip: the motion is the plain integrator's.
+#[test]
+fn grazing_moves_as_the_plain_integrator_says() {
+    for text in ALL {
+        for mu in [1.0, 1.5] {
+            let scene = scene(&sticky(text, mu));
+            let friction = 1e-3 * scene.springs[0].stiffness;
+            let dt = 0.4 / crate::plain::chain::Chain::of(&scene, &[]).fastest;
+            let mut random = Random(9);
+            let mut load = || {
+                let beside = [1.0 - 1e-6, 1.0 + 1e-6, 1.0 - 1e-9, 1.0 + 1e-9, -1.0 - 1e-7];
+                let times = *random.pick(&beside).expect("one of them");
+                Load {
+                    base: [0.0; 2],
+                    forces: vec![times * mu * friction; scene.masses.len()],
+                    friction,
+                }
+            };
+            let mut both = Both::new(&scene, LINEAR, dt, &load());
+            for _ in 0..500 {
+                both.advance(&load());
+            }
+            println!(
+                "{}, μ = {mu}: {} events, {} otherwise, {:.1e}",
+                scene.name,
+                both.events,
+                both.otherwise,
+                both.error()
+            );
+            assert_eq!(both.otherwise, 0, "{text}, {mu}");
+            // A zero that is nearly double is known to the root of a rounding.
+            assert!(
+                both.events > 20 && both.error() < 1e-8,
+                "{text}, {mu}: {:e}",
+                both.error()
+            );
+        }
+    }
 }
 
 /// Laws so steep that the contact chatters; one that is too steep for its step is refused.

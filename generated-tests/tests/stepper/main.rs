@@ -9,6 +9,7 @@ mod creep;
 mod energy;
 mod exact;
 mod extremes;
+mod far;
 mod independent;
 mod kinds;
 mod passive;
