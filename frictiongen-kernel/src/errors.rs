@@ -21,7 +21,7 @@ pub enum Regime {
 pub struct OutOfDomain {
     /// Which argument: "r", "beta", "state", "reach"; or a slice that is too short or too long, "parts",
     /// "numbers", "multipliers", "continuous", "sliding"; of a stepper "dt", "force", "forces",
-    /// "base", "friction", "stiction", "steps", "saved"; of a run in time "amplitude" and "steepness"; or
+    /// "base", "friction", "stiction", "steps", "saved", "work"; of a run in time "amplitude" and "steepness"; or
     /// "stribeck" where the friction law has no constant kinetic level, which a stepper and `simulation_under` do without.
     pub argument: &'static str,
 }
@@ -116,7 +116,10 @@ impl fmt::Display for OutOfDomain {
             "steepness" => {
                 "with this load the kinetic level changes the motion more than 4096 times as fast as the fastest mode does"
             }
-            "saved" => "it belongs to another scene",
+            "saved" => "it belongs to another scene or step",
+            "work" => {
+                "another step could take the work beyond the range of the scalar: reduce the force, or begin anew"
+            }
             _ => "it must be a finite number, not negative",
         };
         write!(f, "{} is outside the domain: {needed}", self.argument)

@@ -490,7 +490,7 @@ const _: () = {
     ::frictiongen::kernel::not_provided!(Shaken : limits, simulation);
     ::frictiongen::kernel::wraps!(ShakenStepper, FixedStepper of f64, 4, 2, 1, 1);
     impl ShakenStepper {
-        /// Says what the input is before the first step; otherwise it is none.
+        /// Says what the input is before the first step; otherwise it is none.  The contact answers for it at once.
         ///
         /// # Errors
         /// `OutOfDomain` as of `advance`, and after the first step.
@@ -506,8 +506,8 @@ const _: () = {
         /// [`ShakenStepper`] says what it costs.
         ///
         /// # Errors
-        /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares
-        /// overflow: the stepper is then what it was.
+        /// `OutOfDomain` for what is NaN or infinite, for friction below zero, for numbers whose squares
+        /// overflow, and before the work does: the stepper is then what it was.
         pub fn advance(
             &mut self,
             input: ShakenInput,
