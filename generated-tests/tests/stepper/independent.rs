@@ -87,6 +87,49 @@ fn any_load() {
     }
 }
 
+/// A base that jumps, with a velocity of its own at each sample or with none: its cubic bends within a step, and a held
+/// one leaves a contact behind, which may stick on.
+#[test]
+fn jumping_base() {
+    for text in [BASE, ONE_ON_BASE, WALL_BASE] {
+        for kind in [LINEAR, HOLD] {
+            for (velocity, grip) in [(1.0, 0.5), (0.0, 0.5)] {
+                let scene = scene(&sticky(text, 1.2));
+                let (k1, m1) = (scene.springs[0].stiffness, scene.masses[0].value);
+                let dt = 0.3 / (k1 / m1).sqrt();
+                let mut random = Random(5);
+                let mut next = || Load {
+                    base: [
+                        0.01 * random.signed(),
+                        velocity * 0.01 * random.signed() / dt,
+                    ],
+                    forces: vec![0.0; scene.masses.len()],
+                    friction: grip * 0.01 * k1 * random.between(0.8, 1.2),
+                };
+                let mut both = Both::new(&scene, kind, dt, &next());
+                for _ in 0..300 {
+                    both.advance(&next());
+                }
+                println!(
+                    "{}, {:?}, {velocity}, {grip}: {} events, {} otherwise, {:.1e}",
+                    scene.name,
+                    kind.input,
+                    both.events,
+                    both.otherwise,
+                    both.error()
+                );
+                // An event on a sample may be counted in either step.
+                assert!(both.otherwise <= 3, "{text}, {velocity}, {grip}");
+                assert!(
+                    both.error() < 1e-12,
+                    "{text}, {velocity}, {grip}: {:e}",
+                    both.error()
+                );
+            }
+        }
+    }
+}
+
 /// Some masses loaded, in any order, or none: the motion under no force on the others.
 #[test]
 fn some_masses_loaded() {

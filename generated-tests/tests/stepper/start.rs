@@ -83,6 +83,42 @@ fn sticks_with_its_force_or_slides() {
     }
 }
 
+/// Many masses at any speed, the two of the contact at the same: their modes sum to a relative velocity that is rounding,
+/// more of it than the sums alone would tell.
+#[test]
+fn a_given_state_sticks_but_for_its_rounding() {
+    let names: Vec<String> = (0..40).map(|i| format!("m{i}")).collect();
+    let masses: Vec<String> = names.iter().map(|name| format!("{name}: 1")).collect();
+    let springs: Vec<String> = names
+        .windows(2)
+        .map(|pair| format!("{} - {}: 100", pair[0], pair[1]))
+        .collect();
+    let text = format!(
+        "struct S {{ masses: {{ {} }}, springs: {{ base - m0: 100, {} }}, contact: m20 - m19, excitation: m0, provide: [stepper] }}",
+        masses.join(", "),
+        springs.join(", ")
+    );
+    let system: System = text.parse().expect("a scene");
+    let mut random = fuzzing::Random(8);
+    for _ in 0..200 {
+        let x: Vec<f64> = (0..40).map(|_| 1e-3 * random.signed()).collect();
+        let mut v: Vec<f64> = (0..40).map(|_| 1e3 * random.signed()).collect();
+        v[20] = v[19];
+        let mut stepper = system.stepper_from(1e-3, (&x, &v)).expect("a state");
+        assert!(stepper.contact().is_sticking());
+        let load = Load {
+            base: [0.0; 2],
+            forces: vec![0.0; 40],
+            friction: 1e9,
+        };
+        with(&load, |load| stepper.begin_with(load)).expect("a sound load");
+        assert!(stepper.contact().is_sticking());
+        v[20] *= 1.0 + 1e-9;
+        let stepper = system.stepper_from(1e-3, (&x, &v)).expect("a state");
+        assert!(!stepper.contact().is_sticking());
+    }
+}
+
 /// Under more than its grip a contact at rest is on its way: the first step counts its break-away.
 #[test]
 fn goes_at_once_beyond_the_grip() {
