@@ -24,7 +24,7 @@ pub enum Regime {
 pub struct OutOfDomain {
     /// Which argument: "r", "beta", "state", "reach"; or a slice that is too short or too long, "parts",
     /// "numbers", "multipliers", "continuous", "sliding"; of a stepper "dt", "force", "forces",
-    /// "base", "friction", "stiction", "steps", "saved"; of a map "mass"; of a run in time "amplitude" and "steepness"; or
+    /// "base", "friction", "stiction", "steps", "saved", "work"; of a map "mass"; of a run in time "amplitude" and "steepness"; or
     /// "stribeck" where the friction law has no constant kinetic level, which a stepper and `simulation_under` do without.
     pub argument: &'static str,
 }
@@ -119,7 +119,10 @@ impl fmt::Display for OutOfDomain {
             "steepness" => {
                 "with this load the kinetic level changes the motion more than 4096 times as fast as the fastest mode does"
             }
-            "saved" => "it belongs to another scene",
+            "saved" => "it belongs to another scene or step",
+            "work" => {
+                "another step could take the work beyond the range of the scalar: reduce the force, or begin anew"
+            }
             "mass" => "the scene has no mass of this place; places are counted from 0",
             _ => "it must be a finite number, not negative",
         };

@@ -169,6 +169,48 @@ fn constant_tables_say_the_same_to_rounding() {
     );
 }
 
+frictiongen::friction_system! {
+    /// A step of nearly a radian of the faster mode: a series of few terms would show.
+    struct Long {
+        masses: { a: 1.0, b: 2.0 },
+        springs: { base - a: 400.0, a - b: 300.0 },
+        contact: b - wall,
+        excitation: a,
+        damping: modal(0.02),
+        stiction: 1.2,
+        provide: [stepper],
+        step: 0.032,
+    }
+}
+
+const LONG: &str =
+    "struct Long { masses: { a: 1.0, b: 2.0 }, springs: { base - a: 400.0, a - b: 300.0 },
+    contact: b - wall, excitation: a, damping: modal(0.02), stiction: 1.2, provide: [stepper] }";
+
+/// Constant tables of a long step.
+#[test]
+fn a_declared_step_of_a_radian() {
+    let system: System = LONG.parse().expect("a scene");
+    let strength = Strength {
+        loaded: &[0],
+        friction: 3.0,
+        ..PUSHED
+    };
+    let (one, events) = run(Long::stepper(Long::STEP).expect("its step"), &strength, 2);
+    let (other, others) = run(system.stepper(Long::STEP).expect("its step"), &strength, 2);
+    assert_eq!(events, others);
+    assert!(events > 30, "{events} events");
+    let size = other
+        .iter()
+        .fold(0.0_f64, |most, value| most.max(value.abs()));
+    let apart = one
+        .iter()
+        .zip(&other)
+        .fold(0.0_f64, |most, (one, other)| most.max((one - other).abs()));
+    println!("{events} events, {:.1e}", apart / size);
+    assert!(apart < 1e-13 * size, "{:e}", apart / size);
+}
+
 /// Inputs by name are inputs by place.
 #[test]
 fn named_inputs_are_those_by_place() {

@@ -42,11 +42,12 @@ macro_rules! stepping {
         #[cortex_m_rt::entry]
         fn main() -> ! {
             use core::hint::black_box;
-            use scenes::steps::machines::$machine::{advance, start};
+            use scenes::steps::machines::$machine::{advance, start, time};
             let mut machine = start();
             loop {
                 if let Some(machine) = &mut machine {
                     black_box(advance(machine, black_box([10.0, 0.0]), black_box(3.0)));
+                    black_box(time(machine));
                 }
             }
         }

@@ -94,8 +94,9 @@ fn table<const D: usize>(
     let (scalar, sizes) = (&emission.scalar, sizes.literals());
     Some(code! {
         /// What each oscillator does over a part of `STEP`, time s counted in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with
-        /// `angle` Ω.  A row has the weights of the state (y, u) and of the drive's coefficients: `turn` gives what u gains,
-        /// `moments` ∫ sʲy′ ds, `turns` ∫ sʲu′ ds.
+        /// `angle` Ω.  A row has the weights of the state (y, u) and of the drive's coefficients: `moments` give ∫ sʲy′ ds, `turns`
+        /// ∫ sʲu′ ds.  The first of `moments`, with [a, a′], and `turn` or the first of `turns`, with [−b, −c], are three shears:
+        /// y gains a·u, u gains −b·y − c·u and its drive, y gains a′·u and its drive.
         const STEP_TABLES: FixedTables<#scalar, #sizes> = FixedTables {
             pace: #pace,
             modes: [#(#modes),*],

@@ -112,7 +112,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         #facade::kernel::wraps!(#stepper, FixedStepper of #scalar, #literals);
 
         impl #stepper {
-            /// Says what the input is before the first step; otherwise it is none.
+            /// Says what the input is before the first step; otherwise it is none.  The contact answers for it at once.
             ///
             /// # Errors
             /// `OutOfDomain` as of `advance`, and after the first step.
@@ -124,8 +124,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             #[doc = #costs]
             ///
             /// # Errors
-            /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares
-            /// overflow: the stepper is then what it was.
+            /// `OutOfDomain` for what is NaN or infinite, for friction below zero, for numbers whose squares
+            /// overflow, and before the work does: the stepper is then what it was.
             pub fn advance(&mut self, input: #input) -> Result<Stepped<#scalar>, OutOfDomain> {
                 self.0.advance(#sample)
             }

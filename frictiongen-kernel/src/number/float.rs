@@ -227,6 +227,10 @@ macro_rules! real {
                 self.to_bits() <= other.to_bits()
             }
             #[inline(always)]
+            fn bits(self) -> u64 {
+                self.to_bits().into()
+            }
+            #[inline(always)]
             fn is_finite(self) -> bool {
                 $float::is_finite(self)
             }

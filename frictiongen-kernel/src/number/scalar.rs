@@ -191,6 +191,11 @@ pub trait Float:
     fn at_most(self, other: Self) -> bool {
         self <= other
     }
+    /// The bits that tell the value from any other, the sign of a zero included.
+    #[must_use]
+    fn bits(self) -> u64 {
+        self.to_f64().to_bits()
+    }
     /// Whether the value is neither infinite nor NaN.
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()

@@ -3,6 +3,7 @@
 use super::run::Stepper;
 use super::state::Store;
 use super::table::Tables;
+use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 
 /// What the load has done since the start, and where it went, in the scene's unit of force times its unit of length.
@@ -34,6 +35,18 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
             friction: friction * stiffness,
             damping: (load - friction - stored) * stiffness,
             stored: stored * stiffness,
+        }
+    }
+
+    /// Fails where the work has become so large that another step could take it beyond the scalar's range.
+    pub(super) fn check_work(&self) -> Result<(), OutOfDomain> {
+        let (_, most) = S::inverse_ratio_range();
+        let status = &self.status;
+        let work = status.load.value.abs().max(status.dissipated.value.abs());
+        if work * self.scene.units.stiffness <= most * most {
+            Ok(())
+        } else {
+            Err(OutOfDomain { argument: "work" })
         }
     }
 

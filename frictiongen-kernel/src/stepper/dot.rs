@@ -2,14 +2,15 @@
 
 use crate::number::scalar::Float;
 
-/// start + Σ a·b.
+/// start + Σ a·b.  The products come first: where an input changes its sign within a part they cancel, and a rounding of
+/// their sum with the start would be one of the larger terms.
 #[inline(always)]
 pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) -> S {
     match (a.as_slice(), b.as_slice()) {
         ([a0], [b0]) => start + *a0 * *b0,
-        ([a0, a1], [b0, b1]) => start + *a0 * *b0 + *a1 * *b1,
+        ([a0, a1], [b0, b1]) => start + (*a0 * *b0 + *a1 * *b1),
         ([a0, a1, a2, a3], [b0, b1, b2, b3]) => {
-            start + *a0 * *b0 + *a1 * *b1 + *a2 * *b2 + *a3 * *b3
+            start + (*a0 * *b0 + *a1 * *b1 + *a2 * *b2 + *a3 * *b3)
         }
         (a, b) => {
             let pairs = a.iter().zip(b);
@@ -61,6 +62,28 @@ pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
                 order = order + S::constant(1.0);
             }
             (total, change)
+        }
+    }
+}
+
+/// All moments but the first, each from its row.
+#[inline(always)]
+pub(super) fn later<S, R, const D: usize>(
+    moments: &mut [S; D],
+    rows: &[R; D],
+    of: impl Fn(&R) -> S,
+) {
+    match (moments.as_mut_slice(), rows.as_slice()) {
+        ([_, m1], [_, r1]) => *m1 = of(r1),
+        ([_, m1, m2, m3], [_, r1, r2, r3]) => {
+            *m1 = of(r1);
+            *m2 = of(r2);
+            *m3 = of(r3);
+        }
+        (moments, rows) => {
+            for (moment, row) in moments.iter_mut().zip(rows).skip(1) {
+                *moment = of(row);
+            }
         }
     }
 }

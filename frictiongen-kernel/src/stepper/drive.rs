@@ -20,9 +20,15 @@ pub struct Sample<'i, S> {
 impl<S: Float> Sample<'_, S> {
     /// Nothing, if a scene can take it.
     pub(super) fn check(&self, scene: &StepScene<'_, S>, stiction: S) -> Result<(), OutOfDomain> {
-        let (_, most) = S::inverse_ratio_range();
-        let most = most * scene.units.stiffness;
-        let sound = |value: S| value.abs() <= most;
+        let (_, limit) = S::inverse_ratio_range();
+        let most = limit * scene.units.stiffness;
+        let energy = limit * limit * scene.units.stiffness;
+        let sound = |value: S| {
+            let size = value.abs();
+            // What it does in a step is a few times its square over k₁, which has to stay finite too.  Of two infinities
+            // neither is less.
+            size <= most && size * size < energy
+        };
         if self.forces.len() != scene.forces.len() {
             return Err(OutOfDomain { argument: "forces" });
         }

@@ -4,7 +4,7 @@ use super::drive::derived;
 use super::part::{ROUNDINGS, Through};
 use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Start, Walk, first_reach, first_zero, law};
+use crate::simulation::{Contact, Start, Walk, first_reach, first_zero, law, lift};
 
 /// The contact, on the point of leaving zero velocity.
 #[derive(Clone, Copy, Debug)]
@@ -45,6 +45,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         if self.status.contact != Contact::Stuck {
             let Some(departure) = departing else {
                 self.status.unknown = true;
+                self.status.holding = S::constant(0.0);
                 let none = [S::constant(0.0); 2];
                 let velocity = self.velocity(none);
                 return self.move_modes(&velocity, none, left);
@@ -52,6 +53,26 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             self.grip(departure.stuck);
         }
         self.move_held(left);
+    }
+
+    /// Says what the contact does before the first step, under the inputs of its start.
+    pub(super) fn begin(&mut self) {
+        self.judge();
+        if self.status.contact != Contact::Stuck {
+            return;
+        }
+        let force = self.held_force();
+        let friction = self.status.friction;
+        let grip = friction * self.status.stiction;
+        // The first step tells how a moving base speeds up, and with it whether the contact goes.
+        self.status.holding = force.abs().min(grip).copysign(force);
+        if grip < force.abs() && !self.scene.rubs_on_base() {
+            // It goes at once: the first step finds that again, and counts the event.
+            self.leave();
+            self.status.contact = Contact::along(force);
+            self.status.holding = friction.copysign(force);
+            self.status.unknown = true;
+        }
     }
 
     /// Says what the contact does, of which nothing is known but the state.
@@ -64,7 +85,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let speed = rate.abs() * S::constant(f64::from(pace.parts)) / pace.step;
         self.status.contact = Contact::along(rate);
         self.status.line = law::place(self.scene.law, speed);
-        if rate.abs() <= velocity.size * S::constant(ROUNDINGS * S::EPSILON) {
+        let size = velocity.size + self.status.given * pace.span;
+        if rate.abs() <= size * S::constant(ROUNDINGS * S::EPSILON) {
             // Whether it leaves at once, the force that holds it will say.
             self.grip(None);
         }
@@ -228,6 +250,10 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 
     /// From sliding to sticking, at this place or where the modes say: the held modes take over.
+    ///
+    /// What is held is how far the modes are from those of the chain at rest with its contact there.  Far from the origin
+    /// these are small differences of large numbers, in the softest mode above all, and their rounding would strain stiff
+    /// springs.  The contact moves by none of them, so that the softest mode's follows from the others'.
     fn grip(&mut self, place: Option<S>) {
         let dynamics = &self.scene.dynamics;
         let receptance = self.table.pace.receptance;
@@ -239,14 +265,31 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         self.status.place = place.unwrap_or(now - base);
         self.status.contact = Contact::Stuck;
         self.status.line = 0;
-        let lifted = (self.status.place + base, rate);
-        let states = self.store.modes.iter().copied();
+        let lifted = self.status.place + base;
+        let zero = S::constant(0.0);
+        let (mut moved, mut softest, mut most) = (zero, (0, S::constant(1.0)), zero);
+        let scratch = &mut *self.store.scratch;
+        let modes = dynamics.driven().iter().zip(&*self.store.modes);
+        for (index, ((mode, [y, u]), to)) in modes.zip(scratch.iter_mut()).enumerate() {
+            let lift = lift(mode, receptance);
+            *to = [*y - lift * lifted, *u];
+            moved = moved + mode.contact * to[0];
+            let share = (mode.contact * lift).abs();
+            if most < share {
+                (softest, most) = ((index, mode.contact), share);
+            }
+        }
+        let (index, contact) = softest;
+        if let Some([y, _]) = scratch.get_mut(index) {
+            *y = *y - moved / contact;
+        }
+        let states = scratch.iter().copied();
         let held = self.store.held.iter_mut().map(|[y, u]| (y, u));
-        dynamics.project(receptance, states, lifted, held);
+        dynamics.project(receptance, states, (zero, rate), held);
     }
 
     /// From sticking to sliding: the modes take over.
-    fn leave(&mut self) {
+    pub(super) fn leave(&mut self) {
         let [base, rate] = self.carried();
         let lifted = (self.status.place + base, rate);
         let receptance = self.table.pace.receptance;

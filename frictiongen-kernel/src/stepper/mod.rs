@@ -23,6 +23,7 @@ mod run;
 mod scene;
 mod state;
 mod table;
+mod turned;
 
 pub use account::Work;
 pub use cost::{Cost, Extent};

@@ -1,6 +1,7 @@
 //! What a stepper answers: the masses, the contact and the force in it.
 
 use super::cost::Cost;
+use super::part::ROUNDINGS;
 use super::run::Stepper;
 use super::state::Store;
 use super::table::Tables;
@@ -108,12 +109,13 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
     /// The time since the start, in seconds.
     #[must_use]
     pub fn time(&self) -> S {
-        #[allow(
-            clippy::cast_precision_loss,
-            reason = "exact up to 2^53 steps, which a run of a month at 1 GHz does not take"
-        )]
-        let steps = self.status.steps as f64;
-        S::constant(steps) * self.dt()
+        // Halves of 32 bits become a scalar without double precision, which a microcontroller emulates.
+        let [high, low] = [
+            self.status.steps >> 32,
+            self.status.steps & u64::from(u32::MAX),
+        ]
+        .map(|half| S::constant(f64::from(u32::try_from(half).unwrap_or(u32::MAX))));
+        (high * S::constant(4_294_967_296.0) + low) * self.dt()
     }
 
     /// In how many steps more events happened than are followed.
@@ -128,13 +130,19 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         self.status.stiction
     }
 
-    /// What the contact's velocity says of it.
+    /// What the contact's velocity says of it: at rest where that is no more than the roundings of its terms.
     pub(super) fn direction(&self) -> Contact {
-        let velocity = self.contact_sum().velocity;
-        if velocity.is_zero() {
+        let [_, velocity] = self.carrying();
+        let (mut sum, mut size) = (-velocity, velocity.abs() + self.status.given);
+        for (index, mode) in self.scene.dynamics.driven().iter().enumerate() {
+            let [_, rate] = self.mode(index);
+            let term = mode.contact * rate;
+            (sum, size) = (sum + term, size + term.abs());
+        }
+        if sum.abs() <= size * S::constant(ROUNDINGS * S::EPSILON) {
             Contact::Stuck
         } else {
-            Contact::along(velocity)
+            Contact::along(sum)
         }
     }
 
@@ -238,9 +246,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         let zero = S::constant(0.0);
         let status = &self.status;
         let sign: S = status.contact.sign();
-        let force = if status.unknown {
-            zero
-        } else if status.contact != Contact::Stuck {
+        let force = if status.contact != Contact::Stuck && !status.unknown {
             let line = law::line(self.scene.law, status.line);
             let slides = !line.slope.is_zero();
             let speed = if slides {

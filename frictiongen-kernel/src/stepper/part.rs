@@ -1,8 +1,8 @@
 //! One part of a step: by the tables where the contact certainly has no event.
 
-use super::dot::{add, dot, sizes};
+use super::dot::add;
 use super::drive::{at, derived, growth};
-use super::rows::{HeldStep, ModeStep};
+use super::rows::HeldStep;
 use super::scene::StepScene;
 use super::state::{Status, StoreMut};
 use super::table::View;
@@ -102,7 +102,10 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
 
     /// Goes through the part.
     pub(super) fn go(&mut self) {
-        self.others();
+        if self.status.friction.is_zero() {
+            return self.free();
+        }
+        self.glide(self.driven());
         if self.status.unknown {
             self.judge();
         }
@@ -115,10 +118,23 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
     }
 
-    /// The modes that the contact does not drive, over the whole part.
-    fn others(&mut self) {
-        let driven = self.driven();
-        for index in driven..self.store.modes.len() {
+    /// Without friction nothing holds the contact, and its turning points are no events.
+    ///
+    /// A part with an event is followed by power series, whose rounded sums do not keep the energy of an undamped chain
+    /// in step with the work as the tables do.
+    fn free(&mut self) {
+        if self.status.contact == Contact::Stuck && !self.status.unknown {
+            self.leave();
+        }
+        self.status.unknown = true;
+        self.status.wedged = false;
+        self.status.holding = S::constant(0.0);
+        self.glide(0);
+    }
+
+    /// The modes from this one on, which feel no friction, over the whole part.
+    fn glide(&mut self, first: usize) {
+        for index in first..self.store.modes.len() {
             let Some(step) = self.table.modes.get(index) else {
                 continue;
             };
@@ -342,51 +358,4 @@ pub(super) fn product<S: Float>(a: &[S], b: &[S], place: S) -> S {
         (order, power) = (order + one, power * place);
     }
     sum
-}
-
-impl<S: Float, const D: usize> ModeStep<S, D> {
-    /// The state after a part, and the work of the load in it.
-    #[inline]
-    fn moved(&self, [y, u]: [S; 2], drive: &[S; D], load: &[S; D]) -> ([S; 2], S) {
-        let mut moments = [S::constant(0.0); D];
-        for (moment, row) in moments.iter_mut().zip(&self.moments) {
-            *moment = row.times([y, u], drive);
-        }
-        let rise = moments.first().copied().unwrap_or(S::constant(0.0));
-        let work = dot(S::constant(0.0), load, &moments);
-        let turn = self.turn.times([y, u], drive);
-        ([y + rise, u + turn], work / self.per_force)
-    }
-
-    /// What |u″| cannot exceed over the part.
-    #[inline]
-    fn bend(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
-        let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);
-        let (total, change) = sizes(drive);
-        rate * rate * (y.abs() + u.abs() + total) + rate * total + change
-    }
-}
-
-impl<S: Float, const D: usize> HeldStep<S, D> {
-    /// The state after a part, and the moments of both rates.
-    #[inline]
-    fn moved(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> ([S; 2], [[S; D]; 2]) {
-        let mut moments = [[S::constant(0.0); D]; 2];
-        for (moments, rows) in moments.iter_mut().zip([&self.moments, &self.turns]) {
-            for (moment, row) in moments.iter_mut().zip(rows) {
-                *moment = row.times([y, u], drive);
-            }
-        }
-        let first = |moments: &[S; D]| moments.first().copied().unwrap_or(S::constant(0.0));
-        ([y + first(&moments[0]), u + first(&moments[1])], moments)
-    }
-
-    /// What |y″| cannot exceed over the part.
-    #[inline]
-    fn bend(&self, [y, u]: [S; 2], [first, second]: &[[S; D]; 2]) -> S {
-        let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);
-        let ((of_y, change), (of_u, _)) = (sizes(first), sizes(second));
-        let total = of_y + of_u;
-        rate * rate * (y.abs() + u.abs() + total) + rate * total + change
-    }
 }

@@ -5,6 +5,10 @@ use crate::number::scalar::Float;
 use crate::simulation::TERMS;
 
 /// Weights of a mode's state, y and u, and of the coefficients of its drive.
+///
+/// The first moment and `turn` form three shears instead, so that rounded weights create no energy:
+/// y gains before·u, u gains turn·y + loss·u, y gains after·u.  The first moment has [before, after] as its `state`,
+/// `turn` has [turn, loss].  See docs/decisions/0001-passive-step.md.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<S, const D: usize> {
     /// Of y and u at the start.
@@ -13,7 +17,8 @@ pub struct Row<S, const D: usize> {
     pub drive: [S; D],
 }
 
-/// Weights of a held mode's state, and of the coefficients of what drives y′ and u′.
+/// Weights of a held mode's state, and of the coefficients of what drives y′ and u′.  The first moment and the first of
+/// `turns` are three shears, as of [`Row`].
 #[derive(Clone, Copy, Debug)]
 pub struct HeldRow<S, const D: usize> {
     /// Of y and u at the start.
@@ -98,6 +103,39 @@ pub(super) fn moments<S: Float, const D: usize>(
     sums
 }
 
+/// Writes the gains of y and u over a part as three shears.
+///
+/// A product of shears has the determinant 1 with any weights, and with these it is a rotation in coordinates that
+/// differ from y and u by a rounding: without damping a quadratic form next to the energy is conserved exactly.  The weight
+/// `loss` sets the determinant, e^(−2ζΩ), and thereby what damping takes.
+fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S, D>; D]; 2]) {
+    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    let [rises, turns] = rows;
+    let ([rise, ..], [turn, ..]) = (&mut rises[..], &mut turns[..]) else {
+        return;
+    };
+    let ([of_y, of_u], undamped) = (rise.state, zeta.is_zero());
+    let loss = (-(zeta + zeta) * angle).exp_m1();
+    let after = of_y / turn.state[0];
+    let before = if undamped {
+        after
+    } else {
+        (of_u - after * (one + loss)) / (one + of_y)
+    };
+    for (rises, turns) in rise.drive.iter_mut().zip(turn.drive) {
+        for (rise, turn) in rises.iter_mut().zip(turns) {
+            *rise = *rise - after * turn;
+        }
+    }
+    // A constant force on an undamped oscillator is a kick between its shears.
+    let [_, of_force] = &mut rise.drive;
+    if let (true, [constant, ..]) = (undamped, &mut of_force[..]) {
+        *constant = zero;
+    }
+    rise.state = [before, after];
+    turn.state[1] = loss;
+}
+
 impl<S: Float, const D: usize> ModeStep<S, D> {
     pub(super) fn new(angle: S, zeta: S, per_force: S, contact: S) -> Self {
         let mut step = Self::zero();
@@ -180,6 +218,7 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
                 }
             }
         }
+        shear(of, &mut rows);
         rows
     }
 

@@ -84,6 +84,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         let dynamics = &self.scene.dynamics;
         let rate = self.scene.units.rate;
         let store = self.store.change();
+        self.status.given = S::constant(0.0);
         let weights = dynamics.weights.chunks(masses.max(1));
         let modes = store.modes.iter_mut().zip(dynamics.modes);
         for ((state, mode), weights) in modes.zip(weights) {
@@ -97,13 +98,19 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
                 product(displacements),
                 product(velocities) / (rate * mode.resonance),
             ];
+            let terms = weights.iter().zip(velocities);
+            let size = terms.fold(S::constant(0.0), |sum, (weight, value)| {
+                sum + (*weight * *value).abs()
+            });
+            self.status.given = self.status.given + mode.contact.abs() * size / rate;
         }
         self.status.energy = self.energy();
         self.status.contact = self.direction();
         Ok(())
     }
 
-    /// The input at the start, from which the first step goes on if inputs are linear: none unless said so.
+    /// The input at the start, from which the first step goes on if inputs are linear: none unless said so.  The contact
+    /// and its force answer at once, of a moving base as if its velocity stayed.
     ///
     /// # Errors
     /// [`OutOfDomain`] as of [`advance`](Self::advance); "steps" after the first step.
@@ -114,6 +121,16 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         }
         self.keep(&sample);
         self.status.pull = self.pull();
+        self.status.unknown = true;
+        self.status.contact = self.direction();
+        self.status.holding = S::constant(0.0);
+        if !self.status.friction.is_zero() {
+            let [place, velocity] = sample.base;
+            let zero = S::constant(0.0);
+            let motion = [place, velocity * self.dt(), zero, zero];
+            let parts = self.tables.view().pace.parts;
+            self.through(&sample, motion, Stretch::of(0, parts)).begin();
+        }
         Ok(())
     }
 
@@ -135,9 +152,11 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// # Errors
     /// [`OutOfDomain`] for NaN and infinite forces ("force"), motions of the base ("base") and friction forces, also
     /// negative ones ("friction"), for numbers so large that their squares overflow, and for another number of forces
-    /// ("forces").  The stepper is then what it was.
+    /// ("forces"); once the work exceeds what the squares of the largest inputs come to ("work").  The stepper is then what
+    /// it was.
     pub fn advance(&mut self, sample: Sample<'_, S>) -> Result<Stepped<S>, OutOfDomain> {
         sample.check(&self.scene, self.status.stiction)?;
+        self.check_work()?;
         let pace = self.tables.view().pace;
         let steep = law::steepest(self.scene.law);
         if S::constant(0.0) < steep {
@@ -176,6 +195,10 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             let [place, velocity] = sample.base;
             self.status.base = [place + velocity * step, velocity];
         }
+        if self.status.friction.is_zero() {
+            self.status.contact = self.direction();
+        }
+        self.status.given = S::constant(0.0);
         self.status.steps = self.status.steps.wrapping_add(1);
         self.status.exceeded += u64::from(stepped.exceeded);
         stepped.contact = self.status.contact;
@@ -187,8 +210,21 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     // In a loop the compiler prepares addresses for parts that mostly do not come: a seventh of a step.
     #[inline(never)]
     fn part(&mut self, sample: &Sample<'_, S>, motion: [S; 4], stretch: Stretch<S>) -> (u32, bool) {
+        let mut through = self.through(sample, motion, stretch);
+        through.go();
+        (through.events, through.exceeded)
+    }
+
+    /// At the start of a part, with the inputs laid over it.
+    #[inline]
+    fn through(
+        &mut self,
+        sample: &Sample<'_, S>,
+        motion: [S; 4],
+        stretch: Stretch<S>,
+    ) -> Through<'_, 'a, S, D> {
         let base = self.lay(sample, motion, stretch);
-        let mut through = Through {
+        Through {
             scene: &self.scene,
             table: self.tables.view(),
             store: self.store.change(),
@@ -197,9 +233,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             place: S::constant(0.0),
             events: 0,
             exceeded: false,
-        };
-        through.go();
-        (through.events, through.exceeded)
+        }
     }
 
     /// The base where a held input puts it: it leaves a contact behind that rubs on it.

@@ -1,8 +1,9 @@
 //! Where a stepper stands.
 
+use super::input::Input;
 use super::run::Stepper;
 use super::scene::StepScene;
-use super::table::Tables;
+use super::table::{Tables, View};
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Total};
@@ -132,13 +133,15 @@ pub(super) struct Status<S> {
     pub steps: u64,
     /// In how many of them the bound on events was met.
     pub exceeded: u64,
-    /// The force that holds the contact at the end of the last step, over k₁, if it sticks.
+    /// The force in the contact at the end of the last step, over k₁, if it sticks or is unknown.
     pub holding: S,
     /// The work of the load and that taken by friction, over k₁, and the energy at the start.
     pub load: Total<S>,
     pub dissipated: Total<S>,
     pub energy: S,
     pub pull: S,
+    /// The sizes of what the contact's velocity in a state at the start was summed from: none after the first step.
+    pub given: S,
 }
 
 impl<S: Float> Status<S> {
@@ -160,6 +163,7 @@ impl<S: Float> Status<S> {
             dissipated: Total::zero(),
             energy: zero,
             pull: zero,
+            given: zero,
         }
     }
 }
@@ -169,6 +173,8 @@ impl<S: Float> Status<S> {
 pub struct Saved<S, V> {
     pub(super) status: Status<S>,
     pub(super) store: V,
+    /// [`Stepper::mark`](super::Stepper::mark) of the stepper that it is of.
+    mark: u64,
 }
 
 impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
@@ -181,13 +187,14 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         Saved {
             status: self.status,
             store: self.store.clone(),
+            mark: self.mark(),
         }
     }
 
     /// Goes back to where it stood: the same steps lead to the same bits.
     ///
     /// # Errors
-    /// [`OutOfDomain`] ("saved") for the state of a stepper of another scene, as far as its size tells.
+    /// [`OutOfDomain`] ("saved") for the state of a stepper of another scene or step, as their hash tells.
     pub fn restore(&mut self, saved: &Saved<S, V>) -> Result<(), OutOfDomain>
     where
         V: Clone,
@@ -196,11 +203,70 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
             let store = store.read();
             (store.modes.len(), store.held.len(), store.last.len())
         };
-        if size(&self.store) != size(&saved.store) {
+        if size(&self.store) != size(&saved.store) || self.mark() != saved.mark {
             return Err(OutOfDomain { argument: "saved" });
         }
         self.status = saved.status;
         self.store = saved.store.clone();
         Ok(())
+    }
+
+    /// A hash of what the state means: the scene with its units and loads, and the step.
+    fn mark(&self) -> u64 {
+        let View {
+            pace,
+            modes,
+            held,
+            loads,
+            ..
+        } = self.tables.view();
+        let (scene, units) = (&self.scene, &self.scene.units);
+        let mut hash = Hash::new();
+        hash.count(usize::from(scene.on_base));
+        hash.count(usize::from(scene.input == Input::Linear));
+        hash.number(units.stiffness).number(units.rate);
+        hash.number(units.support).number(pace.step);
+        hash.number(scene.dynamics.chain.inverse_mass);
+        for mass in scene.forces {
+            hash.count(*mass);
+        }
+        for [speed, level] in scene.law {
+            hash.number(*speed).number(*level);
+        }
+        for mode in modes {
+            hash.number(mode.angle).number(mode.zeta);
+            hash.number(mode.contact);
+        }
+        for mode in held {
+            hash.number(mode.angle).number(mode.force);
+        }
+        for load in loads {
+            hash.number(*load);
+        }
+        hash.0
+    }
+}
+
+/// A hash of numbers: FNV-1a over words of 64 bits, folded.
+struct Hash(u64);
+
+impl Hash {
+    fn new() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    fn word(&mut self, word: u64) -> &mut Self {
+        let mixed = (self.0 ^ word).wrapping_mul(0x0100_0000_01b3);
+        // The product carries upwards alone.
+        self.0 = mixed ^ (mixed >> 32);
+        self
+    }
+
+    fn number<S: Float>(&mut self, number: S) -> &mut Self {
+        self.word(number.bits())
+    }
+
+    fn count(&mut self, count: usize) -> &mut Self {
+        self.word(u64::try_from(count).unwrap_or(u64::MAX))
     }
 }

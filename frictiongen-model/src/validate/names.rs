@@ -50,12 +50,16 @@ pub const RESERVED: &[&str] = &[
     // a stepper and its input
     "advance",
     "begin",
+    "begin_with",
+    "cost",
     "dt",
     "exceeded",
     "restore",
     "save",
     "set_stiction",
+    "step",
     "steps",
+    "stiction",
     "time",
     "work",
     // what a derive puts on the types: a mass of that name would hide it

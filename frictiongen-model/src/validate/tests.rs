@@ -196,7 +196,18 @@ fn words_of_the_language_and_of_the_results_are_no_names() {
     for word in ["self", "gen", "_", "type"] {
         assert!(is_keyword(word), "{word}");
     }
-    for word in ["contact", "wall", "at", "amplitude", "limits_into", "into"] {
+    for word in [
+        "contact",
+        "wall",
+        "at",
+        "amplitude",
+        "limits_into",
+        "into",
+        "cost",
+        "stiction",
+        "step",
+        "begin_with",
+    ] {
         assert!(is_reserved(word), "{word}");
     }
     for word in ["m1", "_x", "étage", "上"] {

@@ -54,6 +54,7 @@ pub struct SystemHeld<'a> {
     stuck: SystemStuck<'a>,
     offset: f64,
     offset_range: f64,
+    from_rest: bool,
 }
 
 impl<'a> SystemHeld<'a> {
@@ -182,7 +183,9 @@ impl<'a> SystemAt<'a> {
                 && !(orbit.beta() < self.sliding_limit()) =>
             {
                 let range = orbit.offset_range().unwrap_or(0.0);
-                Ok(SystemResponse::Stuck(self.held(orbit.offset(), range)?))
+                let mut held = self.held(orbit.offset(), range)?;
+                held.from_rest = orbit.is_from_rest();
+                Ok(SystemResponse::Stuck(held))
             }
             Some(motion) if slides && orbit.is_symmetric() => {
                 Ok(SystemResponse::Continuous(motion))
@@ -206,6 +209,7 @@ impl<'a> SystemAt<'a> {
             stuck: self.stuck()?,
             offset,
             offset_range,
+            from_rest: true,
         })
     }
 
@@ -344,12 +348,13 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Whether motion from rest ends in it, as [`SystemOrbit::is_from_rest`] says.
+    /// Whether motion from rest ends in it; false for another stable state, where motion from rest does not settle.
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         match self {
             Self::StickSlip(orbit) => orbit.is_from_rest(),
-            Self::Continuous(_) | Self::Stuck(_) => true,
+            Self::Stuck(held) => held.from_rest,
+            Self::Continuous(_) => true,
         }
     }
 

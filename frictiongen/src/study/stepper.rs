@@ -249,7 +249,7 @@ impl<S: Plain> System<S> {
 }
 
 impl<'a, S: Plain> SystemStepper<'a, S> {
-    /// Says what the input is before the first step; none unless said so.
+    /// Says what the input is before the first step; none unless said so.  The contact answers for it at once.
     ///
     /// # Errors
     /// As of [`advance`](Self::advance); [`OutOfDomain`] after the first step.

@@ -62,6 +62,7 @@ pub fn reason(error: NoOrbit) -> &'static str {
 pub fn answer(response: &SystemResponse<'_>) -> &'static str {
     match response {
         SystemResponse::StickSlip(orbit) => found(orbit),
+        other if !other.is_from_rest() => "closed form: not from rest",
         _ => "closed form",
     }
 }

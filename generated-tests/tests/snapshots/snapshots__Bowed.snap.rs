@@ -159,8 +159,9 @@ const _: () = {
             law: &[[0.05, 0.6], [0.5, 0.3]],
         };
         /// What each oscillator does over a part of `STEP`, time s counted in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with
-        /// `angle` Ω.  A row has the weights of the state (y, u) and of the drive's coefficients: `turn` gives what u gains,
-        /// `moments` ∫ sʲy′ ds, `turns` ∫ sʲu′ ds.
+        /// `angle` Ω.  A row has the weights of the state (y, u) and of the drive's coefficients: `moments` give ∫ sʲy′ ds, `turns`
+        /// ∫ sʲu′ ds.  The first of `moments`, with [a, a′], and `turn` or the first of `turns`, with [−b, −c], are three shears:
+        /// y gains a·u, u gains −b·y − c·u and its drive, y gains a′·u and its drive.
         const STEP_TABLES: FixedTables<f64, 2, 2, 1, 2> = FixedTables {
             pace: Pace {
                 step: 0.0005,
@@ -178,13 +179,13 @@ const _: () = {
                     per_force: 0.2309401076758503,
                     contact: 0.5,
                     turn: Row {
-                        state: [-0.004329738510109456, -0.00018256398451452403],
+                        state: [-0.004329738510109456, -0.00017319008162287563],
                         drive: [0.9999102777329534, 0.4999703525411097],
                     },
                     moments: [
                         Row {
-                            state: [-9.374444110145806e-6, 0.004329738510109456],
-                            drive: [0.0021649351321983133, 0.0007216559110265491],
+                            state: [0.0021650043922424836, 0.0021651293925158592],
+                            drive: [3.611118645726067e-35, -0.00036084459464672376],
                         },
                         Row {
                             state: [-6.249582351444837e-6, 0.0021648033779111423],
@@ -198,13 +199,13 @@ const _: () = {
                     per_force: 0.0282842712474619,
                     contact: -1.0,
                     turn: Row {
-                        state: [-0.03532299081077876, -0.0020375600441026307],
+                        state: [-0.03532299081077876, -0.0014132140336109962],
                         drive: [0.9990850533636707, 0.4997123293371841],
                     },
                     moments: [
                         Row {
-                            state: [-0.0006246404116714802, 0.03532299081077876],
-                            drive: [0.017667498835842413, 0.005890105665402851],
+                            state: [0.017675343909472015, 0.017683678457965455],
+                            drive: [9.62964972193618e-34, -0.002946646488076851],
                         },
                         Row {
                             state: [-0.00041639372877589725, 0.017655491974936353],
@@ -221,10 +222,10 @@ const _: () = {
                     from_base: [[0.0, 0.0], [0.0, 0.0]],
                     moments: [
                         HeldRow {
-                            state: [-0.00013247846430534488, 0.01627467225495078],
+                            state: [0.008139018363340432, 0.008140161732906465],
                             drive: [
-                                [0.9999558385710968, 0.49998895936139715],
-                                [0.008138087370843428, 0.002712815012764184],
+                                [1.000022083918492, 0.5000110421143524],
+                                [-1.925929944387236e-34, -0.0013566043290191491],
                             ],
                         },
                         HeldRow {
@@ -237,7 +238,7 @@ const _: () = {
                     ],
                     turns: [
                         HeldRow {
-                            state: [-0.01627467225495078, -0.0005537778540558161],
+                            state: [-0.01627467225495078, -0.0004213179977154246],
                             drive: [
                                 [-0.008138087370843428, -0.002712815012764184],
                                 [0.9997451694289253, 0.49991873322771657],
@@ -312,7 +313,7 @@ const _: () = {
     ::frictiongen::kernel::not_provided!(Bowed : limits, simulation);
     ::frictiongen::kernel::wraps!(BowedStepper, FixedStepper of f64, 2, 2, 1, 2);
     impl BowedStepper {
-        /// Says what the input is before the first step; otherwise it is none.
+        /// Says what the input is before the first step; otherwise it is none.  The contact answers for it at once.
         ///
         /// # Errors
         /// `OutOfDomain` as of `advance`, and after the first step.
@@ -328,8 +329,8 @@ const _: () = {
         /// [`BowedStepper`] says what it costs.
         ///
         /// # Errors
-        /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares
-        /// overflow: the stepper is then what it was.
+        /// `OutOfDomain` for what is NaN or infinite, for friction below zero, for numbers whose squares
+        /// overflow, and before the work does: the stepper is then what it was.
         pub fn advance(
             &mut self,
             input: BowedInput,

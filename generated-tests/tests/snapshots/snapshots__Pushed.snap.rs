@@ -157,7 +157,7 @@ const _: () = {
     ::frictiongen::kernel::not_provided!(Pushed : limits, simulation);
     ::frictiongen::kernel::wraps!(PushedStepper, FixedStepper of f32, 1, 1, 0, 1);
     impl PushedStepper {
-        /// Says what the input is before the first step; otherwise it is none.
+        /// Says what the input is before the first step; otherwise it is none.  The contact answers for it at once.
         ///
         /// # Errors
         /// `OutOfDomain` as of `advance`, and after the first step.
@@ -173,8 +173,8 @@ const _: () = {
         /// [`PushedStepper`] says what it costs.
         ///
         /// # Errors
-        /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares
-        /// overflow: the stepper is then what it was.
+        /// `OutOfDomain` for what is NaN or infinite, for friction below zero, for numbers whose squares
+        /// overflow, and before the work does: the stepper is then what it was.
         pub fn advance(
             &mut self,
             input: PushedInput,

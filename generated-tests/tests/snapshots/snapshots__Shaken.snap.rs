@@ -170,8 +170,9 @@ const _: () = {
             law: &[],
         };
         /// What each oscillator does over a part of `STEP`, time s counted in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with
-        /// `angle` Ω.  A row has the weights of the state (y, u) and of the drive's coefficients: `turn` gives what u gains,
-        /// `moments` ∫ sʲy′ ds, `turns` ∫ sʲu′ ds.
+        /// `angle` Ω.  A row has the weights of the state (y, u) and of the drive's coefficients: `moments` give ∫ sʲy′ ds, `turns`
+        /// ∫ sʲu′ ds.  The first of `moments`, with [a, a′], and `turn` or the first of `turns`, with [−b, −c], are three shears:
+        /// y gains a·u, u gains −b·y − c·u and its drive, y gains a′·u and its drive.
         const STEP_TABLES: FixedTables<f64, 4, 2, 1, 1> = FixedTables {
             pace: Pace {
                 step: 0.001,
@@ -189,7 +190,7 @@ const _: () = {
                     per_force: 0.030374472681901233,
                     contact: 0.8412612267718186,
                     turn: Row {
-                        state: [-0.011979206189447332, -0.00031134885211257367],
+                        state: [-0.011979206189447332, -0.00023958985564112174],
                         drive: [
                             0.9998562795527669,
                             0.49995408562387184,
@@ -199,12 +200,12 @@ const _: () = {
                     },
                     moments: [
                         Row {
-                            state: [-7.176472832362705e-5, 0.011979206189447332],
+                            state: [0.0059902964634389174, 0.0059907749469114],
                             drive: [
-                                0.005989913950056757,
-                                0.001996687405575977,
-                                0.0009983580520366193,
-                                0.0005990204345121729,
+                                1.4444474582904269e-34,
+                                -0.0009984250051855111,
+                                -0.0009984329799264024,
+                                -0.0008985943644501107,
                             ],
                         },
                         Row {
@@ -242,7 +243,7 @@ const _: () = {
                     per_force: 0.011327963067531397,
                     contact: -0.5462905769681745,
                     turn: Row {
-                        state: [-0.03210740964769554, -0.0012864187824040668],
+                        state: [-0.03210740964769554, -0.0007707103914905889],
                         drive: [
                             0.9994426644823967,
                             0.49982853675390027,
@@ -252,12 +253,12 @@ const _: () = {
                     },
                     moments: [
                         Row {
-                            state: [-0.0005158409508593736, 0.03210740964769554],
+                            state: [0.01606197437202761, 0.01606610301234305],
                             drive: [
-                                0.0160571488025048,
-                                0.005352910951519794,
-                                0.00267660468379438,
-                                0.001606019865445476,
+                                2.6481536735324493e-34,
+                                -0.0026773858084770613,
+                                -0.002677454620163203,
+                                -0.0024097484725885197,
                             ],
                         },
                         Row {
@@ -298,19 +299,19 @@ const _: () = {
                     from_base: [[0.0, 0.0], [0.0, 0.0]],
                     moments: [
                         HeldRow {
-                            state: [-0.0003841476095216242, 0.027709810176664487],
+                            state: [0.013860400651348838, 0.01386323497246942],
                             drive: [
                                 [
-                                    0.9998719409713431,
-                                    0.49996798385095037,
-                                    0.3333205265181524,
-                                    0.2499935964696045,
+                                    1.0000640467156905,
+                                    0.5000320240126245,
+                                    0.33335254799110636,
+                                    0.2500128098868072,
                                 ],
                                 [
-                                    0.013857208994057756,
-                                    0.004619424095553665,
-                                    0.002309812465672652,
-                                    0.0013859259574586604,
+                                    2.6481536735324493e-34,
+                                    -0.0023103325458940114,
+                                    -0.0023103797850978452,
+                                    -0.0020793688825103923,
                                 ],
                             ],
                         },
@@ -368,7 +369,7 @@ const _: () = {
                     ],
                     turns: [
                         HeldRow {
-                            state: [-0.027709810176664487, -0.0009972742423558399],
+                            state: [-0.027709810176664487, -0.0006132051713344467],
                             drive: [
                                 [
                                     -0.013857208994057756,
@@ -489,7 +490,7 @@ const _: () = {
     ::frictiongen::kernel::not_provided!(Shaken : limits, simulation);
     ::frictiongen::kernel::wraps!(ShakenStepper, FixedStepper of f64, 4, 2, 1, 1);
     impl ShakenStepper {
-        /// Says what the input is before the first step; otherwise it is none.
+        /// Says what the input is before the first step; otherwise it is none.  The contact answers for it at once.
         ///
         /// # Errors
         /// `OutOfDomain` as of `advance`, and after the first step.
@@ -505,8 +506,8 @@ const _: () = {
         /// [`ShakenStepper`] says what it costs.
         ///
         /// # Errors
-        /// `OutOfDomain` for what is NaN or infinite, for friction below zero, and for numbers whose squares
-        /// overflow: the stepper is then what it was.
+        /// `OutOfDomain` for what is NaN or infinite, for friction below zero, for numbers whose squares
+        /// overflow, and before the work does: the stepper is then what it was.
         pub fn advance(
             &mut self,
             input: ShakenInput,

@@ -1,9 +1,9 @@
 //! What a stepper cannot take is an error that changes nothing; what is saved comes back to the bit.
 
 use crate::independent::loads;
-use crate::rig::{HOLD, LINEAR, Load, Rig, advance, begin, rig, scene, try_rig};
+use crate::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, begin, rig, scene, try_rig};
 use crate::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL};
-use frictiongen_kernel::stepper::Sample;
+use frictiongen_kernel::stepper::{Input, Sample};
 
 /// Every number of the state, as its digits tell it apart.
 fn bits(rig: &Rig<f64>) -> String {
@@ -128,4 +128,65 @@ fn saved_and_restored() {
     let error = one.restore(&rig::<f64>(&scene(PAIR), LINEAR, 0.02).save());
     assert_eq!(error.expect_err("another scene").argument, "saved");
     assert_eq!(bits(&one), before);
+}
+
+/// The state of another scene or step has the same size, and another meaning.
+#[test]
+fn the_state_of_another_stepper_is_refused() {
+    let law = Kind {
+        input: Input::Linear,
+        law: &[[0.1, 0.5]],
+    };
+    let of = |text: &str, kind, dt| rig::<f64>(&scene(text), kind, dt);
+    for (what, text, kind, dt) in [
+        ("step", PAIR.to_owned(), LINEAR, 0.021),
+        (
+            "step in the last digit",
+            PAIR.to_owned(),
+            LINEAR,
+            0.02_f64.next_up(),
+        ),
+        ("input", PAIR.to_owned(), HOLD, 0.02),
+        ("law", PAIR.to_owned(), law, 0.02),
+        ("mass", PAIR.replace("b: 2", "b: 2.5"), LINEAR, 0.02),
+        ("spring", PAIR.replace("15", "16"), LINEAR, 0.02),
+        ("damping", PAIR.replace("0.08", "0.09"), LINEAR, 0.02),
+        (
+            "damping of the other",
+            PAIR.replace("0.03", "0.031"),
+            LINEAR,
+            0.02,
+        ),
+        ("contact", PAIR.replace("b - a,", "b - wall,"), LINEAR, 0.02),
+        (
+            "units",
+            PAIR.replace("a: 1, b: 2", "a: 2, b: 4")
+                .replace("10, a - b: 15", "20, a - b: 30"),
+            LINEAR,
+            0.02,
+        ),
+    ] {
+        let mut one = of(PAIR, LINEAR, 0.02);
+        let before = bits(&one);
+        let error = one.restore(&of(&text, kind, dt).save());
+        assert_eq!(error.expect_err(what).argument, "saved");
+        assert_eq!(bits(&one), before, "{what}");
+        one.restore(&of(PAIR, LINEAR, 0.02).save())
+            .expect("its own");
+    }
+}
+
+/// So many steps are so many seconds.
+#[test]
+fn time_passes() {
+    let mut rig = rig::<f32>(&scene(ONE), LINEAR, 0.02);
+    let load = Load {
+        base: [0.0; 2],
+        forces: vec![0.0],
+        friction: 1.0,
+    };
+    for step in 1..=100_u8 {
+        advance(&mut rig, &load);
+        assert_eq!(rig.time().to_bits(), (f32::from(step) * 0.02).to_bits());
+    }
 }

@@ -1,5 +1,6 @@
 //! Loads and steps that nobody would choose: the bound on events is kept and told, no energy is made, nothing is NaN.
 
+use crate::both::Both;
 use crate::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, rig, scene};
 use crate::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE, sticky};
 use frictiongen_kernel::Plain;
@@ -147,6 +148,46 @@ fn grazing() {
     assert!(events > 1000);
 }
 
+/// The same forces, none of them within a rounding of the grip: the motion is the plain integrator's.
+#[test]
+fn grazing_moves_as_the_plain_integrator_says() {
+    for text in ALL {
+        for mu in [1.0, 1.5] {
+            let scene = scene(&sticky(text, mu));
+            let friction = 1e-3 * scene.springs[0].stiffness;
+            let dt = 0.4 / crate::plain::chain::Chain::of(&scene, &[]).fastest;
+            let mut random = Random(9);
+            let mut load = || {
+                let beside = [1.0 - 1e-6, 1.0 + 1e-6, 1.0 - 1e-9, 1.0 + 1e-9, -1.0 - 1e-7];
+                let times = *random.pick(&beside).expect("one of them");
+                Load {
+                    base: [0.0; 2],
+                    forces: vec![times * mu * friction; scene.masses.len()],
+                    friction,
+                }
+            };
+            let mut both = Both::new(&scene, LINEAR, dt, &load());
+            for _ in 0..500 {
+                both.advance(&load());
+            }
+            println!(
+                "{}, μ = {mu}: {} events, {} otherwise, {:.1e}",
+                scene.name,
+                both.events,
+                both.otherwise,
+                both.error()
+            );
+            assert_eq!(both.otherwise, 0, "{text}, {mu}");
+            // A zero that is nearly double is known to the root of a rounding.
+            assert!(
+                both.events > 20 && both.error() < 1e-8,
+                "{text}, {mu}: {:e}",
+                both.error()
+            );
+        }
+    }
+}
+
 /// Laws so steep that the contact chatters; one that is too steep for its step is refused.
 #[test]
 fn steep_laws() {
@@ -227,4 +268,80 @@ fn more_than_is_followed() {
         exceeded += seen.exceeded;
     }
     assert!(exceeded > 100);
+}
+
+/// The strongest force that is taken, always along the motion: the work grows until a step is refused, and is finite until
+/// then.
+#[test]
+fn work_stays_finite() {
+    fn check<S: Plain>(text: &str, radians: f64) {
+        let scene = scene(text);
+        let dt = radians / crate::plain::chain::Chain::of(&scene, &[]).fastest;
+        let of = |force: f64| Load {
+            base: [0.0; 2],
+            forces: vec![force; scene.masses.len()],
+            friction: 0.0,
+        };
+        let mut rig: Rig<S> = rig(&scene, LINEAR, dt);
+        let taken = |force: f64| crate::rig::try_advance(&mut rig.clone(), &of(force)).is_ok();
+        let mut strongest = 1e300;
+        while !taken(strongest) {
+            strongest *= 0.5;
+        }
+        assert!(
+            strongest > 1e9 * scene.springs[0].stiffness,
+            "{strongest:e}"
+        );
+        let mut refused = false;
+        for step in 0..20_000 {
+            let velocity = rig.mass(0).velocity().to_f64();
+            match crate::rig::try_advance(&mut rig, &of(strongest.copysign(velocity))) {
+                Ok(_) => {}
+                Err(error) => {
+                    assert_eq!(error.argument, "work");
+                    refused = true;
+                    break;
+                }
+            }
+            let work = rig.work();
+            for value in [work.load, work.friction, work.damping, work.stored] {
+                assert!(
+                    value.is_finite(),
+                    "{text}, {radians} rad, step {step}: {work:?}"
+                );
+            }
+        }
+        // In a step of many turns the force does not know where the motion goes.
+        assert!(
+            refused || radians > 10.0,
+            "{text}, {radians} rad, {strongest:e}: {:?}",
+            rig.work()
+        );
+    }
+    for stiffness in ["6e-4", "600", "6e9"] {
+        for radians in [0.05, 0.9, 900.0] {
+            let text = ONE.replace("600", stiffness);
+            check::<f32>(&text, radians);
+            check::<f64>(&text, radians);
+        }
+    }
+}
+
+/// A motion that has decayed to numbers below the normal ones is none that a contact without friction tells of.
+#[test]
+fn decay_without_friction_has_no_events() {
+    for text in [PAIR, WALL, ONE_ON_BASE] {
+        let scene = scene(text);
+        let mut rig: Rig<f32> = rig(&scene, LINEAR, 0.05);
+        let mut events = 0;
+        for step in 0..200_000 {
+            let load = Load {
+                base: [0.0; 2],
+                forces: vec![if step == 0 { 1.0 } else { 0.0 }; scene.masses.len()],
+                friction: 0.0,
+            };
+            events += advance(&mut rig, &load).events;
+        }
+        assert_eq!(events, 0, "{text}");
+    }
 }

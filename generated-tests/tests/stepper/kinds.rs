@@ -98,6 +98,8 @@ struct Seen {
     otherwise: u32,
     worst: f64,
     single: f64,
+    /// The differences of the scenes in single precision.
+    singles: Vec<f64>,
     /// How many are refused in single precision.
     lost: u32,
 }
@@ -173,6 +175,9 @@ fn all(sizes: &[usize], rounds: usize, steps: u32) -> Seen {
         }
         seen.worst = generated_tests::larger(seen.worst, error);
         seen.single = generated_tests::larger(seen.single, apart);
+        if single_too {
+            seen.singles.push(apart);
+        }
         assert_eq!(both.rig.exceeded(), 0, "{text}");
     }
     println!("{seen:?}");
@@ -184,8 +189,13 @@ fn check(seen: &Seen, bar: f64) {
     assert!(kinds.iter().all(|count| *count > 1), "{kinds:?}");
     assert!(seen.events > 100 && seen.otherwise == 0);
     assert!(seen.worst < bar, "{:e}", seen.worst);
-    // Single precision has 5e8 times the rounding, and may see a grazing otherwise.
-    assert!(seen.single < 0.05, "{:e}", seen.single);
+    // Single precision has 5e8 times the rounding, and may see a grazing otherwise: in one scene of ten.
+    assert!(seen.single < 5e-3, "{:e}", seen.single);
+    let mut singles = seen.singles.clone();
+    singles.sort_by(f64::total_cmp);
+    let most = singles[singles.len() * 9 / 10];
+    println!("nine of ten in single precision: {most:.1e}");
+    assert!(most < 2e-5, "{most:e}");
 }
 
 /// Below critical damping the held modes keep their digits, however many they are: 7e-14 was found.  Beyond, real roots

@@ -1,4 +1,4 @@
-//! A stepper of a scene with every mass loaded, in any scalar.
+//! A stepper of a scene in any scalar, with every mass loaded or some.
 
 use frictiongen_kernel::Plain;
 use frictiongen_kernel::number::dd::Dd;
@@ -115,7 +115,18 @@ pub fn try_rig<S: Plain>(
     kind: Kind<'_>,
     dt: f64,
 ) -> Result<Rig<S>, frictiongen::OutOfDomain> {
-    let (all, n) = (parts::<S>(scene, kind), scene.masses.len());
+    let every: Vec<usize> = (0..scene.masses.len()).collect();
+    loaded(scene, kind, dt, &every)
+}
+
+/// The same with a force on these masses.
+pub fn loaded<S: Plain>(
+    scene: &Scene,
+    kind: Kind<'_>,
+    dt: f64,
+    masses: &[usize],
+) -> Result<Rig<S>, frictiongen::OutOfDomain> {
+    let (all, n) = (parts::<S>(scene, kind, masses), scene.masses.len());
     let held = all.dynamics.held.len();
     let inputs = all.channels();
     let zero = S::constant(0.0);
@@ -143,7 +154,7 @@ pub fn try_rig<S: Plain>(
     Stepper::new(all, lists, numbers, None)
 }
 
-fn parts<S: Plain>(scene: &Scene, kind: Kind<'_>) -> StepScene<'static, S> {
+fn parts<S: Plain>(scene: &Scene, kind: Kind<'_>, masses: &[usize]) -> StepScene<'static, S> {
     let to = |value: Dd| {
         let high = value.to_f64();
         S::constant(high) + S::constant((value - Dd::from(high)).to_f64())
@@ -165,7 +176,7 @@ fn parts<S: Plain>(scene: &Scene, kind: Kind<'_>) -> StepScene<'static, S> {
             support: S::constant(support) / S::constant(k1),
         },
         on_base: scene.excitation == Excitation::Base,
-        forces: Box::leak((0..scene.masses.len()).collect()),
+        forces: Box::leak(masses.into()),
         input: kind.input,
         law: Box::leak(law.into_boxed_slice()),
     }
@@ -174,6 +185,14 @@ fn parts<S: Plain>(scene: &Scene, kind: Kind<'_>) -> StepScene<'static, S> {
 /// Hands a load to a stepper.
 pub fn advance<S: Plain>(rig: &mut Rig<S>, load: &Load) -> Stepped<S> {
     with(load, |sample| rig.advance(sample)).expect("a sound load")
+}
+
+/// The same, with the error of a load that it cannot take.
+pub fn try_advance<S: Plain>(
+    rig: &mut Rig<S>,
+    load: &Load,
+) -> Result<Stepped<S>, frictiongen::OutOfDomain> {
+    with(load, |sample| rig.advance(sample))
 }
 
 /// Tells a stepper the load at the start.

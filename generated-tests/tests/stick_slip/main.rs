@@ -11,6 +11,7 @@ mod from_rest;
 mod independent;
 mod known;
 mod multipliers;
+mod offcentre;
 mod plain;
 mod reference;
 mod runs;

@@ -32,6 +32,13 @@ macro_rules! machine {
                 Chain::stepper(Chain::STEP).ok().map(Run)
             }
 
+            /// The time since the start, in s.
+            #[inline(never)]
+            #[cfg_attr(feature = "prove", no_panic::no_panic)]
+            pub fn time(run: &Run) -> $scalar {
+                run.0.time()
+            }
+
             /// A step.
             #[inline(never)]
             #[cfg_attr(feature = "prove", no_panic::no_panic)]

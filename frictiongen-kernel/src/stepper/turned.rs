@@ -1,0 +1,69 @@
+//! What an oscillator does over a whole part by its table.
+
+use super::dot::{dot, later, sizes};
+use super::rows::{HeldStep, ModeStep};
+use crate::number::scalar::Float;
+
+impl<S: Float, const D: usize> ModeStep<S, D> {
+    /// The state after a part, and the work of the load in it.
+    #[inline]
+    pub(super) fn moved(&self, [y, u]: [S; 2], drive: &[S; D], load: &[S; D]) -> ([S; 2], S) {
+        let mut moments = [S::constant(0.0); D];
+        later(&mut moments, &self.moments, |row| row.times([y, u], drive));
+        let mut next = [y, u];
+        if let ([rise, ..], [row, ..]) = (&mut moments[..], &self.moments[..]) {
+            let [before, after] = row.state;
+            let glide = before * u;
+            let turned = u + self.turn.times([y + glide, u], drive);
+            *rise = dot(glide + after * turned, &row.drive, drive);
+            next = [y + *rise, turned];
+        }
+        let work = dot(S::constant(0.0), load, &moments);
+        (next, work / self.per_force)
+    }
+
+    /// What |u″| cannot exceed over the part.
+    #[inline]
+    pub(super) fn bend(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
+        let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);
+        let (total, change) = sizes(drive);
+        rate * rate * (y.abs() + u.abs() + total) + rate * total + change
+    }
+}
+
+impl<S: Float, const D: usize> HeldStep<S, D> {
+    /// The state after a part, and the moments of both rates.
+    #[inline]
+    pub(super) fn moved(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> ([S; 2], [[S; D]; 2]) {
+        let mut moments = [[S::constant(0.0); D]; 2];
+        for (moments, rows) in moments.iter_mut().zip([&self.moments, &self.turns]) {
+            later(moments, rows, |row| row.times([y, u], drive));
+        }
+        let (mut next, [rises, turns]) = ([y, u], &mut moments);
+        if let ([rise, ..], [turn, ..], [row, ..], [turning, ..]) = (
+            &mut rises[..],
+            &mut turns[..],
+            &self.moments[..],
+            &self.turns[..],
+        ) {
+            let [before, after] = row.state;
+            let glide = before * u;
+            *turn = turning.times([y + glide, u], drive);
+            let turned = u + *turn;
+            let [first, second] = &row.drive;
+            let [of_y, of_u] = drive;
+            *rise = dot(dot(glide + after * turned, first, of_y), second, of_u);
+            next = [y + *rise, turned];
+        }
+        (next, moments)
+    }
+
+    /// What |y″| cannot exceed over the part.
+    #[inline]
+    pub(super) fn bend(&self, [y, u]: [S; 2], [first, second]: &[[S; D]; 2]) -> S {
+        let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);
+        let ((of_y, change), (of_u, _)) = (sizes(first), sizes(second));
+        let total = of_y + of_u;
+        rate * rate * (y.abs() + u.abs() + total) + rate * total + change
+    }
+}

@@ -1,0 +1,171 @@
+//! States that are not centred: a contact that comes to rest off its centre, members of a continuum; and the phase of a
+//! contact that stops at its largest displacement.
+
+use frictiongen::study::{OperatingPoint, Parameter};
+use frictiongen::{Of, Regime, Run as _, System};
+use std::f64::consts::TAU;
+
+fn system(text: &str) -> System {
+    text.parse().expect("a scene")
+}
+
+fn block() -> System {
+    system(
+        "struct Block { masses: { m: 1 }, springs: { base - m: 1 }, contact: m - wall, excitation: m }",
+    )
+}
+
+/// At r = 1/2n an undamped motion keeps a free vibration: every call answers with the member that motion from rest tends to.
+#[test]
+fn one_rule_at_half_the_resonance() {
+    let block = block();
+    let at = block.at(0.5).expect("in the domain");
+    let response = at.response(0.2).expect("a response");
+    assert_eq!(response.regime(), Regime::Continuous);
+    assert!(response.is_marginal() && response.is_from_rest());
+    let amplitude = |of| response.swing(of).expect("a motion").amplitude;
+    // The closed form is the symmetric member: 4/3; the last member is off its centre by 2/15.
+    for found in [
+        amplitude(Of::Contact),
+        amplitude(Of::Mass(0)),
+        at.orbit(0.2).expect("an orbit").contact().amplitude(),
+    ] {
+        assert!((found - 22.0 / 15.0).abs() < 1e-12, "{found}");
+    }
+    let centred = response.centred_amplitude(Of::Contact).expect("a motion");
+    let symmetric = at.motion(0.2).expect("a motion").contact().amplitude();
+    assert!((centred - 4.0 / 3.0).abs() < 1e-12 && (symmetric - centred).abs() < 1e-12);
+    let range = response.offset_range().expect("a continuum");
+    assert!((range - 2.0 / 15.0).abs() < 1e-12, "{range}");
+    assert!((response.offset().abs() - range).abs() < 1e-12);
+    let history = response.history(&[Of::Mass(0)], 4096).expect("a history");
+    let values = history.tracks[0].displacement.iter();
+    let largest = values.fold(0.0_f64, |most, value| most.max(value.abs()));
+    assert!((largest - 22.0 / 15.0).abs() < 1e-5, "{largest}");
+    // From a start nearer to the middle the motion keeps what it has.
+    let motion = at.motion(0.2).expect("a motion");
+    let early = -motion.contact().phase();
+    let [x, v] = [
+        motion.contact().displacement(early) + 0.05,
+        motion.contact().velocity(early),
+    ];
+    let half = at.orbit_from(0.2, (&[x], &[v])).expect("an orbit");
+    assert!(half.is_marginal() && half.offset().abs() < 0.5 * range);
+    let wider = half.offset_range().expect("a continuum");
+    assert!((wider - range).abs() < 1e-9, "{wider}");
+}
+
+/// The offset of a contact that ends stuck, and the largest displacements with it, against runs in time.
+#[test]
+fn where_a_contact_comes_to_rest() {
+    let frame = system(
+        "struct Frame {
+            masses: { a: 12, b: 5 }, springs: { wall - a: 3.2e4, a - b: 1.1e4 }, contact: a - b,
+            excitation: b, damping: rayleigh(0.4, 1e-5), stiction: 1.25,
+        }",
+    );
+    let base = system(
+        "struct Two {
+            masses: { a: 1, b: 0.7 }, springs: { base - a: 1, a - b: 0.6 }, contact: b - base,
+            excitation: base, damping: modal[0.05, 0.08],
+        }",
+    );
+    let (mut compared, mut off_centre) = (0, 0);
+    for system in [&frame, &base] {
+        for r in [0.6, 0.8, 1.0, 1.2, 1.4] {
+            for over in [1.05, 1.5, 3.0] {
+                let at = system.at(r).expect("in the domain");
+                let beta = over * at.sliding_limit();
+                let response = at.response(beta).expect("a response");
+                // Without a number where motion from rest never settles.
+                if response.regime() != Regime::Stuck || !response.is_from_rest() {
+                    continue;
+                }
+                let mut run = system.simulation(r, beta).expect("a run");
+                let mut largest = [0.0_f64; 2];
+                for cycle in 0..400 {
+                    let mut left = TAU;
+                    while left > 1e-12 {
+                        let reach = if cycle < 399 { left } else { left.min(0.01) };
+                        left -= run.advance(reach).expect("it goes on").length;
+                        if cycle == 399 {
+                            for (mass, largest) in largest.iter_mut().enumerate() {
+                                *largest = largest.max(run.moment(mass).displacement().abs());
+                            }
+                        }
+                    }
+                }
+                let what = format!("{}, r = {r}, {over}", system.scene().name);
+                // With μ = 1 the run creeps to where the contact just holds, as 1/n.
+                let crawls = system.scene().stiction == 1.0
+                    && response.offset().abs() == response.offset_range().expect("a range");
+                let bar = if crawls { 1e-2 } else { 1e-9 };
+                let apart = run.relative().0 - response.offset();
+                assert!(apart.abs() < bar, "{what}: {apart:e}");
+                for (mass, largest) in largest.into_iter().enumerate() {
+                    let told = response.swing(Of::Mass(mass)).expect("a mass").amplitude;
+                    // Instants 0.01 apart miss a maximum by 1e-5 of it.
+                    let low = told * (1.0 - 2e-5) - bar;
+                    assert!(
+                        (low..=told + bar).contains(&largest),
+                        "{what}: {largest} {told}"
+                    );
+                    let centred = response.centred_amplitude(Of::Mass(mass)).expect("a mass");
+                    let stuck = at.stuck().expect("a response").mass_at(mass);
+                    assert!((centred - stuck.expect("a mass").norm()).abs() < 1e-14);
+                    compared += 1;
+                }
+                off_centre += usize::from(response.offset().abs() > 1e-3);
+            }
+        }
+    }
+    println!("{compared} motions compared, {off_centre} contacts off their centres");
+    assert!(compared > 40 && off_centre > 8, "{compared} {off_centre}");
+}
+
+/// The phase of a contact that stops at its largest displacement is the lag of the stop's beginning: continuous in β, and
+/// with its derivative.
+#[test]
+fn the_phase_of_a_stop() {
+    let block = block();
+    let phase = |beta: f64| {
+        let orbit = block.at(0.3).expect("in the domain").orbit(beta);
+        orbit.expect("an orbit").contact().phase()
+    };
+    // The plateau holds the load's maximum in all three.
+    for (beta, lag) in [(0.5, -0.348), (0.7, -0.132), (0.78, -0.026)] {
+        assert!((phase(beta) - lag).abs() < 5e-4, "{beta}: {}", phase(beta));
+    }
+    let mut last = phase(0.40);
+    for step in 1..=580 {
+        let next = phase(0.40 + 1e-3 * f64::from(step));
+        assert!((next - last).abs() < 0.02, "{step}: {last} {next}");
+        last = next;
+    }
+    for beta in [0.5, 0.7, 0.78, 0.9] {
+        let point = OperatingPoint::Groups { r: 0.3, beta };
+        let found = block.response_sensitivities(point, Of::Contact);
+        let found = found.expect("derivatives").parameters;
+        let friction = found.iter().find(|of| of.parameter == Parameter::Friction);
+        let slope = friction
+            .and_then(|of| of.phase)
+            .expect("a phase")
+            .derivative;
+        let h = 1e-5;
+        let difference = (phase(beta + h) - phase(beta - h)) / (2.0 * h);
+        // Differences of numbers known to 1e-12 over 2e-5, and a third derivative.
+        assert!(
+            (slope - difference).abs() < 1e-6,
+            "{beta}: {slope} {difference}"
+        );
+    }
+    // The fundamental's phase is another.
+    let orbit = block
+        .at(0.3)
+        .expect("in the domain")
+        .orbit(0.5)
+        .expect("an orbit");
+    let first = orbit.contact().harmonic(1);
+    let apart = orbit.contact().fundamental_phase() + first.im.atan2(first.re);
+    assert!(apart.abs() < 1e-14, "{apart:e}");
+}
