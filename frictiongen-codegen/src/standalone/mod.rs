@@ -174,7 +174,7 @@ const STATUSES: [(&str, i32, &str); 5] = [
     (
         "Unbounded",
         3,
-        "on an undamped resonance, of the chain with its contact stuck for a stuck response",
+        "an undamped resonance; for a stuck response one of the chain with its contact stuck",
     ),
 ];
 

@@ -193,6 +193,17 @@ mod tests {
             assert_eq!(reach(share * sliding).never_stuck, is_below, "{name}");
         }
         assert_eq!(reach(f64::INFINITY), Reach::default());
+        // The largest friction ratio of which it is said, in the scalar: below every emitted limit, roundings included.
+        let (mut said, mut unsaid) = (0.99 * limit, 1.001 * limit);
+        for _ in 0..40 {
+            let middle = 0.5 * (said + unsaid);
+            if reach(middle).always_continuous {
+                said = middle;
+            } else {
+                unsaid = middle;
+            }
+        }
+        assert!(S::constant(said).to_f64() < limit, "{name}: {said}");
     }
 
     #[test]
@@ -223,6 +234,22 @@ mod tests {
         assert!(ends < 0.6 && 0.6 < begins, "{begins} to {ends}");
         assert!(tables.reach(1.0, 0.999 * ends).always_continuous);
         assert!(!tables.reach(1.0, 0.6).always_continuous);
+    }
+
+    /// With μ = 2 β*_lim, here 1/2, is the smaller limit about the resonance: a stuck state beside the closed form.
+    #[test]
+    fn a_stuck_state_beside_the_closed_form() {
+        let modal = scene("Wall", 1, 0.05, 2.0);
+        let request = Request {
+            r: (0.9, 1.1),
+            ..request(1e-3, Side::Near)
+        };
+        let tables = Tables::<f64>::build(&modal, request).unwrap();
+        for (most, never_stuck) in [(0.49, true), (0.52, false)] {
+            let reach = tables.reach(2.0, most);
+            assert!(reach.always_continuous, "{most}");
+            assert_eq!(reach.never_stuck, never_stuck, "{most}");
+        }
     }
 
     /// A zero of β_lim within the range leaves every regime open.

@@ -225,3 +225,39 @@ pub(in crate::table) fn rounding<S: Float>(
     let lost = smallest / nearest.unwrap_or(1.0);
     UP * sum + lost
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fit::Fitted;
+    use super::super::tests::random;
+    use super::rounding;
+
+    /// What the emitted evaluation rounds off in single precision is within its bound, and comes near it.
+    #[test]
+    fn roundings_are_within_their_bound() {
+        let (mut state, mut nearest) = (3, 0.0_f64);
+        for round in 0..8000 {
+            let terms = [4, 6, 8, 10][round % 4];
+            let mut number = || random(&mut state);
+            let origin = (0.2 + 2.0 * number()) as f32;
+            let (from, to) = (origin * (0.3 + 0.7 * number() as f32), origin * 1.3);
+            let coefficients = (0..terms).map(|_| (number() - 0.3) as f32);
+            let coefficients: Vec<f32> = coefficients.collect();
+            let r = (from + (to - from) * number() as f32).clamp(from, to);
+            let wide: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
+            let ends = (f64::from(from), f64::from(to));
+            let bound = rounding::<f32>(&wide, f64::from(origin), ends, None);
+            let t = f64::from(r) - f64::from(origin);
+            let exact = wide.iter().rev().fold(0.0, |sum, c| sum * t + c);
+            let piece = Fitted {
+                from,
+                origin,
+                coefficients: vec![coefficients],
+            };
+            let off = (f64::from(piece.value(0, r)) - exact).abs();
+            assert!(off <= bound, "{off:e} for {bound:e}: {piece:?} at {r}");
+            nearest = nearest.max(off / bound);
+        }
+        assert!(nearest > 0.2, "{nearest}");
+    }
+}

@@ -3,6 +3,7 @@
 //! Phases go by another arc tangent: within eight roundings of a radian.  A machine without `cc` or `rustc` fails these
 //! tests.
 
+mod lacking;
 mod motion;
 mod names;
 mod refused;

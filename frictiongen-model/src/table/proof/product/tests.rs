@@ -5,7 +5,7 @@ use super::super::super::tables::Tables;
 use super::super::super::zeros::Zeros;
 use super::super::Evidence;
 use super::super::tests::{random, request, scene};
-use super::{Product, Proof, Receptances};
+use super::{Cell, Known, Product, Proof, Receptances, plain};
 use crate::modal::Modal;
 use crate::scene::Side;
 use frictiongen_kernel::Float;
@@ -300,8 +300,54 @@ fn uncertain_zeros_are_in_the_bound() {
             assert!(more > weight / 25.0, "{kind}{count}, {zeta}: {more:e}");
             seen += 1;
         }
+        // What is left of the sum without its zeros counts whole.
+        let mut uncertain = Receptances::of(&known, zeros.as_ref(), 2.5).unwrap();
+        uncertain.receptance.tail = weight;
+        let own = uncertain.sliding(&product, &asked);
+        let more = own.bound.error - sound.sliding(&product, &asked).bound.error;
+        assert!(more > 0.9 * weight, "{kind}{count}, {zeta}: {more:e}");
     }
     assert!(seen > 30, "{seen}");
+}
+
+/// What the place of a zero may be off goes into the bound of its factor.
+#[test]
+fn an_uncertain_place_is_in_the_bound() {
+    let (off, mut seen) = (1e-9, 0);
+    for (kind, count, zeta, stiction) in KINDS {
+        let modal = scene(kind, count, zeta, stiction);
+        let zeros = Zeros::of(&modal).unwrap();
+        let tables = Tables::<f64>::build(&modal, asked(1e-3, Side::Near)).unwrap();
+        let product = tables.sliding.unwrap();
+        for (factor, zero) in product.denominator.iter().zip(&zeros.receptance) {
+            let place = zero.y.to_f64().max(0.1);
+            let cell = Cell {
+                low: 1.2 * place,
+                high: 1.3 * place,
+            };
+            let error = |off| {
+                let known = Known {
+                    off,
+                    ..plain(*zero)
+                };
+                known.bounds::<f64>(factor, cell).unwrap().error
+            };
+            let away = (zero.x.to_f64()).hypot(0.3 * place) + place;
+            let more = error(off) - error(0.0);
+            assert!(more > off / away, "{kind}{count}, {zeta}: {more:e}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 30, "{seen}");
+}
+
+/// Two masses that rub on each other, the second driven: V = (1 − r²)/D vanishes at r = 1, and there alone nothing is proven.
+#[test]
+fn a_zero_that_is_a_number_is_named() {
+    let modal = scene("Pair", 2, 0.0, 1.0);
+    let tables = Tables::<f64>::build(&modal, asked(1e-3, Side::Near)).unwrap();
+    assert_eq!(tables.sliding_proof.open, [(1.0, 1.0)]);
+    assert_eq!(tables.sliding_proof.evidence, Evidence::Partly);
 }
 
 /// Zeros that are off by far less than an accuracy leave a weight that says so.
