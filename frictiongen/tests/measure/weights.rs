@@ -111,8 +111,8 @@ fn errors_of_the_load() {
         })
         .collect();
     let truth = 0.4 * scale(&system);
-    let count = found.iter().filter(|found| found.holds(truth)).count();
-    println!("mean misfit {misfits}, {count} of 1000 hold the truth");
+    println!("mean misfit {misfits}");
+    hold("errors of the load", truth, &found);
     // Three degrees of freedom: four deviations of a mean of 1000.
     assert!(
         (misfits - 1.0).abs() < 4.0 * (2.0 / 3.0 / 1000.0_f64).sqrt(),
