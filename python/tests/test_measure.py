@@ -201,6 +201,28 @@ def test_from_amplitudes_and_phases(plate):
     assert found.friction_N.value == pytest.approx(plate.identify(read("below", "above", "fast")).friction_N.value, rel=1e-3)
 
 
+def test_what_the_description_does_not_explain(plate):
+    hz, base = np.array([2.5, 3.9, 5.0]), 1.75e-3
+    truth = plate.response(hz=hz, friction=0.5, base=base, harmonics=1)["plate"]["X1"]
+    seen = {"hz": hz, "base": base, "amplitude_m": {"plate": truth.amplitude_m}, "deviation_m": 1e-6}
+    late = truth.phase_deg + 360 * hz * 0.004
+    found = plate.identify(Observation(**seen, phase_deg={"plate": late}, phase_deviation_deg=0.1))
+    assert found.verdict == "not explained" and not found.is_explained and found.misfit > 100
+    assert found.says.startswith("the description does not explain the measurement")
+
+
+def test_an_unknown_that_does_not_show(plate):
+    hz, base = np.array([2.5, 3.9, 5.0]), 1.75e-3
+    truth = plate.response(hz=hz, friction=0.5, base=base, harmonics=1)["plate"]["X1"]
+    seen = {"amplitude_m": {"plate": truth.amplitude_m}, "phase_deg": {"plate": truth.phase_deg}, "deviation_m": 1e-6}
+    seen = Observation(hz=hz, base=base, phase_deviation_deg=0.1, **seen)
+    found = plate.identify(seen, also=["stiction", "damping"])
+    assert found.undetermined == ["stiction"] and found.unknowns["stiction"].high == math.inf
+    assert found.verdict == "told" and found.unknowns["damping"].high < 0.1
+    alone = plate.identify(seen, also="damping")
+    assert found.friction_N == pytest.approx(alone.friction_N, rel=1e-6) and alone.undetermined == []
+
+
 def test_under_a_force(block):
     truth = block.response(hz=[0.5, 1.2], friction=2.0, force=10.0, harmonics=1)["block"]["X1"]
     seen = {"amplitude_m": {"block": truth.amplitude_m}, "phase_deg": {"block": truth.phase_deg}, "deviation_m": 1e-5}

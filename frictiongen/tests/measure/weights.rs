@@ -2,12 +2,13 @@
 
 use crate::force::{scale, seen};
 use crate::intervals::hold;
-use crate::made::{Noise, rig};
-use frictiongen::System;
+use crate::made::{Noise, Y, rig};
 use frictiongen::measure::{
-    Channel, Estimate, Identified, IdentifyRequest, Observation, Recording, SweepPoint, Unit,
-    Unknown,
+    Channel, Datum, Estimate, Identified, IdentifyRequest, Observation, Recording, SweepPoint,
+    Unit, Unknown,
 };
+use frictiongen::study::Load;
+use frictiongen::{Complex, Of, System};
 
 /// Student's quantile of 95 %, two-sided, for seven degrees of freedom, and the normal one.
 const STUDENT_7: f64 = 2.364_624;
@@ -65,6 +66,58 @@ fn a_misfit_widens_the_interval() {
         }
         assert!(right.friction.holds(0.3 * scale(&system)));
     }
+}
+
+/// Errors of the load alone: its amplitude is wrong by 0.3 % and its phase by 0.003 rad, which turns the third harmonic three times as
+/// far.  All motions share them, and the friction ratio has the amplitude too.
+#[test]
+fn errors_of_the_load() {
+    const WRONG: f64 = 0.003;
+    let system = rig("damping: modal(0.02),");
+    let response = system.at(0.8).unwrap().response(0.4).unwrap();
+    let mut noise = Noise::new(8);
+    // Where the contact slides all the time: a thousand repeats are seconds.
+    let request = IdentifyRequest {
+        range: Some((0.3 * scale(&system), 0.5 * scale(&system))),
+        ..IdentifyRequest::default()
+    };
+    let mut misfits = 0.0;
+    let found: Vec<Estimate> = (0..1000)
+        .map(|_| {
+            let load = Y * (1.0 + WRONG * noise.next());
+            let late = WRONG * noise.next();
+            let motions = [1_u32, 3].map(|harmonic| {
+                let exact = response.harmonic(Of::Mass(0), harmonic).unwrap();
+                let turn = Complex::from_polar(Y / load, -f64::from(harmonic) * late);
+                let mut value = exact * turn;
+                value.re += 1e-4 * noise.next();
+                value.im += 1e-4 * noise.next();
+                Datum {
+                    mass: 0,
+                    harmonic,
+                    value,
+                    deviation: 1e-4,
+                }
+            });
+            let seen = Observation {
+                hertz: system.hertz(0.8),
+                load: Load::Base(load),
+                load_deviation: WRONG * load,
+                motions: motions.to_vec(),
+            };
+            let found = system.identify(&[seen], &request).unwrap();
+            misfits += found.misfit.unwrap() / 1000.0;
+            found.friction
+        })
+        .collect();
+    let truth = 0.4 * scale(&system);
+    println!("mean misfit {misfits}");
+    hold("errors of the load", truth, &found);
+    // Three degrees of freedom: four deviations of a mean of 1000.
+    assert!(
+        (misfits - 1.0).abs() < 4.0 * (2.0 / 3.0 / 1000.0_f64).sqrt(),
+        "{misfits}"
+    );
 }
 
 /// A sweep whose deviations are not known has Student's factor and its own scatter where one with deviations has the normal
