@@ -10,7 +10,7 @@ use crate::errors::NoOrbit;
 use crate::number::scalar::Float;
 
 /// So many cycles are followed at most before the search for a steady state is given up.
-pub const MAX_CYCLES: u32 = 512;
+pub const MAX_CYCLES: u32 = 1024;
 /// The same from a start that is near a steady state or leads nowhere.
 const MAX_CYCLES_NEAR: u32 = 128;
 /// So many steps from one place of a motion to the next are made at most on the way: half of the steady

@@ -73,7 +73,7 @@ fn where_a_contact_comes_to_rest() {
     let (mut compared, mut off_centre) = (0, 0);
     for system in [&frame, &base] {
         for r in [0.6, 0.8, 1.0, 1.2, 1.4] {
-            for over in [1.05, 1.5, 3.0] {
+            for over in [1.15, 1.5, 3.0] {
                 let at = system.at(r).expect("in the domain");
                 let beta = over * at.sliding_limit();
                 let response = at.response(beta).expect("a response");
@@ -83,12 +83,12 @@ fn where_a_contact_comes_to_rest() {
                 }
                 let mut run = system.simulation(r, beta).expect("a run");
                 let mut largest = [0.0_f64; 2];
-                for cycle in 0..400 {
+                for cycle in 0..2000 {
                     let mut left = TAU;
                     while left > 1e-12 {
-                        let reach = if cycle < 399 { left } else { left.min(0.01) };
+                        let reach = if cycle < 1999 { left } else { left.min(0.01) };
                         left -= run.advance(reach).expect("it goes on").length;
-                        if cycle == 399 {
+                        if cycle == 1999 {
                             for (mass, largest) in largest.iter_mut().enumerate() {
                                 *largest = largest.max(run.moment(mass).displacement().abs());
                             }
