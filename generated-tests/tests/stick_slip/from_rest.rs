@@ -1,8 +1,8 @@
 //! What motion from rest ends in, above β*_lim and below, against [`Plain`] runs.
 
 use super::plain::Plain;
-use frictiongen::System;
 use frictiongen::study::{SystemAt, SystemOrbit};
+use frictiongen::{Of, Regime, System};
 use fuzzing::Random;
 use nalgebra::DVector;
 use rayon::prelude::*;
@@ -244,6 +244,36 @@ fn long() {
     println!("{counts:?}");
     for line in told {
         println!("{line}");
+    }
+}
+
+/// Below both limits with μ > 1 the closed form exists, but motion from rest may end in stick-slip: the desk says so.
+#[test]
+fn response_from_rest() {
+    let system: System = "struct Chain {
+        masses: { m1: 1.0219, m2: 1.1027, m3: 0.8481 },
+        springs: { base - m1: 0.4773, m1 - m2: 0.5388, m2 - m3: 0.4707 }, contact: m1 - m3,
+        excitation: base, damping: rayleigh(0.0012, 0.0076), stiction: 2.7514,
+    }"
+    .parse()
+    .expect("a scene");
+    let r = 0.219_718_580_648_245_57;
+    let at = system.at(r).expect("in the domain");
+    let beta = 0.97 * at.continuous_limit().min(at.sliding_limit());
+    assert_eq!(at.regime(beta), Ok(Regime::Continuous));
+    let closed = at.motion(beta).expect("a motion");
+    let run = settled(&Plain::new(system.scene(), r, beta), 3, 0.0).expect("it settles");
+    let response = at.response(beta).expect("a response");
+    assert_eq!((run.period, run.stops, run.reversals), (1, 1, 1));
+    assert_eq!(response.regime(), Regime::StickSlip);
+    for (mass, expected) in run.largest.into_iter().enumerate() {
+        let found = response.swing(Of::Mass(mass)).expect("a mass").amplitude;
+        assert!(
+            (found - expected).abs() < TOLERANCE * expected,
+            "{found} {expected}"
+        );
+        let other = closed.mass_at(mass).expect("a mass").amplitude();
+        assert!((found - other).abs() > 1e-4 * expected, "{found} {other}");
     }
 }
 

@@ -123,6 +123,28 @@ fn where_a_contact_comes_to_rest() {
     assert!(compared > 40 && off_centre > 8, "{compared} {off_centre}");
 }
 
+/// One mass on a moving base with μ = 1: the contact starts a whole Y off, and slips less and less to where friction just
+/// holds it, β = r² + |z̄|.
+#[test]
+fn slips_that_shrink_without_end() {
+    let block = system(
+        "struct Block { masses: { m: 1 }, springs: { base - m: 1 }, contact: m - base, excitation: base }",
+    );
+    for r in [0.3, 0.55, 0.8, 1.0, 1.1] {
+        let beta = 1.25;
+        let orbit = block.at(r).expect("in the domain").orbit(beta);
+        let orbit = orbit.expect("it sticks");
+        let held = (beta - r * r).min(1.0);
+        assert!(
+            (orbit.offset() + held).abs() < 1e-14,
+            "{r}: {}",
+            orbit.offset()
+        );
+        let range = orbit.offset_range().expect("a continuum");
+        assert!((range - (beta - r * r)).abs() < 1e-14, "{r}: {range}");
+    }
+}
+
 /// The phase of a contact that stops at its largest displacement is the lag of the stop's beginning: continuous in β, and
 /// with its derivative.
 #[test]
