@@ -2,9 +2,13 @@
 
 mod amplitude;
 mod answer;
+mod bounds;
+mod creep;
 mod flat;
 mod line;
+mod look;
 pub(in crate::study) mod peaks;
+mod places;
 mod problem;
 mod request;
 mod scan;
@@ -13,7 +17,7 @@ mod tuned;
 
 use super::system::System;
 pub(in crate::study) use amplitude::Friction;
-pub use answer::{Optimum, OptimumKind, OptimumPeak, Tolerance};
+pub use answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak, Tolerance};
 use problem::Problem;
 pub use request::{FrequencyBand, OptimumError, OptimumRequest};
 pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
