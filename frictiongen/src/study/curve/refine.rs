@@ -85,8 +85,7 @@ impl<'a> Refine<'a> {
     fn answer(&self, r: f64) -> (Result<CurvePoint, Error>, usize) {
         let at = self.system.at(r).map_err(Error::from);
         let response = at.and_then(|at| at.response(self.beta));
-        let masses = self.system.scene().masses.len();
-        let work = work(masses, response.as_ref().map_err(|error| *error));
+        let work = work(self.system, response.as_ref().map_err(|error| *error));
         let point = response.and_then(|response| {
             CurvePoint::of(r, &response, self.request)
                 .ok_or_else(|| OutOfDomain { argument: "mass" }.into())

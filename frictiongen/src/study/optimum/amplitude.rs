@@ -64,13 +64,35 @@ impl<'s> Amplitude<'s> {
     }
 
     fn spend(&self, found: Result<&SystemResponse<'_>, Error>) {
-        let work = work(self.system.scene().masses.len(), found);
+        self.spend_work(work(self.system, found));
+    }
+
+    fn spend_work(&self, work: usize) {
         self.work.set(self.work.get().saturating_add(work));
     }
 
     /// The amplitude over P/k₁, for base motion over Y; infinite on a resonance that nothing bounds, NaN where there is no
-    /// answer.
+    /// answer.  Below both limits it is that of the closed form, also with μ > 1, where motion from rest may end in another
+    /// state: [`from_rest`](Self::from_rest) follows it.
     pub(super) fn at(&self, r: f64, friction: Friction) -> f64 {
+        if let Friction::Ratio(beta) = friction
+            && let Ok(at) = self.system.at(r)
+            && let Ok(motion) = at.motion(beta)
+            && beta < at.sliding_limit()
+        {
+            self.asked.set(self.asked.get() + 1);
+            self.spend_work(1);
+            let motion = match self.of {
+                Of::Contact => Some(motion.contact()),
+                Of::Mass(index) => motion.mass_at(index),
+            };
+            return motion.map_or(f64::NAN, |motion| motion.amplitude());
+        }
+        self.from_rest(r, friction)
+    }
+
+    /// The same as motion from rest decides.
+    pub(super) fn from_rest(&self, r: f64, friction: Friction) -> f64 {
         self.asked.set(self.asked.get() + 1);
         let found = self.response(r, friction);
         self.spend(found.as_ref().map_err(|error| *error));

@@ -1,7 +1,7 @@
 //! What a look at a band sees at one friction ratio.
 
 use super::amplitude::Friction;
-use super::peaks::Peak;
+use super::peaks::{PLACE, Peak};
 use super::places::Place;
 
 /// Up to this ratio of two friction ratios an amplitude is expected to change by this factor at most:
@@ -103,4 +103,18 @@ pub(super) fn tops(seen: &[Seen], least: f64, closed: bool) -> Vec<Top> {
         found.push(((!plateau).then_some(ends), (own.place.r, own.value)));
     }
     found
+}
+
+/// From the largest down, each once.
+pub(super) fn sorted(mut peaks: Vec<Peak>) -> Vec<Peak> {
+    peaks.retain(|peak| !peak.value.is_nan());
+    peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
+    let mut kept: Vec<Peak> = Vec::new();
+    for peak in peaks {
+        let known = |other: &Peak| (other.r - peak.r).abs() <= 64.0 * PLACE * peak.r;
+        if !kept.iter().any(known) {
+            kept.push(peak);
+        }
+    }
+    kept
 }

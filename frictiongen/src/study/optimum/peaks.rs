@@ -7,7 +7,7 @@
 
 use super::amplitude::{Amplitude, Friction};
 use super::line;
-use super::look::{Closely, Known, Look, Open, Seen, Top, tops};
+use super::look::{Closely, Known, Look, Open, Seen, Top, sorted, tops};
 use super::places::{Place, places};
 use crate::Of;
 use crate::study::system::System;
@@ -29,6 +29,9 @@ const ROUGHLY: f64 = 1e-3;
 const NEIGHBOUR: f64 = 2e-3;
 /// An amplitude from which on it is no finite one.
 pub(super) const POLE: f64 = 1e9;
+
+/// Amplitudes that differ by a smaller share are the same.
+const SAME: f64 = 1e-9;
 
 /// A local maximum over the band.
 #[derive(Clone, Copy, Debug)]
@@ -226,12 +229,28 @@ impl<'s> Band<'s> {
         };
         let refined = self.refined(tops, friction, finely, cutoff);
         peaks.extend(refined);
-        let peaks = sorted(peaks);
+        let mut peaks = sorted(peaks);
+        if closely == Closely::Whole {
+            self.follow_largest(&mut peaks, friction);
+        }
         let top = peaks.first().map_or(0.0, |peak| peak.value);
         Look {
             complete: top <= cutoff && !self.amplitude.is_spent(),
             peaks,
         }
+    }
+
+    /// With μ > 1 motion from rest decides also where the closed form exists: it is followed at the largest peaks.
+    fn follow_largest(&self, peaks: &mut Vec<Peak>, friction: Friction) {
+        let most = peaks.first().map_or(0.0, |peak| peak.value);
+        let largest = peaks.iter_mut().take(MOST_TOPS);
+        for peak in largest.filter(|peak| WORTH_FINELY * most <= peak.value) {
+            let value = self.amplitude.from_rest(peak.r, friction);
+            if value.is_finite() && SAME * peak.value < (value - peak.value).abs() {
+                peak.value = value;
+            }
+        }
+        *peaks = sorted(std::mem::take(peaks));
     }
 
     /// Local maxima between their neighbours: all roughly, and those that may be the largest finely.
@@ -367,18 +386,4 @@ impl<'s> Band<'s> {
         let near = |end: f64| (r - end).abs() <= 4.0 * PLACE * end;
         near(self.from) || near(self.to)
     }
-}
-
-/// From the largest down, each once.
-fn sorted(mut peaks: Vec<Peak>) -> Vec<Peak> {
-    peaks.retain(|peak| !peak.value.is_nan());
-    peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
-    let mut kept: Vec<Peak> = Vec::new();
-    for peak in peaks {
-        let known = |other: &Peak| (other.r - peak.r).abs() <= 64.0 * PLACE * peak.r;
-        if !kept.iter().any(known) {
-            kept.push(peak);
-        }
-    }
-    kept
 }

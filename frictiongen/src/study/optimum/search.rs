@@ -6,25 +6,17 @@
 //! Where neither is found, the bracket about the least seen is made narrower by golden sections, which need no slopes.
 
 use super::amplitude::Friction;
-use super::creep::{crept, meeting};
+use super::candidates::{Candidate, HOLDS, before, between, of_scan, stays, valleys};
+use super::creep::crept;
 use super::look::{Closely, Look};
 use super::peaks::{Band, Peak};
 use super::scan::{Scanned, add, best, closer, scanned, scanned_at, slope, with_slope};
 use crate::Regime;
-use std::cmp::Ordering;
 
-/// A place between two of the scan is looked into if their tangents meet below this share of the best.
-const WORTH: f64 = 1.05;
-/// So many of them are looked into, those that promise most.
-const MOST_LOOKED_INTO: usize = 6;
-/// No minimum is expected below this share of the values beside it.
-const SHARE: f64 = 0.7;
 /// A minimum in which a higher peak turns up is looked for again so often.
 const AGAIN: usize = 4;
 /// A least at which a closer look finds more is looked for again so often.
 const CHECKS: usize = 6;
-/// A closer look finds no more if it is by less than this share.
-const HOLDS: f64 = 1e-9;
 /// Steps of golden sections, and how narrow a bracket they leave.
 const SECTIONS: usize = 40;
 const NARROW: f64 = 1e-7;
@@ -70,15 +62,6 @@ pub(super) struct Least {
     /// From here on a stuck state exists over the whole band.
     pub locked_from: f64,
     pub free_to: f64,
-}
-
-/// A friction ratio that may be the best.
-#[derive(Clone, Debug)]
-struct Candidate {
-    at: Scanned,
-    bracket: [f64; 2],
-    /// Whether it was not looked for between friction ratios of the scan.
-    of_scan: bool,
 }
 
 /// The least over all friction, if some friction bounds the amplitude.
@@ -147,19 +130,6 @@ pub(super) fn near(band: &Band<'_>, ends: [f64; 2]) -> Option<Least> {
     })
 }
 
-fn of_scan(scan: &[Scanned]) -> Vec<Candidate> {
-    let beside = |place: Option<usize>| place.and_then(|place| scan.get(place));
-    let complete = scan.iter().enumerate();
-    let complete = complete.filter(|(_, at)| at.complete && at.value.is_finite());
-    let candidate = |(index, at): (usize, &Scanned)| Candidate {
-        at: at.clone(),
-        bracket: [index.checked_sub(1), Some(index + 1)]
-            .map(|place| beside(place).map_or(at.beta, |beside| beside.beta)),
-        of_scan: true,
-    };
-    complete.map(candidate).collect()
-}
-
 /// The least of the candidates, once all places have been looked at.
 fn checked(
     band: &Band<'_>,
@@ -206,83 +176,6 @@ fn checked(
     }
     let least = candidates.into_iter().min_by(|a, b| before(a, b, locked));
     least.filter(|least| least.at.value.is_finite())
-}
-
-/// The least friction ratio of the scan from which on nothing changes, with the amplitude there.
-fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
-    let last = scan.last().filter(|last| last.complete)?;
-    let same = |scanned: &&Scanned| {
-        scanned.complete && (scanned.value - last.value).abs() <= HOLDS * last.value
-    };
-    let first = scan.iter().rev().take_while(same).last()?;
-    // Held by so much that no more changes anything, or by the last of the scan alone.
-    Some((if last.whole { last.beta } else { first.beta }, last.value))
-}
-
-/// Of equal ones first that from which on nothing changes, then that of the least friction.
-fn before(a: &Candidate, b: &Candidate, stays: Option<(f64, f64)>) -> Ordering {
-    let rank = |candidate: &Candidate| {
-        let Scanned { beta, value, .. } = candidate.at;
-        match stays {
-            Some((from, last)) if value <= last && (last - value) <= HOLDS * last => {
-                (last, beta != from, beta)
-            }
-            Some((from, last)) if beta == from && value <= last * (1.0 + HOLDS) => {
-                (last, false, beta)
-            }
-            _ => (value, true, beta),
-        }
-    };
-    let (a, b) = (rank(a), rank(b));
-    let order = a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
-    order.then(a.2.total_cmp(&b.2))
-}
-
-/// Neighbours of the scan between which there is a minimum that may be the least.
-fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
-    let pairs = scan.windows(2).filter_map(|pair| match pair {
-        [below, above] => Some((below, above)),
-        _ => None,
-    });
-    let mut found: Vec<(f64, (Scanned, Scanned))> = pairs
-        .filter_map(|(below, above)| {
-            if !(above.value.is_finite() && 0.0 <= above.slope) {
-                return None;
-            }
-            if !below.value.is_finite() {
-                // Beyond the friction that bounds a resonance.
-                return Some((0.0, (below.clone(), above.clone())));
-            }
-            let falls = below.slope < 0.0;
-            // Where steady states change, a slope of a place says nothing of the next.
-            let least = SHARE * below.value.min(above.value);
-            // Where the tangents do not meet between, the amplitude is not convex there, and they tell nothing.
-            let low = meeting(below, above).map_or(least, |(_, value)| value.max(least));
-            (falls && low <= WORTH * best).then(|| (low, (below.clone(), above.clone())))
-        })
-        .collect();
-    found.sort_by(|(a, _), (b, _)| a.total_cmp(b));
-    found
-        .into_iter()
-        .take(MOST_LOOKED_INTO)
-        .map(|(_, pair)| pair)
-        .collect()
-}
-
-/// Friction ratios of the scan that are no worse than their neighbours and promise to be the best.
-fn valleys(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned, Scanned)> {
-    let triples = scan.windows(3).filter_map(|triple| match triple {
-        [below, at, above] => {
-            let lower = at.value <= below.value && at.value < above.value;
-            let worth = at.complete && 0.0 < at.value && at.value <= WORTH * best;
-            (lower && worth).then(|| (below.clone(), at.clone(), above.clone()))
-        }
-        _ => None,
-    });
-    let mut found: Vec<_> = triples.collect();
-    found.sort_by(|(_, a, _), (_, b, _)| a.value.total_cmp(&b.value));
-    found.truncate(MOST_LOOKED_INTO);
-    found
 }
 
 /// The minimum between two friction ratios, looked at once more over the whole band; none if it is not below `best`.
