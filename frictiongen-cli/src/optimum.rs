@@ -11,7 +11,8 @@ use crate::summary::Summary;
 use crate::table::Column;
 use frictiongen::System;
 use frictiongen::study::{
-    FrequencyBand, OperatingPoint, Optimum, OptimumError, OptimumRequest, TunedPoint, Tuning, words,
+    FrequencyBand, OperatingPoint, Optimum, OptimumEnd, OptimumError, OptimumRequest, TunedPoint,
+    Tuning, words,
 };
 use frictiongen_codegen::Limits;
 use std::io::Write;
@@ -154,6 +155,13 @@ impl OptimumReport {
         );
         let kind = words::kind(optimum.kind);
         add("what limits it".to_owned(), kind.into(), "");
+        let end = words::end(optimum.end);
+        add("how the search ended".to_owned(), end.into(), "");
+        if optimum.end != OptimumEnd::Converged {
+            let [from, to] = optimum.bracket.map(friction);
+            add("the least lies from".to_owned(), from.0.into(), from.1);
+            add("the least lies to".to_owned(), to.0.into(), to.1);
+        }
         for peak in &optimum.peaks {
             let at = if peak.at_end {
                 "peak at the end of the band at"

@@ -6,7 +6,7 @@
 
 use frictiongen::Of;
 use frictiongen::study::{
-    FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumRequest, System,
+    FrequencyBand, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest, System,
 };
 use std::f64::consts::FRAC_PI_4;
 use std::time::Instant;
@@ -160,15 +160,18 @@ fn where_steady_states_jump() {
     }
 }
 
-/// A mass on a moving base: stuck to it, it moves as the base does, which no friction betters below r = √2.
+/// A mass on a moving base, from rest: more friction holds it off the base's centre, farther at low frequencies, less lets it
+/// resonate.  A little more or less is worse.
 #[test]
-fn one_mass_is_best_stuck() {
+fn one_mass_between_its_resonance_and_its_offset() {
     let (system, request) = asked(BLOCK, "a", 0.3, 2.0);
     let (optimum, _) = optimum(&system, &request);
-    assert_eq!(optimum.kind, OptimumKind::Stuck);
-    assert!((optimum.amplitude - 1.0).abs() < 1e-12);
+    assert_eq!(optimum.kind, OptimumKind::EqualPeaks);
+    assert_eq!(optimum.end, OptimumEnd::Converged);
+    // Held from the start, where the base is at its maximum, the mass moves between 0 and −2 Y.
+    assert!((optimum.with_contact_locked - 2.0).abs() < 1e-12);
     let mut count = 0;
-    for share in [0.5, 1.0, 2.0] {
+    for share in [0.5, 0.99, 1.01, 2.0] {
         let beside = largest(
             &system,
             request.of,
@@ -176,17 +179,8 @@ fn one_mass_is_best_stuck() {
             optimum.beta * share,
             &mut count,
         );
-        assert!(
-            optimum.amplitude <= beside * (1.0 + 1e-12),
-            "{share}: {beside}"
-        );
+        assert!(optimum.amplitude < beside, "{share}: {beside}");
     }
-    assert!(
-        optimum
-            .tolerances
-            .iter()
-            .all(|tolerance| tolerance.to.is_infinite())
-    );
 }
 
 /// One undamped mass that rubs on a wall: below π/4 its resonance is unbounded, above it is not, and from 1 on it is at rest;
@@ -244,15 +238,16 @@ fn a_mode_that_the_contact_does_not_touch() {
     }
 }
 
-/// One that the contact barely touches: hundreds of motions do not settle, and the search stops.
+/// One that the contact barely touches: hundreds of motions do not settle, and the search answers with the best so far.
 #[test]
-#[ignore = "all the amplitudes that are allowed: half a minute"]
-fn a_search_that_is_too_long_stops() {
+#[ignore = "all the work that is allowed: some seconds"]
+fn a_search_whose_work_is_bounded_keeps_the_best() {
     let (system, request) = asked(&chain(1.001), "a", 1.41, 1.42);
     let start = Instant::now();
     let found = system.optimum(&request);
-    println!("stopped after {:.1} s", start.elapsed().as_secs_f64());
-    assert_eq!(found.err(), Some(OptimumError::TooLong));
+    println!("{found:?} after {:.1} s", start.elapsed().as_secs_f64());
+    let found = found.expect("the best so far");
+    assert!(found.amplitude.is_finite() && found.bracket[0] <= found.beta);
 }
 
 /// The tour's frame and the absorber by maps.

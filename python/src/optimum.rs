@@ -37,7 +37,11 @@ pub fn optimum<'py>(
     let length = |name: &str| measure.name(name, "_m");
     once.numbers(length("amplitude"), vec![measure.length(optimum.amplitude)])?;
     once.words("kind", Words::from_iter([words::kind(optimum.kind)]))?;
+    once.words("end", Words::from_iter([words::end(optimum.end)]))?;
+    let [from, to] = optimum.bracket;
     for (name, beta) in [
+        ("bracket_from", from),
+        ("bracket_to", to),
         ("unbounded_to", optimum.unbounded_to),
         ("free_of_sticking", optimum.free_of_sticking),
         ("locked", optimum.locked),

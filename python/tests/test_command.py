@@ -178,6 +178,7 @@ def test_optimum(command):
         "beta": best.beta,
         "largest amplitude of lower": best.amplitude_m,
         "what limits it": best.kind,
+        "how the search ended": best.end,
         "nothing sticks up to": best.free_of_sticking_N,
         "stuck over the whole band from": best.locked_N,
         "largest amplitude without friction": best.without_friction_m,

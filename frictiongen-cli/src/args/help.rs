@@ -179,6 +179,8 @@ What is searched:
 Quantities:
   friction     in N with a load, else beta
   what limits it  equal peaks: one rises with friction, another falls; or one peak at its least
+  how the search ended  converged; or at a jump to a larger steady state; or the work of one search was
+                  done, and it is the best so far: the least then lies between two frictions
   above the best  the friction between which the largest amplitude is within 1, 5 and 10 per cent
   per cent of it  how the optimum moves with each parameter, while friction follows; with a load
 

@@ -17,7 +17,8 @@ What is chosen where nothing is given, and said on the page:
              friction; without friction and with the contact stuck besides
   motions    the contact and every mass of up to four; of a longer chain the contact, its mass, the
              one that the load acts on, the last and the one that moves farthest with the contact stuck
-  best       the exact optimum of up to four masses; of a longer chain the best of some frictions tried
+  best       the friction that `frictiongen optimum` finds, for up to four motions; of a longer chain
+             than four masses for the two that are largest with the contact stuck
 Without --base or --force the page is in the groups r and beta.
 
 ";

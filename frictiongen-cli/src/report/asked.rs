@@ -97,6 +97,11 @@ impl Asked {
         evenly(&self.band, count)
     }
 
+    /// The masses by how far they move with the contact stuck, the farthest first.
+    pub fn farthest_if_stuck(&self) -> Vec<usize> {
+        farthest_if_stuck(&self.system, &self.band)
+    }
+
     /// The sliding limits over the range, ascending; without those that are infinite.
     pub fn sliding_limits(&self) -> Vec<f64> {
         let at = |r: f64| Some(self.system.at(r).ok()?.sliding_limit());
@@ -152,16 +157,21 @@ fn evenly(band: &Band, count: usize) -> impl Iterator<Item = f64> + use<> {
     })
 }
 
-/// The mass that too much friction does most harm to.
-fn farthest_if_stuck(system: &System, band: &Band) -> Option<usize> {
+/// The masses by how far they move with the contact stuck, the farthest first.
+fn farthest_if_stuck(system: &System, band: &Band) -> Vec<usize> {
     let stuck = evenly(band, PLACES).filter_map(|r| system.at(r).ok()?.stuck().ok());
-    let each = stuck.flat_map(|stuck| {
-        let masses = 0..system.scene().masses.len();
-        let sizes = masses.filter_map(|mass| Some((mass, units::polar(stuck.mass_at(mass)?).0)));
-        sizes.collect::<Vec<_>>()
-    });
-    let most = each.max_by(|a, b| a.1.total_cmp(&b.1));
-    most.map(|(mass, _)| mass)
+    let mut most = vec![(0.0_f64, 0); system.scene().masses.len()];
+    for (mass, place) in most.iter_mut().enumerate() {
+        place.1 = mass;
+    }
+    for stuck in stuck {
+        for (size, mass) in &mut most {
+            let motion = stuck.mass_at(*mass);
+            *size = motion.map_or(*size, |motion| size.max(units::polar(motion).0));
+        }
+    }
+    most.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    most.into_iter().map(|(_, mass)| mass).collect()
 }
 
 fn two_digits(value: f64) -> f64 {
@@ -213,7 +223,7 @@ fn shown(system: &System, band: &Band, chosen: &mut Vec<String>) -> Result<Vec<P
             )
         }
     }
-    kept.extend(farthest_if_stuck(system, band));
+    kept.extend(farthest_if_stuck(system, band).first());
     chosen.push(format!(
         "Of {count} masses those are shown at which the contact rubs or the load acts, the last, and the one that would move \
          farthest with the contact stuck; --of shows others."

@@ -1,30 +1,28 @@
 //! The best friction for each mass that is shown.
 
-use super::answer::{Answer, Peak};
 use super::asked::Asked;
 use super::found::at_once;
-use super::response::Responses;
-use super::tried::Trial;
 use super::words::{Words, number, object};
 use crate::asked::Part;
-use frictiongen::study::{FrequencyBand, OptimumKind, OptimumRequest, words};
-use frictiongen::{Error, Of};
+use frictiongen::Of;
+use frictiongen::study::{FrequencyBand, Optimum, OptimumEnd, OptimumKind, OptimumRequest, words};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// The most masses of a chain whose exact optimum is looked for: of longer ones it takes minutes.
-const EXACT: usize = 4;
-/// The most masses of a chain whose best friction is looked for among some.
+/// The most masses of a chain whose best friction is looked for.
 const MOST_MASSES: usize = 16;
-/// The most motions whose best friction is looked for.
+/// The most motions whose best friction is looked for,
 const MOST_MOTIONS: usize = 4;
+/// up to so many masses; of longer chains so many motions.
+const ALL_MOTIONS: usize = 4;
+const MOST_OF_LONG: usize = 2;
 
 /// The best friction for one motion, or why there is none.
 pub struct Best {
     /// Of which motion.
     pub part: Part,
     /// What was found.
-    pub found: Result<Answer, String>,
+    pub found: Result<Optimum, String>,
 }
 
 /// The best frictions, or why none was looked for.
@@ -39,9 +37,22 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let only_contact = asked.parts.iter().all(|part| part.of == Of::Contact);
     let parts = asked.parts.iter();
     let parts = parts.filter(|part| only_contact || part.of != Of::Contact);
-    let parts: Vec<Part> = parts.take(MOST_MOTIONS).cloned().collect();
-    if EXACT < masses {
-        return tried(asked, parts).map_err(|error| error.to_string());
+    let mut parts: Vec<Part> = parts.cloned().collect();
+    // Those that too much friction does most harm to.
+    let farthest = asked.farthest_if_stuck();
+    let rank = |part: &Part| match part.of {
+        Of::Mass(mass) => farthest.iter().position(|other| *other == mass),
+        Of::Contact => None,
+    };
+    let most = if masses <= ALL_MOTIONS {
+        MOST_MOTIONS
+    } else {
+        MOST_OF_LONG
+    };
+    let mut ranks: Vec<usize> = parts.iter().filter_map(rank).collect();
+    ranks.sort_unstable();
+    if let Some(last) = ranks.get(most.saturating_sub(1)) {
+        parts.retain(|part| rank(part).is_some_and(|rank| rank <= *last));
     }
     let best = |part: Part| {
         let found = asked.system.optimum(&OptimumRequest {
@@ -49,50 +60,27 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
             band: FrequencyBand::Ratio(asked.band.from, asked.band.to),
             load: asked.words.measure.load(),
         });
-        let found = found.map(Answer::exact).map_err(|error| error.to_string());
+        let found = found.map_err(|error| error.to_string());
         Best { part, found }
     };
     Ok(at_once(parts, best))
 }
 
-/// The same of some frictions tried.
-fn tried(asked: &Asked, parts: Vec<Part>) -> Result<Vec<Best>, Error> {
-    let mut trial = Trial::of(asked, parts.iter().map(|part| part.of).collect())?;
-    let best = |(place, part): (usize, Part)| {
-        let found = trial.best(asked, place)?;
-        let found = found.ok_or_else(|| {
-            "with every friction tried a resonance is without bound: nothing damps it".to_owned()
-        });
-        Ok(Best { part, found })
-    };
-    parts.into_iter().enumerate().map(best).collect()
+/// Up to which friction nothing sticks anywhere in the range, and from which on a stuck state exists all over it.
+pub fn limits(best: &Result<Vec<Best>, String>) -> Option<(f64, f64)> {
+    let mut all = best.iter().flatten();
+    let found = all.find_map(|best| best.found.as_ref().ok())?;
+    Some((found.free_of_sticking, found.locked))
 }
 
-/// Takes a larger amplitude that a curve with the best friction has: where steady states jump, a narrow peak may lie between
-/// the frequencies tried.
-pub fn met(best: &mut Result<Vec<Best>, String>, asked: &Asked, responses: &Responses) {
-    let all = best.iter_mut().flatten();
-    for Best { part, found } in all {
-        let Ok(answer) = found else { continue };
-        let place = asked.parts.iter().position(|known| known.of == part.of);
-        let peak = place.and_then(|place| responses.largest(answer.beta, place));
-        if let Some((amplitude, r, regime)) = peak
-            && answer.tried.is_some()
-            && answer.amplitude < amplitude
-        {
-            answer.amplitude = amplitude;
-            answer.peaks = vec![Peak {
-                r,
-                amplitude,
-                regime,
-                at_end: r == asked.band.from || r == asked.band.to,
-            }];
-        }
-    }
+/// Between which frictions the largest amplitude is at most a tenth above the best.
+pub fn within(optimum: &Optimum) -> Option<(f64, f64)> {
+    let widest = optimum.tolerances.last();
+    widest.map(|widest| (widest.from, widest.to))
 }
 
 /// The one for what moves farthest.
-pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Answer)> {
+pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
     let all = best.as_ref().ok()?.iter();
     let found = all.filter_map(|best| Some((best, best.found.as_ref().ok()?)));
     // A mass that a contact can hold at rest asks for no choice.
@@ -101,15 +89,16 @@ pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Answer)> {
 }
 
 /// What limits the amplitude there, in words.
-pub fn kind(kind: Option<OptimumKind>) -> &'static str {
-    match kind {
-        None => "less friction or more makes it larger",
-        Some(OptimumKind::EqualPeaks) => {
+pub fn kind(optimum: &Optimum) -> &'static str {
+    match (optimum.kind, optimum.end) {
+        (_, OptimumEnd::WorkSpent) => words::end(optimum.end),
+        (OptimumKind::EqualPeaks, _) => {
             "two peaks are equally high: with more friction one grows, with less the other"
         }
-        Some(OptimumKind::SinglePeak) => "one peak is at its least",
-        Some(OptimumKind::NoFriction) => "any friction makes it worse",
-        Some(OptimumKind::Stuck) => "the contact is best stuck; more friction changes nothing",
+        (OptimumKind::SinglePeak, OptimumEnd::Jump) => words::end(optimum.end),
+        (OptimumKind::SinglePeak, _) => "one peak is at its least",
+        (OptimumKind::NoFriction, _) => "any friction makes it worse",
+        (OptimumKind::Stuck, _) => "the contact is best stuck; more friction changes nothing",
     }
 }
 
@@ -126,11 +115,8 @@ pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
                         "The friction that keeps the largest amplitude between "
                         (words.frequency(asked.band.from)) " and " (words.frequency(asked.band.to))
                         " smallest, over all regimes. Where friction may be from … to …, that amplitude is at most a tenth above its least."
-                        @if let Some((frictions, frequencies)) = all.iter().find_map(|best| best.found.as_ref().ok()?.tried) {
-                            " Of so long a chain these are the best of some " (frictions) " frictions tried at " (frequencies)
-                            " frequencies, closely about all resonances, free and with the contact stuck: right to about a twentieth of the friction. \
-                             Where steady states jump, an amplitude may have a narrow peak between them. "
-                            "“frictiongen optimum” finds all digits for one motion over a narrower range."
+                        @if all.len() < asked.parts.iter().filter(|part| part.of != Of::Contact).count() {
+                            " They are listed of the motions that are largest with the contact stuck; “frictiongen optimum” has the others."
                         }
                     }
                     div.scroll tabindex="0" role="region" aria-label="Best frictions" {
@@ -171,7 +157,7 @@ fn row(best: &Best, asked: &Asked) -> Markup {
             @match &best.found {
                 Err(error) => td colspan="7" { "none: " (error) },
                 Ok(optimum) => {
-                    td { (words.friction(optimum.beta)) @if optimum.kind == Some(OptimumKind::Stuck) { " or more" } }
+                    td { (words.friction(optimum.beta)) @if optimum.kind == OptimumKind::Stuck { " or more" } }
                     td { (bound(words, optimum.amplitude)) }
                     td {
                         @for (index, peak) in optimum.peaks.iter().enumerate().filter(|(_, peak)| peak.amplitude > 0.0) {
@@ -183,12 +169,12 @@ fn row(best: &Best, asked: &Asked) -> Markup {
                     td { (bound(words, optimum.without_friction)) }
                     td { (bound(words, optimum.with_contact_locked)) }
                     td {
-                        @if let Some((from, to)) = optimum.within {
+                        @if let Some((from, to)) = within(optimum) {
                             (words.friction(from))
                             @if to.is_finite() { " … " (words.friction(to)) } @else { " on" }
                         }
                     }
-                    td { (kind(optimum.kind)) }
+                    td { (kind(optimum)) }
                 }
             }
         }
@@ -205,7 +191,7 @@ pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
             let name = |name: &str| words.measure.length_name(name);
             let mut fields: Vec<(String, Json)> = vec![
                 ("of".to_owned(), best.part.name.as_str().into()),
-                ("limited_by".to_owned(), kind(optimum.kind).into()),
+                ("limited_by".to_owned(), kind(optimum).into()),
                 (name("amplitude"), length(optimum.amplitude)),
                 (name("without_friction"), length(optimum.without_friction)),
                 (
@@ -216,15 +202,14 @@ pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
             let owned = |(name, value): (&str, Json)| (name.to_owned(), value);
             fields.extend(words.friction_json(optimum.beta).into_iter().map(owned));
             let limit = |beta: f64| object(words.friction_json(beta));
-            if let Some(exact) = &optimum.exact {
-                let free = limit(exact.free_of_sticking);
-                fields.push(("nothing_sticks_up_to".to_owned(), free));
-                fields.push(("stuck_from".to_owned(), limit(exact.locked)));
-            }
-            if let Some((frictions, frequencies)) = optimum.tried {
-                let tried = json!({ "frictions": frictions, "frequencies": frequencies });
-                fields.push(("tried".to_owned(), tried));
-            }
+            fields.push((
+                "nothing_sticks_up_to".to_owned(),
+                limit(optimum.free_of_sticking),
+            ));
+            fields.push(("stuck_from".to_owned(), limit(optimum.locked)));
+            fields.push(("end".to_owned(), words::end(optimum.end).into()));
+            let [from, to] = optimum.bracket.map(limit);
+            fields.push(("bracket".to_owned(), json!({ "from": from, "to": to })));
             let peaks = optimum.peaks.iter().map(|peak| {
                 let mut fields: Vec<(String, Json)> = words
                     .frequency_json(&asked.system, peak.r)
@@ -236,19 +221,9 @@ pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
                 object(fields)
             });
             fields.push(("peaks".to_owned(), peaks.collect()));
-            let within: Vec<(f64, f64, f64)> = match &optimum.exact {
-                Some(exact) => {
-                    let all = exact.tolerances.iter();
-                    all.map(|one| (one.excess, one.from, one.to)).collect()
-                }
-                None => {
-                    let within = optimum.within.into_iter();
-                    within.map(|(from, to)| (0.1, from, to)).collect()
-                }
-            };
-            let within = within.into_iter().map(
-                |(excess, from, to)| json!({ "excess": excess, "from": limit(from), "to": limit(to) }),
-            );
+            let within = optimum.tolerances.iter().map(|within| {
+                json!({ "excess": within.excess, "from": limit(within.from), "to": limit(within.to) })
+            });
             fields.push(("within".to_owned(), within.collect()));
             object(fields)
         }

@@ -46,8 +46,8 @@ fn cells(masses: usize) -> Option<(usize, usize)> {
 }
 
 impl Regimes {
-    /// Over the range, and over frictions with room for some levels.
-    pub fn of(asked: &Asked, levels: &[f64]) -> Result<Self, Failure> {
+    /// Over the range, and over frictions with room for some levels; `known` are the ends of both limits.
+    pub fn of(asked: &Asked, levels: &[f64], known: Option<(f64, f64)>) -> Result<Self, Failure> {
         let system = &asked.system;
         let (from, to) = (asked.band.from, asked.band.to);
         let lines = system.limit_lines(from, to, LINES).map_err(Failure::new)?;
@@ -57,9 +57,16 @@ impl Regimes {
                 (low.min(limit), high.max(limit))
             })
         };
+        // As the best frictions know them: a line goes through points.
+        let (continuous_to, stuck_from) = known.unwrap_or_else(|| {
+            (
+                ends(|limits| limits.continuous.min(limits.sliding)).0,
+                ends(|limits| limits.sliding).1,
+            )
+        });
         let spread = Spread {
-            continuous_to: ends(|limits| limits.continuous.min(limits.sliding)).0,
-            stuck_from: ends(|limits| limits.sliding).1,
+            continuous_to,
+            stuck_from,
         };
         let limits = asked.sliding_limits();
         let most = limits.get(limits.len() * 17 / 20).copied().unwrap_or(1.0);

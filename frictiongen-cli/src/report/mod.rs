@@ -1,6 +1,5 @@
 //! `frictiongen report`: everything about a description on one page of HTML, without network.
 
-mod answer;
 mod asked;
 mod best;
 mod cost;
@@ -13,7 +12,6 @@ mod plot;
 mod response;
 mod scene;
 mod summary;
-mod tried;
 mod words;
 
 use crate::args::ReportArguments;
@@ -40,18 +38,17 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
     let documentation = description.documentation();
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let mut asked = Asked::of(arguments, system)?;
-    let mut best = best::search(&asked);
+    let best = best::search(&asked);
     let best_beta = best::worst(&best).map(|(_, optimum)| optimum.beta);
     let levels = asked.levels(best_beta);
     let responses = response::Responses::of(&asked, &levels, best_beta)?;
-    best::met(&mut best, &asked, &responses);
     let features = features::Features::of(&asked, &levels, best_beta);
     let page = Page {
         file: &name,
         documentation: &documentation,
         modes: modes::Modes::of(&asked),
         responses,
-        regimes: map::Regimes::of(&asked, &levels)?,
+        regimes: map::Regimes::of(&asked, &levels, best::limits(&best))?,
         features,
         cost: cost::Cost::of(&text, &asked),
         best,

@@ -19,6 +19,8 @@ use serde_json::{Value as Json, json};
 const ROWS: usize = 31;
 /// The most stretches of one regime that are told in words.
 const MOST_STRETCHES: usize = 6;
+/// The work of a curve: a page has up to eight.
+const WORK: usize = 60_000;
 /// How many decades an axis of amplitudes shows.
 const DECADES: f64 = 1e-4;
 
@@ -45,6 +47,7 @@ impl Responses {
         let request = CurveRequest {
             accuracy: accuracy(asked.system.scene().masses.len()),
             turned: words.measure.turns_contact(),
+            work: WORK,
             ..CurveRequest::new(asked.band.from, asked.band.to, &of)
         };
         let symbol = if words.measure.scale().is_some() {
@@ -260,12 +263,6 @@ impl Responses {
                 }
             }
         }
-    }
-
-    /// The largest amplitude along the curve of a friction, if that is drawn, and where.
-    pub fn largest(&self, beta: f64, part: usize) -> Option<(f64, f64, Regime)> {
-        let level = self.levels.iter().find(|level| level.beta == beta)?;
-        Self::peak(level, part)
     }
 
     /// The largest amplitude of each curve.

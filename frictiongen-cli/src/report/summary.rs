@@ -7,7 +7,7 @@ use super::modes::Modes;
 use super::response::Responses;
 use super::words::digits;
 use frictiongen::study::scene::Excitation;
-use frictiongen::study::{Load, OptimumKind};
+use frictiongen::study::{Load, OptimumEnd, OptimumKind};
 use maud::{Markup, html};
 
 /// The most resonances that are named.
@@ -45,16 +45,16 @@ pub fn html(
                 @if let Some((best, optimum)) = best::worst(best) {
                     li {
                         @match optimum.kind {
-                            Some(OptimumKind::NoFriction) => {
+                            OptimumKind::NoFriction => {
                                 strong { "No friction is best" } " for " strong { (best.part.name) } ", which moves farthest: at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
                             }
-                            Some(OptimumKind::Stuck) => {
+                            OptimumKind::Stuck => {
                                 "For " strong { (best.part.name) } ", which moves farthest, the contact is best stuck: from "
                                 (words.friction(optimum.beta)) " on, at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
                             }
-                            Some(OptimumKind::EqualPeaks | OptimumKind::SinglePeak) | None => {
+                            OptimumKind::EqualPeaks | OptimumKind::SinglePeak => {
                                 strong { "Best friction: " (words.friction(optimum.beta)) }
-                                @if optimum.tried.is_some() { ", the best of those tried" } ", chosen for " strong { (best.part.name) }
+                                @if optimum.end == OptimumEnd::WorkSpent { ", the best seen in the time" } ", chosen for " strong { (best.part.name) }
                                 ", which moves farthest. With it that moves by at most "
                                 strong { (words.length(optimum.amplitude)) } " between " (from) " and " (to) ". The most without friction: "
                                 (best::bound(words, optimum.without_friction)) ", with the contact stuck: "
@@ -62,7 +62,7 @@ pub fn html(
                             }
                         }
                     }
-                    @if let (Some((from, to)), Some(OptimumKind::EqualPeaks | OptimumKind::SinglePeak) | None) = (optimum.within, optimum.kind) {
+                    @if let (Some((from, to)), OptimumKind::EqualPeaks | OptimumKind::SinglePeak) = (best::within(optimum), optimum.kind) {
                         li {
                             "It need not be exact: from " (words.friction(from)) " to " (words.friction(to))
                             " the largest amplitude stays within a tenth of its least."

@@ -26,6 +26,7 @@ mod stepper;
 mod system;
 pub mod units;
 pub mod words;
+mod work;
 
 pub use at::SystemAt;
 pub use builder::Builder;
@@ -50,8 +51,8 @@ pub use history::{
 pub use map::{Boundary, LimitLines, Map, MapColumn, MapPoint, MapRequest, Pattern};
 pub use motion::{SystemMotion, SystemSteady, SystemStuck};
 pub use optimum::{
-    FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumPeak, OptimumRequest, Tolerance,
-    Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable,
+    FrequencyBand, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumPeak, OptimumRequest,
+    Tolerance, Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable,
 };
 pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
 pub use parameter::{OperatingPoint, Parameter, Slope};

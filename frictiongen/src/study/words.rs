@@ -1,8 +1,8 @@
 //! What regimes, answers, events and features are called: one word for each, in tables, files and every language.
 
 use super::{
-    Certainty, Condition, Edge, InvariantPoint, Measured, NoDerivative, OptimumKind, StudyError,
-    SystemOrbit, SystemResponse,
+    Certainty, Condition, Edge, InvariantPoint, Measured, NoDerivative, OptimumEnd, OptimumKind,
+    StudyError, SystemOrbit, SystemResponse,
 };
 #[cfg(feature = "desk")]
 use super::{CurvePoint, Pattern};
@@ -151,6 +151,18 @@ pub fn kind(kind: OptimumKind) -> &'static str {
         OptimumKind::SinglePeak => "one peak at its least",
         OptimumKind::NoFriction => "friction only does harm",
         OptimumKind::Stuck => "stuck: more friction changes nothing",
+    }
+}
+
+/// How the search for an optimum ended, in words.
+#[must_use]
+pub fn end(end: OptimumEnd) -> &'static str {
+    match end {
+        OptimumEnd::Converged => "converged",
+        OptimumEnd::Jump => "at a jump to a larger steady state",
+        OptimumEnd::WorkSpent => {
+            "the best so far: the work of one search was done before it converged"
+        }
     }
 }
 

@@ -12,6 +12,8 @@ pub struct Curve {
     pub pieces: Vec<Piece>,
     /// Where there is no answer.
     pub gaps: Vec<Gap>,
+    /// Whether straight lines stray no farther than was asked; otherwise the work that one curve may take was done before.
+    pub refined: bool,
 }
 
 /// A part of a curve in one regime, whose points may be joined.

@@ -4,10 +4,12 @@
 //! found to rounding, so that no picture joins what is not joined.
 
 mod answer;
+mod pieces;
 mod places;
 mod point;
 mod refine;
 mod request;
+mod straight;
 
 pub use answer::{Curve, End, Gap, Piece};
 pub use point::{CurvePoint, Movement};
@@ -53,9 +55,6 @@ impl System {
         let places = places::places(self, request, beta);
         let refine = Refine::new(self, request, beta);
         let ends: Vec<Node> = places.par_iter().map(|place| refine.node(place)).collect();
-        let refine = refine.scaled(&ends);
-        let parts: Vec<Vec<Node>> = ends.par_windows(2).map(|pair| refine.part(pair)).collect();
-        let last = ends.into_iter().next_back();
-        Ok(refine.curve(parts.into_iter().flatten().chain(last)))
+        Ok(refine.refined(ends))
     }
 }

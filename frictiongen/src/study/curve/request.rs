@@ -2,6 +2,9 @@
 
 use crate::Of;
 
+/// The work of a curve beside its first grid: some seconds.
+const WORK: usize = 200_000;
+
 /// What is asked of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurveRequest {
@@ -22,6 +25,9 @@ pub struct CurveRequest {
     /// Whether the contact's motion is wanted with the opposite sign, as
     /// [`System::contact_is_reversed`](crate::study::System::contact_is_reversed) asks for.
     pub turned: bool,
+    /// How much work points beside those of the first grid may take: that of so many answers of the closed form, of some 10 µs
+    /// each.  It is counted, so that a curve is the same on every machine.
+    pub work: usize,
 }
 
 impl CurveRequest {
@@ -37,6 +43,7 @@ impl CurveRequest {
             harmonics: Vec::new(),
             rates: false,
             turned: false,
+            work: WORK,
         }
     }
 

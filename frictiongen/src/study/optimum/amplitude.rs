@@ -3,14 +3,10 @@
 use crate::study::physical::swing;
 use crate::study::sensitivity::Varied;
 use crate::study::system::System;
+use crate::study::work::work;
 use crate::study::{Sensitive, SystemResponse};
 use crate::{Error, NoOrbit, NotContinuous, Of, Regime};
 use std::cell::Cell;
-
-/// So many amplitudes are asked for at most.
-const MOST: usize = 250_000;
-/// One whose motion does not settle, or that has no answer, takes as long as so many for each mass.
-const UNSETTLED: usize = 100;
 
 /// How much friction there is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +26,8 @@ pub(in crate::study) struct Amplitude<'s> {
     pub asked: Cell<usize>,
     /// The same, with those that take longer counted as often as they are long.
     work: Cell<usize>,
+    /// How much of that is allowed.
+    most: Cell<usize>,
     /// How often there was no answer.
     pub silent: Cell<usize>,
 }
@@ -42,6 +40,7 @@ impl<'s> Amplitude<'s> {
             unvaried: system.unvaried(),
             asked: Cell::new(0),
             work: Cell::new(0),
+            most: Cell::new(usize::MAX),
             silent: Cell::new(0),
         }
     }
@@ -54,32 +53,54 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// Whether there has been so much work that there are no more answers.
+    /// Whether the work that is allowed is done.
     pub(super) fn is_spent(&self) -> bool {
-        MOST <= self.work.get()
+        self.most.get() <= self.work.get()
     }
 
-    fn spend(&self, work: usize) {
-        self.work.set(self.work.get() + work);
+    /// Allows so much work from here on.
+    pub(super) fn allow(&self, work: usize) {
+        self.most.set(self.work.get().saturating_add(work));
+    }
+
+    fn spend(&self, found: Result<&SystemResponse<'_>, Error>) {
+        self.spend_work(work(self.system, found));
+    }
+
+    fn spend_work(&self, work: usize) {
+        self.work.set(self.work.get().saturating_add(work));
     }
 
     /// The amplitude over P/k₁, for base motion over Y; infinite on a resonance that nothing bounds, NaN where there is no
-    /// answer, and once the work is spent.
+    /// answer.  Below both limits it is that of the closed form, also with μ > 1, where motion from rest may end in another
+    /// state: [`from_rest`](Self::from_rest) follows it.
     pub(super) fn at(&self, r: f64, friction: Friction) -> f64 {
-        if self.is_spent() {
-            return f64::NAN;
+        if let Friction::Ratio(beta) = friction
+            && let Ok(at) = self.system.at(r)
+            && let Ok(motion) = at.motion(beta)
+            && beta < at.sliding_limit()
+        {
+            self.asked.set(self.asked.get() + 1);
+            self.spend_work(1);
+            let motion = match self.of {
+                Of::Contact => Some(motion.contact()),
+                Of::Mass(index) => motion.mass_at(index),
+            };
+            return motion.map_or(f64::NAN, |motion| motion.amplitude());
         }
+        self.from_rest(r, friction)
+    }
+
+    /// The same as motion from rest decides.
+    pub(super) fn from_rest(&self, r: f64, friction: Friction) -> f64 {
         self.asked.set(self.asked.get() + 1);
-        self.spend(1);
-        let found = self.response(r, friction).map(|response| {
-            if !response.is_settled() {
-                self.spend(UNSETTLED * self.system.scene().masses.len());
-            }
-            let swing = response.swing(self.of);
-            swing.map_or(f64::NAN, |swing| swing.amplitude)
-        });
+        let found = self.response(r, friction);
+        self.spend(found.as_ref().map_err(|error| *error));
         match found {
-            Ok(amplitude) => amplitude,
+            Ok(response) => {
+                let swing = response.swing(self.of);
+                swing.map_or(f64::NAN, |swing| swing.amplitude)
+            }
             Err(
                 Error::NotContinuous(NotContinuous::Unbounded)
                 | Error::NoOrbit(NoOrbit::Unbounded)
@@ -87,7 +108,6 @@ impl<'s> Amplitude<'s> {
             ) => f64::INFINITY,
             Err(_) => {
                 self.silent.set(self.silent.get() + 1);
-                self.spend(UNSETTLED * self.system.scene().masses.len());
                 f64::NAN
             }
         }

@@ -42,6 +42,17 @@ pub struct Tolerance {
     pub to: f64,
 }
 
+/// How the search for an optimum ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OptimumEnd {
+    /// At a least: friction is found to rounding where two peaks cross, to half of the digits where one is at its least.
+    Converged,
+    /// At a jump: on one side of the bracket another steady state is reached, with a larger amplitude.
+    Jump,
+    /// The work that one search may take was done before: this is the best so far.
+    WorkSpent,
+}
+
 /// The friction that keeps the largest amplitude smallest.
 #[derive(Clone, Debug)]
 pub struct Optimum {
@@ -51,14 +62,19 @@ pub struct Optimum {
     pub amplitude: f64,
     /// What limits it.
     pub kind: OptimumKind,
+    /// How the search ended.
+    pub end: OptimumEnd,
+    /// β between which the least lies, as far as it was looked for: neighbours of the scan where it was not looked for
+    /// between them.
+    pub bracket: [f64; 2],
     /// Where it is reached.
     pub peaks: Vec<OptimumPeak>,
     /// Up to this β the amplitude at an undamped resonance of the band is unbounded; 0 where there is none.
     pub unbounded_to: f64,
     /// Up to this β nothing sticks anywhere in the band.
     pub free_of_sticking: f64,
-    /// From this β on the contact is stuck all over the band; infinite if nothing holds it on a resonance of the stuck
-    /// chain.
+    /// From this β on a stuck state exists all over the band; infinite if nothing holds the contact on a resonance of the
+    /// stuck chain.
     pub locked: f64,
     /// The largest amplitude without friction; infinite on an undamped resonance.
     pub without_friction: f64,

@@ -4,12 +4,18 @@ use super::amplitude::Friction;
 use super::answer::Tolerance;
 use super::peaks::Band;
 use super::scan::Scanned;
-use super::search::Least;
+use super::search::{End, Least};
 
 /// Steps to an end of an interval at most.
 const STEPS: usize = 40;
-/// How near to it, relative to β.
-const NEAR: f64 = 1e-9;
+/// How near to it, relative to β,
+const NEAR: f64 = 1e-8;
+/// and where the optimum itself is not known to all digits.
+const ROUGHLY: f64 = 1e-3;
+/// So many peaks are followed of each friction ratio that is known.
+const MOST_FOLLOWED: usize = 3;
+/// The work of one end.
+const WORK: usize = 12_000;
 
 /// The interval around the optimum within which the largest amplitude is at most so much above the best.
 pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Tolerance {
@@ -22,10 +28,15 @@ pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Toleranc
     let within = |scanned: &Scanned| scanned.value <= level;
     let below = least.scan.iter().rev();
     let mut below = below.filter(|scanned| scanned.beta < least.at.beta);
-    let from = edge(band, &least.at, &mut below, level).unwrap_or(0.0);
+    let near = if least.end == End::Converged {
+        NEAR
+    } else {
+        ROUGHLY
+    };
+    let from = edge(band, &least.at, &mut below, (level, near)).unwrap_or(0.0);
     let above = least.scan.iter();
     let mut above = above.filter(|scanned| least.at.beta < scanned.beta);
-    let to = match edge(band, &least.at, &mut above, level) {
+    let to = match edge(band, &least.at, &mut above, (level, near)) {
         Some(to) => to,
         // Nothing beyond is above it: the contact stuck all over the band is not either.
         None if least.locked_from.is_finite() => f64::INFINITY,
@@ -44,8 +55,9 @@ fn edge<'a>(
     band: &Band<'_>,
     best: &'a Scanned,
     outwards: &mut dyn Iterator<Item = &'a Scanned>,
-    level: f64,
+    (level, near): (f64, f64),
 ) -> Option<f64> {
+    band.amplitude.allow(WORK);
     let mut inside = best;
     let outside = loop {
         let scanned = outwards.next()?;
@@ -57,18 +69,18 @@ fn edge<'a>(
     };
     let seeds: Vec<f64> = [inside, outside, best]
         .iter()
-        .flat_map(|scanned| &scanned.peaks)
+        .flat_map(|scanned| scanned.peaks.iter().take(MOST_FOLLOWED))
         .map(|peak| peak.r)
         .collect();
     let above = |beta: f64| {
-        let peaks = band.followed(Friction::Ratio(beta), &seeds);
+        let peaks = band.followed(Friction::Ratio(beta), &seeds, level);
         peaks.first().map_or(f64::INFINITY, |peak| peak.value) - level
     };
     let (mut a, mut at_a) = (inside.beta, inside.value - level);
     let (mut b, mut at_b) = (outside.beta, outside.value - level);
     // Regula falsi with the Illinois rule; by halves towards what is unbounded.
     for _ in 0..STEPS {
-        if (b - a).abs() <= NEAR * b.abs() {
+        if (b - a).abs() <= near * b.abs() || band.amplitude.is_spent() {
             break;
         }
         let mut middle = b - at_b * (b - a) / (at_b - at_a);

@@ -2,9 +2,14 @@
 
 mod amplitude;
 mod answer;
+mod bounds;
+mod candidates;
+mod creep;
 mod flat;
 mod line;
+mod look;
 pub(in crate::study) mod peaks;
+mod places;
 mod problem;
 mod request;
 mod scan;
@@ -13,7 +18,7 @@ mod tuned;
 
 use super::system::System;
 pub(in crate::study) use amplitude::Friction;
-pub use answer::{Optimum, OptimumKind, OptimumPeak, Tolerance};
+pub use answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak, Tolerance};
 use problem::Problem;
 pub use request::{FrequencyBand, OptimumError, OptimumRequest};
 pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
@@ -24,10 +29,15 @@ impl System {
     ///
     /// The largest amplitude over the band is looked for about every resonance, of the chain and of the chain with its
     /// contact stuck, their sub-harmonics, on both sides of changes of regime and on a grid between, the least over friction by
-    /// a scan between none and so much that nothing slides.
+    /// a scan between none and so much that nothing slides.  What has a closed form comes first; a friction ratio at which that
+    /// exceeds the best so far is left, and motions are followed where they may be the largest.
     ///
-    /// It computes at most 250000 amplitudes and stops with [`OptimumError::TooLong`] beyond; one whose motion does not settle,
-    /// or that has no answer, takes longer and counts as 100 for each mass.  For two masses it takes about 30000.
+    /// The work of a search is bounded, to some seconds, and counted: the answer is the same on every machine.  Where the
+    /// bound is met, or the least is at a jump to another steady state, [`Optimum::end`] says so, and
+    /// [`Optimum::bracket`] between which friction ratios the least lies.
+    ///
+    /// With μ > 1 the search takes the closed form where β is below both limits, and follows the motion from rest at the
+    /// largest peaks of the result.
     ///
     /// ```
     /// use frictiongen::study::{FrequencyBand, Load, OptimumKind, OptimumRequest, System};

@@ -1,28 +1,37 @@
 //! The largest amplitude over a band of frequencies at one friction ratio.
 //!
 //! The band is looked at where an amplitude can bend: closely about the resonances of the chain and of the chain with its
-//! contact stuck and about their sub-harmonics, on both sides of where the regime changes, and on a grid between.  Every
-//! local maximum that may be the largest is refined to rounding.
+//! contact stuck and about their sub-harmonics, on both sides of where a limit is met, and on a grid between.  What has a
+//! closed form comes first: where that alone exceeds what is asked for, no motion is followed.  Every local maximum that may
+//! be the largest is refined.
 
 use super::amplitude::{Amplitude, Friction};
 use super::line;
+use super::look::{Closely, Known, Look, Open, Seen, Top, sorted, tops};
+use super::places::{Place, places};
 use crate::Of;
 use crate::study::system::System;
+use std::cell::{Cell, RefCell};
 
-/// Places of the grid.
-const GRID: usize = 96;
-/// Sub-harmonics of a resonance that are looked at: up to this part of it.
-const MOST_SUBHARMONICS: u32 = 9;
-/// A local maximum of the places below this share of the largest is not refined.
+/// A local maximum of the places below this share of the largest is not refined,
 const WORTH: f64 = 0.7;
+/// and not finely below this one.
+const WORTH_FINELY: f64 = 0.95;
+/// So many local maxima of motions that have to be followed are refined.
+const MOST_TOPS: usize = 8;
 /// How near to the place of a maximum a search goes: its value is then right to rounding.
-const PLACE: f64 = 2e-9;
+pub(super) const PLACE: f64 = 2e-9;
+/// The same where many friction ratios are compared,
+const NEARLY: f64 = 1e-5;
+/// and before it is known which maximum is the largest.
+const ROUGHLY: f64 = 1e-3;
 /// Where a maximum moves along, its first bracket.
 const NEIGHBOUR: f64 = 2e-3;
 /// An amplitude from which on it is no finite one.
-const POLE: f64 = 1e9;
-/// Steps in which a bound between regimes is found.
-const HALVINGS: usize = 44;
+pub(super) const POLE: f64 = 1e9;
+
+/// Amplitudes that differ by a smaller share are the same.
+const SAME: f64 = 1e-9;
 
 /// A local maximum over the band.
 #[derive(Clone, Copy, Debug)]
@@ -39,21 +48,41 @@ pub(in crate::study) struct Band<'s> {
     from: f64,
     to: f64,
     /// Where it is looked at whatever the friction is, ascending.
-    places: Vec<f64>,
-    /// Both limits there.
-    limits: Vec<[f64; 2]>,
+    pub(super) places: Vec<Place>,
+    /// The amplitude there with the contact stuck.
+    held: Vec<f64>,
+    /// What is known of the amplitude there.
+    known: Vec<Cell<Known>>,
+    /// Peaks that the first look passed over.
+    learned: RefCell<Vec<f64>>,
 }
 
 impl<'s> Band<'s> {
     pub(in crate::study) fn new(system: &'s System, of: Of, [from, to]: [f64; 2]) -> Self {
         let places = places(system, from, to);
-        let limits = places.iter().map(|r| limits(system, *r)).collect();
+        let amplitude = Amplitude::new(system, of);
+        let all = |friction: Friction| -> Vec<f64> {
+            let values = places.iter();
+            values
+                .map(|place| amplitude.at(place.r, friction))
+                .collect()
+        };
+        let (held, free) = (all(Friction::Locked), all(Friction::Ratio(0.0)));
+        let known = held.iter().zip(&free);
+        let known = known.map(|(held, free)| {
+            Cell::new(Known {
+                beta: f64::NAN,
+                value: held.max(*free),
+            })
+        });
         Self {
-            amplitude: Amplitude::new(system, of),
+            known: known.collect(),
+            amplitude,
             from,
             to,
             places,
-            limits,
+            held,
+            learned: RefCell::new(Vec::new()),
         }
     }
 
@@ -61,75 +90,252 @@ impl<'s> Band<'s> {
         [self.from, self.to]
     }
 
+    /// Has the first look take this place too.
+    pub(super) fn learn(&self, r: f64) {
+        self.learned.borrow_mut().push(r);
+    }
+
     /// The largest of the band: from the largest local maximum down.
     pub(in crate::study) fn peaks(&self, friction: Friction) -> Vec<Peak> {
+        let open = self.open(friction);
+        self.look(open, f64::INFINITY, Closely::Whole).peaks
+    }
+
+    /// What has a closed form.
+    pub(super) fn open(&self, friction: Friction) -> Open {
+        let seen = |place: Place| {
+            let closed = place.is_closed(friction);
+            let value = if closed {
+                self.amplitude.at(place.r, friction)
+            } else {
+                f64::NAN
+            };
+            Seen {
+                place,
+                value,
+                closed,
+            }
+        };
+        let system = self.amplitude.system;
         let mut places = self.places.clone();
+        let learned = self.learned.borrow();
+        places.extend(learned.iter().map(|r| Place::new(system, *r, true)));
+        let mut expected = 0.0_f64;
         if let Friction::Ratio(beta) = friction {
-            places.extend(self.bounds(beta));
-            places.sort_by(f64::total_cmp);
-            places.dedup();
+            let bounds = self.bounds(beta);
+            places.extend(bounds.into_iter().map(|r| Place::new(system, r, true)));
+            let held = self.places.iter().zip(&self.held);
+            let held = held.filter(|(place, _)| place.limits[1] <= beta);
+            expected = held.fold(0.0, |most, (_, held)| most.max(*held));
         }
-        let values: Vec<f64> = places
-            .iter()
-            .map(|r| self.amplitude.at(*r, friction))
-            .collect();
-        let most = values.iter().copied().fold(0.0, f64::max);
-        let seen: Vec<(f64, f64)> = places.into_iter().zip(values).collect();
+        places.sort_by(|a, b| a.r.total_cmp(&b.r).then(b.first.cmp(&a.first)));
+        places.dedup_by(|a, b| a.r == b.r);
+        let seen: Vec<Seen> = places.into_iter().map(seen).collect();
+        let mut open = Open {
+            friction,
+            seen,
+            peaks: Vec::new(),
+            floor: 0.0,
+            expected,
+        };
+        let most = open.most();
+        open.floor = most;
         // On a resonance of the stuck chain that nothing damps its own rounding is all that bounds it.
         let pole = friction == Friction::Locked && POLE <= most;
         if most.is_infinite() || pole {
-            let poles = seen.iter().filter(|(_, value)| *value == most);
-            return poles
-                .map(|(r, _)| Peak {
-                    r: *r,
-                    value: f64::INFINITY,
-                    edge: self.is_edge(*r),
-                })
-                .collect();
-        }
-        let mut peaks: Vec<Peak> = Vec::new();
-        for (index, (r, value)) in seen.iter().enumerate() {
-            let neighbour = |place: Option<usize>| place.and_then(|place| seen.get(place)).copied();
-            let before = neighbour(index.checked_sub(1));
-            let after = neighbour(Some(index + 1));
-            let below = |side: Option<(f64, f64)>| side.is_none_or(|(_, other)| !(*value < other));
-            if !(WORTH * most <= *value) || !below(before) || !below(after) {
-                continue;
+            self.poles(&mut open, most);
+        } else {
+            for (ends, start) in tops(&open.seen, WORTH * most, true) {
+                let peak = match ends {
+                    Some(ends) => self.climbed(ends, start, friction, PLACE),
+                    // All along a plateau one place is as good.
+                    None if open.peaks.is_empty() => self.peak(start.0, start.1),
+                    None => continue,
+                };
+                open.floor = open.floor.max(peak.value);
+                open.peaks.push(peak);
             }
-            let level = |side: Option<(f64, f64)>| side.is_some_and(|(_, other)| other == *value);
-            if level(before) && level(after) {
-                // All along a plateau one place is as good.
-                if peaks.is_empty() {
-                    peaks.push(Peak {
-                        r: *r,
-                        value: *value,
-                        edge: false,
-                    });
-                }
-                continue;
-            }
-            let ends = [before.map_or(*r, |(r, _)| r), after.map_or(*r, |(r, _)| r)];
-            peaks.push(self.climbed(ends, (*r, *value), friction));
         }
-        sorted(peaks)
+        open.expected = open.expected.max(open.floor);
+        open
     }
 
-    /// The same from where local maxima were at another friction ratio near by, and both ends.
-    pub(super) fn followed(&self, friction: Friction, seeds: &[f64]) -> Vec<Peak> {
+    fn poles(&self, open: &mut Open, most: f64) {
+        let poles = open.seen.iter().filter(|seen| seen.value == most);
+        open.peaks = poles
+            .map(|seen| self.peak(seen.place.r, f64::INFINITY))
+            .collect();
+        open.floor = f64::INFINITY;
+    }
+
+    /// What has to be followed too, until something exceeds `cutoff`.
+    pub(super) fn look(&self, mut open: Open, cutoff: f64, closely: Closely) -> Look {
+        let friction = open.friction;
+        if open.floor.is_infinite() {
+            return Look {
+                peaks: open.peaks,
+                complete: true,
+            };
+        }
+        if cutoff < open.floor {
+            let top = open.seen.iter().filter(|seen| seen.closed);
+            let top = top.max_by(|a, b| a.value.total_cmp(&b.value));
+            let top = top.map(|top| self.peak(top.place.r, top.value));
+            let peaks = sorted(open.peaks.into_iter().chain(top).collect());
+            return Look {
+                peaks,
+                complete: false,
+            };
+        }
+        let above = |peaks: Vec<Peak>, peak: Peak| Look {
+            peaks: sorted(peaks.into_iter().chain([peak]).collect()),
+            complete: false,
+        };
+        let taken = |seen: &Seen| seen.place.first || closely == Closely::Whole;
+        let mut most = open.floor;
+        for (index, promise) in self.promising(&open, closely, taken) {
+            let Some(seen) = open.seen.get_mut(index) else {
+                continue;
+            };
+            if promise < most {
+                // Nor do those after it promise more.
+                break;
+            }
+            let r = seen.place.r;
+            seen.value = self.amplitude.at(r, friction);
+            most = most.max(seen.value);
+            self.note(r, friction, seen.value);
+            if self.amplitude.is_spent() || (cutoff < seen.value && seen.value.is_finite()) {
+                let peak = self.peak(r, seen.value);
+                return above(open.peaks, peak);
+            }
+        }
+        let most = open.most().max(open.floor);
+        if most.is_infinite() {
+            self.poles(&mut open, most);
+            return Look {
+                peaks: open.peaks,
+                complete: true,
+            };
+        }
+        open.seen.retain(|seen| seen.closed || !seen.value.is_nan());
+        let mut tops = tops(&open.seen, WORTH * most, false);
+        tops.sort_by(|a, b| b.1.1.total_cmp(&a.1.1));
+        tops.truncate(MOST_TOPS);
+        let mut peaks = open.peaks;
+        let finely = match closely {
+            Closely::First => NEARLY,
+            Closely::Whole => PLACE,
+        };
+        let refined = self.refined(tops, friction, finely, cutoff);
+        peaks.extend(refined);
+        let mut peaks = sorted(peaks);
+        if closely == Closely::Whole {
+            self.follow_largest(&mut peaks, friction);
+        }
+        let top = peaks.first().map_or(0.0, |peak| peak.value);
+        Look {
+            complete: top <= cutoff && !self.amplitude.is_spent(),
+            peaks,
+        }
+    }
+
+    /// With μ > 1 motion from rest decides also where the closed form exists: it is followed at the largest peaks.
+    fn follow_largest(&self, peaks: &mut Vec<Peak>, friction: Friction) {
+        let most = peaks.first().map_or(0.0, |peak| peak.value);
+        let largest = peaks.iter_mut().take(MOST_TOPS);
+        for peak in largest.filter(|peak| WORTH_FINELY * most <= peak.value) {
+            let value = self.amplitude.from_rest(peak.r, friction);
+            if value.is_finite() && SAME * peak.value < (value - peak.value).abs() {
+                peak.value = value;
+            }
+        }
+        *peaks = sorted(std::mem::take(peaks));
+    }
+
+    /// Local maxima between their neighbours: all roughly, and those that may be the largest finely.
+    fn refined(&self, tops: Vec<Top>, friction: Friction, finely: f64, cutoff: f64) -> Vec<Peak> {
+        let mut roughly: Vec<([f64; 2], Peak)> = Vec::new();
+        for (ends, start) in tops {
+            let Some(ends) = ends else {
+                let peak = self.peak(start.0, start.1);
+                roughly.push(([peak.r; 2], peak));
+                continue;
+            };
+            let peak = self.climbed(ends, start, friction, ROUGHLY);
+            let near = |end: f64, sign: f64| end * (1.0 + 3.0 * sign * ROUGHLY);
+            let [a, b] = ends;
+            roughly.push(([a.max(near(peak.r, -1.0)), b.min(near(peak.r, 1.0))], peak));
+            if cutoff < peak.value {
+                break;
+            }
+        }
+        let most = roughly.iter().map(|(_, peak)| peak.value);
+        let most = most.fold(0.0, f64::max);
+        let finely = |(ends, peak): ([f64; 2], Peak)| {
+            if WORTH_FINELY * most <= peak.value && most <= cutoff {
+                self.climbed(ends, (peak.r, peak.value), friction, finely)
+            } else {
+                peak
+            }
+        };
+        roughly.into_iter().map(finely).collect()
+    }
+
+    /// Places at which the motion has to be followed, with the largest that is to be expected there, in descending order.
+    fn promising(
+        &self,
+        open: &Open,
+        closely: Closely,
+        taken: impl Fn(&Seen) -> bool,
+    ) -> Vec<(usize, f64)> {
+        let followed = open.seen.iter().enumerate();
+        let followed = followed.filter(|(_, seen)| !seen.closed && taken(seen));
+        let promise = |seen: &Seen| {
+            let known = self.nearest(seen.place.r).map(Cell::get);
+            known.map_or(f64::INFINITY, |known| known.promise(open.friction, closely))
+        };
+        let mut order: Vec<(usize, f64)> = followed
+            .map(|(index, seen)| (index, promise(seen)))
+            .collect();
+        order.sort_by(|a, b| b.1.total_cmp(&a.1));
+        order
+    }
+
+    fn nearest(&self, r: f64) -> Option<&Cell<Known>> {
+        let after = self.places.partition_point(|place| place.r < r);
+        self.known
+            .get(after)
+            .or_else(|| self.known.get(after.checked_sub(1)?))
+    }
+
+    fn note(&self, r: f64, friction: Friction, value: f64) {
+        if let Some(known) = self.nearest(r)
+            && let Friction::Ratio(beta) = friction
+            && value.is_finite()
+        {
+            known.set(Known { beta, value });
+        }
+    }
+
+    /// The largest local maxima from where they were at another friction ratio near by, and both ends; no more once one
+    /// exceeds `cutoff`.
+    pub(super) fn followed(&self, friction: Friction, seeds: &[f64], cutoff: f64) -> Vec<Peak> {
         let value = |r: f64| self.amplitude.at(r, friction);
         let mut peaks: Vec<Peak> = [self.from, self.to]
-            .map(|r| Peak {
-                r,
-                value: value(r),
-                edge: true,
-            })
+            .map(|r| self.peak(r, value(r)))
             .to_vec();
+        let mut tops: Vec<Top> = Vec::new();
         for seed in seeds.iter().filter(|seed| !self.is_edge(**seed)) {
             // Uphill until there is a lower place on both sides.
             let (mut middle, mut width) = (*seed, NEIGHBOUR * seed);
             let mut own = value(middle);
             let mut ends = [middle, middle];
             for _ in 0..24 {
+                if cutoff < own || self.amplitude.is_spent() {
+                    peaks.push(self.peak(middle, own));
+                    return sorted(peaks);
+                }
                 ends = [
                     (middle - width).max(self.from),
                     (middle + width).min(self.to),
@@ -145,15 +351,16 @@ impl<'s> Band<'s> {
                 }
                 width *= 1.6;
             }
-            if own.is_nan() {
-                continue;
+            let known = |top: &Top| top.0.is_some_and(|[a, b]| a < middle && middle < b);
+            if !own.is_nan() && !tops.iter().any(known) {
+                tops.push((Some(ends), (middle, own)));
             }
-            peaks.push(self.climbed(ends, (middle, own), friction));
         }
+        peaks.extend(self.refined(tops, friction, PLACE, cutoff));
         sorted(peaks)
     }
 
-    fn climbed(&self, ends: [f64; 2], start: (f64, f64), friction: Friction) -> Peak {
+    fn climbed(&self, ends: [f64; 2], start: (f64, f64), friction: Friction, near: f64) -> Peak {
         let f = |r: f64| {
             let value = self.amplitude.at(r, friction);
             if value.is_nan() {
@@ -165,147 +372,18 @@ impl<'s> Band<'s> {
         let [a, b] = ends;
         let (mut r, mut value) = start;
         if a < b && value.is_finite() {
-            (r, value) = line::largest(f, ends, start, PLACE);
+            (r, value) = line::largest(f, ends, start, near);
         }
-        Peak {
-            r,
-            value,
-            edge: self.is_edge(r),
-        }
+        self.peak(r, value)
+    }
+
+    fn peak(&self, r: f64, value: f64) -> Peak {
+        let edge = self.is_edge(r);
+        Peak { r, value, edge }
     }
 
     fn is_edge(&self, r: f64) -> bool {
         let near = |end: f64| (r - end).abs() <= 4.0 * PLACE * end;
         near(self.from) || near(self.to)
     }
-
-    /// Both sides of where the regime changes at β.
-    fn bounds(&self, beta: f64) -> Vec<f64> {
-        let system = self.amplitude.system;
-        let mut bounds = Vec::new();
-        let pairs = self.places.windows(2).zip(self.limits.windows(2));
-        for (places, limits) in pairs {
-            let ([low, high], [at_low, at_high]) = (places, limits) else {
-                continue;
-            };
-            for which in [0, 1] {
-                let below =
-                    |limits: &[f64; 2]| limits.get(which).is_some_and(|limit| *limit < beta);
-                if below(at_low) == below(at_high) {
-                    continue;
-                }
-                let (mut low, mut high) = (*low, *high);
-                for _ in 0..HALVINGS {
-                    let middle = 0.5 * (low + high);
-                    if below(&self::limits(system, middle)) == below(at_low) {
-                        low = middle;
-                    } else {
-                        high = middle;
-                    }
-                }
-                bounds.extend([low, high]);
-            }
-        }
-        bounds
-    }
-
-    /// The smallest friction ratio of the band at which the contact stops somewhere, and the smallest at which it is stuck
-    /// all over the band.
-    pub(super) fn limits(&self) -> [f64; 2] {
-        let system = self.amplitude.system;
-        let extreme = |sign: f64, of: &dyn Fn(&[f64; 2]) -> f64| {
-            let value = |limits: &[f64; 2]| sign * of(limits);
-            let mut best = f64::NEG_INFINITY;
-            for (index, (r, here)) in self.places.iter().zip(&self.limits).enumerate() {
-                let own = value(here);
-                let side = |place: Option<usize>| {
-                    let place = place?;
-                    Some((*self.places.get(place)?, value(self.limits.get(place)?)))
-                };
-                let sides = [side(index.checked_sub(1)), side(Some(index + 1))];
-                let lower = |side: &Option<(f64, f64)>| side.is_none_or(|(_, other)| other <= own);
-                if !sides.iter().all(lower) {
-                    continue;
-                }
-                best = best.max(own);
-                let ends = sides.map(|side| side.map_or(*r, |(r, _)| r));
-                let [a, b] = ends;
-                if own.is_finite() && a < b {
-                    let f = |r: f64| value(&self::limits(system, r));
-                    best = best.max(line::largest(f, ends, (*r, own), PLACE).1);
-                }
-            }
-            sign * best
-        };
-        let bounded = |limit: f64| if POLE < limit { f64::INFINITY } else { limit };
-        [
-            extreme(-1.0, &|[continuous, sliding]| continuous.min(*sliding)),
-            bounded(extreme(1.0, &|[_, sliding]| *sliding)),
-        ]
-    }
-}
-
-/// From the largest down, each once.
-fn sorted(mut peaks: Vec<Peak>) -> Vec<Peak> {
-    peaks.retain(|peak| !peak.value.is_nan());
-    peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
-    let mut kept: Vec<Peak> = Vec::new();
-    for peak in peaks {
-        let known = |other: &Peak| (other.r - peak.r).abs() <= 64.0 * PLACE * peak.r;
-        if !kept.iter().any(known) {
-            kept.push(peak);
-        }
-    }
-    kept
-}
-
-/// β_lim and β*_lim; neither where there are none.
-fn limits(system: &System, r: f64) -> [f64; 2] {
-    system.at(r).map_or([f64::NAN; 2], |at| {
-        let limits = at.limits();
-        [limits.continuous, limits.sliding]
-    })
-}
-
-/// Where a band is looked at whatever the friction is.
-fn places(system: &System, from: f64, to: f64) -> Vec<f64> {
-    let mut places = vec![from, to];
-    let steps = GRID as f64;
-    let ratio = (to / from).ln();
-    for place in 1..GRID {
-        let share = place as f64 / steps;
-        places.push(from + (to - from) * share);
-        if 3.0 < to / from {
-            places.push(from * (ratio * share).exp());
-        }
-    }
-    let modal = system.modal();
-    let free = modal.resonances.iter().zip(&modal.damping_ratios);
-    let free = free.map(|(resonance, zeta)| (resonance.to_f64(), zeta.to_f64()));
-    let held = system.dynamics().held.iter();
-    let held = held.map(|mode| (mode.frequency, mode.zeta));
-    // The resonances as the answers know them, to the bit.
-    places.extend(system.resonances());
-    for (resonance, zeta) in free.chain(held) {
-        places.push(resonance);
-        if zeta < 1.0 {
-            // Where damping takes the place of a maximum.
-            let damped = resonance * (1.0 - 2.0 * zeta * zeta).max(0.0).sqrt();
-            places.push(damped);
-            let mut width = 0.25 * zeta.max(2e-4);
-            while width < 0.3 {
-                places.extend([damped * (1.0 - width), damped * (1.0 + width)]);
-                width *= 2.0;
-            }
-        }
-        // Beside them: on a sub-harmonic itself an undamped chain has a continuum of steady states.
-        for order in 2..=MOST_SUBHARMONICS {
-            let place = resonance / f64::from(order);
-            places.extend([0.9803, 0.9957, 1.0043, 1.0197].map(|share| place * share));
-        }
-    }
-    places.retain(|r| from <= *r && *r <= to);
-    places.sort_by(f64::total_cmp);
-    places.dedup();
-    places
 }

@@ -1,18 +1,20 @@
 //! A question that makes sense, and what is told of the friction found.
 
 use super::amplitude::Friction;
-use super::answer::{Optimum, OptimumKind, OptimumPeak};
+use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
 use super::flat;
 use super::peaks::Band;
 use super::request::{FrequencyBand, OptimumError, OptimumRequest};
 use super::scan::{self, Scanned};
-use super::search::{self, Kind, Least};
+use super::search::{self, End, Kind, Least};
 use crate::study::parameter::{OperatingPoint, Parameter, Slope};
 use crate::study::physical::ResponseSensitivities;
 use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
 use crate::{Of, Regime};
 
+/// Work of what is told of an optimum.
+const WORK_OF_A_REPORT: usize = 60_000;
 /// How much above the best.
 const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
 /// Peaks within this share of the largest count as equal.
@@ -73,11 +75,13 @@ impl<'s> Problem<'s> {
 
     /// The least over all friction.
     pub(super) fn least(band: &Band<'_>) -> Result<Least, OptimumError> {
-        let least = search::least(band);
-        if band.amplitude.is_spent() {
-            return Err(OptimumError::TooLong);
-        }
-        least.ok_or(OptimumError::Unbounded)
+        search::least(band).ok_or_else(|| {
+            if band.amplitude.is_spent() {
+                OptimumError::TooLong
+            } else {
+                OptimumError::Unbounded
+            }
+        })
     }
 
     pub(super) fn solved(&self) -> Result<Optimum, OptimumError> {
@@ -97,21 +101,24 @@ impl<'s> Problem<'s> {
             return Err(OptimumError::AtRest);
         }
         let beta = least.at.beta;
-        let friction = if least.kind == Kind::Held && least.locked_from <= beta {
+        let monotone = self.system.scene().stiction <= 1.0;
+        band.amplitude.allow(WORK_OF_A_REPORT);
+        let friction = if least.kind == Kind::Held && monotone && least.locked_from <= beta {
             Friction::Locked
         } else {
             Friction::Ratio(beta)
         };
         let peaks = equal_peaks(band, (&least.at, least.kind), friction);
-        let sensitivities = self.sensitivities(beta, &peaks).unwrap_or_default();
+        let sensitivities = match least.end {
+            End::Converged => self.sensitivities(beta, &peaks).unwrap_or_default(),
+            // Friction does not follow a jump.
+            End::Jump | End::Spent => Vec::new(),
+        };
         let tolerances = EXCESSES
             .iter()
             .map(|excess| flat::tolerance(band, least, *excess))
             .collect();
         let with_contact_locked = largest(Friction::Locked);
-        if band.amplitude.is_spent() {
-            return Err(OptimumError::TooLong);
-        }
         Ok(Optimum {
             beta,
             amplitude: least.at.value,
@@ -121,6 +128,12 @@ impl<'s> Problem<'s> {
                 Kind::Without => OptimumKind::NoFriction,
                 Kind::Held => OptimumKind::Stuck,
             },
+            end: match least.end {
+                End::Converged => OptimumEnd::Converged,
+                End::Jump => OptimumEnd::Jump,
+                End::Spent => OptimumEnd::WorkSpent,
+            },
+            bracket: least.bracket,
             tolerances,
             peaks,
             unbounded_to: scan::unbounded_to(self.system, self.ends),

@@ -42,7 +42,8 @@ pub enum OptimumError {
     Unbounded,
     /// The motion does not depend on friction and is at rest.
     AtRest,
-    /// It takes more amplitudes than [`System::optimum`](crate::study::System::optimum) computes.
+    /// The work that [`System::optimum`](crate::study::System::optimum) may take was done before any friction was found that
+    /// bounds the amplitude.
     TooLong,
     /// The interval of a tuned number is not finite, has no width, or its end is below its start.
     Interval,
@@ -69,8 +70,7 @@ impl std::fmt::Display for OptimumError {
             }
             Self::AtRest => "it does not move over this band",
             Self::TooLong => {
-                "250000 amplitudes do not suffice, of which one that does not settle counts as 100 for each mass; a narrower \
-                 band needs fewer"
+                "no friction that bounds the amplitude was found in the work of one search; a narrower band needs less"
             }
             Self::Interval => "the ends of an interval are finite, the second above the first",
             Self::Scene(error) => return error.fmt(f),

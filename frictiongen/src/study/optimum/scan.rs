@@ -1,30 +1,48 @@
 //! The largest amplitude over a band at friction ratios between none and so much that nothing slides, with its slope.
 
 use super::amplitude::Friction;
+use super::look::{Closely, Look, Open};
 use super::peaks::{Band, Peak};
 use crate::study::system::System;
 
-/// Friction ratios of the scan.
+/// Friction ratios of the scan, closer towards none,
 const SCAN: usize = 40;
+/// and of that in geometric steps, from this share of the middle sliding limit on.
+const GEOMETRIC: usize = 24;
+const LEAST: f64 = 0.02;
+/// With μ > 1 a motion from rest may go on sliding where a stuck state exists: up to these multiples of what holds all.
+const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
 /// Of a moving place a step of a difference.
 const DIFFERENCE: f64 = 1e-6;
-/// How often a scan without an end is made twice as long.
+/// How often a scan without an end is made twice as long,
 const LONGER: usize = 12;
+/// unless the last of it exceed the best by this factor.
+const FAR_ABOVE: f64 = 2.0;
+/// Beyond the friction that bounds all resonances, by shares of it.
+const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
+/// A difference that says more than this change of the amplitude for one of friction is across a jump.
+const STEEPEST: f64 = 50.0;
 /// A least that is hidden between two of the scan is looked for so often by halves,
 const CLOSER: usize = 5;
 /// if the lower of the two is within this share of the best.
 const NEARLY: f64 = 1.2;
 /// More places at most in one go.
 const MOST_CLOSER: usize = 8;
+/// A friction ratio is left as soon as an amplitude exceeds the best so far by this factor: more than any tolerance asks for.
+const MARGIN: f64 = 1.2;
 
 /// The largest amplitude at one friction ratio.
 #[derive(Clone, Debug)]
 pub(super) struct Scanned {
     pub beta: f64,
+    /// Where the look is not complete, the largest is at least this.
     pub value: f64,
     /// Its derivative with respect to β; NaN where the amplitude is unbounded.
     pub slope: f64,
     pub peaks: Vec<Peak>,
+    pub complete: bool,
+    /// Whether all places have been looked at.
+    pub whole: bool,
 }
 
 /// Up to this friction ratio the amplitude at an undamped resonance of the band is unbounded; 0 where there is none.
@@ -38,55 +56,88 @@ pub(super) fn unbounded_to(system: &System, [from, to]: [f64; 2]) -> f64 {
         .fold(0.0, f64::max)
 }
 
+/// The least of those that are complete; infinite if none is.
+pub(super) fn best(scan: &[Scanned]) -> f64 {
+    let complete = scan.iter().filter(|scanned| scanned.complete);
+    complete.fold(f64::INFINITY, |best, scanned| best.min(scanned.value))
+}
+
 /// The scan.
 pub(super) fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
-    let at = |beta: f64| scanned_at(band, beta);
+    let system = band.amplitude.system;
+    let unbounded_to = unbounded_to(system, band.ends());
     let mut top = if locked_from.is_finite() {
         locked_from
     } else {
-        let unbounded_to = unbounded_to(band.amplitude.system, band.ends());
         (4.0 * free_to.max(1.0)).max(2.0 * unbounded_to)
     };
-    let mut scan: Vec<Scanned> = (0..=SCAN)
+    let mut scan = Vec::new();
+    let low = (LEAST * band.middle_limit()).min(0.5 * top);
+    let geometric = (0..GEOMETRIC).map(|place| {
+        let share = place as f64 / GEOMETRIC as f64;
+        low * (top / low).powf(share)
+    });
+    let betas = (0..=SCAN)
         .map(|place| top * (place as f64 / SCAN as f64).powf(1.5))
+        .chain(geometric)
+        .chain(BOUNDED.map(|share| unbounded_to * (1.0 + share)))
         .chain([free_to])
-        .filter(|beta| *beta < top)
-        .map(at)
-        .collect();
-    if locked_from.is_finite() {
+        .filter(|beta| *beta < top);
+    add(band, &mut scan, betas);
+    if !locked_from.is_finite() {
+        // Beside a resonance of the stuck chain nothing holds the contact: until friction no longer helps.
+        for _ in 0..LONGER {
+            let more = [1.0, 1.25, 1.5, 1.75].map(|share| top * share);
+            add(band, &mut scan, more.into_iter());
+            top *= 2.0;
+            let least = best(&scan);
+            let rising =
+                |scanned: &Scanned| 0.0 < scanned.slope || FAR_ABOVE * least < scanned.value;
+            if scan.iter().rev().take(4).all(rising) || band.amplitude.is_spent() {
+                break;
+            }
+        }
+    } else if system.scene().stiction <= 1.0 {
         let peaks = band.peaks(Friction::Locked);
         scan.push(Scanned {
             beta: top,
             value: peaks.first().map_or(f64::INFINITY, |peak| peak.value),
             slope: 0.0,
             peaks,
+            complete: true,
+            whole: true,
         });
     } else {
-        // Beside a resonance of the stuck chain nothing holds the contact: until friction no longer helps.
-        for _ in 0..LONGER {
-            for share in [1.0, 1.25, 1.5, 1.75] {
-                scan.push(at(top * share));
-            }
-            top *= 2.0;
-            let rising = |scanned: &Scanned| 0.0 < scanned.slope;
-            if scan.iter().rev().take(4).all(rising) {
-                break;
-            }
+        let beyond = BEYOND.map(|share| top * share);
+        add(band, &mut scan, [top].into_iter().chain(beyond));
+    }
+    scan
+}
+
+/// Adds friction ratios to the scan, first those at which the least is expected: most of the others are left after what has a
+/// closed form.
+pub(super) fn add(band: &Band<'_>, scan: &mut Vec<Scanned>, betas: impl Iterator<Item = f64>) {
+    let opened = betas.map(|beta| (beta, band.open(Friction::Ratio(beta))));
+    let mut opened: Vec<(f64, Open)> = opened.collect();
+    opened.sort_by(|(_, a), (_, b)| a.expected.total_cmp(&b.expected));
+    for (beta, open) in opened {
+        if band.amplitude.is_spent() {
+            break;
+        }
+        let look = band.look(open, MARGIN * best(scan), Closely::First);
+        if !band.amplitude.is_spent() {
+            scan.push(with_slope(beta, look, |peak| rough_slope(band, beta, peak)));
         }
     }
     scan.sort_by(|a, b| a.beta.total_cmp(&b.beta));
     scan.dedup_by(|a, b| a.beta == b.beta);
-    scan
 }
 
-/// The same with more places where a least is hidden: where the amplitude falls from one of two neighbours, and the other is
-/// higher although it falls there too; and the other way round.
-pub(super) fn closer(band: &Band<'_>, mut scan: Vec<Scanned>) -> Vec<Scanned> {
+/// More places where a least is hidden: where the amplitude falls from one of two neighbours, and the other is higher
+/// although it falls there too; and the other way round.
+pub(super) fn closer(band: &Band<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..CLOSER {
-        let values = scan.iter().map(|scanned| scanned.value);
-        let best = values
-            .filter(|value| value.is_finite())
-            .fold(f64::INFINITY, f64::min);
+        let best = best(scan);
         let hides = |below: &Scanned, above: &Scanned| {
             let (falls, rises) = (below.slope < 0.0, 0.0 <= above.slope);
             let hidden = (falls && !rises && below.value < above.value)
@@ -101,21 +152,22 @@ pub(super) fn closer(band: &Band<'_>, mut scan: Vec<Scanned>) -> Vec<Scanned> {
             })
             .take(MOST_CLOSER)
             .collect();
-        if middles.is_empty() {
+        if middles.is_empty() || band.amplitude.is_spent() {
             break;
         }
-        scan.extend(middles.into_iter().map(|beta| scanned_at(band, beta)));
-        scan.sort_by(|a, b| a.beta.total_cmp(&b.beta));
+        add(band, scan, middles.into_iter());
     }
-    scan
 }
 
-pub(super) fn scanned_at(band: &Band<'_>, beta: f64) -> Scanned {
-    let peaks = band.peaks(Friction::Ratio(beta));
-    with_slope(beta, peaks, |peak| rough_slope(band, beta, peak))
+/// One friction ratio, until an amplitude exceeds `cutoff`.
+pub(super) fn scanned_at(band: &Band<'_>, beta: f64, cutoff: f64) -> Scanned {
+    let open = band.open(Friction::Ratio(beta));
+    let look = band.look(open, cutoff, Closely::First);
+    with_slope(beta, look, |peak| rough_slope(band, beta, peak))
 }
 
-pub(super) fn with_slope(beta: f64, peaks: Vec<Peak>, slope: impl Fn(&Peak) -> f64) -> Scanned {
+pub(super) fn with_slope(beta: f64, look: Look, slope: impl Fn(&Peak) -> f64) -> Scanned {
+    let Look { peaks, complete } = look;
     let value = peaks.first().map_or(f64::NAN, |peak| peak.value);
     let slope = peaks
         .first()
@@ -126,6 +178,8 @@ pub(super) fn with_slope(beta: f64, peaks: Vec<Peak>, slope: impl Fn(&Peak) -> f
         value,
         slope,
         peaks,
+        complete,
+        whole: false,
     }
 }
 
@@ -139,7 +193,7 @@ pub(super) fn slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
     // It moves along a jump: as it is followed.
     let h = DIFFERENCE * beta;
     let at = |beta: f64| {
-        let peaks = band.followed(Friction::Ratio(beta), &[peak.r]);
+        let peaks = band.followed(Friction::Ratio(beta), &[peak.r], f64::INFINITY);
         let distance = |other: &&Peak| (other.r - peak.r).abs();
         peaks
             .iter()
@@ -160,7 +214,7 @@ fn is_smooth(band: &Band<'_>, beta: f64, peak: &Peak, along_r: f64) -> bool {
     along_r.abs() * step <= 0.1 * fallen
 }
 
-/// The same by a difference at the peak's place.
+/// The same by a difference at the peak's place; NaN across a jump.
 fn rough_slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
     let at = |beta: f64| band.amplitude.at(peak.r, Friction::Ratio(beta));
     if beta == 0.0 {
@@ -168,5 +222,10 @@ fn rough_slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
         return (at(h) - peak.value) / h;
     }
     let h = 1e-5 * beta;
-    (at(beta + h) - at(beta - h)) / (h + h)
+    let slope = (at(beta + h) - at(beta - h)) / (h + h);
+    if slope.abs() * beta <= STEEPEST * peak.value {
+        slope
+    } else {
+        f64::NAN
+    }
 }

@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 class Optimum(Table):
     """The friction that keeps the largest amplitude over a band smallest.
 
-    `friction_N` and `beta`, and the `amplitude` (`amplitude_m`) there; `kind` says what limits it.  For comparison
+    `friction_N` and `beta`, and the `amplitude` (`amplitude_m`) there; `kind` says what limits it,
+    `end` how the search ended, `bracket_from` and `bracket_to` between which frictions the least lies.  For comparison
     `without_friction` and `with_contact_locked`; `free_of_sticking`, up to which nothing sticks, and `locked`, from which on
     nothing slides.  Tables: `peaks`, the frequencies at which the largest amplitude is reached; `tolerances`, between which
     frictions it stays within a share of the best; `sensitivities`, per cent of it for one per cent of each parameter
@@ -26,6 +27,7 @@ class Optimum(Table):
     amplitude: float
     amplitude_m: float
     kind: str
+    end: str
     evaluations: int
     peaks: Table
     tolerances: Table

@@ -23,7 +23,7 @@ pub struct TunedPoint {
     /// The best friction there, as β of the scene as it is described; NaN where there is none.
     pub beta: f64,
     /// The largest amplitude with it, over P/k₁ of the scene as it is described, for base motion over Y; infinite where no
-    /// friction bounds it, NaN where the search was too long.
+    /// friction bounds it, NaN where the search found none before its work was done.
     pub amplitude: f64,
 }
 

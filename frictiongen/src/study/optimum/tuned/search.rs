@@ -5,6 +5,7 @@ use super::tried::{Groups, Search, Tried, near};
 
 use crate::study::optimum::OptimumError;
 use crate::study::optimum::problem::Problem;
+use crate::study::optimum::search::Least;
 use std::sync::atomic::Ordering;
 
 /// Steps of the scan.
@@ -39,10 +40,15 @@ impl Search<'_> {
             // Over all friction, whatever the neighbours had.
             let mut least = Problem::least(&band)?;
             self.count(band.amplitude.asked.get());
-            if let Some((at, kind)) = best.found.clone()
-                && at.value < least.at.value
+            if let Some(found) = best.found.clone()
+                && found.at.value < least.at.value
             {
-                (least.at, least.kind) = (at, kind);
+                least = Least {
+                    scan: least.scan,
+                    locked_from: least.locked_from,
+                    free_to: least.free_to,
+                    ..found
+                };
             }
             let groups = Groups::new(self.described, &varied);
             let gained = least.at.value * groups.length < best.amplitude * (1.0 - 1e-9);

@@ -4,7 +4,6 @@ use super::answer::Tuning;
 use crate::study::optimum::amplitude::Friction;
 use crate::study::optimum::peaks::Band;
 use crate::study::optimum::problem::{Problem, equal_peaks, slope, weights};
-use crate::study::optimum::scan::Scanned;
 use crate::study::optimum::search::{self, Kind, Least};
 use crate::study::optimum::{FrequencyBand, Optimum, OptimumError, OptimumRequest};
 use crate::study::parameter::Parameter;
@@ -39,7 +38,7 @@ pub(super) struct Tried {
     pub beta: f64,
     /// The frequencies of its peaks, r of the scene as it is described.
     pub peaks: Vec<f64>,
-    pub found: Option<(Scanned, Kind)>,
+    pub found: Option<Least>,
 }
 
 /// What the groups of the scene as it is described are of those with a value of the number.
@@ -67,6 +66,7 @@ impl Groups {
 
     pub(super) fn of(&self, mut optimum: Optimum) -> Optimum {
         optimum.beta *= self.beta;
+        optimum.bracket = optimum.bracket.map(|beta| beta * self.beta);
         optimum.amplitude *= self.length;
         for peak in &mut optimum.peaks {
             peak.r *= self.r;
@@ -202,7 +202,7 @@ impl<'s> Search<'s> {
             equal.map(|peak| peak.r * groups.r).collect()
         };
         tried.slope = self.slope(&problem, &band, &least).unwrap_or(f64::NAN);
-        tried.found = Some((least.at, least.kind));
+        tried.found = Some(least);
         Ok(tried)
     }
 

@@ -1,0 +1,78 @@
+//! Puts the nodes of a curve together.
+
+use super::answer::{Curve, End, Gap, Piece};
+use super::point::CurvePoint;
+use super::refine::Node;
+use crate::Error;
+
+/// The pieces and gaps of nodes in their order.
+pub(super) fn curve(beta: f64, nodes: impl Iterator<Item = Node>, refined: bool) -> Curve {
+    let mut builder = Builder::default();
+    for node in nodes {
+        match node.answer {
+            Ok(point) => builder.point(point),
+            Err(reason) => builder.missing(node.r, reason),
+        }
+        if let Some(cut) = node.cut {
+            builder.end(cut);
+        }
+    }
+    builder.end(End::Range);
+    Curve {
+        beta,
+        pieces: builder.pieces,
+        gaps: builder.gaps,
+        refined,
+    }
+}
+
+/// Puts nodes together.
+#[derive(Default)]
+struct Builder {
+    pieces: Vec<Piece>,
+    gaps: Vec<Gap>,
+    open: Vec<CurvePoint>,
+    start: Option<End>,
+    in_gap: bool,
+}
+
+impl Builder {
+    fn point(&mut self, point: CurvePoint) {
+        self.in_gap = false;
+        // On a boundary rounding may put a point into the regime beyond.
+        if self
+            .open
+            .last()
+            .is_some_and(|last| last.regime != point.regime)
+        {
+            self.end(End::Boundary);
+        }
+        self.open.push(point);
+    }
+
+    fn missing(&mut self, r: f64, reason: Error) {
+        self.end(End::NoAnswer);
+        match self.gaps.last_mut() {
+            Some(gap) if self.in_gap && gap.reason == reason => gap.to = r,
+            _ => self.gaps.push(Gap {
+                from: r,
+                to: r,
+                reason,
+            }),
+        }
+        self.in_gap = true;
+    }
+
+    fn end(&mut self, end: End) {
+        let points = std::mem::take(&mut self.open);
+        let start = self.start.replace(end).unwrap_or(End::Range);
+        if let Some(first) = points.first() {
+            self.pieces.push(Piece {
+                regime: first.regime,
+                points,
+                start,
+                end,
+            });
+        }
+    }
+}

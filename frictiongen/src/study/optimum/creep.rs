@@ -1,0 +1,142 @@
+//! The friction ratio between two at which the peaks of both are smallest, each followed to where it moves.
+
+use super::amplitude::Friction;
+use super::look::Look;
+use super::peaks::{Band, Peak};
+use super::scan::{Scanned, slope, with_slope};
+
+/// So many peaks are followed.
+const MOST_FOLLOWED: usize = 6;
+/// Steps towards a minimum at most.
+const STEPS: usize = 40;
+/// Peaks that differ by less are equal.
+const EQUAL: f64 = 2e-13;
+
+/// Where the tangents meet, and at what.
+pub(super) fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
+    let rise = below.slope - above.slope;
+    let beta =
+        (above.value - below.value + below.slope * below.beta - above.slope * above.beta) / rise;
+    let value = below.value + below.slope * (beta - below.beta);
+    (below.beta < beta && beta < above.beta).then_some((beta, value))
+}
+
+/// Where following the peaks of both sides has led.
+pub(super) struct Crept {
+    pub best: Scanned,
+    /// Where the amplitude still falls, and where it rises.
+    pub below: Scanned,
+    pub above: Scanned,
+    /// Whether it is the least of these peaks.
+    pub done: bool,
+}
+
+/// The minimum of the peaks that either side has.
+pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option<Crept> {
+    let (mut below, mut above) = (below.clone(), above.clone());
+    let mut best: Option<Scanned> = None;
+    let mut next = None;
+    let (mut stale, mut done) = (0_u32, false);
+    for _ in 0..STEPS {
+        let width = above.beta - below.beta;
+        if width <= 1e-14 * above.beta || band.amplitude.is_spent() {
+            break;
+        }
+        let inside = |beta: &f64| below.beta < *beta && *beta < above.beta;
+        let met = meeting(&below, &above);
+        // One peak on both sides: the zero of its slope; two: where they are equal.
+        let (a, b) = (below.peaks.first(), above.peaks.first());
+        let one = matches!((a, b), (Some(a), Some(b)) if (a.r - b.r).abs() <= 0.02 * a.r);
+        let zero = below.beta - below.slope * width / (above.slope - below.slope);
+        let guess = if one {
+            Some(zero)
+        } else {
+            met.map(|(beta, _)| beta)
+        };
+        let middle = 0.5 * (below.beta + above.beta);
+        let beta = next
+            .take()
+            .or(guess)
+            .filter(|_| stale < 4)
+            .filter(inside)
+            .unwrap_or(middle);
+        let seeds: Vec<f64> = below
+            .peaks
+            .iter()
+            .take(MOST_FOLLOWED)
+            .chain(above.peaks.iter().take(MOST_FOLLOWED))
+            .filter(|peak| peak.value.is_finite())
+            .map(|peak| peak.r)
+            .collect();
+        let peaks = band.followed(Friction::Ratio(beta), &distinct(seeds), f64::INFINITY);
+        let look = Look {
+            peaks,
+            complete: !band.amplitude.is_spent(),
+        };
+        let here = with_slope(beta, look, |peak| slope(band, beta, peak));
+        if best.as_ref().is_none_or(|best| here.value < best.value) {
+            best = Some(here.clone());
+        }
+        if here.slope == 0.0 && here.value.is_finite() {
+            done = true;
+            break;
+        }
+        let falls = here.slope < 0.0 || !here.value.is_finite();
+        // The peak that goes the other way, and where the two are equal.
+        let other = if falls { &above } else { &below };
+        let partner = other.peaks.first().and_then(|known| {
+            let distance = |peak: &&Peak| (peak.r - known.r).abs();
+            let others = here.peaks.iter().skip(1);
+            others.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        });
+        if let (Some(top), Some(partner)) = (here.peaks.first(), partner)
+            && 0.5 * top.value < partner.value
+        {
+            let other_slope = slope(band, beta, partner);
+            if here.slope * other_slope < 0.0 {
+                let apart = top.value - partner.value;
+                if apart <= EQUAL * top.value {
+                    best = Some(here);
+                    done = true;
+                    break;
+                }
+                next = Some(beta - apart / (here.slope - other_slope));
+            }
+        } else if one {
+            // The slope's zero from this side, once both sides are near.
+            next = None;
+        }
+        let before = width;
+        if falls {
+            below = here;
+        } else {
+            above = here;
+        }
+        stale = if above.beta - below.beta < 0.5 * before {
+            0
+        } else {
+            stale + 1
+        };
+        if stale > 4 {
+            stale = 0;
+        }
+        if one && (above.beta - below.beta) <= 1e-9 * above.beta {
+            done = true;
+            break;
+        }
+    }
+    let best = best.filter(|best| best.value.is_finite())?;
+    Some(Crept {
+        best,
+        below,
+        above,
+        done,
+    })
+}
+
+/// Places of which no two lead to the same peak, as far as they tell.
+fn distinct(mut places: Vec<f64>) -> Vec<f64> {
+    places.sort_by(f64::total_cmp);
+    places.dedup_by(|a, b| (*a - *b).abs() <= 1e-3 * a.abs());
+    places
+}

@@ -1,0 +1,97 @@
+//! Where a band of frequencies is looked at, and which motions have to be followed there.
+
+use super::amplitude::Friction;
+use crate::study::system::System;
+
+/// Places of the grid.
+const GRID: usize = 96;
+/// Sub-harmonics of a resonance that are looked at: up to this part of it.
+const MOST_SUBHARMONICS: u32 = 9;
+/// Where motions have to be followed, the first look takes places that are this far apart, and all resonances.
+const APART: f64 = 0.01;
+
+/// A place of a band.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub r: f64,
+    /// β_lim and β*_lim.
+    pub limits: [f64; 2],
+    /// Whether the first look takes it also where the motion has to be followed.
+    pub first: bool,
+}
+
+impl Place {
+    pub(super) fn new(system: &System, r: f64, first: bool) -> Self {
+        let limits = limits(system, r);
+        Self { r, limits, first }
+    }
+
+    /// Whether the response is known without following a motion: the contact slides all the time, or cannot slide.
+    pub(super) fn is_closed(&self, friction: Friction) -> bool {
+        let [continuous, sliding] = self.limits;
+        match friction {
+            Friction::Locked => true,
+            Friction::Ratio(beta) => beta == 0.0 || beta < continuous.min(sliding),
+        }
+    }
+}
+
+/// β_lim and β*_lim; neither where there are none.
+pub(super) fn limits(system: &System, r: f64) -> [f64; 2] {
+    system.at(r).map_or([f64::NAN; 2], |at| {
+        let limits = at.limits();
+        [limits.continuous, limits.sliding]
+    })
+}
+
+/// Where a band is looked at whatever the friction is, ascending.
+pub(super) fn places(system: &System, from: f64, to: f64) -> Vec<Place> {
+    let mut places = vec![(from, true), (to, true)];
+    let steps = GRID as f64;
+    let ratio = (to / from).ln();
+    for place in 1..GRID {
+        let share = place as f64 / steps;
+        places.push((from + (to - from) * share, false));
+        if 3.0 < to / from {
+            places.push((from * (ratio * share).exp(), false));
+        }
+    }
+    let modal = system.modal();
+    let free = modal.resonances.iter().zip(&modal.damping_ratios);
+    let free = free.map(|(resonance, zeta)| (resonance.to_f64(), zeta.to_f64()));
+    let held = system.dynamics().held.iter();
+    let held = held.map(|mode| (mode.frequency, mode.zeta));
+    // The resonances as the answers know them, to the bit.
+    places.extend(system.resonances().iter().map(|r| (*r, true)));
+    for (resonance, zeta) in free.chain(held) {
+        places.push((resonance, true));
+        if zeta < 1.0 {
+            // Where damping takes the place of a maximum.
+            let damped = resonance * (1.0 - 2.0 * zeta * zeta).max(0.0).sqrt();
+            places.push((damped, false));
+            let mut width = 0.25 * zeta.max(2e-4);
+            while width < 0.3 {
+                places.extend([1.0 - width, 1.0 + width].map(|share| (damped * share, false)));
+                width *= 2.0;
+            }
+        }
+        // Beside them: on a sub-harmonic itself an undamped chain has a continuum of steady states.
+        for order in 2..=MOST_SUBHARMONICS {
+            let place = resonance / f64::from(order);
+            places.extend([0.9803, 0.9957, 1.0043, 1.0197].map(|share| (place * share, false)));
+        }
+    }
+    places.retain(|(r, _)| from <= *r && *r <= to);
+    // Of equal ones that which the first look takes.
+    places.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+    places.dedup_by(|a, b| a.0 == b.0);
+    let mut last = 0.0;
+    let placed = places.into_iter().map(|(r, key)| {
+        let first = key || last * (1.0 + APART) <= r;
+        if first {
+            last = r;
+        }
+        Place::new(system, r, first)
+    });
+    placed.collect()
+}

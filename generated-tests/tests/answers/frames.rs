@@ -1,0 +1,104 @@
+//! Random frames of one to six masses with μ from 1 to 2, in all contacts, kinds of damping and excitations.
+
+use frictiongen::study::{FrequencyBand, OptimumRequest, System};
+use fuzzing::Random;
+
+/// A random frame, the same for the same seed.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// What to look for in what a failed test tells.
+    pub name: String,
+    /// The description.
+    pub text: String,
+    /// The scene.
+    pub system: System,
+    /// The mass whose amplitude is asked for.
+    pub mass: usize,
+    /// From 0.3 of the lowest resonance to 1.5 of the highest, in r: as the report chooses it.
+    pub band: [f64; 2],
+}
+
+impl Frame {
+    /// The optimum that is asked for.
+    pub fn request(&self) -> OptimumRequest {
+        OptimumRequest {
+            of: frictiongen::Of::Mass(self.mass),
+            band: FrequencyBand::Ratio(self.band[0], self.band[1]),
+            load: None,
+        }
+    }
+}
+
+/// Frame `index` of those with `masses` masses: contact, damping and excitation go round, everything else is random.
+pub fn frame(masses: usize, index: usize) -> Frame {
+    let mut random = Random((masses * 100_003 + index * 7919 + 17) as u64);
+    for _ in 0..8 {
+        random.bits();
+    }
+    let values: Vec<String> = (0..masses)
+        .map(|mass| format!("m{mass}: {:.4}", random.log_uniform(1.0, 10.0)))
+        .collect();
+    let mut springs = vec![format!("base - m0: {:.2}", random.log_uniform(1e3, 1e4))];
+    for mass in 1..masses {
+        springs.push(format!(
+            "m{} - m{mass}: {:.2}",
+            mass - 1,
+            random.log_uniform(1e3, 1e4)
+        ));
+    }
+    if random.once_in(3) {
+        springs.push(format!(
+            "m{} - wall: {:.2}",
+            masses - 1,
+            random.log_uniform(1e3, 1e4)
+        ));
+    }
+    let kind = index % if masses > 1 { 3 } else { 2 };
+    let contact = match kind {
+        0 => format!("m{} - wall", random.below(masses)),
+        1 => format!("m{} - base", random.below(masses)),
+        _ => {
+            let a = random.below(masses);
+            let b = (a + 1 + random.below(masses - 1)) % masses;
+            format!("m{a} - m{b}")
+        }
+    };
+    let damping = match (index / 3) % 3 {
+        0 => String::new(),
+        1 => format!("damping: modal({:.4}),", random.log_uniform(0.002, 0.05)),
+        _ => format!(
+            "damping: rayleigh({:.4}, {:.3e}),",
+            random.log_uniform(0.1, 1.0),
+            random.log_uniform(1e-5, 3e-4)
+        ),
+    };
+    let excitation = if random.once_in(2) {
+        "base".to_owned()
+    } else {
+        format!("m{}", random.below(masses))
+    };
+    let stiction = random.between(1.0, 2.0);
+    let text = format!(
+        "struct Frame {{ masses: {{ {} }}, springs: {{ {} }}, contact: {contact}, excitation: {excitation}, {damping} \
+         stiction: {stiction:.3} }}",
+        values.join(", "),
+        springs.join(", ")
+    );
+    let system: System = text
+        .parse()
+        .unwrap_or_else(|error| panic!("{text}: {error}"));
+    let resonances = system.resonances();
+    let mut mass = random.below(masses);
+    // A mass that rubs on a wall is best held at rest.
+    if contact == format!("m{mass} - wall") {
+        mass = (mass + 1) % masses;
+    }
+    let band = [0.3 * resonances[0], 1.5 * resonances[masses - 1]];
+    Frame {
+        name: format!("{masses}/{index}"),
+        mass,
+        text,
+        system,
+        band,
+    }
+}

@@ -1,0 +1,130 @@
+//! The least of the largest amplitude by a map over frequency and friction, refined about the least: nothing of the
+//! optimiser but the response itself.
+
+use super::frames::Frame;
+use frictiongen::{Error, NoOrbit, NotContinuous, Of};
+
+/// Frequencies evenly over the band.
+const EVEN: usize = 90;
+/// Frequencies about each resonance, as shares of it.
+const BESIDE: [f64; 13] = [
+    -0.04, -0.02, -0.008, -0.003, -0.001, -0.0003, 0.0, 0.0003, 0.001, 0.003, 0.008, 0.02, 0.04,
+];
+/// Frictions of the first round, and of each later one.
+const FRICTIONS: usize = 28;
+const FINER: usize = 8;
+const ROUNDS: usize = 3;
+/// Frequencies to each side of a local maximum, and how often it is cut finer.
+const CELLS: usize = 5;
+const CUTS: usize = 4;
+
+/// The amplitude; infinite on a resonance that nothing bounds, 0 where there is no answer.
+pub fn amplitude(frame: &Frame, r: f64, beta: f64) -> f64 {
+    let at = frame.system.at(r).expect("in the domain");
+    match at.response(beta) {
+        Ok(response) => {
+            let swing = response.swing(Of::Mass(frame.mass));
+            swing.map_or(f64::NAN, |swing| swing.amplitude)
+        }
+        Err(
+            Error::NotContinuous(NotContinuous::Unbounded)
+            | Error::NoOrbit(NoOrbit::Unbounded)
+            | Error::StuckResonance(_),
+        ) => f64::INFINITY,
+        Err(_) => 0.0,
+    }
+}
+
+/// Where the map looks.
+pub fn frequencies(frame: &Frame) -> Vec<f64> {
+    let [from, to] = frame.band;
+    let even = (0..=EVEN).map(|i| from + (to - from) * i as f64 / EVEN as f64);
+    let resonances = frame.system.resonances().iter();
+    let beside = resonances.flat_map(|resonance| BESIDE.map(|share| resonance * (1.0 + share)));
+    let mut all: Vec<f64> = even.chain(beside).collect();
+    all.retain(|r| from <= *r && *r <= to);
+    all.sort_by(f64::total_cmp);
+    all
+}
+
+/// The largest amplitude at a friction by samples, every cell that may hold it cut finer; no more once it exceeds `enough`.
+pub fn largest(frame: &Frame, places: &[f64], beta: f64, enough: f64) -> f64 {
+    let mut values = vec![0.0; places.len()];
+    let mut most = 0.0_f64;
+    // Every ninth first: what is too much is seen soon.
+    for offset in 0..9 {
+        for place in (offset..places.len()).step_by(9) {
+            values[place] = amplitude(frame, places[place], beta);
+            most = most.max(values[place]);
+            if enough < most {
+                return most;
+            }
+        }
+    }
+    let mut best = most;
+    for place in 0..places.len() {
+        let (before, after) = (place.saturating_sub(1), (place + 1).min(places.len() - 1));
+        let top = values[before] <= values[place] && values[after] <= values[place];
+        if !top || values[place] < 0.85 * most {
+            continue;
+        }
+        let (mut a, mut b) = (places[before], places[after]);
+        for _ in 0..CUTS {
+            let cells = 2 * CELLS;
+            let finer: Vec<f64> = (0..=cells)
+                .map(|cell| a + (b - a) * cell as f64 / cells as f64)
+                .collect();
+            let found = finer.iter().map(|r| amplitude(frame, *r, beta));
+            let (at, value) = found
+                .enumerate()
+                .max_by(|(_, x), (_, y)| x.total_cmp(y))
+                .expect("places");
+            best = best.max(value);
+            if enough < best {
+                return best;
+            }
+            (a, b) = (finer[at.saturating_sub(1)], finer[(at + 1).min(cells)]);
+        }
+    }
+    best
+}
+
+/// β and the largest amplitude, where that is least.
+pub fn least(frame: &Frame) -> (f64, f64) {
+    let places = frequencies(frame);
+    let limit = |r: &f64| frame.system.at(*r).expect("in the domain").sliding_limit();
+    let mut limits: Vec<f64> = places.iter().map(limit).collect();
+    limits.retain(|limit| limit.is_finite());
+    limits.sort_by(f64::total_cmp);
+    let middle = limits[limits.len() / 2];
+    let [low, high] = [
+        0.02 * middle,
+        (1.2 * limits[limits.len() - 1]).min(60.0 * middle),
+    ];
+    let (mut best, mut least) = (0.0, largest(frame, &places, 0.0, f64::INFINITY));
+    let mut tried = vec![0.0];
+    // The middle first.
+    let mut wanted: Vec<f64> = (0..=FRICTIONS)
+        .map(|i| low * (high / low).powf(i as f64 / FRICTIONS as f64))
+        .collect();
+    wanted.sort_by(|a, b| (a / middle).ln().abs().total_cmp(&(b / middle).ln().abs()));
+    for _ in 0..=ROUNDS {
+        for beta in &wanted {
+            let value = largest(frame, &places, *beta, least);
+            if value < least {
+                (best, least) = (*beta, value);
+            }
+        }
+        tried.extend(&wanted);
+        tried.sort_by(f64::total_cmp);
+        let own = tried.iter().position(|beta| *beta == best).expect("tried");
+        let (a, b) = (
+            tried[own.saturating_sub(1)],
+            tried[(own + 1).min(tried.len() - 1)],
+        );
+        wanted = (1..=FINER)
+            .map(|i| a + (b - a) * i as f64 / (FINER + 1) as f64)
+            .collect();
+    }
+    (best, least)
+}
