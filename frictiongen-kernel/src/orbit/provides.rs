@@ -63,6 +63,22 @@ impl<T: ProvidesOrbit> At<T> {
         T::settled(self, beta, start, false)
     }
 
+    /// The steady state as [`orbit_from`](Self::orbit_from) gives it; where the motion does not settle, its last 64 cycles, as
+    /// in [`orbit_or_last_cycles`](Self::orbit_or_last_cycles).
+    ///
+    /// # Errors
+    /// Same errors as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles), also for a state that is not finite or not one
+    /// number for each mass.
+    #[inline]
+    pub fn orbit_or_last_cycles_from(
+        &self,
+        beta: T::Scalar,
+        state: (&T::State, &T::State),
+    ) -> Result<T::Orbit, NoOrbit> {
+        let start = Start::State(state.0.as_ref(), state.1.as_ref());
+        T::settled(self, beta, start, true)
+    }
+
     /// Every steady state at β that is found from a fixed list of starts, one at a time: rest, the stuck state, the closed
     /// form, and motions at neighbouring friction ratios.  The first is that of [`orbit`](Self::orbit), unless motion from
     /// rest does not settle.  With μ = 1 there is one state, or one continuum.  Unstable states are left out.

@@ -33,7 +33,9 @@ pub use builder::Builder;
 pub use compiled::{CompiledAt, CompiledContact, CompiledMotion, CompiledSystem};
 pub use compiled_stuck::CompiledStuck;
 #[cfg(feature = "desk")]
-pub use curve::{Curve, CurveError, CurvePoint, CurveRequest, End, Gap, Movement, Piece};
+pub use curve::{
+    Curve, CurveError, CurvePoint, CurveRequest, CurveStart, End, Gap, Movement, Piece,
+};
 pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use features::{
     Antiresonance, Certainty, Condition, Crossing, Edge, FeatureError, Features, HeldResonance,

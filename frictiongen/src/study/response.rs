@@ -106,6 +106,30 @@ pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<
     Some(moved / receptance)
 }
 
+/// The state of a steady motion where the excitation is at its maximum.
+#[derive(Clone, Debug)]
+pub(super) struct Carried {
+    r: f64,
+    displacements: Vec<f64>,
+    velocities: Vec<f64>,
+}
+
+impl Carried {
+    fn of(orbit: &SystemOrbit<'_>, r: f64) -> Self {
+        let tau = -orbit.origin();
+        let masses = 0..orbit.system.scene().masses.len();
+        let (displacements, velocities) = masses
+            .filter_map(|mass| orbit.mass_at(mass))
+            .map(|motion| (motion.displacement(tau), motion.velocity(tau)))
+            .unzip();
+        Self {
+            r,
+            displacements,
+            velocities,
+        }
+    }
+}
+
 /// How far something swings, and when.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
@@ -167,6 +191,32 @@ impl<'a> SystemAt<'a> {
                 self.told(orbit, motion.ok())
             }
         }
+    }
+
+    /// The response that motion from another state ends in, with the state to carry on from.
+    pub(super) fn response_from(
+        &self,
+        beta: f64,
+        start: Option<&Carried>,
+    ) -> Result<(SystemResponse<'a>, Carried), Error> {
+        let motion = match self.motion(beta) {
+            Err(NotContinuous::OutOfDomain) => {
+                return Err(OutOfDomain { argument: "beta" }.into());
+            }
+            motion => motion.ok(),
+        };
+        let r = self.frequency_ratio();
+        let orbit = match start {
+            None => self.orbit_or_last_cycles(beta)?,
+            Some(carried) => {
+                // A velocity in time is r times dx̄/dτ.
+                let factor = carried.r / r;
+                let velocities: Vec<f64> = carried.velocities.iter().map(|v| v * factor).collect();
+                self.orbit_or_last_cycles_from(beta, (&carried.displacements, &velocities))?
+            }
+        };
+        let carried = Carried::of(&orbit, r);
+        Ok((self.told(orbit, motion)?, carried))
     }
 
     /// The response that an orbit is.

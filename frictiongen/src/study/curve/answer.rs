@@ -1,6 +1,7 @@
 //! A curve of the response.
 
 use super::point::CurvePoint;
+use super::request::CurveStart;
 use crate::{Error, Regime};
 
 /// A response along frequency at one friction ratio.
@@ -8,6 +9,8 @@ use crate::{Error, Regime};
 pub struct Curve {
     /// β.
     pub beta: f64,
+    /// Where the motion of each point starts.
+    pub start: CurveStart,
     /// What is joined, with ascending r.
     pub pieces: Vec<Piece>,
     /// Where there is no answer.

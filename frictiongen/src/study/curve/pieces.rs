@@ -3,10 +3,15 @@
 use super::answer::{Curve, End, Gap, Piece};
 use super::point::CurvePoint;
 use super::refine::Node;
+use super::request::CurveStart;
 use crate::Error;
 
 /// The pieces and gaps of nodes in their order.
-pub(super) fn curve(beta: f64, nodes: impl Iterator<Item = Node>, refined: bool) -> Curve {
+pub(super) fn curve(
+    (beta, start): (f64, CurveStart),
+    nodes: impl Iterator<Item = Node>,
+    refined: bool,
+) -> Curve {
     let mut builder = Builder::default();
     for node in nodes {
         match node.answer {
@@ -20,6 +25,7 @@ pub(super) fn curve(beta: f64, nodes: impl Iterator<Item = Node>, refined: bool)
     builder.end(End::Range);
     Curve {
         beta,
+        start,
         pieces: builder.pieces,
         gaps: builder.gaps,
         refined,

@@ -14,14 +14,14 @@ use crate::{Error, OutOfDomain};
 use rayon::prelude::*;
 
 /// Two places nearer than this, relatively, that still differ are on two sides of a jump.
-const NARROW: f64 = 1e-7;
+pub(super) const NARROW: f64 = 1e-7;
 /// The same where amplitudes scatter: of motions that do not settle, and where the motion from rest ends in one or another
 /// of several steady states, however near its neighbours are.
-const NARROW_SCATTERED: f64 = 1e-3;
+pub(super) const NARROW_SCATTERED: f64 = 1e-3;
 /// So many intervals between two places of the first grid may each bend or hold a jump; beyond, the motion scatters.
 const MOST_BENT: usize = 32;
 /// Up to which distance, relatively, the place is sought at which the contact begins to stop in another way.
-const NARROW_PATTERN: f64 = 1e-4;
+pub(super) const NARROW_PATTERN: f64 = 1e-4;
 /// Up to which distance, relatively, the end of a gap is sought.
 const NARROW_GAP: f64 = 1e-7;
 /// Below this share of the largest amplitude of the first grid a bend is not followed.
@@ -36,7 +36,7 @@ pub(super) struct Node {
     pub answer: Result<CurvePoint, Error>,
     /// Why the curve is cut between here and the next node, if it is.
     pub cut: Option<End>,
-    work: usize,
+    pub work: usize,
 }
 
 /// An interval that may have to be halved, between two of the nodes.
@@ -52,10 +52,10 @@ struct Interval {
 
 /// Refines one curve.
 pub(super) struct Refine<'a> {
-    system: &'a System,
-    request: &'a CurveRequest,
-    beta: f64,
-    straight: Straight,
+    pub system: &'a System,
+    pub request: &'a CurveRequest,
+    pub beta: f64,
+    pub straight: Straight,
 }
 
 impl<'a> Refine<'a> {
@@ -94,7 +94,7 @@ impl<'a> Refine<'a> {
     }
 
     /// Amplitudes count against those of the first nodes: against their median, which a pole leaves alone.
-    fn scales(&self, nodes: &[Node]) -> Vec<f64> {
+    pub(super) fn scales(&self, nodes: &[Node]) -> Vec<f64> {
         let median = |index: usize| {
             let points = nodes.iter().filter_map(|node| node.answer.as_ref().ok());
             let sizes =
@@ -142,7 +142,7 @@ impl<'a> Refine<'a> {
             }
         }
         nodes.sort_by(|a, b| a.r.total_cmp(&b.r));
-        pieces::curve(self.beta, nodes.into_iter(), refined)
+        pieces::curve((self.beta, self.request.start), nodes.into_iter(), refined)
     }
 
     /// Those of the intervals that are not narrow enough, with their middles; the others are cut where their ends differ.

@@ -5,6 +5,18 @@ use crate::Of;
 /// The work of a curve beside its first grid: some seconds.
 const WORK: usize = 200_000;
 
+/// Where the motion of each point of a curve starts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum CurveStart {
+    /// From rest, point by point: every mass at x = 0 without velocity where the excitation is at its maximum.
+    #[default]
+    Rest,
+    /// From the steady state of the point before, with ascending frequency; the first point starts from rest.
+    Up,
+    /// From the steady state of the point before, with descending frequency; the first point starts from rest.
+    Down,
+}
+
 /// What is asked of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurveRequest {
@@ -28,6 +40,8 @@ pub struct CurveRequest {
     /// How much work points beside those of the first grid may take: that of so many answers of the closed form, of some 10 µs
     /// each.  It is counted, so that a curve is the same on every machine.
     pub work: usize,
+    /// Where the motion of each point starts.
+    pub start: CurveStart,
 }
 
 impl CurveRequest {
@@ -44,6 +58,7 @@ impl CurveRequest {
             rates: false,
             turned: false,
             work: WORK,
+            start: CurveStart::Rest,
         }
     }
 

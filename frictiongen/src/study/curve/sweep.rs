@@ -1,0 +1,157 @@
+//! Curves whose points start where the last one ended, as in a laboratory.
+
+use super::answer::{Curve, End};
+use super::pieces;
+use super::places::Place;
+use super::point::CurvePoint;
+use super::refine::{NARROW, NARROW_PATTERN, NARROW_SCATTERED, Node, Refine};
+use super::request::CurveStart;
+use super::straight::alike;
+use crate::study::response::Carried;
+use crate::study::work::work;
+use crate::{Error, OutOfDomain};
+
+/// So many jumps between two places are each located; beyond, the motion scatters.
+const MOST_JUMPS: u32 = 4;
+
+/// A point of a sweep, with the state that the next one starts from.
+struct Step {
+    node: Node,
+    carried: Option<Carried>,
+}
+
+impl Refine<'_> {
+    /// The curve through the places, swept from the first to the last of the asked direction.
+    pub(super) fn swept(mut self, places: &[Place]) -> Curve {
+        let down = self.request.start == CurveStart::Down;
+        let mut places = places.to_vec();
+        if down {
+            places.reverse();
+        }
+        // A pole's cut is noted at the place below it.
+        let poles: Vec<bool> = places
+            .windows(2)
+            .map(|pair| {
+                let below = if down { pair.last() } else { pair.first() };
+                below.is_some_and(|place| place.cut == Some(End::Pole))
+            })
+            .collect();
+        let coarse = self.coarse(&places);
+        self.straight.scales = self.scales(&coarse);
+        let sweep = self;
+        let mut left = Some(sweep.request.work);
+        let mut steps: Vec<Step> = Vec::new();
+        if let Some(first) = places.first() {
+            steps.push(sweep.step(first.r, None));
+        }
+        for (place, pole) in places.iter().skip(1).zip(poles) {
+            sweep.reach(place.r, pole, &mut steps, &mut left);
+        }
+        let mut nodes: Vec<Node> = steps.into_iter().map(|step| step.node).collect();
+        if down {
+            nodes.reverse();
+            // Each cut lies between a node and the one below it now.
+            let cuts: Vec<Option<End>> = nodes.iter().skip(1).map(|node| node.cut).collect();
+            for (node, cut) in nodes.iter_mut().zip(cuts.into_iter().chain([None])) {
+                node.cut = cut;
+            }
+        }
+        let asked = (sweep.beta, sweep.request.start);
+        pieces::curve(asked, nodes.into_iter(), left.is_some())
+    }
+
+    /// The places alone, for the sizes that count.
+    fn coarse(&self, places: &[Place]) -> Vec<Node> {
+        let mut carried = None;
+        let nodes = places.iter().map(|place| {
+            let step = self.step(place.r, carried.as_ref());
+            carried.clone_from(&step.carried);
+            step.node
+        });
+        nodes.collect()
+    }
+
+    /// The response at r of a motion that starts from a state, or from rest.
+    fn step(&self, r: f64, start: Option<&Carried>) -> Step {
+        let found = self.system.at(r).map_err(Error::from).and_then(|at| {
+            let (response, carried) = at.response_from(self.beta, start)?;
+            let point = CurvePoint::of(r, &response, self.request)
+                .ok_or(OutOfDomain { argument: "mass" })?;
+            Ok((point, carried, work(self.system, Ok(&response))))
+        });
+        let (answer, carried, work) = match found {
+            Ok((point, carried, work)) => (Ok(point), Some(carried), work),
+            // Where there is no answer, the state of the last point goes on.
+            Err(error) => (Err(error), start.cloned(), work(self.system, Err(error))),
+        };
+        Step {
+            node: Node {
+                r,
+                answer,
+                cut: None,
+                work,
+            },
+            carried,
+        }
+    }
+
+    /// Goes on from the last step to r, in steps as small as the curve bends.  A step that ends in another state is halved
+    /// until the place of the jump is known, so that no large step alone makes the motion jump.  `left` is the work that is
+    /// left; where it is spent, steps go from place to place.
+    fn reach(&self, r: f64, pole: bool, steps: &mut Vec<Step>, left: &mut Option<usize>) {
+        let mut targets = vec![r];
+        let mut jumps = 0;
+        while let (Some(target), Some(last)) = (targets.last().copied(), steps.last_mut()) {
+            let middle = 0.5 * (last.node.r + target);
+            let width = (target - last.node.r).abs();
+            let narrow = if jumps < MOST_JUMPS && settled(&last.node) {
+                NARROW
+            } else {
+                NARROW_SCATTERED
+            };
+            let least = last.node.r.min(target);
+            if pole
+                || left.is_none()
+                || width <= narrow * target
+                || !(least < middle && middle < least + width)
+            {
+                let step = self.step(target, last.carried.as_ref());
+                last.node.cut = self.cut(&last.node, &step.node, pole);
+                jumps += u32::from(last.node.cut == Some(End::Jump));
+                steps.push(step);
+                targets.pop();
+                continue;
+            }
+            let between = self.step(middle, last.carried.as_ref());
+            let end = self.step(target, between.carried.as_ref());
+            *left = left.and_then(|left| left.checked_sub(between.node.work + end.node.work));
+            let done = match (&last.node.answer, &between.node.answer, &end.node.answer) {
+                (Ok(a), Ok(m), Ok(b)) => {
+                    self.straight.is_straight(a, m, b)
+                        && (alike([a, m, b]) || width <= NARROW_PATTERN * target)
+                }
+                (Err(a), Err(m), Err(b)) => a == m && m == b,
+                _ => false,
+            };
+            if done {
+                steps.extend([between, end]);
+                targets.pop();
+            } else {
+                targets.push(middle);
+            }
+        }
+    }
+
+    /// Why the curve is cut between two neighbours, if it is.
+    fn cut(&self, last: &Node, next: &Node, pole: bool) -> Option<End> {
+        match (&last.answer, &next.answer) {
+            _ if pole => Some(End::Pole),
+            (Ok(a), Ok(b)) if !self.straight.touch(a, b) => Some(End::Jump),
+            _ => None,
+        }
+    }
+}
+
+fn settled(node: &Node) -> bool {
+    node.answer.as_ref().is_ok_and(|point| point.settled)
+}
