@@ -59,7 +59,7 @@ fn main() -> Result<(), Box<dyn StdError>> {
 
 /// The boundaries of the three regimes over the frequency ratio.
 fn regimes() -> Result<(), Error> {
-    println!("Regimes: continuous below β_lim, stuck from β*_lim on, stick-slip between");
+    println!("Regimes: the closed form exists below β_lim, a stuck state from β*_lim on");
     println!("{:>6} {:>12} {:>12}   at β = 0.3", "r", "β_lim", "β*_lim");
     for r in [0.2, 0.4, 0.628, 0.9, 1.2, 1.684, 2.2] {
         let at = Frame::at(r)?;
@@ -67,6 +67,7 @@ fn regimes() -> Result<(), Error> {
             Regime::Continuous => "continuous",
             Regime::StickSlip => "stick-slip",
             Regime::Stuck => "stuck",
+            Regime::Bistable => "sliding or stuck",
             _ => "another regime",
         };
         println!(

@@ -14,7 +14,7 @@ pub fn header(out: &mut dyn Write, names: &[String], unit_row: bool) -> io::Resu
 }
 
 /// The endings of names that say a unit; of two that fit the longer one stands first.
-const UNITS: [(&str, &str); 10] = [
+const UNITS: [(&str, &str); 11] = [
     ("_m_s2", "m/s2"),
     ("_m_s", "m/s"),
     ("_rad_s", "rad/s"),
@@ -25,6 +25,7 @@ const UNITS: [(&str, &str); 10] = [
     ("_m", "m"),
     ("_s", "s"),
     (".phase", "rad"),
+    (".fundamental_phase", "rad"),
 ];
 
 /// The unit of a column, by its name; nothing for ratios, counts and words.

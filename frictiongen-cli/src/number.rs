@@ -13,8 +13,21 @@ pub enum Value<'a> {
     Text(&'a str),
     /// A word made for this row.
     Owned(String),
+    /// Whether or not.
+    Flag(bool),
     /// Nothing to say: an empty cell.
     Missing,
+}
+
+impl From<Option<bool>> for Value<'_> {
+    fn from(value: Option<bool>) -> Self {
+        value.map_or(Self::Missing, Self::Flag)
+    }
+}
+
+/// What a flag is in a table and in CSV.
+pub fn word(flag: bool) -> &'static str {
+    if flag { "true" } else { "false" }
 }
 
 impl From<f64> for Value<'_> {
@@ -53,6 +66,7 @@ impl Value<'_> {
             Self::Count(value) => Cow::Owned(value.to_string()),
             Self::Text(text) => Cow::Borrowed(text),
             Self::Owned(text) => Cow::Borrowed(text),
+            Self::Flag(value) => Cow::Borrowed(word(*value)),
             Self::Missing => Cow::Borrowed(""),
         }
     }
@@ -67,6 +81,7 @@ impl Value<'_> {
             Self::Count(value) => (*value).into(),
             Self::Text(text) => (*text).into(),
             Self::Owned(text) => text.as_str().into(),
+            Self::Flag(value) => (*value).into(),
             Self::Missing => serde_json::Value::Null,
         }
     }

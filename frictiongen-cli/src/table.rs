@@ -1,6 +1,6 @@
 //! Writes tables for people: columns aligned, numbers on their decimal points.
 
-use crate::number::{Value, computed, decimals, given};
+use crate::number::{Value, computed, decimals, given, word};
 use std::io::{self, Write};
 
 /// How a column's values are written.
@@ -68,6 +68,7 @@ impl Column {
             (Value::Count(value), _) => value.to_string(),
             (Value::Text(text), _) => (*text).to_owned(),
             (Value::Owned(text), _) => text.clone(),
+            (Value::Flag(value), _) => word(*value).to_owned(),
             (Value::Missing, _) => String::new(),
         }
     }

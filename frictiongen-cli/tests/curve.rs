@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{BLOCK, FRAME, failure, output};
+use common::{BLOCK, FRAME, cells, failure, output};
 use std::path::PathBuf;
 
 fn lines(arguments: &[&str]) -> Vec<Vec<String>> {
@@ -169,7 +169,8 @@ fn maps_and_their_boundaries() {
     assert_eq!(map.len(), 101);
     assert_eq!(
         map[0].join(","),
-        "r,beta,regime,region,period,stops,reversals,stuck_fraction,upper.amplitude"
+        "r,beta,regime,region,period,stops,reversals,stuck_fraction,offset,marginal,from_rest,\
+         upper.amplitude,upper.centred"
     );
     let boundaries = lines(&[&["map", "--csv", "--boundaries", "4"][..], &grid].concat());
     assert_eq!(boundaries[0].join(","), "r,beta,width,below,above");
@@ -303,4 +304,48 @@ fn an_interrupted_map_is_kept() {
     assert_eq!(written.lines().count(), 1 + 100 * done);
     assert!(written.ends_with('\n'));
     std::fs::remove_dir_all(folder).unwrap();
+}
+
+/// Two sweeps in one table: the stuck block leaves its base at r² = μβ, less what holds it off its centre.
+#[test]
+fn sweeps_up_and_down() {
+    let block = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
+        contact: block - base, excitation: base, stiction: 2 }";
+    let asked = [
+        "curve",
+        "--r",
+        "1.01:1.75",
+        "--beta",
+        "0.85",
+        "--from",
+        "up,down",
+        "--csv",
+    ];
+    let text = output(block, &asked);
+    let cells = cells(&text);
+    let place = |name: &str| cells[0].iter().position(|found| *found == name).unwrap();
+    let [from, r, regime, offset] = ["from", "r", "regime", "offset"].map(place);
+    let rows = |way: &'static str, what: &'static str| {
+        let rows = cells.iter().skip(1);
+        rows.filter(move |row| row[from] == way && row[regime] == what)
+    };
+    let number = |text: &str| text.parse::<f64>().unwrap();
+    let last = rows("up", "stuck").last().unwrap();
+    let departure = (1.7 - number(last[offset]).abs()).sqrt();
+    assert!((number(last[r]) - departure).abs() < 2e-7);
+    let first = rows("down", "continuous").next().unwrap();
+    assert!(number(first[r]) < departure - 0.1);
+    // Alone, without the column.
+    let text = output(
+        block,
+        &["curve", "--r", "1.01:1.75", "--beta", "0.85", "--csv"],
+    );
+    assert!(
+        !text
+            .lines()
+            .next()
+            .unwrap()
+            .split(',')
+            .any(|name| name == "from")
+    );
 }

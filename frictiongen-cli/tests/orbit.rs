@@ -12,13 +12,13 @@ fn table() {
     let text = output("", &arguments);
     let table = text.split("\n\n").nth(2).unwrap();
     let expected = "
-  r  beta  regime      state      symmetry      period  stops  reversals         stuck    multiplier  motion      amplitude         phase
-                                              (cycles)                     (of period)     (largest)                 (of Y)         (rad)
----  ----  ----------  ---------  ----------  --------  -----  ---------  ------------  ------------  -------  ------------  ------------
-0.3   0.1  stick-slip  stable     symmetric          1      2          0      0.016053      0.727854  contact      1.330410             0
-                                                                                                      lower        1.231456     -0.063372
-0.3   3.0  stuck       marginal   symmetric          1      0          0      1.000000      1.000000  contact             0             0
-                                                                                                      lower        0.494612    4.77119e-3
+  r  beta  regime      state      symmetry      period  stops  reversals         stuck    multiplier        offset  motion      amplitude       centred         phase   fundamental
+                                              (cycles)                     (of period)     (largest)        (of Y)                 (of Y)        (of Y)         (rad)         (rad)
+---  ----  ----------  ---------  ----------  --------  -----  ---------  ------------  ------------  ------------  -------  ------------  ------------  ------------  ------------
+0.3   0.1  stick-slip  stable     symmetric          1      2          0      0.016053      0.727854             0  contact      1.330410      1.330410   -9.61382e-4      0.240597
+                                                                                                                    lower        1.231456      1.231456     -0.063372      0.148277
+0.3   3.0  stuck       marginal   symmetric          1      0          0      1.000000      1.000000             0  contact             0             0             0
+                                                                                                                    lower        0.494612      0.494612    4.77119e-3    4.77119e-3
 ";
     assert_eq!(format!("\n{table}"), expected);
 }
@@ -47,7 +47,7 @@ fn stops_and_reversals_are_counted() {
 fn a_point_without_a_steady_state_says_why() {
     let text = output(BLOCK, &["orbit", "--r", "1", "--beta", "0.4", "--csv"]);
     let line = text.lines().nth(1).unwrap();
-    assert_eq!(line, "1.0,0.4,unbounded,unbounded,,,,,,,,,,");
+    assert_eq!(line, "1.0,0.4,unbounded,unbounded,,,,,,,,,,,,,,,,,");
     let text = output(BLOCK, &["orbit", "--r", "1", "--beta", "0.4", "--json"]);
     let point = &json(&text)["points"][0];
     assert_eq!(point["state"], "unbounded");
@@ -125,4 +125,56 @@ fn r_must_be_positive_and_finite() {
         &["orbit", "--r", "1", "--beta", "1", "--mass", "brick"],
     );
     assert_eq!(lines.len(), 1, "{lines:?}");
+}
+
+const STUBBORN: &str = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
+    contact: block - base, excitation: base, stiction: 2 }";
+
+/// The closed form and the stuck block, one from rest and the other not; without --states one of them.
+#[test]
+fn states_beside_each_other() {
+    let asked = ["orbit", "--r", "1.1", "--beta", "0.65", "--json"];
+    let states = json(&output(STUBBORN, &[&asked[..], &["--states"]].concat()));
+    let points = states["points"].as_array().unwrap();
+    let of = |regime: &str| {
+        let found: Vec<_> = points
+            .iter()
+            .filter(|point| point["regime"] == regime)
+            .collect();
+        assert_eq!(found.len(), 1, "{regime}");
+        found[0]
+    };
+    assert_eq!(points.len(), 2);
+    let (sliding, stuck) = (of("continuous"), of("stuck"));
+    // Den Hartog's closed form.
+    let amplitude = sliding["contact"]["amplitude"].as_f64().unwrap();
+    assert!((amplitude - CLOSED_FORM).abs() < 1e-9, "{amplitude}");
+    assert_eq!(
+        sliding["contact"]["centred"],
+        sliding["contact"]["amplitude"]
+    );
+    assert_eq!(sliding["marginal"], false);
+    assert_eq!(stuck["marginal"], true);
+    let from_rest = points.iter().filter(|point| point["from_rest"] == true);
+    assert_eq!(from_rest.count(), 1);
+    let alone = json(&output(STUBBORN, &asked));
+    assert_eq!(alone["points"].as_array().unwrap().len(), 1);
+    assert_eq!(alone["points"][0], points[0]);
+}
+
+/// z̄₀² = V² − β²U² at r = 1.1, β = 0.65, with the load r²Y.
+const CLOSED_FORM: f64 = 4.038_387_375_443_518;
+
+/// A contact with the moving base starts at z̄ = −Y and sticks there: the block moves by 2Y at most, by Y about its middle.
+#[test]
+fn a_contact_stuck_off_its_centre() {
+    let point = &json(&output(
+        STUBBORN,
+        &["orbit", "--r", "0.2", "--beta", "5", "--json"],
+    ))["points"][0];
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    assert_eq!(point["regime"], "stuck");
+    assert!((number(&point["offset"]) + 1.0).abs() < 1e-12);
+    assert!((number(&point["masses"][0]["amplitude"]) - 2.0).abs() < 1e-12);
+    assert!((number(&point["masses"][0]["centred"]) - 1.0).abs() < 1e-12);
 }

@@ -104,3 +104,42 @@ fn multipliers_of_the_thesis_examples() {
     }
     assert_eq!(seen, 30);
 }
+
+/// The states that exist side by side, in any order.
+#[test]
+fn several_states() {
+    let page = page();
+    let command = page.lines().find(|line| line.ends_with(" --states"));
+    let words: Vec<&str> = command.expect("the command").split(' ').skip(1).collect();
+    let file = format!("{ROOT}/{}", words[1]);
+    let asked: Vec<&str> = words
+        .iter()
+        .map(|word| if *word == words[1] { &file } else { *word })
+        .chain(["--csv"])
+        .collect();
+    let csv = output("", &asked);
+    let lines = cells(&csv);
+    let place = |name: &str| lines[0].iter().position(|cell| *cell == name).expect(name);
+    let printed: Vec<Vec<&str>> = page
+        .lines()
+        .skip_while(|line| !line.starts_with("| regime | state |"))
+        .skip(2)
+        .take_while(|line| line.starts_with('|'))
+        .map(row)
+        .collect();
+    assert_eq!(printed.len(), lines.len() - 1);
+    for printed in &printed {
+        let found = lines.iter().skip(1);
+        let found: Vec<_> = found
+            .filter(|line| line[place("regime")] == printed[0])
+            .collect();
+        assert_eq!(found.len(), 1, "{printed:?}");
+        for (name, printed) in ["regime", "state", "stops", "reversals"]
+            .iter()
+            .zip(printed)
+        {
+            assert_eq!(found[0][place(name)], *printed);
+        }
+        same(printed[4], found[0][place("contact.amplitude")], printed[0]);
+    }
+}

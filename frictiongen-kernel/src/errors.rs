@@ -7,9 +7,10 @@ use core::fmt;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Regime {
-    /// β < β_lim and β < β*_lim: the contact slides all the time, the closed form holds.
+    /// β < β_lim and β < β*_lim: the closed form exists, and no stuck state.  With μ = 1 it is the only state; with μ > 1
+    /// stick-slip may exist beside it.
     Continuous,
-    /// β_lim ≤ β < β*_lim: the contact stops and slides in turn.
+    /// β_lim ≤ β < β*_lim: neither the closed form nor a stuck state exists.  The contact stops and slides in turn.
     StickSlip,
     /// β ≥ β_lim and β ≥ β*_lim: a stuck state exists.  With μ = 1 motion from rest always ends in one; with μ > 1 it may
     /// end in stick-slip instead.

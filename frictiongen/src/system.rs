@@ -154,7 +154,7 @@ pub trait LimitsAt {
     fn continuous_limit_without_search(&self) -> Self::Scalar;
     /// β_lim with S as the sum of each mode's own maximum (5.55, 7.37), as the thesis prints it.
     fn continuous_limit_per_mode(&self) -> Self::Scalar;
-    /// β*_lim, beyond which the contact never slides (6.11, 6.27, 6.33).
+    /// β*_lim, from which on a stuck state exists (6.11, 6.27, 6.33).
     fn sliding_limit(&self) -> Self::Scalar;
     /// Both limits, by one search: what is asked of them needs no other.
     fn limits(&self) -> Limits<Self::Scalar> {
@@ -168,7 +168,7 @@ pub trait LimitsAt {
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
     fn regime(&self, beta: Self::Scalar) -> Result<Regime, OutOfDomain>;
-    /// β/min(β_lim, β*_lim) − 1: negative in the continuous regime.
+    /// β/min(β_lim, β*_lim) − 1: negative below both limits, where the closed form exists.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.

@@ -9,7 +9,7 @@ use crate::errors::domain;
 use crate::motion::{self, Extent, Movement};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::study::{Curve, CurveError, CurvePoint, CurveRequest, words};
+use frictiongen::study::{Curve, CurveError, CurvePoint, CurveRequest, CurveStart, words};
 use frictiongen::{Error, Of};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -18,6 +18,7 @@ use pyo3::types::PyDict;
 struct Line {
     /// The place of its friction.
     friction: usize,
+    start: CurveStart,
     r: f64,
     piece: Option<usize>,
     found: Result<CurvePoint, Error>,
@@ -25,10 +26,11 @@ struct Line {
 
 /// The lines of one curve, with ascending frequency.
 fn lines(friction: usize, curve: Curve) -> Vec<Line> {
-    let mut lines = Vec::new();
+    let (start, mut lines) = (curve.start, Vec::new());
     for (piece, found) in (1..).zip(curve.pieces) {
         lines.extend(found.points.into_iter().map(|point| Line {
             friction,
+            start,
             r: point.r,
             piece: Some(piece),
             found: Ok(point),
@@ -40,6 +42,7 @@ fn lines(friction: usize, curve: Curve) -> Vec<Line> {
             ends.take(if gap.from < gap.to { 2 } else { 1 })
                 .map(|r| Line {
                     friction,
+                    start,
                     r,
                     piece: None,
                     found: Err(gap.reason),
@@ -50,8 +53,32 @@ fn lines(friction: usize, curve: Curve) -> Vec<Line> {
     lines
 }
 
-/// Accuracy, the largest step, the highest harmonic, and whether velocities are asked for.
-type Fineness<'py> = (Optional<'py>, Optional<'py>, Optional<'py>, bool);
+/// Accuracy, the largest step, the highest harmonic, whether velocities are asked for, and the starts.
+type Fineness<'py> = (
+    Optional<'py>,
+    Optional<'py>,
+    Optional<'py>,
+    bool,
+    Vec<String>,
+);
+
+/// Where the motions of each curve start.
+fn starts(names: &[String]) -> PyResult<Vec<CurveStart>> {
+    let all = [CurveStart::Rest, CurveStart::Up, CurveStart::Down];
+    let start = |name: &String| {
+        let known = all.into_iter().find(|start| words::start(*start) == name);
+        known.ok_or_else(|| {
+            domain(format_args!(
+                "start: `{name}` is none of \"rest\", \"up\" and \"down\""
+            ))
+        })
+    };
+    let starts: Vec<CurveStart> = names.iter().map(start).collect::<PyResult<_>>()?;
+    if starts.is_empty() {
+        return Err(domain(format_args!("start: there is none")));
+    }
+    Ok(starts)
+}
 
 /// The responses along frequency, one curve for each friction.
 #[pyfunction]
@@ -64,7 +91,8 @@ pub fn curve<'py>(
     of: Optional<'py>,
     fineness: Fineness<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (accuracy, step, highest, rates) = fineness;
+    let (accuracy, step, highest, rates, starts_of) = fineness;
+    let starts = starts(&starts_of)?;
     let system = &system.system;
     let band = Band::of(system, &frequency)?;
     let measure = Measure::of(system, &load)?;
@@ -86,8 +114,8 @@ pub fn curve<'py>(
     };
     // Before refinement it is not known how many points there will be.
     check_size(
-        frictions.beta.len().saturating_mul(1000),
-        8 + parts.len() * extent.numbers(),
+        frictions.beta.len().saturating_mul(1000 * starts.len()),
+        11 + parts.len() * extent.numbers(),
     )?;
     let found = without_lock(py, |stop| {
         let mut found = Vec::new();
@@ -95,12 +123,16 @@ pub fn curve<'py>(
             if !stop.goes_on() || MOST_POINTS < found.len() {
                 break;
             }
-            found.extend(lines(place, system.curve(&request, *beta)?));
+            // A sweep goes from point to point; several go side by side.
+            let asked: Vec<_> = starts.iter().map(|start| (*beta, *start)).collect();
+            for curve in system.curves(&request, &asked)? {
+                found.extend(lines(place, curve));
+            }
         }
         Ok::<_, CurveError>(found)
     })?
     .map_err(domain)?;
-    check_size(found.len(), 8 + parts.len() * extent.numbers())?;
+    check_size(found.len(), 11 + parts.len() * extent.numbers())?;
 
     let points = || found.iter().map(|line| line.found.as_ref().ok());
     let mut columns = Columns::new(py, &[found.len()]);
@@ -111,6 +143,15 @@ pub fn curve<'py>(
         (system, &measure),
         found.iter().map(|line| line.r).collect(),
     )?;
+    if starts != [CurveStart::Rest] {
+        columns.words(
+            "start",
+            found
+                .iter()
+                .map(|line| words::start(line.start))
+                .collect::<Words>(),
+        )?;
+    }
     columns.counts(
         "piece",
         found.iter().map(|line| count(line.piece)).collect(),
@@ -155,11 +196,29 @@ pub fn curve<'py>(
         "friction_work"
     };
     columns.numbers(name, work.collect())?;
+    let sign = measure.sign();
+    let offset =
+        |point: Option<&CurvePoint>| cell(point.map(|point| measure.length(sign * point.offset)));
+    columns.numbers(measure.name("offset", "_m"), points().map(offset).collect())?;
+    columns.flags(
+        "marginal",
+        points()
+            .map(|point| point.is_some_and(|point| point.marginal))
+            .collect(),
+    )?;
+    columns.flags(
+        "from_rest",
+        points()
+            .map(|point| point.is_some_and(|point| point.from_rest))
+            .collect(),
+    )?;
     for (place, part) in parts.iter().enumerate() {
         let movements = points().zip(&omegas).map(|(point, omega)| {
             let movement = point.and_then(|point| point.movements.get(place));
             let movement = movement.map(|movement| Movement {
                 swing: Some(movement.swing),
+                centred: Some(movement.centred),
+                fundamental_phase: movement.fundamental_phase,
                 monoharmonic: None,
                 rates: movement.rates,
                 harmonics: movement.harmonics.clone(),

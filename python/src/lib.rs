@@ -54,7 +54,7 @@ mod _native {
     #[pymodule_export]
     use crate::optimum::optimum;
     #[pymodule_export]
-    use crate::orbit::orbit;
+    use crate::orbit::{orbit, states};
     #[pymodule_export]
     use crate::response::response;
     #[pymodule_export]

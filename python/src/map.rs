@@ -36,7 +36,7 @@ pub fn map<'py>(
     let parts = parts(system, "of", of.as_ref())?;
     check_size(
         frequencies.r.len().saturating_mul(frictions.beta.len()),
-        8 + parts.len(),
+        11 + 2 * parts.len(),
     )?;
     let request = MapRequest {
         r: frequencies.r.clone(),
@@ -95,18 +95,41 @@ pub fn map<'py>(
     let fractions =
         found().map(|point| cell(point.as_ref().ok().map(|point| point.stuck_fraction)));
     columns.numbers("stuck_fraction", fractions.collect())?;
+    let point = || found().map(|point| point.as_ref().ok());
+    let sign = measure.sign();
+    columns.numbers(
+        measure.name("offset", "_m"),
+        point()
+            .map(|point| cell(point.map(|point| measure.length(sign * point.offset))))
+            .collect(),
+    )?;
+    columns.flags(
+        "marginal",
+        point()
+            .map(|point| point.is_some_and(|point| point.marginal))
+            .collect(),
+    )?;
+    columns.flags(
+        "from_rest",
+        point()
+            .map(|point| point.is_some_and(|point| point.from_rest))
+            .collect(),
+    )?;
     for (place, part) in parts.iter().enumerate() {
-        let amplitudes = found().map(|point| {
-            let amplitude = point
-                .as_ref()
-                .ok()
-                .and_then(|point| point.amplitudes.get(place).copied());
-            cell(amplitude.map(|size| measure.length(size)))
-        });
-        columns.numbers(
-            measure.name(&format!("{}.amplitude", part.name), "_m"),
-            amplitudes.collect(),
-        )?;
+        let reads: [(&str, fn(&MapPoint) -> &Vec<f64>); 2] = [
+            ("amplitude", |point| &point.amplitudes),
+            ("centred", |point| &point.centred),
+        ];
+        for (what, read) in reads {
+            let sizes = point().map(|point| {
+                let size = point.and_then(|point| read(point).get(place).copied());
+                cell(size.map(|size| measure.length(size)))
+            });
+            columns.numbers(
+                measure.name(&format!("{}.{what}", part.name), "_m"),
+                sizes.collect(),
+            )?;
+        }
     }
     Ok(columns.done())
 }

@@ -3,7 +3,7 @@
 use crate::asked::{Measure, Part};
 use crate::columns::{Columns, cell};
 use frictiongen::Complex;
-use frictiongen::study::units::polar;
+use frictiongen::study::units::{fundamental_phase, polar, reversed_phase};
 use frictiongen::study::{Swing, SystemOrbitMotion, SystemResponse};
 use pyo3::prelude::*;
 
@@ -12,6 +12,10 @@ use pyo3::prelude::*;
 pub struct Movement {
     /// Amplitude and phase.
     pub swing: Option<Swing>,
+    /// The amplitude about the motion's own middle.
+    pub centred: Option<f64>,
+    /// The lag of the fundamental component.
+    pub fundamental_phase: Option<f64>,
     /// The amplitude of the fundamental component alone, where it is estimated.
     pub monoharmonic: Option<f64>,
     /// The largest velocity and acceleration.
@@ -33,6 +37,8 @@ impl Movement {
             .map(|order| response.harmonic(part.of, *order));
         let mut movement = Self {
             swing: response.swing(part.of),
+            centred: response.centred_amplitude(part.of),
+            fundamental_phase: response.fundamental_phase(part.of),
             monoharmonic: response.monoharmonic(part.of),
             rates: None,
             harmonics: harmonics.collect::<Option<_>>().unwrap_or_default(),
@@ -46,11 +52,14 @@ impl Movement {
     /// Of a steady state.
     pub fn of_orbit(motion: &SystemOrbitMotion<'_, '_>, orders: &[u32]) -> Self {
         let (amplitude, phase) = motion.largest();
+        let centred = motion.centred_amplitude();
         Self {
             swing: Some(Swing {
                 amplitude,
                 phase: Some(phase),
             }),
+            centred: Some(centred),
+            fundamental_phase: fundamental_phase(motion.harmonic(1), centred),
             harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
             ..Self::default()
         }
@@ -61,6 +70,7 @@ impl Movement {
         if let Some(swing) = &mut self.swing {
             swing.phase = phase;
         }
+        self.fundamental_phase = self.fundamental_phase.map(reversed_phase);
         for harmonic in &mut self.harmonics {
             *harmonic = Complex::new(0.0 - harmonic.re, 0.0 - harmonic.im);
         }
@@ -73,6 +83,7 @@ impl Movement {
             swing.amplitude = settled(swing.amplitude);
             swing.phase = swing.phase.filter(|_| swing.amplitude != 0.0);
         }
+        self.centred = self.centred.map(settled);
         self.monoharmonic = self.monoharmonic.map(settled);
         for harmonic in &mut self.harmonics {
             *harmonic = Complex::new(settled(harmonic.re), settled(harmonic.im));
@@ -94,7 +105,7 @@ pub struct Extent<'a> {
 impl Extent<'_> {
     /// How many numbers that is.
     pub fn numbers(&self) -> usize {
-        2 + usize::from(self.monoharmonic) + 2 * usize::from(self.rates) + 2 * self.orders.len()
+        4 + usize::from(self.monoharmonic) + 2 * usize::from(self.rates) + 2 * self.orders.len()
     }
 }
 
@@ -117,8 +128,16 @@ pub fn put(
         all(&|movement, _| Some(measure.length(movement.swing?.amplitude))),
     )?;
     columns.numbers(
+        full("centred", "_m"),
+        all(&|movement, _| Some(measure.length(movement.centred?))),
+    )?;
+    columns.numbers(
         full("phase", "_deg"),
         all(&|movement, _| Some(measure.angle(movement.swing?.phase?))),
+    )?;
+    columns.numbers(
+        full("fundamental_phase", "_deg"),
+        all(&|movement, _| Some(measure.angle(movement.fundamental_phase?))),
     )?;
     if extent.monoharmonic {
         columns.numbers(

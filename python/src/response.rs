@@ -28,6 +28,9 @@ struct Point {
     regime: &'static str,
     margin: f64,
     answer: &'static str,
+    offset: Option<f64>,
+    marginal: bool,
+    from_rest: bool,
     movements: Vec<Movement>,
 }
 
@@ -53,6 +56,9 @@ impl Question<'_> {
                         regime: words::regime(response.regime()),
                         margin,
                         answer: words::answer(&response),
+                        offset: Some(response.offset()),
+                        marginal: response.is_marginal(),
+                        from_rest: response.is_from_rest(),
                         movements: movements.collect(),
                     }
                 }
@@ -60,6 +66,9 @@ impl Question<'_> {
                     regime: words::regime_without(error),
                     margin,
                     answer: words::no_answer(error),
+                    offset: None,
+                    marginal: false,
+                    from_rest: false,
                     movements: vec![Movement::default(); self.parts.len()],
                 },
             })
@@ -91,7 +100,7 @@ pub fn response<'py>(
         orders: &orders,
     };
     let points = frequencies.r.len().saturating_mul(frictions.beta.len());
-    check_size(points, 4 + parts.len() * extent.numbers())?;
+    check_size(points, 7 + parts.len() * extent.numbers())?;
     let question = Question {
         system,
         measure: &measure,
@@ -125,6 +134,20 @@ pub fn response<'py>(
     columns.words(
         "answer",
         found.iter().map(|point| point.answer).collect::<Words>(),
+    )?;
+    let sign = measure.sign();
+    let offset = |point: &Point| cell(point.offset.map(|offset| measure.length(sign * offset)));
+    columns.numbers(
+        measure.name("offset", "_m"),
+        found.iter().map(offset).collect(),
+    )?;
+    columns.flags(
+        "marginal",
+        found.iter().map(|point| point.marginal).collect(),
+    )?;
+    columns.flags(
+        "from_rest",
+        found.iter().map(|point| point.from_rest).collect(),
     )?;
     for (place, part) in parts.iter().enumerate() {
         let movements = found

@@ -40,12 +40,12 @@ def test_limits_at_both_ends(command):
 
 def hold_response(ours, theirs):
     """The same where something moves.  Of what is stuck the command leaves out the contact and all harmonics; here the
-    contact's amplitude is 0."""
+    contact's centred amplitude is 0."""
     stuck = ours.regime == "stuck"
     left_out = [name for name in theirs.columns if name.startswith("contact.") or ".X" in name]
     assert theirs.loc[stuck, left_out].isna().all().all()
-    amplitude = next(name for name in left_out if name.startswith("contact.amplitude"))
-    assert (ours.loc[stuck, amplitude] == 0).all()
+    centred = next(name for name in left_out if name.startswith("contact.centred"))
+    assert (ours.loc[stuck, centred] == 0).all()
     ours.loc[stuck, left_out] = np.nan
     # What does not move has no phase; the command prints one.
     for name in [name for name in ours.columns if ".phase" in name and ".X" not in name]:

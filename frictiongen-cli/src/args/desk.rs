@@ -6,6 +6,17 @@ use super::shared::{
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
+/// Where the motion of each point of a curve starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum StartFrom {
+    /// From rest at every point.
+    Rest,
+    /// From the state of the point before, with ascending frequency.
+    Up,
+    /// From the state of the point before, with descending frequency.
+    Down,
+}
+
 /// Of `frictiongen curve`.
 #[derive(Debug, Args)]
 pub struct CurveArguments {
@@ -24,6 +35,9 @@ pub struct CurveArguments {
     /// Also velocities and accelerations
     #[arg(long)]
     pub rates: bool,
+    /// Start the motion of each point from rest, or sweep the frequency up or down; several with commas [default: rest]
+    #[arg(long, value_enum, value_delimiter = ',')]
+    pub from: Vec<StartFrom>,
     /// Write to this file; its ending decides: .csv, .json, .svg, .png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,

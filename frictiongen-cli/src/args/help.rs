@@ -26,10 +26,12 @@ Units:
 
 pub const LIMITS: &str = "\
 Quantities:
-  continuous limit  beta_lim, exact: below both limits the contact slides all the time
+  continuous limit  beta_lim, exact: below it a motion exists in which the contact slides all the time
   without search    beta_lim with the velocity constraint taken at the reversal alone: not smaller
   per mode          beta_lim with each mode's own maximum of the constraint: not larger
-  sliding limit     beta*_lim: at it and beyond it the contact never slides
+  sliding limit     beta*_lim: from it on a state exists in which the contact never slides
+  With stiction 1 the contact slides all the time below the first and sticks from the second on. Above 1
+  other states may exist beside these: `orbit --states` lists them.
 
 ";
 
@@ -40,19 +42,27 @@ Regimes:
   stuck       the contact never slides: amplitude and phase of each mass
   unbounded   on an undamped resonance: the margin says whether the contact slides (negative)
               or is stuck
+  Of several states the answer is the one that motion from rest ends in: every mass at 0 without
+  velocity where the excitation is at its maximum. A base then stands at Y, and a contact with it may
+  stick off its centre.
 
 Answers:
   closed form  exact, of a contact that always or never slides
   orbit        exact, from event to event: as `orbit` gives it, with its stability
+  not from rest  a stable state, where motion from rest does not settle
   subharmonic  the same, of a stable state that repeats after several cycles
   last 64 cycles  the motion does not settle: what it did last, the amplitude the largest seen
   otherwise    why there is none, in the words of `orbit`; its cells are empty (JSON: null)
   no cycle     at a frequency ratio of 0 or infinity, between the limits
 
 Quantities:
-  margin      beta/min(beta_lim, beta*_lim) - 1, negative in the continuous regime
+  margin      beta/min(beta_lim, beta*_lim) - 1, negative below both limits: the closed form exists,
+              and with stiction 1 it is the only state
+  offset      middle of the contact's motion over P/k1, for base motion over Y; with a load, m
   amplitude   largest displacement of the cycle over P/k1, for base motion over Y; with a load, m
+  centred     half the distance between the least and the largest displacement
   phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]; with a load, degrees
+  fundamental lag of the fundamental component X_1
   X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
               with a load, m and degrees
 
@@ -60,7 +70,7 @@ Quantities:
 
 pub const ORBITS: &str = "\
 Regimes:
-  as `response` gives them: continuous, stick-slip, stuck, unbounded
+  the state's own: continuous, stick-slip, stuck; unbounded where there is none
 
 States:
   stable     small deviations die
@@ -78,11 +88,22 @@ Quantities:
   stops       how often the contact stops in a period
   reversals   how often it changes its direction without a stop
   stuck       the part of the period for which it sticks
+  offset      middle of the contact's motion over P/k1, for base motion over Y; with a load, m
   multiplier  by how much the deviation that dies most slowly is multiplied in a period
   amplitude   largest displacement of the period over P/k1, for base motion over Y; with a load, m
+  centred     half the distance between the least and the largest displacement
   phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]; with a load, degrees
+  fundamental lag of the fundamental component X_1
   X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
               X_0 is the mean; with a load, m and degrees
+
+";
+
+pub const STATES: &str = "\
+Several states:
+  --states lists every steady state that is found from rest, from the stuck contact, from the closed form
+  and from motions at neighbouring frictions. CSV and JSON say which one motion from rest ends in
+  (from_rest) and which is one of a continuum (marginal).
 
 ";
 
@@ -114,7 +135,7 @@ State to start from:
 
 Steady states:
   --steady, in any regime; an undamped one, or one of several, is that which is reached from rest.
-  Where a stuck contact stays depends on what was before: here its displacement is 0.
+  Where a stuck contact stays depends on what was before: here, on the motion from rest.
 
 Events:
   stop, break-away, reversal (it turns without a stop): exact, between the first sample and the last
@@ -139,6 +160,8 @@ pub const CURVES: &str = "\
 Curves:
   The range is refined where a curve bends and at its peaks. A piece is what may be joined: it ends
   where the regime changes, at a pole, at a jump, and where there is no answer.
+  --from up and --from down sweep the frequency: each point starts from the state of the point before,
+  as in a laboratory; displacements and velocities go over unchanged. --from up,down gives both.
   answer   closed form, orbit, or last 64 cycles of a motion that does not settle; otherwise why
            there is none, in the words of `orbit`
   force    largest friction force of the cycle over P (base motion: k1 Y); with a load, N

@@ -18,11 +18,11 @@ pub use code::{
 pub use desk::Shade;
 pub use desk::{
     CurveArguments, FeaturesArguments, MapArguments, OptimumArguments, SensitivityArguments,
-    TimeArguments,
+    StartFrom, TimeArguments,
 };
 use help::{
     CURVES, FEATURES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA, ORBITS, RANGES,
-    RESPONSES, SENSITIVITIES, TABLES, TIMES, UNITS,
+    RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,
 };
 pub use points::{LimitsArguments, OrbitArguments, ResponseArguments};
 pub use recorded::{
@@ -55,7 +55,7 @@ pub enum Command {
     #[command(after_help = format!("{RESPONSES}{UNITS}{GRIDS}"))]
     Response(ResponseArguments),
     /// The steady state from rest over frequency and friction, stops included
-    #[command(after_help = format!("{ORBITS}{UNITS}{GRIDS_IN_TIME}"))]
+    #[command(after_help = format!("{ORBITS}{STATES}{UNITS}{GRIDS_IN_TIME}"))]
     Orbit(OrbitArguments),
     /// Responses along frequency in every regime, refined where they bend
     #[command(after_help = format!("{CURVES}{UNITS}{RANGES}"))]

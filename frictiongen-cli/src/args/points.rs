@@ -51,6 +51,9 @@ pub struct OrbitArguments {
     /// Also the harmonics X_0, X_1, ... up to this one
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
+    /// Every steady state that is found, not only that from rest
+    #[arg(long)]
+    pub states: bool,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,

@@ -4,6 +4,7 @@ use super::report::CurveReport;
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::picture;
+use frictiongen::study::CurveStart;
 use frictiongen_plot::desk::{Drawn, curve_figure};
 use frictiongen_plot::{Colour, Label};
 use std::io::Write;
@@ -15,7 +16,10 @@ pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(),
     let drawn: Vec<Drawn<'_>> = curves
         .map(|(index, (friction, curve))| Drawn {
             curve,
-            name: scales.friction_name(friction.beta),
+            name: match report.swept {
+                true => scales.swept_name(friction.beta, way(curve.start)),
+                false => scales.friction_name(friction.beta),
+            },
             colour: Colour::Series(index),
         })
         .collect();
@@ -27,4 +31,13 @@ pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(),
         form,
         out,
     )
+}
+
+/// Where the motions of a curve start, as a legend says it.
+fn way(start: CurveStart) -> &'static str {
+    match start {
+        CurveStart::Rest => ", from rest",
+        CurveStart::Up => ", swept up",
+        CurveStart::Down => ", swept down",
+    }
 }

@@ -4,19 +4,19 @@
 mod draw;
 mod report;
 
-use crate::args::CurveArguments;
+use crate::args::{CurveArguments, StartFrom};
 use crate::asked;
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::frequency::Band;
-use crate::friction::Frictions;
+use crate::friction::{Friction, Frictions};
 use crate::measure::Measure;
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
-use frictiongen::study::CurveRequest;
+use frictiongen::study::{CurveRequest, CurveStart, words};
 use frictiongen_codegen::Limits;
 use report::CurveReport;
 use std::io::Write;
@@ -52,18 +52,17 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     if let Some(text) = &arguments.accuracy {
         request.accuracy = asked::number("--accuracy", text)?;
     }
-    let curve = |friction: crate::friction::Friction| {
-        Ok((
-            friction,
-            system
-                .curve(&request, friction.beta)
-                .map_err(Failure::new)?,
-        ))
-    };
-    let curves = frictions
+    let starts = starts(&arguments.from)?;
+    let of_friction = |friction: Friction| starts.iter().map(move |start| (friction, *start));
+    let asked: Vec<(Friction, CurveStart)> = frictions.iter().flat_map(of_friction).collect();
+    let pairs: Vec<(f64, CurveStart)> = asked
         .iter()
-        .map(curve)
-        .collect::<Result<Vec<_>, Failure>>()?;
+        .map(|(friction, start)| (friction.beta, *start))
+        .collect();
+    let found = system.curves(&request, &pairs).map_err(Failure::new)?;
+    let curves = asked.iter().map(|(friction, _)| *friction).zip(found);
+    let curves = curves.collect();
+    let swept = starts != [CurveStart::Rest];
     let summary = Summary::of(&system, band.is_physical(), measure);
     let report = CurveReport {
         system,
@@ -73,10 +72,34 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         parts,
         request,
         curves,
+        swept,
     };
     destination.write(out, |out| match destination.form {
         #[cfg(feature = "pictures")]
         Form::Svg | Form::Png => draw::draw(&report, destination.form, out),
         form => output::print(&report, &summary, form, out),
     })
+}
+
+/// Where the motions of each curve start, in the order asked for, each once.
+fn starts(asked: &[StartFrom]) -> Result<Vec<CurveStart>, Failure> {
+    let mut starts = Vec::new();
+    for from in asked {
+        let start = match from {
+            StartFrom::Rest => CurveStart::Rest,
+            StartFrom::Up => CurveStart::Up,
+            StartFrom::Down => CurveStart::Down,
+        };
+        if starts.contains(&start) {
+            let word = words::start(start);
+            return Err(Failure::new(format_args!(
+                "--from: `{word}` is there twice"
+            )));
+        }
+        starts.push(start);
+    }
+    if starts.is_empty() {
+        starts.push(CurveStart::Rest);
+    }
+    Ok(starts)
 }

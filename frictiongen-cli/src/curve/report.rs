@@ -9,7 +9,7 @@ use crate::measure::Measure;
 use crate::number::Value;
 use crate::output::{Report, Visitor};
 use crate::table::Column;
-use frictiongen::study::{Curve, CurvePoint, CurveRequest, Movement, words};
+use frictiongen::study::{Curve, CurvePoint, CurveRequest, CurveStart, Movement, words};
 use frictiongen::{Error, System};
 use serde_json::Value as Json;
 
@@ -27,13 +27,16 @@ pub struct CurveReport {
     pub parts: Vec<Part>,
     /// What was asked.
     pub request: CurveRequest,
-    /// The curves, one for each friction.
+    /// The curves, one for each friction and start.
     pub curves: Vec<(Friction, Curve)>,
+    /// Whether a start other than rest was asked for.
+    pub swept: bool,
 }
 
 /// A line: a point of a piece, or the end of a gap.
 pub struct Line {
     friction: Friction,
+    start: CurveStart,
     frequency: Frequency,
     /// Counted from 1 along the frequency.
     piece: Option<usize>,
@@ -49,6 +52,7 @@ impl CurveReport {
             .flat_map(|(piece, found)| {
                 found.points.iter().map(move |point| Line {
                     friction,
+                    start: curve.start,
                     frequency: at(point.r),
                     piece: Some(piece),
                     found: Ok(point.clone()),
@@ -60,6 +64,7 @@ impl CurveReport {
             let ends = ends.iter().take(if gap.from < gap.to { 2 } else { 1 });
             lines.extend(ends.map(|r| Line {
                 friction,
+                start: curve.start,
                 frequency: at(*r),
                 piece: None,
                 found: Err(gap.reason),
@@ -76,6 +81,9 @@ impl CurveReport {
     /// What a line says once.
     fn once(&self, line: &Line) -> Vec<Value<'static>> {
         let mut values = line.friction.values();
+        if self.swept {
+            values.push(words::start(line.start).into());
+        }
         values.extend(line.frequency.values());
         values.push(line.piece.map_or(Value::Missing, Value::Count));
         let point = line.found.as_ref().ok();
@@ -94,16 +102,27 @@ impl CurveReport {
                 .map(|point| self.measure.power(point.friction_work, omega))
                 .into(),
         );
+        let sign = if self.request.turned { -1.0 } else { 1.0 };
+        values.extend([
+            point
+                .map(|point| self.measure.length(sign * point.offset))
+                .into(),
+            point.map(|point| point.marginal).into(),
+            point.map(|point| point.from_rest).into(),
+        ]);
         values
     }
 
     fn once_names(&self) -> Vec<String> {
-        let groups = [self.frictions.names(), self.band.names()].concat();
+        let start: &[&str] = if self.swept { &["from"] } else { &[] };
+        let groups = [self.frictions.names(), start, self.band.names()].concat();
         let mut names: Vec<String> = groups.into_iter().map(str::to_owned).collect();
         let words = ["piece", "regime", "answer", "stops", "period"];
         names.extend(words.map(str::to_owned));
         names.push(self.measure.name("contact_force", "contact_force_N"));
         names.push(self.measure.name("friction_work", "friction_power_W"));
+        names.push(self.measure.length_name("offset"));
+        names.extend(["marginal", "from_rest"].map(str::to_owned));
         names
     }
 
@@ -113,8 +132,15 @@ impl CurveReport {
         let swing = movement.map(|movement| movement.swing);
         let mut values: Vec<Value<'static>> = vec![
             swing.map(|swing| measure.length(swing.amplitude)).into(),
+            movement
+                .map(|movement| measure.length(movement.centred))
+                .into(),
             swing
                 .and_then(|swing| swing.phase)
+                .map(|phase| measure.angle(phase))
+                .into(),
+            movement
+                .and_then(|movement| movement.fundamental_phase)
                 .map(|phase| measure.angle(phase))
                 .into(),
         ];
@@ -158,7 +184,9 @@ impl CurveReport {
         let measure = &self.measure;
         let mut names = vec![
             measure.length_name(&format!("{part}.amplitude")),
+            measure.length_name(&format!("{part}.centred")),
             measure.angle_name(&format!("{part}.phase")),
+            measure.angle_name(&format!("{part}.fundamental_phase")),
         ];
         if self.request.rates {
             let velocity = measure.name("velocity", "velocity_m_s");
@@ -196,6 +224,9 @@ impl Report for CurveReport {
     fn columns(&self) -> Vec<Column> {
         let measure = &self.measure;
         let mut columns = self.frictions.columns();
+        if self.swept {
+            columns.push(Column::words(&["from"], ["down"]));
+        }
         columns.extend(self.band.columns());
         let physical = measure.scale().is_some();
         columns.extend([
@@ -210,6 +241,9 @@ impl Report for CurveReport {
             } else {
                 &["work", ""]
             }),
+            Column::computed(&["offset", measure.length_title()]),
+            Column::words(&["marginal"], ["false"]),
+            Column::words(&["from", "rest"], ["false"]),
         ]);
         for part in &self.parts {
             let names = self.names_of(&part.name);

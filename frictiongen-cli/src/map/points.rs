@@ -69,11 +69,25 @@ impl MapReport {
             count(counted.map(|pattern| pattern.stops)),
             count(counted.map(|pattern| pattern.reversals)),
             found.map(|found| found.stuck_fraction).into(),
+            found
+                .map(|found| self.measure.length(self.sign() * found.offset))
+                .into(),
+            found.map(|found| found.marginal).into(),
+            found.map(|found| found.from_rest).into(),
         ]);
         values
     }
 
-    fn once_names(&self) -> Vec<&'static str> {
+    /// The sign with which the scene's contact moves.
+    fn sign(&self) -> f64 {
+        if self.measure.turns_contact() {
+            -1.0
+        } else {
+            1.0
+        }
+    }
+
+    fn once_names(&self) -> Vec<String> {
         let counts = vec![
             "regime",
             "region",
@@ -82,32 +96,35 @@ impl MapReport {
             "reversals",
             "stuck_fraction",
         ];
-        [
+        let names = [
             self.frequencies.names().to_vec(),
             self.frictions.names().to_vec(),
             counts,
         ]
-        .concat()
+        .concat();
+        let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();
+        names.push(self.measure.length_name("offset"));
+        names.extend(["marginal", "from_rest"].map(str::to_owned));
+        names
     }
 
     fn amplitudes(&self, point: &Point) -> Vec<Value<'static>> {
         let found = point.found.as_ref().ok();
-        let amplitude = |index: usize| found?.amplitudes.get(index).copied();
         let places = 0..self.parts.len();
         places
-            .map(|index| {
-                amplitude(index)
-                    .map(|size| self.measure.length(size))
-                    .into()
+            .flat_map(|index| {
+                let sizes = found.map(|found| [&found.amplitudes, &found.centred]);
+                let size = |which: usize| sizes?.get(which)?.get(index).copied();
+                [size(0), size(1)].map(|size| size.map(|size| self.measure.length(size)).into())
             })
             .collect()
     }
 
     fn amplitude_names(&self) -> impl Iterator<Item = String> {
         let parts = self.parts.iter();
-        parts.map(|part| {
-            self.measure
-                .length_name(&format!("{}.amplitude", part.name))
+        parts.flat_map(|part| {
+            ["amplitude", "centred"]
+                .map(|what| self.measure.length_name(&format!("{}.{what}", part.name)))
         })
     }
 }
@@ -147,8 +164,15 @@ impl Report for MapReport {
             Column::computed(&["stuck"]),
         ]);
         let unit = self.measure.length_title();
+        columns.extend([
+            Column::computed(&["offset", unit]),
+            Column::words(&["marginal"], ["false"]),
+            Column::words(&["from", "rest"], ["false"]),
+        ]);
         let parts = self.parts.iter();
-        columns.extend(parts.map(|part| Column::computed(&[&part.name, "amplitude", unit])));
+        columns.extend(parts.flat_map(|part| {
+            ["amplitude", "centred"].map(|what| Column::computed(&[&part.name, what, unit]))
+        }));
         columns
     }
 
@@ -157,7 +181,7 @@ impl Report for MapReport {
     }
 
     fn names(&self) -> Vec<String> {
-        let once = self.once_names().into_iter().map(str::to_owned);
+        let once = self.once_names().into_iter();
         once.chain(self.amplitude_names()).collect()
     }
 

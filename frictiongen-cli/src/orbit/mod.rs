@@ -39,6 +39,7 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
         measure,
         masses,
         orders,
+        states: arguments.states,
     };
     output::print(&report, &summary, arguments.format.checked()?, out)
 }

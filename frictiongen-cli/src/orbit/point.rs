@@ -3,6 +3,7 @@
 use crate::asked::Mass;
 use crate::frequency::Frequency;
 use crate::friction::Friction;
+use frictiongen::study::units::{fundamental_phase, reversed_phase};
 use frictiongen::study::{SystemAt, SystemMotion, SystemOrbit, SystemOrbitMotion, words};
 use frictiongen::{Complex, NoOrbit, NotContinuous, OutOfDomain, Regime};
 
@@ -26,6 +27,12 @@ pub struct Point {
 pub struct Steady {
     /// What repeats, if anything does.
     pub period: Option<Period>,
+    /// Whether motion from rest ends in it.
+    pub from_rest: bool,
+    /// Whether it is one of a continuum.
+    pub marginal: bool,
+    /// The middle of the contact's motion, over P/k₁, for base motion over Y.
+    pub offset: f64,
     /// The part of the period for which it sticks.
     pub stuck_fraction: f64,
     /// When it sticks: start and length in τ.
@@ -56,6 +63,10 @@ pub struct Movement {
     pub amplitude: f64,
     /// Its lag.
     pub phase: f64,
+    /// The amplitude about the motion's own middle.
+    pub centred: f64,
+    /// The lag of the fundamental component; none for what does not move.
+    pub fundamental_phase: Option<f64>,
     /// The harmonics asked for, in ascending order.
     pub harmonics: Vec<Complex<f64>>,
 }
@@ -63,9 +74,12 @@ pub struct Movement {
 impl Movement {
     fn of(motion: &SystemOrbitMotion<'_, '_>, orders: &[u32]) -> Self {
         let (amplitude, phase) = motion.largest();
+        let centred = motion.centred_amplitude();
         Self {
             amplitude,
             phase,
+            centred,
+            fundamental_phase: fundamental_phase(motion.harmonic(1), centred),
             harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
         }
     }
@@ -73,6 +87,7 @@ impl Movement {
     /// The same with the opposite sign, where it has this phase.
     fn turn(&mut self, phase: f64) {
         self.phase = phase;
+        self.fundamental_phase = self.fundamental_phase.map(reversed_phase);
         for harmonic in &mut self.harmonics {
             *harmonic = Complex::new(0.0 - harmonic.re, 0.0 - harmonic.im);
         }
@@ -95,6 +110,12 @@ impl Steady {
                 stops: orbit.stops(),
                 reversals: orbit.reversals(),
             }),
+            from_rest: orbit.is_from_rest(),
+            marginal: orbit.is_marginal(),
+            offset: match question.turn_contact {
+                true => 0.0 - orbit.offset(),
+                false => orbit.offset(),
+            },
             stuck_fraction: orbit.stuck_fraction(),
             sticking: orbit.sticking_intervals().collect(),
             multipliers: orbit.multipliers().to_vec(),
@@ -135,25 +156,67 @@ pub fn answer(
     question: &Question<'_>,
 ) -> Result<Point, OutOfDomain> {
     let beta = friction.beta;
-    let regime = regime(at, &at.motion(beta))?;
-    let (state, orbit) = match at.orbit_or_last_cycles(beta) {
+    match at.orbit_or_last_cycles(beta) {
         Ok(orbit) => {
-            let steady = Steady::of(&orbit, question);
-            (words::state(&orbit), Some(steady))
+            let mut point = found(at, (frequency, friction), &orbit, question);
+            // Of a motion that does not settle the regime is that of the state which `response` gives.
+            if !orbit.is_settled()
+                && let Ok(response) = at.response(beta)
+            {
+                point.regime = words::regime(response.regime());
+            }
+            Ok(point)
         }
-        Err(NoOrbit::OutOfDomain(error)) => return Err(error),
-        Err(error) => (words::reason(error), None),
-    };
+        Err(NoOrbit::OutOfDomain(error)) => Err(error),
+        Err(error) => none(at, (frequency, friction), error),
+    }
+}
+
+/// Computes every steady state at a point that is found; one point that says why where there is none.
+pub fn states(
+    at: &SystemAt<'_>,
+    (frequency, friction): (Frequency, Friction),
+    question: &Question<'_>,
+) -> Result<Vec<Point>, OutOfDomain> {
+    let states = at.states(friction.beta)?;
+    let points = states.map(|orbit| found(at, (frequency, friction), &orbit, question));
+    let points: Vec<Point> = points.collect();
+    if points.is_empty() {
+        return Ok(vec![answer(at, (frequency, friction), question)?]);
+    }
+    Ok(points)
+}
+
+fn found(
+    at: &SystemAt<'_>,
+    (frequency, friction): (Frequency, Friction),
+    orbit: &SystemOrbit<'_>,
+    question: &Question<'_>,
+) -> Point {
+    Point {
+        frequency,
+        friction,
+        regime: words::regime(at.regime_of(orbit)),
+        state: words::state(orbit),
+        orbit: Some(Steady::of(orbit, question)),
+    }
+}
+
+fn none(
+    at: &SystemAt<'_>,
+    (frequency, friction): (Frequency, Friction),
+    reason: NoOrbit,
+) -> Result<Point, OutOfDomain> {
     Ok(Point {
         frequency,
         friction,
-        regime,
-        state,
-        orbit,
+        regime: regime(at, &at.motion(friction.beta))?,
+        state: words::reason(reason),
+        orbit: None,
     })
 }
 
-/// The regime in a word.
+/// The regime in a word, where there is no steady state.
 fn regime(
     at: &SystemAt<'_>,
     motion: &Result<SystemMotion<'_>, NotContinuous>,

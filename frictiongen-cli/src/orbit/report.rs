@@ -1,7 +1,7 @@
 //! Writes steady states: a table line for each part that moves, a CSV line and a JSON object for
 //! each point.
 
-use super::point::{Movement, Point, Question, Steady, answer};
+use super::point::{Movement, Point, Question, Steady, answer, states};
 use crate::asked::{CONTACT, Mass};
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
@@ -28,6 +28,8 @@ pub struct OrbitReport {
     pub masses: Vec<Mass>,
     /// Which harmonics.
     pub orders: Vec<u32>,
+    /// Whether every steady state is asked for, not that from rest alone.
+    pub states: bool,
 }
 
 /// What a point says once, beside frequency and friction.
@@ -73,7 +75,17 @@ impl OrbitReport {
             values.push(seconds.into());
         }
         values.push(orbit.and_then(Steady::largest_multiplier).into());
+        values.push(orbit.map(|orbit| self.measure.length(orbit.offset)).into());
         values
+    }
+
+    /// What files say beside that.
+    fn flags(point: &Point) -> [Value<'static>; 2] {
+        let orbit = point.orbit.as_ref();
+        [
+            orbit.map(|orbit| orbit.marginal).into(),
+            orbit.map(|orbit| orbit.from_rest).into(),
+        ]
     }
 
     /// How long an angle of the excitation lasts.
@@ -90,7 +102,7 @@ impl OrbitReport {
     /// Amplitude and phase; the same of each harmonic.
     fn values<'a>(&self, movement: Option<&Movement>) -> Vec<Value<'a>> {
         let Some(movement) = movement else {
-            return vec![Value::Missing; 2 + 2 * self.orders.len()];
+            return vec![Value::Missing; 4 + 2 * self.orders.len()];
         };
         let mut values = self.first(movement).to_vec();
         let harmonics = movement.harmonics.iter();
@@ -98,29 +110,40 @@ impl OrbitReport {
         values
     }
 
-    /// Amplitude and phase.
-    fn first(&self, movement: &Movement) -> [Value<'static>; 2] {
+    /// Amplitudes and phases.
+    fn first(&self, movement: &Movement) -> [Value<'static>; 4] {
+        let measure = &self.measure;
         [
-            self.measure.length(movement.amplitude).into(),
-            self.measure.angle(movement.phase).into(),
+            measure.length(movement.amplitude).into(),
+            measure.length(movement.centred).into(),
+            measure.angle(movement.phase).into(),
+            movement
+                .fundamental_phase
+                .map(|phase| measure.angle(phase))
+                .into(),
         ]
     }
 
     /// The names of those.
-    fn first_names(&self) -> [String; 2] {
+    fn first_names(&self) -> [String; 4] {
         [
             self.measure.length_name("amplitude"),
+            self.measure.length_name("centred"),
             self.measure.angle_name("phase"),
+            self.measure.angle_name("fundamental_phase"),
         ]
     }
 
     /// The names of what a point says once.
-    fn once_names(&self) -> Vec<&'static str> {
-        let mut names = [self.frequencies.names(), self.frictions.names(), &ONCE].concat();
+    fn once_names(&self) -> Vec<String> {
+        let names = [self.frequencies.names(), self.frictions.names(), &ONCE].concat();
+        let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();
         if self.frequencies.tell_hertz() {
-            names.push("longest_stop_s");
+            names.push("longest_stop_s".to_owned());
         }
-        names.push("largest_multiplier");
+        names.push("largest_multiplier".to_owned());
+        names.push(self.measure.length_name("offset"));
+        names.extend(["marginal", "from_rest"].map(str::to_owned));
         names
     }
 
@@ -152,8 +175,14 @@ impl Report for OrbitReport {
         for frequency in self.frequencies.iter(&self.system) {
             let at = self.system.at(frequency.r).map_err(Failure::new)?;
             for friction in self.frictions.iter() {
-                let point = answer(&at, (frequency, friction), &question);
-                visit(&point.map_err(Failure::new)?)?;
+                let asked = (frequency, friction);
+                let points = match self.states {
+                    true => states(&at, asked, &question),
+                    false => answer(&at, asked, &question).map(|point| vec![point]),
+                };
+                for point in &points.map_err(Failure::new)? {
+                    visit(point)?;
+                }
             }
         }
         Ok(())
@@ -177,9 +206,12 @@ impl Report for OrbitReport {
         }
         columns.extend([
             Column::computed(&["multiplier", "(largest)"]),
+            Column::computed(&["offset", unit]),
             Column::words(&["motion"], self.parts()),
             Column::computed(&["amplitude", unit]),
+            Column::computed(&["centred", unit]),
             Column::computed(&["phase", angle]),
+            Column::computed(&["fundamental", angle]),
         ]);
         columns.extend(harmonics::columns(&self.orders, &self.measure));
         columns
@@ -205,8 +237,7 @@ impl Report for OrbitReport {
     }
 
     fn names(&self) -> Vec<String> {
-        let once = self.once_names().into_iter();
-        let mut names: Vec<String> = once.map(str::to_owned).collect();
+        let mut names = self.once_names();
         for part in self.parts() {
             let first = self.first_names().into_iter();
             names.extend(first.map(|name| format!("{part}.{name}")));
@@ -217,6 +248,7 @@ impl Report for OrbitReport {
 
     fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
         let mut record = self.once(point);
+        record.extend(Self::flags(point));
         let orbit = point.orbit.as_ref();
         for (index, _) in self.parts().enumerate() {
             let movement = orbit.and_then(|orbit| orbit.movements.get(index));
@@ -226,8 +258,9 @@ impl Report for OrbitReport {
     }
 
     fn json(&self, point: &Point) -> Json {
-        let fields = self.once_names().into_iter().zip(self.once(point));
-        let fields = fields.map(|(name, value)| (name.to_owned(), value.json()));
+        let once = self.once(point).into_iter().chain(Self::flags(point));
+        let fields = self.once_names().into_iter().zip(once);
+        let fields = fields.map(|(name, value)| (name, value.json()));
         let mut fields: serde_json::Map<String, Json> = fields.collect();
         let Some(orbit) = &point.orbit else {
             return Json::Object(fields);

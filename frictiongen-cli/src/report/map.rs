@@ -214,8 +214,8 @@ impl Regimes {
             section #regimes {
                 h2 { "Where the contact slides and where it sticks" }
                 p {
-                    "Below both limits the contact slides all the time; at the dashed limit and above it never does; between them it \
-                     slides and stops in turn."
+                    "Below the solid limit the contact can slide all the time, from the dashed limit on it can stay stuck. Between the \
+                     two it slides and stops in turn; where the dashed limit is the lower one, the start decides."
                     @if self.levels.iter().any(|level| *level > 0.0) { " The thin level lines are the frictions of the curves." }
                     @if self.map.is_none() { " What the motion between the limits looks like is left out: of so many masses it takes too long." }
                 }

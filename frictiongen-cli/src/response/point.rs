@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::frequency::Frequency;
 use crate::friction::{Friction, Frictions};
 use crate::output::Visitor;
+use frictiongen::study::units::reversed_phase;
 use frictiongen::study::{Swing, SystemAt, SystemResponse, words};
 use frictiongen::{Complex, Limits, Of, OutOfDomain, Regime};
 
@@ -21,6 +22,12 @@ pub struct Point {
     pub margin: f64,
     /// Where the motion comes from, or why there is none.
     pub answer: &'static str,
+    /// The middle of the contact's motion, over P/k₁, for base motion over Y.
+    pub offset: Option<f64>,
+    /// Whether it is one of a continuum.
+    pub marginal: Option<bool>,
+    /// Whether motion from rest ends in it.
+    pub from_rest: Option<bool>,
     /// The relative motion in the contact.
     pub contact: Movement,
     /// The motion of the masses asked for, in their order.
@@ -32,6 +39,10 @@ pub struct Point {
 pub struct Movement {
     /// Largest displacement, and its lag.
     pub swing: Option<Swing>,
+    /// The amplitude about the motion's own middle.
+    pub centred: Option<f64>,
+    /// The lag of the fundamental component.
+    pub fundamental_phase: Option<f64>,
     /// The monoharmonic estimate of the amplitude.
     pub monoharmonic: Option<f64>,
     /// The harmonics asked for, in ascending order.
@@ -44,6 +55,7 @@ impl Movement {
         if let Some(swing) = &mut self.swing {
             swing.phase = phase;
         }
+        self.fundamental_phase = self.fundamental_phase.map(reversed_phase);
         for harmonic in &mut self.harmonics {
             *harmonic = Complex::new(0.0 - harmonic.re, 0.0 - harmonic.im);
         }
@@ -55,6 +67,7 @@ impl Movement {
         if let Some(swing) = &mut self.swing {
             swing.amplitude = settled(swing.amplitude);
         }
+        self.centred = self.centred.map(settled);
         self.monoharmonic = self.monoharmonic.map(settled);
         for harmonic in &mut self.harmonics {
             *harmonic = Complex::new(settled(harmonic.re), settled(harmonic.im));
@@ -104,6 +117,9 @@ impl Question<'_> {
             regime: "",
             margin,
             answer: "",
+            offset: None,
+            marginal: None,
+            from_rest: None,
             contact: Movement::default(),
             masses: vec![Movement::default(); self.masses.len()],
         };
@@ -111,6 +127,10 @@ impl Question<'_> {
             Ok(response) => {
                 point.regime = words::regime(response.regime());
                 point.answer = words::answer(&response);
+                let sign = if self.turn_contact { -1.0 } else { 1.0 };
+                point.offset = Some(sign * response.offset());
+                point.marginal = Some(response.is_marginal());
+                point.from_rest = Some(response.is_from_rest());
                 point.contact = self.contact(&response);
                 let masses = self.masses.iter();
                 let moving = |mass: &Mass| self.movement(&response, Of::Mass(mass.index));
@@ -144,6 +164,8 @@ impl Question<'_> {
         let orders = self.orders.iter();
         Movement {
             swing: response.swing(of),
+            centred: response.centred_amplitude(of),
+            fundamental_phase: response.fundamental_phase(of),
             monoharmonic: response.monoharmonic(of),
             harmonics: match response.regime() {
                 // One harmonic: the motion itself.

@@ -58,14 +58,19 @@ impl ResponseReport {
         values
     }
 
-    /// Amplitude, phase, estimate.
-    fn first(&self, movement: &Movement) -> [Value<'static>; 3] {
+    /// Amplitudes, phases, estimate.
+    fn first(&self, movement: &Movement) -> [Value<'static>; 5] {
         let measure = &self.measure;
         let swing = movement.swing;
         [
             swing.map(|swing| measure.length(swing.amplitude)).into(),
+            movement.centred.map(|size| measure.length(size)).into(),
             swing
                 .and_then(|swing| swing.phase)
+                .map(|phase| measure.angle(phase))
+                .into(),
+            movement
+                .fundamental_phase
                 .map(|phase| measure.angle(phase))
                 .into(),
             movement
@@ -76,10 +81,12 @@ impl ResponseReport {
     }
 
     /// The names of those.
-    fn first_names(&self) -> [String; 3] {
+    fn first_names(&self) -> [String; 5] {
         [
             self.measure.length_name("amplitude"),
+            self.measure.length_name("centred"),
             self.measure.angle_name("phase"),
+            self.measure.angle_name("fundamental_phase"),
             self.measure.length_name("amplitude_monoharmonic"),
         ]
     }
@@ -106,14 +113,27 @@ impl ResponseReport {
             point.regime.into(),
             point.margin.into(),
             point.answer.into(),
+            point
+                .offset
+                .map(|offset| self.measure.length(offset))
+                .into(),
         ]);
         values
     }
 
+    /// What files say beside that.
+    fn flags(point: &Point) -> [Value<'static>; 2] {
+        [point.marginal.into(), point.from_rest.into()]
+    }
+
     /// The names of that.
-    fn once_names(&self) -> Vec<&'static str> {
+    fn once_names(&self) -> Vec<String> {
         let groups = [self.frequencies.names(), self.frictions.names()];
-        [groups.concat(), vec!["regime", "margin", "answer"]].concat()
+        let first = [groups.concat(), vec!["regime", "margin", "answer"]].concat();
+        let mut names: Vec<String> = first.into_iter().map(str::to_owned).collect();
+        names.push(self.measure.length_name("offset"));
+        names.extend(["marginal", "from_rest"].map(str::to_owned));
+        names
     }
 }
 
@@ -145,9 +165,12 @@ impl Report for ResponseReport {
             Column::words(&["regime"], ["continuous"]),
             Column::computed(&["margin"]),
             Column::words(&["answer"], ["orbit: marginal"]),
+            Column::computed(&["offset", unit]),
             Column::words(&["motion"], self.parts()),
             Column::computed(&["amplitude", unit]),
+            Column::computed(&["centred", unit]),
             Column::computed(&["phase", angle]),
+            Column::computed(&["fundamental", angle]),
             Column::computed(&["monoharmonic", unit]),
         ]);
         columns.extend(harmonics::columns(&self.orders, &self.measure));
@@ -177,8 +200,7 @@ impl Report for ResponseReport {
     }
 
     fn names(&self) -> Vec<String> {
-        let once = self.once_names().into_iter();
-        let mut names: Vec<String> = once.map(str::to_owned).collect();
+        let mut names = self.once_names();
         for part in self.parts() {
             let first = self.first_names().into_iter();
             names.extend(first.map(|name| format!("{part}.{name}")));
@@ -189,6 +211,7 @@ impl Report for ResponseReport {
 
     fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
         let mut record = self.once(point);
+        record.extend(Self::flags(point));
         for (_, movement) in self.movements(point) {
             record.extend(self.values(movement));
         }
@@ -202,8 +225,9 @@ impl Report for ResponseReport {
             fields.insert("name".to_owned(), Json::from(mass.name.as_str()));
             Json::Object(fields)
         });
-        let once = self.once(point).into_iter().map(|value| value.json());
-        let names = self.once_names().into_iter().map(str::to_owned);
+        let once = self.once(point).into_iter().chain(Self::flags(point));
+        let once = once.map(|value| value.json());
+        let names = self.once_names().into_iter();
         let mut fields: serde_json::Map<String, Json> = names.zip(once).collect();
         let contact = Json::Object(self.object(&point.contact));
         fields.insert(CONTACT.to_owned(), contact);

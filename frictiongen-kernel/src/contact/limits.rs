@@ -51,7 +51,7 @@ impl<S: Scalar> Chain<S> {
         modulus_v / (contact.u * contact.u + constraint * constraint).sqrt()
     }
 
-    /// β*_lim = |V|/(μ|H|), beyond which the contact sticks for good (6.11, 6.27, 6.33, and the
+    /// β*_lim = |V|/(μ|H|), from which on a stuck state exists (6.11, 6.27, 6.33, and the
     /// damped stuck configurations of 7.4.3).
     #[inline]
     pub fn sliding_limit(&self, contact: &ContactAt<S>) -> S {

@@ -79,7 +79,8 @@ impl<S: Float> Limits<S> {
         Ok(regime(check_beta(beta)?, self.continuous, self.sliding))
     }
 
-    /// β/min(β_lim, β*_lim) − 1, without another search: negative where the motion is continuous whatever the start.
+    /// β/min(β_lim, β*_lim) − 1, without another search: negative below both limits, where the closed form exists.  With
+    /// μ = 1 the closed form is the only state there; with μ > 1 stick-slip may exist beside it.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -123,7 +124,8 @@ pub(crate) fn check_rooms(
     Ok(())
 }
 
-/// β/min(β_lim, β*_lim) − 1: negative where the motion is continuous whatever the start; 0 where β and the limit both are.
+/// β/min(β_lim, β*_lim) − 1: negative below both limits, where the closed form exists and
+/// with μ = 1 is the only state; 0 where β and the limit both are.
 #[inline]
 pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {
     let limit = continuous.min(sliding);

@@ -20,7 +20,8 @@ where
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
-    /// The steady state at r and β that is reached from a start at a maximum of the excitation.  `sliding` is β*_lim: from there on the motion may end with the contact stuck.
+    /// The steady state at r and β that is reached from a start at a maximum of the excitation.  `sliding` is β*_lim: from
+    /// there on the motion may end with the contact stuck.
     ///
     /// `last` says what happens where the motion does not settle: with it the answer is the motion's last
     /// [`MAX_PERIOD`](super::MAX_PERIOD) cycles, and [`Self::is_settled`] is false; without it there is an error.

@@ -28,7 +28,7 @@ pub trait ProvidesOrbit: Scene {
 
 impl<T: ProvidesOrbit> At<T> {
     /// The steady state at β = F/P that motion from rest ends in, in any regime: every mass at x̄ = 0 without velocity where
-    /// the excitation is at its maximum.
+    /// the excitation is at its maximum.  A base then stands at Y: a contact with it starts at z̄ = −Y, and may stick there.
     ///
     /// # Errors
     /// [`NoOrbit`] says why there is none.

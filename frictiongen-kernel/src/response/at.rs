@@ -282,7 +282,8 @@ impl<T: Scene> At<T> {
         Ok(regime::regime(beta, continuous, sliding))
     }
 
-    /// β/min(β_lim, β*_lim) − 1: negative where the motion is continuous whatever the start.  It searches as [`regime`](Self::regime) does.
+    /// β/min(β_lim, β*_lim) − 1: negative below both limits, where the closed form exists.  With μ = 1 it is the only state
+    /// there; with μ > 1 stick-slip may exist beside it.  It searches as [`regime`](Self::regime) does.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.

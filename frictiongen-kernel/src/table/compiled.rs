@@ -211,7 +211,7 @@ impl<T: Tabled> Compiled<T> {
         Ok(regime::regime_of(admitted, slides))
     }
 
-    /// β/min(β_lim, β*_lim) − 1: negative where the motion is continuous whatever the start.
+    /// β/min(β_lim, β*_lim) − 1: negative below both limits, where the closed form exists.
     ///
     /// # Errors
     /// As of [`regime`](Self::regime).

@@ -4,6 +4,9 @@ use super::scales::Scales;
 use crate::{Axis, Colour, Fill, Label, Line, Panel, Point, Region, Stroke};
 use frictiongen::study::LimitLines;
 
+/// Between β*_lim and β_lim, where the closed form and a stuck state both exist.
+const BISTABLE: &str = "sliding or stuck, by the start";
+
 /// Both limits as lines, up to a friction ratio somewhat above `top`.
 #[must_use]
 pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour) -> [Line; 2] {
@@ -22,7 +25,7 @@ pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour
             |continuous, _| continuous,
         ),
         line(
-            scales.limit_name("^*", "stuck above"),
+            scales.limit_name("^*", "may stick from here on"),
             Stroke::Dashed,
             |_, sliding| sliding,
         ),
@@ -43,9 +46,10 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
     let mut panel = Panel::new(title, x, y);
     let beyond = 4.0 * top;
     for (name, fill, lower, upper) in [
-        ("continuous", 0, Edge::Zero, Edge::Continuous),
-        ("stick-slip", 1, Edge::Continuous, Edge::Sliding),
-        ("stuck", 2, Edge::Sliding, Edge::Beyond),
+        ("continuous", 0, Edge::Zero, Edge::Lower),
+        ("stick-slip", 1, Edge::Lower, Edge::Sliding),
+        (BISTABLE, 3, Edge::Sliding, Edge::Upper),
+        ("stuck", 2, Edge::Upper, Edge::Beyond),
     ] {
         let places: Vec<(f64, f64, f64)> = lines
             .points
@@ -63,6 +67,9 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
             })
             .collect();
         let mut region = Region::between(name, Fill::Class(fill), &drawn);
+        if places.iter().all(|(_, low, high)| high <= low) {
+            continue;
+        }
         if let Some((r, beta)) = roomiest(&places, top) {
             region = region.named_at((scales.frequency(r), scales.friction(beta)));
         }
@@ -76,8 +83,11 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
 #[derive(Clone, Copy)]
 enum Edge {
     Zero,
-    Continuous,
+    /// The lower limit.
+    Lower,
     Sliding,
+    /// The upper limit.
+    Upper,
     Beyond,
 }
 
@@ -85,7 +95,8 @@ impl Edge {
     fn of(self, limits: &frictiongen::Limits<f64>, beyond: f64) -> f64 {
         let beta = match self {
             Self::Zero => 0.0,
-            Self::Continuous => limits.continuous.min(limits.sliding),
+            Self::Lower => limits.continuous.min(limits.sliding),
+            Self::Upper => limits.continuous.max(limits.sliding),
             Self::Sliding => limits.sliding,
             Self::Beyond => beyond,
         };

@@ -150,10 +150,16 @@ impl Scales {
     /// A friction, as a legend names it.
     #[must_use]
     pub fn friction_name(&self, beta: f64) -> Label {
+        self.swept_name(beta, "")
+    }
+
+    /// The same, with what else tells a curve from others: `, swept up`.
+    #[must_use]
+    pub fn swept_name(&self, beta: f64, what: &str) -> Label {
         let value = short(self.friction(beta));
         match self.load {
-            Some(_) => format!("*F* = {value} N").into(),
-            None => format!("*β* = {value}").into(),
+            Some(_) => format!("*F* = {value} N{what}").into(),
+            None => format!("*β* = {value}{what}").into(),
         }
     }
 

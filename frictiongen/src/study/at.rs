@@ -140,6 +140,7 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
         last: bool,
     ) -> Result<SystemOrbit<'a, S>, NoOrbit> {
         let system = *at.scene();
+        let from_rest = matches!(start, Start::Rest | Start::State(..));
         if let Start::State(displacements, velocities) = start {
             system.check_state((displacements, velocities))?;
         }
@@ -160,7 +161,7 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
         Ok(SystemOrbit {
             system,
             orbit,
-            from_rest: true,
+            from_rest,
             slides: false,
         })
     }

@@ -9,6 +9,7 @@ mod curve;
 mod error;
 mod features;
 mod few;
+mod held;
 #[cfg(feature = "desk")]
 mod history;
 mod large;
@@ -21,6 +22,7 @@ mod parameter;
 mod physical;
 mod response;
 mod sensitivity;
+mod settled;
 mod simulation;
 mod stepper;
 mod system;
@@ -44,6 +46,7 @@ pub use features::{
 };
 pub use frictiongen_codegen::{Diagnostic, Diagnostics};
 pub use frictiongen_kernel::orbit::NoDerivative;
+pub use held::SystemHeld;
 #[cfg(feature = "desk")]
 pub use history::{
     History, HistoryError, HistoryEvent, HistoryRequest, MOST_SAMPLES, SpectralLine, Spectrum,
@@ -59,7 +62,7 @@ pub use optimum::{
 pub use orbit::{SystemOrbit, SystemOrbitMotion, SystemOrbitState};
 pub use parameter::{OperatingPoint, Parameter, Slope};
 pub use physical::{ParameterSensitivity, ResponseSensitivities};
-pub use response::{Size, Swing, SystemHeld, SystemResponse};
+pub use response::{Size, Swing, SystemResponse};
 pub use sensitivity::{Sensitive, Varied};
 pub use simulation::SystemSimulation;
 pub use stepper::{SystemInput, SystemStepSaved, SystemStepStore, SystemStepTables, SystemStepper};

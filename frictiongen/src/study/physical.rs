@@ -4,8 +4,8 @@
 //! the first mass m₁ and the first spring k₁, so that these move r, β and the unit of displacements too.
 
 use super::error::{StudyError, UnknownMass};
+use super::held::{share_of_base, static_share};
 use super::parameter::{OperatingPoint, Parameter, Slope, parameters_of};
-use super::response::{share_of_base, static_share};
 use super::sensitivity::{Sensitive, Varied};
 use super::system::System;
 use super::units::{Load, angular_frequency, reversed_phase};

@@ -118,6 +118,14 @@ pub fn reversed_phase<S: Float>(lag: S) -> S {
     }
 }
 
+/// The lag of the fundamental component X₁ of a motion of this centred amplitude, rad, in (−π, π]; none for what does not
+/// move but by rounding.
+#[must_use]
+pub fn fundamental_phase(x1: Complex<f64>, centred: f64) -> Option<f64> {
+    let (size, lag) = polar(x1);
+    (1e-12 * centred < size && centred != 0.0).then_some(lag)
+}
+
 /// X → |X| and −arg X in (−π, π]: the amplitude of Re X e^{iτ}, and its lag behind cos τ.
 #[must_use]
 pub fn polar(x: Complex<f64>) -> (f64, f64) {

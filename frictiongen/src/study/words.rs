@@ -5,7 +5,7 @@ use super::{
     StudyError, SystemOrbit, SystemResponse,
 };
 #[cfg(feature = "desk")]
-use super::{CurvePoint, Pattern};
+use super::{CurvePoint, CurveStart, Pattern};
 use crate::{Error, NoOrbit, Regime};
 use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
@@ -90,6 +90,17 @@ pub fn on_curve(point: Result<&CurvePoint, Error>) -> &'static str {
         Ok(point) if !point.from_rest => "orbit: not from rest",
         Ok(point) if point.regime == Regime::StickSlip => "orbit",
         Ok(_) => "closed form",
+    }
+}
+
+/// Where the motions of a curve start.
+#[cfg(feature = "desk")]
+#[must_use]
+pub fn start(start: CurveStart) -> &'static str {
+    match start {
+        CurveStart::Rest => "rest",
+        CurveStart::Up => "up",
+        CurveStart::Down => "down",
     }
 }
 

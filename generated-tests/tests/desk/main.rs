@@ -3,6 +3,8 @@
 mod curves;
 mod maps;
 mod responses;
+mod states;
+mod sweeps;
 
 use frictiongen::System;
 

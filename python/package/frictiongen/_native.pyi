@@ -29,6 +29,7 @@ __all__ = [
     "map",
     "optimum",
     "orbit",
+    "states",
     "response",
     "sensitivities",
     "simulate",
@@ -96,13 +97,16 @@ def response(
 def orbit(
     system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None, highest: Any | None
 ) -> _Columns: ...
+def states(
+    system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None, highest: Any | None
+) -> list[_Columns]: ...
 def curve(
     system: System,
     frequency: _Frequency,
     friction: _Friction,
     load: _Load,
     of: Any | None,
-    fineness: tuple[Any | None, Any | None, Any | None, bool],
+    fineness: tuple[Any | None, Any | None, Any | None, bool, list[str]],
 ) -> _Columns: ...
 def map(
     system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None

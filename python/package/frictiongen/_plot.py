@@ -107,10 +107,14 @@ def curve(answer: answers.Curve, ax: Axes | None, of: str | None) -> Axes:
     friction, _ = _friction(answer)
     unit = " N" if "friction_N" in answer else ""
     values, title = _column(answer, _first(answer, of), "amplitude", "m")
-    for place, force in enumerate(dict.fromkeys(friction.tolist())):
-        ax.plot([], [], color=f"C{place}", label=f"{force:g}{unit}")
-        for piece in np.unique(answer.piece[(friction == force) & (answer.piece > 0)]):
-            of_piece = (friction == force) & (answer.piece == piece)
+    starts = answer["start"] if "start" in answer else np.full(friction.shape, "")
+    ways = {"": "", "rest": ", from rest"}
+    for place, (force, start) in enumerate(dict.fromkeys(zip(friction.tolist(), starts.tolist()))):
+        way = ways.get(start, f", swept {start}")
+        ax.plot([], [], color=f"C{place}", label=f"{force:g}{unit}{way}")
+        of_curve = (friction == force) & (starts == start)
+        for piece in np.unique(answer.piece[of_curve & (answer.piece > 0)]):
+            of_piece = of_curve & (answer.piece == piece)
             stroke = STROKES.get(str(answer.regime[of_piece][0]), "-")
             ax.plot(along[of_piece], values[of_piece], stroke, color=f"C{place}")
     ax.set_xlabel(label)

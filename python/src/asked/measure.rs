@@ -71,6 +71,11 @@ impl Measure {
         of == Of::Contact && self.reversed && self.scale.is_some()
     }
 
+    /// The sign of the contact's displacement.
+    pub fn sign(&self) -> f64 {
+        if self.turns(Of::Contact) { -1.0 } else { 1.0 }
+    }
+
     /// A displacement.
     pub fn length(&self, ratio: f64) -> f64 {
         self.scale.map_or(ratio, |scale| scale.displacement(ratio))

@@ -98,8 +98,8 @@ impl Search<'_> {
         }
     }
 
-    /// ln(β/β_lim) and ln(β/β*_lim): the contact slides all the time where both are negative, is stuck where the second
-    /// is not.
+    /// ln(β/β_lim) and ln(β/β*_lim): the closed form exists where the first is negative, a stuck state where the second is
+    /// not.
     fn margins(&self, r: f64) -> (f64, f64) {
         match self.system.at(r) {
             Ok(at) => {

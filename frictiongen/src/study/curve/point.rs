@@ -2,6 +2,7 @@
 
 use super::request::CurveRequest;
 use crate::study::response::{Size, Swing, SystemResponse};
+use crate::study::units::reversed_phase;
 use crate::{Complex, Of, Regime};
 
 /// The response at one frequency ratio.
@@ -39,6 +40,8 @@ pub struct Movement {
     /// Half the distance between the least and the largest x̄, over P/k₁, for base motion over Y: the amplitude of a motion
     /// off its centre about its own middle.
     pub centred: f64,
+    /// The lag of the fundamental component behind the excitation, rad, in (−π, π]; none for what does not move.
+    pub fundamental_phase: Option<f64>,
     /// The largest |dx̄/dτ| and |d²x̄/dτ²|, if they were asked for.
     pub rates: Option<(f64, f64)>,
     /// The harmonics asked for, in their order.
@@ -86,6 +89,7 @@ impl Movement {
         let movement = Self {
             swing: response.swing(of)?,
             centred: response.centred_amplitude(of)?,
+            fundamental_phase: response.fundamental_phase(of),
             rates: if request.rates { both() } else { None },
             harmonics: harmonics
                 .map(|n| response.harmonic(of, *n))
@@ -102,6 +106,7 @@ impl Movement {
     /// The contact's motion with the opposite sign.
     fn turned(mut self, response: &SystemResponse<'_>) -> Self {
         self.swing.phase = response.reversed_contact_phase();
+        self.fundamental_phase = self.fundamental_phase.map(reversed_phase);
         for harmonic in &mut self.harmonics {
             *harmonic = Complex::new(0.0 - harmonic.re, 0.0 - harmonic.im);
         }

@@ -7,7 +7,7 @@ use super::point::CurvePoint;
 use super::refine::{NARROW, NARROW_PATTERN, NARROW_SCATTERED, Node, Refine};
 use super::request::CurveStart;
 use super::straight::alike;
-use crate::study::response::Carried;
+use crate::study::settled::Carried;
 use crate::study::work::work;
 use crate::{Error, OutOfDomain};
 

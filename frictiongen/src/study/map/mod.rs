@@ -52,6 +52,8 @@ pub struct MapPoint {
     pub offset: f64,
     /// The amplitudes asked for, in their order: over P/k₁, for base motion over Y.
     pub amplitudes: Vec<f64>,
+    /// The amplitudes about each motion's own middle, in the same order.
+    pub centred: Vec<f64>,
 }
 
 /// The responses at one frequency ratio.
@@ -116,6 +118,10 @@ impl MapPoint {
             from_rest: response.is_from_rest(),
             offset: response.offset(),
             amplitudes: of.iter().map(amplitude).collect::<Option<_>>()?,
+            centred: of
+                .iter()
+                .map(|of| response.centred_amplitude(*of))
+                .collect::<Option<_>>()?,
         })
     }
 }
@@ -123,8 +129,8 @@ impl MapPoint {
 impl System {
     /// The response at every pair of a frequency ratio and a friction ratio, on all cores.
     ///
-    /// Where the contact can slide all the time the response is the closed form, elsewhere the steady state that is reached
-    /// from rest, whatever the neighbours are. For μ > 1 another steady state may exist beside the closed form.
+    /// Each point has the state that motion from rest ends in, as [`SystemAt::response`](super::SystemAt::response) gives it,
+    /// whatever its neighbours are.  With μ > 1 other steady states may exist beside it.
     ///
     /// ```
     /// use frictiongen::study::MapRequest;

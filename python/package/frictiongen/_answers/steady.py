@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _plot
-from .table import Counts, Floats, Grid, Table, Words, frame
+from .table import Counts, Flags, Floats, Grid, Table, Words, frame
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 class Limits(Table):
     """Both limits over frequency; a limit may be infinite.
 
-    With less friction than `continuous_limit` and than `sliding_limit` the contact slides all the time; from
-    `sliding_limit` on it is stuck.  As ratios, F/P, for base motion F/(k1 Y); with a load also `continuous_limit_N` and
+    With less friction than `continuous_limit` the contact can slide all the time; from `sliding_limit` on it can be stuck.
+    With stiction 1 it is, and below both limits it slides all the time; above 1 it depends on the start.  As ratios, F/P, for base motion F/(k1 Y); with a load also `continuous_limit_N` and
     `sliding_limit_N`, in N.
     """
 
@@ -48,12 +48,18 @@ class Response(Grid):
     `answer` how the motion was found, or why there is none, and then amplitudes are NaN.  `response[name]` is the
     :class:`Motion` of a mass, or of the `contact`: `amplitude` (`amplitude_m`), the largest displacement; `phase`
     (`phase_deg`), by how much its maximum lags behind the load's, NaN for what does not move; `amplitude_monoharmonic`, the
-    estimate from the fundamental alone.
+    estimate from the fundamental alone.  `centred` is the amplitude about the motion's own middle, `fundamental_phase` the lag
+    of X1, `offset` (`offset_m`) the middle of the contact's motion.  `marginal` marks one of a continuum of states,
+    `from_rest` the state that motion from rest ends in.
     """
 
     regime: Words
     margin: Floats
     answer: Words
+    offset: Floats
+    offset_m: Floats
+    marginal: Flags
+    from_rest: Flags
 
     def plot(self, ax: Axes | None = None, of: str | None = None) -> Axes:
         """Draws the amplitude of one motion over frequency, a line for each friction.
@@ -77,6 +83,10 @@ class Map(Grid):
     stops: Counts
     reversals: Counts
     stuck_fraction: Floats
+    offset: Floats
+    offset_m: Floats
+    marginal: Flags
+    from_rest: Flags
     continuous_limit: Floats
     continuous_limit_N: Floats
     sliding_limit: Floats
@@ -96,7 +106,7 @@ class Map(Grid):
 class Curve(Table):
     """Responses along frequency, a line for each point, as finely as they bend.
 
-    Only points of the same friction and the same `piece` may be joined; `piece` is -1 where there is no response, and
+    Only points of the same friction, the same `start` (which a sweep has) and the same `piece` may be joined; `piece` is -1 where there is no response, and
     `answer` says why.  `contact_force` (`contact_force_N`) is the largest friction force of the period, `friction_work` the
     work of a cycle (`friction_power_W` the mean power).  `curve[name]` is the :class:`Motion` of a mass or of the `contact`.
     """
@@ -106,11 +116,16 @@ class Curve(Table):
     omega_rad_s: Floats
     beta: Floats
     friction_N: Floats
+    start: Words
     piece: Counts
     regime: Words
     answer: Words
     stops: Counts
     period: Counts
+    offset: Floats
+    offset_m: Floats
+    marginal: Flags
+    from_rest: Flags
     contact_force: Floats
     contact_force_N: Floats
     friction_work: Floats
@@ -140,6 +155,10 @@ class Orbit(Table):
     reversals: int
     stuck_fraction: float
     largest_multiplier: float
+    offset: float
+    offset_m: float
+    marginal: bool
+    from_rest: bool
     multipliers: NDArray[np.complex128]
     sticking_intervals: Floats
     longest_stop_s: float

@@ -85,16 +85,20 @@ class Motion(Columns):
     >>> import frictiongen
     >>> frame = frictiongen.System(frictiongen.FRAME)
     >>> lower = frame.response(r=0.9, beta=0.3, harmonics=3)["lower"]
-    >>> lower.keys()
-    ['amplitude', 'phase', 'amplitude_monoharmonic', 'X1.amplitude', 'X1.phase', 'X3.amplitude', 'X3.phase']
+    >>> lower.keys()[:5]
+    ['amplitude', 'centred', 'phase', 'fundamental_phase', 'amplitude_monoharmonic']
     >>> bool(lower["X3"].amplitude < lower.amplitude)
     True
     """
 
     amplitude: Floats
     amplitude_m: Floats
+    centred: Floats
+    centred_m: Floats
     phase: Floats
     phase_deg: Floats
+    fundamental_phase: Floats
+    fundamental_phase_deg: Floats
 
 
 def _missing(answer: object, name: str, columns: dict[str, Any]) -> str:

@@ -128,6 +128,36 @@ class Steady(Base):
             _native.orbit(self._native, (r, hz, omega), (beta, friction), (force, base), names(of), harmonics)
         )
 
+    def states(
+        self,
+        *,
+        r: float | None = None,
+        hz: float | None = None,
+        omega: float | None = None,
+        beta: float | None = None,
+        friction: float | None = None,
+        force: float | None = None,
+        base: float | None = None,
+        of: str | Iterable[str] | None = None,
+        harmonics: int | None = None,
+    ) -> list[Orbit]:
+        """Every steady state at one frequency and one friction that is found from a fixed list of starts.
+
+        The starts are rest, the stuck contact, the closed form and motions at neighbouring frictions.  `from_rest` says
+        which state motion from rest ends in.  With stiction 1 there is one state, or one continuum.
+
+        :param harmonics: also the harmonics X0, X1, ... up to this one.
+
+        >>> import frictiongen
+        >>> block = frictiongen.System('''struct Block {
+        ...     masses: { block: 1 }, springs: { base - block: 1 }, contact: block - base, excitation: base, stiction: 2,
+        ... }''')
+        >>> sorted(state.regime for state in block.states(r=1.1, beta=0.65))
+        ['continuous', 'stuck']
+        """
+        found = _native.states(self._native, (r, hz, omega), (beta, friction), (force, base), names(of), harmonics)
+        return [Orbit(state) for state in found]
+
     def curve(
         self,
         *,
@@ -143,6 +173,7 @@ class Steady(Base):
         step: float | None = None,
         harmonics: int | None = None,
         rates: bool = False,
+        start: str | Iterable[str] = "rest",
     ) -> Curve:
         """Responses along frequency from one end of a band (from, to) to the other, refined where they bend.
 
@@ -150,6 +181,8 @@ class Steady(Base):
         :param step: how far apart neighbours are at most, in the unit of the frequency.
         :param harmonics: also the harmonics X1, X2, ... up to this one.
         :param rates: also the largest velocities and accelerations.
+        :param start: "rest", and each point starts from rest; "up" or "down", and each point starts from the state of the
+            point before, as in a sweep of a laboratory; or several of the three.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -164,7 +197,7 @@ class Steady(Base):
                 (beta, friction),
                 (force, base),
                 names(of),
-                (accuracy, step, harmonics, bool(rates)),
+                (accuracy, step, harmonics, bool(rates), [start] if isinstance(start, str) else list(start)),
             )
         )
 

@@ -1,0 +1,162 @@
+//! Sweeps up and down: where a state ends, against the closed forms of one undamped mass on a moving base.
+
+use frictiongen::study::{Curve, CurveRequest, CurveStart, End, Piece};
+use frictiongen::{Of, Regime, System};
+use std::f64::consts::PI;
+
+const MU: f64 = 2.0;
+const BLOCK: &str = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
+    contact: block - base, excitation: base, stiction: 2 }";
+/// A jump is located to 1e-7 of r.
+const PLACE: f64 = 2e-7;
+
+/// (V, U) of Den Hartog's solution for the relative motion, whose load is r²Y.
+fn solution(r: f64) -> (f64, f64) {
+    let angle = PI / r;
+    (1.0 / (1.0 - r * r), angle.sin() / (r * (1.0 + angle.cos())))
+}
+
+/// The amplitude of the relative motion over Y while it slides all the time.
+fn amplitude(r: f64, beta: f64) -> f64 {
+    let (v, u) = solution(r);
+    let load = r * r;
+    load * (v * v - (beta / load * u).powi(2)).sqrt()
+}
+
+/// The friction ratio at which the contact no longer turns without a stop: the force that holds it there is r²z̄₀ = μβ.
+fn continuous_limit(r: f64) -> f64 {
+    let (v, u) = solution(r);
+    let load = r * r;
+    load * v.abs() / (u * u + (MU / load).powi(2)).sqrt()
+}
+
+/// The frequency ratio at which that limit is β, between two on both sides of it.
+fn ends_at(beta: f64, mut low: f64, mut high: f64) -> f64 {
+    assert!(continuous_limit(low) < beta && beta < continuous_limit(high));
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if continuous_limit(middle) < beta {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    high
+}
+
+fn swept(system: &System, (from, to): (f64, f64), beta: f64, start: CurveStart) -> Curve {
+    let request = CurveRequest {
+        start,
+        accuracy: 2e-3,
+        ..CurveRequest::new(from, to, &[Of::Contact, Of::Mass(0)])
+    };
+    system.curve(&request, beta).expect("a curve")
+}
+
+fn of(curve: &Curve, regime: Regime) -> Vec<&Piece> {
+    let pieces = curve.pieces.iter();
+    pieces.filter(|piece| piece.regime == regime).collect()
+}
+
+fn told(curve: &Curve) -> String {
+    let pieces = curve.pieces.iter().map(|piece| {
+        let (first, last) = (&piece.points[0], &piece.points[piece.points.len() - 1]);
+        format!(
+            "{:?} {:.9} {:?} to {:.9} {:?}, {} points, offset {:.3}",
+            piece.regime,
+            first.r,
+            piece.start,
+            last.r,
+            piece.end,
+            piece.points.len(),
+            last.offset
+        )
+    });
+    pieces.collect::<Vec<_>>().join("\n")
+}
+
+/// Swept up, the block sticks up to r² = μβ, less the spring's force where it sticks off its centre; swept down, it slides
+/// down to where the closed form ends.  Between the two frequencies both states exist.
+#[test]
+fn a_stuck_and_a_sliding_block() {
+    let system: System = BLOCK.parse().expect("a scene");
+    for beta in [0.85, 0.95, 1.2] {
+        let range = (1.01, 1.75);
+        let (up, down) = (
+            swept(&system, range, beta, CurveStart::Up),
+            swept(&system, range, beta, CurveStart::Down),
+        );
+        println!("β = {beta}, up:\n{}\ndown:\n{}", told(&up), told(&down));
+        let stuck = of(&up, Regime::Stuck);
+        let held = stuck[stuck.len() - 1];
+        let last = &held.points[held.points.len() - 1];
+        assert!(matches!(held.end, End::Jump | End::Boundary));
+        // μβ = r² + |offset|, all over k₁Y.
+        let departure = (MU * beta - last.offset.abs()).sqrt();
+        assert!(
+            (last.r / departure - 1.0).abs() < PLACE,
+            "β = {beta}: {} for {departure}",
+            last.r
+        );
+        let ends = ends_at(beta, 1.01, 1.7);
+        let sliding = of(&down, Regime::Continuous);
+        let slid = sliding[sliding.len() - 1];
+        let first = &slid.points[0];
+        assert!(
+            (first.r / ends - 1.0).abs() < PLACE,
+            "β = {beta}: {} for {ends}",
+            first.r
+        );
+        assert!(ends < departure, "β = {beta}: no hysteresis");
+        let mut compared = 0;
+        for point in &slid.points {
+            let expected = amplitude(point.r, beta);
+            let found = point.movements[0].swing.amplitude;
+            assert!((found / expected - 1.0).abs() < 1e-9, "r = {}", point.r);
+            compared += u32::from(ends < point.r && point.r < departure);
+        }
+        for point in &held.points {
+            // Stuck the block moves with its base.
+            assert!((point.movements[1].centred - 1.0).abs() < 1e-12);
+            assert!(point.movements[0].centred < 1e-12);
+        }
+        assert!(compared > 3, "β = {beta}: {compared}");
+    }
+}
+
+/// Physical states go on unchanged: a sweep of a chain with one steady state is the curve from rest.
+#[test]
+fn one_state_however_it_is_reached() {
+    let system: System =
+        "struct Frame { masses: { a: 3.27, b: 3.25 }, springs: { base - a: 1190, a - b: 1323 },
+        contact: b - wall, excitation: base, damping: modal(0.02) }"
+            .parse()
+            .expect("a scene");
+    let mut compared = 0;
+    for start in [CurveStart::Up, CurveStart::Down] {
+        let curve = swept(&system, (0.4, 1.6), 0.35, start);
+        let mut before = 0.0;
+        for point in curve.pieces.iter().flat_map(|piece| &piece.points) {
+            assert!(before < point.r);
+            before = point.r;
+            if point.regime == Regime::Stuck || !point.settled {
+                continue;
+            }
+            let response = system.at(point.r).expect("in the domain").response(0.35);
+            let expected = response
+                .expect("a response")
+                .swing(Of::Mass(0))
+                .expect("a mass");
+            let found = point.movements[1].swing.amplitude;
+            // Both end Newton's method at a millionth of a millionth or so; steep places lose some digits.
+            assert!(
+                (found / expected.amplitude - 1.0).abs() < 1e-8,
+                "r = {}: {found} for {}",
+                point.r,
+                expected.amplitude
+            );
+            compared += 1;
+        }
+    }
+    assert!(compared > 300, "{compared}");
+}
