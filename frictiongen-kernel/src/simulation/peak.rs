@@ -33,8 +33,10 @@ impl<S: Float> Sum<'_, S> {
             }
         }
         let start = self.local(zero);
-        if start.slope.abs() <= self.noise * self.rate && !(start.curve * start.value < zero) {
-            // It starts from the bottom of a valley, where no climb begins: from between its ends everything is in sight.
+        let low = start.value.abs() <= self.noise || !(start.curve * start.value < zero);
+        if start.slope.abs() <= self.noise * self.rate && low {
+            // It starts at zero or from the bottom of a valley, where no climb begins: from between its ends everything is in
+            // sight.
             for share in [0.3, 0.5] {
                 let value = self.local(self.reach * S::constant(share)).value;
                 level = level.max(value.abs());

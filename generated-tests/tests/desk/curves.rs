@@ -66,7 +66,7 @@ fn lines_between_points_pass_the_response() {
                             "{name}, β = {beta}, r = {r}: {line} for {exact}"
                         );
                         checked += 1;
-                        beyond += u32::from(4.0 * request.accuracy < stray);
+                        beyond += u32::from(unique && 4.0 * request.accuracy < stray);
                         // What is small has no phase that counts.  With stops the largest displacement may go from one
                         // instant to another at once, whatever the amplitude does: that place is found.
                         if exact < 0.05 || !alone || b.r - a.r < 1e-5 * r {

@@ -145,6 +145,26 @@ fn slips_that_shrink_without_end() {
     }
 }
 
+/// A mass that stays a whole Y behind its base moves by cos τ − 1: it starts from zero, and rounding may have either sign there.
+#[test]
+fn from_zero_and_back() {
+    let chain = system(
+        "struct Chain {
+            masses: { m1: 0.6599, m2: 1.4362, m3: 1.1297, m4: 1.1642 },
+            springs: { base - m1: 0.5094, m1 - m2: 0.5303, m2 - m3: 0.3715, m3 - m4: 0.6222 },
+            contact: m2 - base, excitation: base, damping: modal[0.03353, 0.06080, 0.12038, 0.11700],
+        }",
+    );
+    for step in 0..200 {
+        let r = 2.5 + 0.005 * f64::from(step);
+        let at = chain.at(r).expect("in the domain");
+        let orbit = at.orbit(1.2 * at.sliding_limit() + 2.0).expect("it sticks");
+        assert_eq!(orbit.offset(), -1.0, "{r}");
+        let amplitude = orbit.mass_at(1).expect("a mass").amplitude();
+        assert!((amplitude - 2.0).abs() < 1e-13, "{r}: {amplitude}");
+    }
+}
+
 /// The phase of a contact that stops at its largest displacement is the lag of the stop's beginning: continuous in β, and
 /// with its derivative.
 #[test]
