@@ -15,3 +15,4 @@ mod plain;
 mod reference;
 mod runs;
 mod several;
+mod slow;
