@@ -1,10 +1,10 @@
 //! Amplitudes and phases over frequency.
 
 use crate::{MASS, drawn, joined};
-use frictiongen::{Of, Regime};
-use frictiongen_examples::draw::{Responses, only_regimes, variant_colour};
-use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
-use frictiongen_plot::{Axis, Colour, Figure, Inset, Key, Marker, Markers, Panel};
+use frictiongen::Of;
+use frictiongen_examples::draw::Responses;
+use frictiongen_plot::desk::{self, Reading};
+use frictiongen_plot::{Axis, Figure, Inset, Key, Marker, Panel};
 use std::error::Error;
 
 const CONTINUOUS: [f64; 7] = [0.0, 0.2, 0.5, 0.8, 1.0, 1.25, 1.5];
@@ -101,84 +101,5 @@ pub fn all_regimes() -> Result<Figure, Box<dyn Error>> {
         .with_caption(
             "*β* = *F*/(*kY*), *μ* = 1. Up to *r* = √*β* the mass is stuck and moves with its base; where it begins to slide \
              the transmissibility falls below 1. From *β* = 1.06 on no sliding motion exceeds that of the base.",
-        ))
-}
-
-/// 3.15: the static friction.
-pub fn stiction() -> Result<Figure, Box<dyn Error>> {
-    let of = [MASS, Of::Contact];
-    let systems = [1.0, 1.2, 1.5, 2.0].map(|stiction| (stiction, joined(stiction)));
-    let mut curves = Vec::new();
-    for (stiction, system) in &systems {
-        curves.push((stiction, Responses::new(system, RANGE, &[1.0], &of)?));
-    }
-    let scales = Scales::groups(&systems[0].1);
-    let panel = |title: &str, part: usize, label: &str, ends: (f64, f64)| {
-        let x = Axis::new("frequency ratio *r*", 0.8, 1.8);
-        let mut panel = Panel::new(title, x, Axis::new(label, ends.0, ends.1));
-        for (index, (stiction, responses)) in curves.iter().enumerate() {
-            for curve in responses.curves() {
-                let curve = only_regimes(curve, false);
-                let drawn = Drawn {
-                    curve: &curve,
-                    name: format!("*μ* = {stiction}").into(),
-                    colour: variant_colour(index),
-                };
-                let lines = desk::lines(&drawn, part, Reading::Amplitude, &scales);
-                panel.layers.extend(lines);
-            }
-        }
-        // Of one value until each of them ends.
-        if let Some(curve) = curves.first().and_then(|(_, first)| first.curves().first()) {
-            let curve = only_regimes(curve, true);
-            let drawn = Drawn {
-                curve: &curve,
-                name: "stuck".into(),
-                colour: Colour::Black,
-            };
-            panel
-                .layers
-                .extend(desk::lines(&drawn, part, Reading::Amplitude, &scales));
-        }
-        // The longest first: of each the end is seen.
-        for (index, (_, responses)) in curves.iter().enumerate().skip(1).rev() {
-            for curve in responses.curves() {
-                let mut curve = only_regimes(curve, true);
-                for piece in &mut curve.pieces {
-                    piece.points.retain(|point| 1.0 <= point.r);
-                }
-                let drawn = Drawn {
-                    curve: &curve,
-                    name: format!("*μ* = {}", systems[index].0).into(),
-                    colour: variant_colour(index),
-                };
-                panel
-                    .layers
-                    .extend(desk::lines(&drawn, part, Reading::Amplitude, &scales));
-            }
-        }
-        // Where sliding begins at once.
-        for (index, (_, responses)) in curves.iter().enumerate().skip(1) {
-            let sliding = responses.curves().iter().flat_map(|curve| &curve.pieces);
-            let first = sliding.filter(|piece| piece.regime != Regime::Stuck);
-            let first = first.flat_map(|piece| &piece.points).next();
-            let place =
-                first.and_then(|point| Some((point.r, point.movements.get(part)?.swing.amplitude)));
-            let points = place.into_iter().collect();
-            panel = panel.with(Markers::unnamed(variant_colour(index), Marker::Dot, points));
-        }
-        panel
-    };
-    let panels = vec![
-        panel("(a) mass", 0, "*X̄*", (0.55, 1.15)),
-        panel("(b) relative motion", 1, "*Z̄*", (0.0, 1.6)),
-    ];
-    Ok(Figure::new("3.15", "Static friction at *β* = 1", 2, panels)
-        .with_sketch(drawn(&systems[0].1))
-        .with_keys(desk::keys())
-        .with_caption(
-            "*μ* is static over kinetic friction. It moves the start of sliding to *r* = √*μ* and makes it a jump, to the \
-             dots; from \
-             *μ* = 1.5 on the mass goes from stuck straight to sliding without stops, and then *μ* has no effect.",
         ))
 }

@@ -1,6 +1,7 @@
 //! Chapter 3: one mass on a base that carries the wall.  `cargo run --release --example chapter3`
 
 mod amplitudes;
+mod branches;
 mod regimes;
 mod viscous;
 
@@ -38,7 +39,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         regimes::stops,
         regimes::few_stops,
         amplitudes::all_regimes,
-        amplitudes::stiction,
+        branches::stiction,
     ] {
         save(&figure()?, &mut album)?;
     }
@@ -57,7 +58,8 @@ fn one_cycle() -> Result<Figure, Box<dyn Error>> {
     Ok(Figure::new("3.6", "Absolute and relative motion over a cycle", 1, vec![panel])
         .with_sketch(drawn(&system))
         .with_caption(
-            "*r* = 0.9, *β* = 0.4, from a maximum of the relative motion *z̄*. The mass, *x̄*, reaches its maximum at \
+            "*r* = 0.9, *β* = 0.4, from a maximum of the relative motion *z̄*. The text of the thesis does not give these \
+             parameters; they are chosen. The mass, *x̄*, reaches its maximum at \
              another time: its amplitude has to be searched for.",
         ))
 }
@@ -83,7 +85,8 @@ fn half_cycles() -> Result<Figure, Box<dyn Error>> {
         .with_sketch(drawn(&joined(1.0)))
         .with_keys(keys())
         .with_caption(
-            "Lines are the closed form, circles a simulation from rest after 1000 cycles: they lie on each other.",
+            "Lines are the closed form, circles a simulation from rest after 1000 cycles: they lie on each other. The text of \
+             the thesis does not give these parameters; they are chosen.",
         ))
 }
 

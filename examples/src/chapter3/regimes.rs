@@ -3,7 +3,7 @@
 use crate::{drawn, joined};
 use frictiongen::System;
 use frictiongen::study::MapRequest;
-use frictiongen_examples::draw::part_colour;
+use frictiongen_examples::draw::{part_colour, tidy};
 use frictiongen_plot::desk::{self, Scales, Shade, map_panel};
 use frictiongen_plot::{
     Across, Axis, Colour, Figure, Guide, Inset, Layer, Line, Panel, Point, Stroke,
@@ -13,6 +13,9 @@ use std::f64::consts::PI;
 
 const TO: f64 = 2.5;
 const TOP: f64 = 4.0;
+/// Poles of S down to which it is drawn, r = 1/31, and those with a grey line.
+const POLES: u32 = 15;
+const GUIDES: u32 = 6;
 
 /// 3.3: the function S (2.27), from Z̄ = βS/r² (3.16) on the limit of continuous motion.
 pub fn constraint() -> Result<Figure, Box<dyn Error>> {
@@ -24,7 +27,8 @@ pub fn constraint() -> Result<Figure, Box<dyn Error>> {
         Some(r * r * amplitude / limit).filter(|value| value.is_finite())
     };
     // Poles at the odd sub-harmonics, where U has them.
-    let mut ends: Vec<f64> = (1..=6).rev().map(|i| 1.0 / f64::from(2 * i + 1)).collect();
+    let pole = |i: u32| 1.0 / f64::from(2 * i + 1);
+    let mut ends: Vec<f64> = (1..=POLES).rev().map(pole).collect();
     ends.push(TO);
     let count = 400;
     let pieces = ends.windows(2).map(|pair| {
@@ -36,16 +40,15 @@ pub fn constraint() -> Result<Figure, Box<dyn Error>> {
     });
     let line = Line::new("*S*", part_colour(0), Stroke::Solid, pieces.collect());
     let x = Axis::new("frequency ratio *r*", 0.0, 1.0);
-    let panel = Panel::new("", x, Axis::new("*S*", 0.0, 6.0))
-        .with(Guide::new(Across::X(1.0 / 3.0)))
-        .with(Guide::new(Across::X(0.2)))
-        .with(Guide::new(Across::X(1.0 / 7.0)))
-        .with(line);
+    let panel = Panel::new("", x, Axis::new("*S*", 0.0, 6.0));
+    let guides = (1..=GUIDES).map(|i| Guide::new(Across::X(pole(i))));
+    let panel = tidy(guides.fold(panel, Panel::with).with(line));
     Ok(Figure::new("3.3", "The function *S*", 1, vec![panel])
         .with_sketch(drawn(&system))
         .with_caption(
             "A motion is continuous only if its amplitude is above *βS*/*r*^2. *S* is 1 from *r* = 1/2 on, and nowhere \
-             less; it has poles at *r* = 1/3, 1/5, 1/7, … (grey), where any friction ends the continuous motion.",
+             less; it has poles at *r* = 1/3, 1/5, 1/7, … (grey down to 1/13), where any friction ends the continuous motion. \
+             It is drawn from *r* = 1/31 on: below, its poles crowd.",
         ))
 }
 
@@ -96,8 +99,8 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
         .with_sketch(drawn(&joined(1.0)))
         .with_caption(
             "*β* = *F*/(*kY*). With more static friction both limits fall, the limit of permanent sticking, *r*²/*μ*, faster: \
-             from about *μ* = 1.2 on they cross, and \
-             between the crossings there are no motions with stops.",
+             from about *μ* = 1.2 on they cross. Where *r*²/*μ* is the lower one, the mass may slide all the time or be stuck, \
+             as it starts; the thesis draws that wedge as stuck.",
         ))
 }
 
@@ -136,8 +139,8 @@ pub fn stops() -> Result<Figure, Box<dyn Error>> {
         .with_sketch(drawn(&joined(1.0)))
         .with_caption(
             "The steady state that is reached from rest, at each of 125 by 200 places; the lines are the exact limits. \
-             Between them two stops are the rule. With *μ* = 1.5 the limits cross, and between the crossings the mass goes from stuck \
-             straight to continuous motion.",
+             Between them two stops are the rule. With *μ* = 1.5 the limits cross; between the crossings a motion without stops \
+             and a stuck state exist side by side, and the cells show in which of them motion from rest ends.",
         ))
 }
 

@@ -5,7 +5,9 @@ use frictiongen::measure::{Channel, Measured, Recording, SweepPoint, Unit};
 use frictiongen::{Of, System};
 use frictiongen_examples::draw::part_colour;
 use frictiongen_examples::rig::{LENGTH, NATURAL, Noise, Y, decay, one_storey, without_friction};
-use frictiongen_plot::{Axis, Colour, Figure, Line, Marker, Markers, Panel, Sketch, Stroke};
+use frictiongen_plot::{
+    Axis, Colour, Excitation, Figure, Line, Marker, Markers, Panel, Sketch, Stroke,
+};
 use std::error::Error;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
@@ -131,8 +133,13 @@ pub fn free_decay() -> Drawn {
         Marker::Circle,
         marks,
     ));
+    // The base stands still.
+    let sketch = Sketch {
+        excitation: Excitation::None,
+        ..drawn(&fixed(1.0))
+    };
     Ok(Figure::new("4.4", "A free decay", 1, vec![panel])
-        .with_sketch(drawn(&fixed(1.0)))
+        .with_sketch(sketch)
         .with_caption(format!(
             "The plate is pulled by 20 mm and released, *β* = {BETA}; synthetic, at 1 kHz. Its peaks fall along a line, by 4*F*/*k* a \
              cycle. The linear decrement (4.3) gives *β* = {:.4}, a fit of all samples *F*/(*kY*) = {:.4}, 95 % from {:.4} to {:.4}.",

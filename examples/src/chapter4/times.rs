@@ -28,7 +28,7 @@ const LONG: f64 = 16.0;
 const CIRCLES: u32 = 24;
 const POINTS: u32 = 48;
 /// Cycles of which a spectrum is taken, and its highest order.
-const CYCLES: f64 = 24.0;
+const CYCLES: f64 = 20.0;
 const HIGHEST: f64 = 12.0;
 /// The lowest level that is drawn, dB.
 const LOWEST: f64 = -100.0;
@@ -169,7 +169,7 @@ pub fn harmonics() -> Result<Figure, Box<dyn Error>> {
                 "recorded",
                 Colour::Black,
                 Stroke::Thin,
-                vec![spectrum(&recorded)],
+                vec![spectrum(&recorded).ok_or("the recording is too short")?],
             ))
             .with(Markers::new(
                 "theory",
@@ -182,16 +182,16 @@ pub fn harmonics() -> Result<Figure, Box<dyn Error>> {
     Ok(Figure::new("4.13", "Harmonics of the steady motions at *β* = 0.2", 2, panels)
         .with_sketch(drawn(&fixed(1.0)))
         .with_caption(
-            "Of the recordings of figure 4.12, 24 cycles under a Hann window; 0 dB is the motion *Y* of the base. Friction puts in \
+            "Of the recordings of figure 4.12, 20 cycles under a Hann window; 0 dB is the motion *Y* of the base. Friction puts in \
              odd harmonics; even ones show that a motion is not symmetric. What lies between the lines is noise.",
         ))
 }
 
-/// The levels in dB of 24 cycles of a recording under a Hann window, by order.
-fn spectrum(recorded: &Recorded) -> Vec<(f64, f64)> {
+/// The levels in dB of 20 cycles of a recording under a Hann window, by order; none of a shorter recording.
+fn spectrum(recorded: &Recorded) -> Option<Vec<(f64, f64)>> {
     let per_sample = recorded.measured.hertz / recorded.measured.rate;
     let count = (CYCLES / per_sample).round() as usize;
-    let samples = recorded.plate.iter().take(count).enumerate();
+    let samples = recorded.plate.get(..count)?.iter().enumerate();
     let weight = |t: usize| 0.5 - 0.5 * (TAU * (t as f64 + 1.0) / (count as f64 + 1.0)).cos();
     let windowed: Vec<f64> = samples.map(|(t, x)| weight(t) * x).collect();
     let whole: f64 = (0..count).map(weight).sum();
@@ -211,7 +211,7 @@ fn spectrum(recorded: &Recorded) -> Vec<(f64, f64)> {
         let level = 20.0 * (share * sum.norm() / whole).log10();
         (order, level.max(LOWEST))
     };
-    orders.map(level).collect()
+    Some(orders.map(level).collect())
 }
 
 /// The levels in dB of the harmonics of the steady state that is reached from rest, from the mean on.

@@ -223,7 +223,8 @@ pub fn middle_motion() -> Drawn {
         .with_sketch(drawn(&system))
         .with_keys(keys())
         .with_caption(
-            "Equal masses and springs, *μ* = 1. (a) From a maximum of *m*_3: the other masses turn earlier or later. (b) Phases of motions \
+            "Equal masses and springs, *μ* = 1. (a) From a maximum of *m*_3, at *r*_1 and *β* that are chosen, as the text of the thesis \
+             does not give them: the other masses turn earlier or later. (b) Phases of motions \
              without stops; in the shaded ranges of *r*_1 the contact stops or is stuck.",
         ))
 }

@@ -64,7 +64,8 @@ pub fn between_responses() -> Drawn {
         .with_keys(strokes(true, true))
         .with_caption(
             "*γ* = *κ* = 0.5, *μ* = 1. Between about *r*_1 = 0.77 and 1.23 more friction means more motion of the masses, up to the resonance \
-             of both stuck together at √(2/3); the relative motion becomes smaller everywhere.",
+             of both stuck together at √(2/3); the relative motion becomes smaller everywhere. Phases are of the largest displacement; where the contact stops there, of \
+             the beginning of the stop.",
         ))
 }
 
@@ -89,7 +90,8 @@ pub fn joined_responses() -> Drawn {
         .with_keys(strokes(true, true))
         .with_caption(
             "Equal masses and springs, *μ* = 1. At low frequency *m*_1 moves with the base and nothing slides; from *β* = π/4 on both resonances \
-             are finite, and *m*_2 has that of the stuck system at *r*_1 = 1.",
+             are finite, and *m*_2 has that of the stuck system at *r*_1 = 1. Phases are of the largest displacement; where the contact \
+             stops there, of the beginning of the stop.",
         ))
 }
 

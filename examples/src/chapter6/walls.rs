@@ -176,7 +176,8 @@ pub fn upper_cycles() -> Drawn {
         .with_sketch(drawn(&systems[0]))
         .with_keys(keys())
         .with_caption(
-            "From a maximum of *m*_2, equal masses and springs. *m*_1 turns at another time than *m*_2, which friction holds \
+            "From a maximum of *m*_2, equal masses and springs. The text of the thesis does not give these parameters; they are \
+             chosen. *m*_1 turns at another time than *m*_2, which friction holds \
              back.",
         ))
 }
@@ -185,14 +186,14 @@ pub fn upper_cycles() -> Drawn {
 fn rows(
     stuck: bool,
     responses: &Responses<'_>,
-    sizes: (f64, f64),
+    sizes: [(f64, f64); 2],
     ends: [(f64, f64); 2],
 ) -> Vec<Panel> {
     let row = |part, titles, labels| Row {
         part,
         titles,
         labels,
-        sizes,
+        sizes: sizes[part],
         ends: ends[part],
         stuck,
         limit_from: 0.2,
@@ -221,15 +222,16 @@ pub fn lower_responses() -> Drawn {
     let panels = rows(
         false,
         &responses,
-        (0.01, 20.0),
+        [(0.01, 20.0); 2],
         [(-45.0, 190.0), (-45.0, 370.0)],
     );
     Ok(Figure::new("6.6", "Responses, load and contact on the lower mass", 2, panels)
         .with_sketch(drawn(&system))
         .with_keys(strokes(false, true))
         .with_caption(
-            "Equal masses and springs, *μ* = 1. Only for *β* = 0.8, above π/4, both resonances are finite; above *r*_1 = 0.56 most motions \
-             have no stops. *m*_2 moves with *m*_1 below *r*_1 = 1 and against it above.",
+            "Equal masses and springs, *μ* = 1. Only for *β* = 0.8, above π/4, both resonances are finite; the contact stops \
+             at low frequency and around *r*_1 = 1, where *m*_2 holds *m*_1 at rest. There the amplitude of *m*_2 tends to √(1 − *β*^2). \
+             *m*_2 moves with *m*_1 below *r*_1 = 1 and against it above.",
         ))
 }
 
@@ -241,7 +243,7 @@ pub fn upper_responses() -> Drawn {
     let panels = rows(
         true,
         &responses,
-        (0.0, 5.0),
+        [(0.0, 8.0), (0.0, 5.0)],
         [(-45.0, 190.0), (-45.0, 370.0)],
     );
     Ok(Figure::new("6.13", "Responses, load on the lower mass, contact on the upper", 2, panels)
@@ -249,7 +251,8 @@ pub fn upper_responses() -> Drawn {
         .with_keys(strokes(true, true))
         .with_caption(
             "Equal masses and springs, *μ* = 1. The resonances become finite from *β* = 0.485 and *β* = 1.271 on. Between \
-             *r*_1 = 0.83 and 1.55 more friction means more motion of *m*_1, up to the resonance of the stuck system at √2.",
+             *r*_1 = 0.83 and 1.55 more friction means more motion of *m*_1, up to the resonance of the stuck system at √2. Phases are \
+             of the largest displacement; where the contact stops there, of the beginning of the stop.",
         ))
 }
 
@@ -285,7 +288,8 @@ pub fn lower_regimes() -> Drawn {
     Ok(Figure::new("6.7", "Motion regimes, load and contact on the lower mass", 2, regimes(1, 1.2)?)
         .with_sketch(drawn(&two(1, 1.0)))
         .with_caption(
-            "Equal masses and springs. Stiction *μ* lowers the limit of sticking to 1/*μ* until it cuts off the other one; at \
+            "Equal masses and springs. Stiction *μ* lowers the limit of sticking to 1/*μ*, below the other one in places: in these wedges \
+             the contact may slide all the time or be stuck, as it starts, and the thesis draws them as stuck. At \
              *r*_1 = 1, where *m*_2 holds *m*_1 at rest, any friction stops the contact.",
         ))
 }
@@ -296,6 +300,7 @@ pub fn upper_regimes() -> Drawn {
         .with_sketch(drawn(&two(2, 1.0)))
         .with_caption(
             "Equal masses and springs. Beside *r*_1 = √2, the resonance of the stuck system, no friction keeps the contact \
-             at rest; both limits go to zero at high frequency.",
+             at rest; both limits go to zero at high frequency. In the wedges of *μ* > 1 the contact may slide all the time or be \
+             stuck, as it starts; the thesis draws them as stuck.",
         ))
 }

@@ -136,7 +136,8 @@ pub fn upper() -> Drawn {
         .with_keys(strokes(false, true))
         .with_caption(
             "Equal masses and springs, *μ* = 1, *r*_{n,1} = 0.618, *r*_{n,2} = 1.618. More friction means less motion of the mass in contact, which \
-             rests where a curve ends.",
+             rests where a curve ends. Phases are of the largest displacement; where the contact stops there, of the beginning of \
+             the stop.",
         ))
 }
 
@@ -210,12 +211,12 @@ pub fn two_regimes() -> Drawn {
         ("stick-slip", (0.2, 0.3)),
         ("stuck", (0.6, 1.8)),
     ];
-    let panel = limits(&twos(), RATIO, 3.0, names)?;
+    let panel = limits(&twos(), RATIO, 4.0, names)?;
     Ok(Figure::new("7.7", "Motion regimes of two damped masses, contact on the upper one", 1, vec![panel])
         .with_sketch(drawn(&two_masses(0.1)))
         .with_keys(limit_keys())
         .with_caption(
             "Equal masses and springs, *μ* = 1. Damping counts at *r*_1 = √2, where the stuck system has its resonance: it makes the limit of \
-             sticking finite and the range of motion without stops smaller.",
+             sticking finite and the range of motion without stops smaller. Elsewhere the dashed lines of the three lie on each other.",
         ))
 }

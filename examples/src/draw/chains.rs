@@ -127,7 +127,7 @@ impl Row<'_> {
         let mut panel = self.panel(responses, self.titles[1], reading, y);
         panel.y = panel.y.degrees();
         if 0.0 < self.circles {
-            // Where the contact stops, the maximum is a plateau, and its lag says little (3.6.1).
+            // Where the contact stops, the largest sample of a plateau lies anywhere on it (3.6.1).
             let continuous = responses.clone().continuous();
             let circles = continuous.simulation(self.circles, self.part, reading);
             panel.layers.extend(circles);

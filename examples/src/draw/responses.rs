@@ -4,7 +4,7 @@ use super::colours::beta_colour;
 use super::limit::at_limit;
 use super::simulated::simulated;
 use super::stuck::stuck;
-use frictiongen::study::{Curve, CurveError, CurveRequest};
+use frictiongen::study::{Curve, CurveError, CurvePoint, CurveRequest, End, Piece};
 use frictiongen::{Of, Regime, System};
 use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
 use frictiongen_plot::{Colour, Layer, Line, Marker, Markers, Panel, Point};
@@ -61,11 +61,15 @@ impl<'a> Responses<'a> {
         let curve = |beta: &f64| {
             let mut curve = system.curve(&request, *beta)?;
             for piece in &mut curve.pieces {
+                if piece.regime == Regime::Stuck {
+                    centre(piece);
+                }
                 piece.points.retain(|point| {
                     let mut parts = point.movements.iter();
                     parts.all(|part| part.swing.amplitude < largest)
                 });
             }
+            curve.pieces = curve.pieces.iter().flat_map(settled).collect();
             Ok(curve)
         };
         let curves = betas.iter().map(curve);
@@ -220,6 +224,39 @@ impl<'a> Responses<'a> {
             }
         })
     }
+}
+
+/// A stuck contact stays where motion from rest has brought it.  The thesis draws the motion about its own middle.
+fn centre(piece: &mut Piece) {
+    let movements = piece
+        .points
+        .iter_mut()
+        .flat_map(|point| &mut point.movements);
+    for movement in movements {
+        movement.swing.amplitude = movement.centred;
+    }
+}
+
+/// The parts of a piece that are steady states.  What a motion does that has not settled is not drawn.
+fn settled(piece: &Piece) -> Vec<Piece> {
+    let runs = piece.points.split(|point| !point.settled);
+    let runs: Vec<_> = runs.filter(|run| !run.is_empty()).collect();
+    let last = runs.len().saturating_sub(1);
+    let part = |(index, run): (usize, &&[CurvePoint])| Piece {
+        regime: piece.regime,
+        points: run.to_vec(),
+        start: if index == 0 {
+            piece.start
+        } else {
+            End::NoAnswer
+        },
+        end: if index == last {
+            piece.end
+        } else {
+            End::NoAnswer
+        },
+    };
+    runs.iter().enumerate().map(part).collect()
 }
 
 /// A curve's pieces that are stuck, or those that are not.

@@ -180,8 +180,11 @@ fn direct() -> Row {
         found.map(|found| found.regime).collect()
     };
     let begin = regimes(&system, 1.0, [1.0, 1.4]);
-    let begin = begin.first().map_or(f64::NAN, |stuck| stuck.to);
-    let direct = along(&system, [1.0, 1.4]) == [Regime::Stuck, Regime::Continuous];
+    let beside = begin.first().map_or(f64::NAN, |stuck| stuck.to);
+    // A stuck state exists up to the end of the second.
+    let begin = begin.get(1).map_or(f64::NAN, |bistable| bistable.to);
+    let direct =
+        along(&system, [1.0, 1.4]) == [Regime::Stuck, Regime::Bistable, Regime::Continuous];
     // With μ = 1 there is stick-slip between.
     let between = along(&base(1.0), [0.9, 1.4]).starts_with(&[Regime::Stuck, Regime::StickSlip]);
     Row {
@@ -195,6 +198,7 @@ fn direct() -> Row {
                 if direct { "yes" } else { "no" }.into(),
                 direct && between,
             ),
+            added("a sliding state beside the stuck one from r", beside, 4),
             added("at r", begin, 4),
             added("β_lim there", limit(&system, begin), 4),
         ],

@@ -1,7 +1,6 @@
-//! Chapters 4 and 6 measured: recordings made by simulation with noise of 40 dB, and what is read from them.
-//! `cargo run --release --example measured` writes docs/measure: the recordings of the page and its pictures.
+//! Chapters 4 and 6 measured: recordings made by simulation with noise of 40 dB.
+//! `cargo run --release --example measured` writes docs/measure: the recordings of the page.
 
-mod figures;
 mod recordings;
 
 use std::error::Error;
@@ -10,6 +9,5 @@ use std::path::Path;
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/measure");
     std::fs::create_dir_all(&folder)?;
-    recordings::write(&folder)?;
-    figures::write(&folder)
+    recordings::write(&folder)
 }

@@ -11,7 +11,7 @@ const BETA: f64 = 0.4;
 /// Samples a second.
 const RATE: f64 = 100.0;
 /// (6.15) of the two-storey rig, in Hz, with its roots by (A.2) and (A.5).
-pub fn two_storeys(hertz: f64) -> f64 {
+fn two_storeys(hertz: f64) -> f64 {
     let [gamma, kappa, seconds] = STOREYS;
     let k1 = seconds.powi(-2);
     let k2 = kappa * k1;

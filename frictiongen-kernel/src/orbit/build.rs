@@ -94,7 +94,6 @@ where
             multipliers: multipliers.as_mut(),
         };
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
-        let mut record = Record::new(&mut marks, states, 2 * dynamics.modes.len());
         start
             .checked(holding.is_some())?
             .place(&mut cycle_map, &mut workspace)?;
@@ -102,8 +101,13 @@ where
             (true, None) => Settled::Found(linear(&mut cycle_map, &mut workspace)?),
             // At β = 0 nothing moves the contact, and nothing holds it.
             (true, Some(_)) => Settled::Stuck(zero),
-            _ => settle(&mut cycle_map, &mut workspace, holding, start.most_cycles())?,
+            _ => {
+                let spare = states.get_mut(..4 * driven).unwrap_or_default();
+                let most = start.most_cycles();
+                settle(&mut cycle_map, &mut workspace, holding, most, spare)?
+            }
         };
+        let mut record = Record::new(&mut marks, states, 2 * dynamics.modes.len());
         let found = if let Settled::Stuck(offset) = settled {
             let found = stuck(&mut cycle_map, &mut workspace, offset)?;
             record.stuck(&cycle_map, offset);

@@ -20,6 +20,7 @@ mod newton;
 mod provides;
 mod rates;
 mod record;
+mod relaxed;
 mod segments;
 mod shooting;
 mod start;

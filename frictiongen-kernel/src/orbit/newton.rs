@@ -95,7 +95,9 @@ pub(super) fn newton<S: Float>(
             contact_state.contact = image;
             contact_state.t = start.t;
             cycle_map.save(workspace.other);
-            negate(workspace.other, symmetric);
+            if symmetric {
+                negate(workspace.other);
+            }
             cycle_map.restore(workspace.other, &contact_state);
             continue;
         }
@@ -110,9 +112,7 @@ pub(super) fn newton<S: Float>(
             }
         }
         if symmetric {
-            for entry in workspace.matrix.iter_mut() {
-                *entry = -*entry;
-            }
+            negate(workspace.matrix);
         }
         if !Matrix::new(workspace.matrix, size).solve_shifted(one, workspace.other) {
             return Ok(None);
@@ -145,7 +145,7 @@ pub(super) fn newton<S: Float>(
 }
 
 /// The map with its deviations; how the contact stands then.
-fn mapped<S: Float>(
+pub(super) fn mapped<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     columns: &mut [S],
     map: Map,
@@ -163,11 +163,9 @@ fn mapped<S: Float>(
     Ok((contact, pattern))
 }
 
-fn negate<S: Float>(state: &mut [S], really: bool) {
-    if really {
-        for value in state {
-            *value = -*value;
-        }
+pub(super) fn negate<S: Float>(numbers: &mut [S]) {
+    for number in numbers {
+        *number = -*number;
     }
 }
 

@@ -6,6 +6,7 @@ use super::candidate::{Candidate, Found, MAX_PERIOD, Verdict};
 use super::cycle_map::{CycleMap, Pattern};
 use super::hold::Hold;
 use super::newton::{Map, Workspace, same};
+use super::relaxed::relax;
 use crate::errors::NoOrbit;
 use crate::number::scalar::Float;
 
@@ -46,12 +47,14 @@ pub(super) enum Settled<S> {
 }
 
 /// Follows the motion until a steady state is settled.  The cycle map then stands on it, or on the motion.
-/// `holding` is |V/H| where β is large enough for a stuck state; at most `most` cycles are followed.
+/// `holding` is |V/H| where β is large enough for a stuck state; at most `most` cycles are followed.  `spare` is room for a
+/// state.
 pub(super) fn settle<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
     holding: Option<S>,
     most: u32,
+    spare: &mut [S],
 ) -> Result<Settled<S>, NoOrbit> {
     let monotone = cycle_map.setting.dynamics.chain.stiction <= S::constant(1.0);
     let mut hold = holding.map(|steady| Hold::new(steady, monotone));
@@ -129,7 +132,44 @@ pub(super) fn settle<S: Float>(
         }
         wanted = cycles * 2;
     }
+    if monotone
+        && hold.is_none()
+        && let Some(found) = slow(cycle_map, workspace, halves, spare)
+    {
+        return Ok(Settled::Found(found));
+    }
     Ok(Settled::Not(failure))
+}
+
+/// The one steady state of μ = 1 that a motion tends to too slowly to be followed there; where it is not found, the cycle map
+/// stands on the motion.
+fn slow<S: Float>(
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
+    [last, before, ..]: [Pattern; 4],
+    spare: &mut [S],
+) -> Option<Found<S>> {
+    let here = cycle_map.contact_state;
+    let (motion, taken) = spare.split_at_mut(spare.len() / 2);
+    cycle_map.save(motion);
+    let mut candidate = Candidate {
+        map: Map::HALF_CYCLE,
+        wanted: last,
+        recent: last.and(before),
+        alike: 0,
+        monotone: true,
+        cycles: MAX_CYCLES,
+        here,
+    };
+    if relax(cycle_map, workspace, taken).is_ok() {
+        cycle_map.save(workspace.state);
+        candidate.here = cycle_map.contact_state;
+        if let Ok(Verdict::Found(found)) = candidate.try_from(cycle_map, workspace) {
+            return Some(found);
+        }
+    }
+    cycle_map.restore(motion, &here);
+    None
 }
 
 /// The steady state that repeats after several cycles and that the motion is near to; where none is, the cycle map stands on

@@ -4,8 +4,10 @@ use super::scales::Scales;
 use crate::{Axis, Colour, Fill, Label, Line, Panel, Point, Region, Stroke};
 use frictiongen::study::LimitLines;
 
-/// Between β*_lim and β_lim, where the closed form and a stuck state both exist.
+/// The regime between β*_lim and a larger β_lim.
 const BISTABLE: &str = "sliding or stuck, by the start";
+/// An area lower than this share of the axis is not seen.
+const SEEN: f64 = 1e-3;
 
 /// Both limits as lines, up to a friction ratio somewhat above `top`.
 #[must_use]
@@ -25,7 +27,7 @@ pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour
             |continuous, _| continuous,
         ),
         line(
-            scales.limit_name("^*", "may stick from here on"),
+            scales.limit_name("^*", "stuck above"),
             Stroke::Dashed,
             |_, sliding| sliding,
         ),
@@ -46,10 +48,10 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
     let mut panel = Panel::new(title, x, y);
     let beyond = 4.0 * top;
     for (name, fill, lower, upper) in [
-        ("continuous", 0, Edge::Zero, Edge::Lower),
-        ("stick-slip", 1, Edge::Lower, Edge::Sliding),
-        (BISTABLE, 3, Edge::Sliding, Edge::Upper),
-        ("stuck", 2, Edge::Upper, Edge::Beyond),
+        ("continuous", 0, Edge::Zero, Edge::Least),
+        ("stick-slip", 1, Edge::Least, Edge::Sliding),
+        (BISTABLE, 3, Edge::Sliding, Edge::Most),
+        ("stuck", 2, Edge::Most, Edge::Beyond),
     ] {
         let places: Vec<(f64, f64, f64)> = lines
             .points
@@ -66,11 +68,14 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
                 )
             })
             .collect();
-        let mut region = Region::between(name, Fill::Class(fill), &drawn);
-        if places.iter().all(|(_, low, high)| high <= low) {
+        // With μ = 1 the limits do not cross, but for rounding.
+        if name == BISTABLE && places.iter().all(|(_, low, high)| high - low < SEEN * top) {
             continue;
         }
-        if let Some((r, beta)) = roomiest(&places, top) {
+        let mut region = Region::between(name, Fill::Class(fill), &drawn);
+        // Wedges are too narrow for their long name.
+        let room = (name != BISTABLE).then(|| roomiest(&places, top)).flatten();
+        if let Some((r, beta)) = room {
             region = region.named_at((scales.frequency(r), scales.friction(beta)));
         }
         panel = panel.with(region);
@@ -83,11 +88,9 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
 #[derive(Clone, Copy)]
 enum Edge {
     Zero,
-    /// The lower limit.
-    Lower,
+    Least,
     Sliding,
-    /// The upper limit.
-    Upper,
+    Most,
     Beyond,
 }
 
@@ -95,9 +98,9 @@ impl Edge {
     fn of(self, limits: &frictiongen::Limits<f64>, beyond: f64) -> f64 {
         let beta = match self {
             Self::Zero => 0.0,
-            Self::Lower => limits.continuous.min(limits.sliding),
-            Self::Upper => limits.continuous.max(limits.sliding),
+            Self::Least => limits.continuous.min(limits.sliding),
             Self::Sliding => limits.sliding,
+            Self::Most => limits.continuous.max(limits.sliding),
             Self::Beyond => beyond,
         };
         beta.min(beyond)

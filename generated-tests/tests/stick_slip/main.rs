@@ -16,3 +16,4 @@ mod plain;
 mod reference;
 mod runs;
 mod several;
+mod slow;

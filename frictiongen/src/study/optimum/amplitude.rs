@@ -88,11 +88,11 @@ impl<'s> Amplitude<'s> {
             };
             return motion.map_or(f64::NAN, |motion| motion.amplitude());
         }
-        self.from_rest(r, friction)
+        self.followed(r, friction)
     }
 
     /// The same as motion from rest decides.
-    pub(super) fn from_rest(&self, r: f64, friction: Friction) -> f64 {
+    pub(super) fn followed(&self, r: f64, friction: Friction) -> f64 {
         self.asked.set(self.asked.get() + 1);
         let found = self.response(r, friction);
         self.spend(found.as_ref().map_err(|error| *error));

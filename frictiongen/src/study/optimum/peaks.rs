@@ -245,7 +245,7 @@ impl<'s> Band<'s> {
         let most = peaks.first().map_or(0.0, |peak| peak.value);
         let largest = peaks.iter_mut().take(MOST_TOPS);
         for peak in largest.filter(|peak| WORTH_FINELY * most <= peak.value) {
-            let value = self.amplitude.from_rest(peak.r, friction);
+            let value = self.amplitude.followed(peak.r, friction);
             if value.is_finite() && SAME * peak.value < (value - peak.value).abs() {
                 peak.value = value;
             }

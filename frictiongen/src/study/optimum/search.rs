@@ -313,9 +313,9 @@ fn kind(band: &Band<'_>, least: &Scanned, locked_from: f64) -> Kind {
     let monotone = band.amplitude.system.scene().stiction <= 1.0;
     if least.beta == 0.0 {
         Kind::Without
-    } else if monotone && locked_from <= least.beta {
-        Kind::Held
-    } else if least.slope == 0.0 && equal.iter().all(stuck) {
+    } else if (monotone && locked_from <= least.beta)
+        || (least.slope == 0.0 && equal.iter().all(stuck))
+    {
         Kind::Held
     } else if equal.len() > 1 {
         Kind::Crossing

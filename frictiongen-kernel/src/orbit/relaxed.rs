@@ -1,0 +1,109 @@
+//! The implicit Euler method from cycle to cycle, for motions that tend to their steady state too slowly to be followed.
+//!
+//! Beside a resonance of the masses that the contact does not move, a motion takes more cycles the nearer the resonance is.
+//! On most of the way its events are not those of the steady state, and Newton's method alone does not converge.  With
+//! μ = 1 two motions never part, so that each step has one solution: x′ = x + (F(x′) − x′)/σ.  It is nearer to the steady
+//! state than x, however long the step.
+
+use super::cycle_map::{CycleMap, unit};
+use super::matrix::Matrix;
+use super::newton::{Map, Workspace, mapped, negate};
+use crate::errors::NoOrbit;
+use crate::number::pairs::{pairs, pairs_mut};
+use crate::number::scalar::Float;
+use crate::simulation::Contact;
+
+/// So many steps are made at most,
+const MOST_STEPS: u32 = 64;
+/// each by so many of Newton's method at most.
+const NEWTON_STEPS: u32 = 10;
+/// A step of Newton's method is small below this share of the way made.
+const SMALL: f64 = 1e-3;
+/// The first σ: a step of 16 half cycles.
+const FIRST_SHIFT: f64 = 0.0625;
+/// After a step that succeeds σ is multiplied by this,
+const LONGER: f64 = 0.25;
+/// and after another by this.
+const SHORTER: f64 = 8.0;
+/// The largest σ; a step of it is shorter than half a cycle.
+const LARGEST_SHIFT: f64 = 64.0;
+/// Where half a cycle moves the state by less than this share of it, Newton's method can take over.
+const NEAR: f64 = 1e-11;
+
+/// Moves the cycle map towards the symmetric fixed point of one cycle; `last` is room for a state.
+pub(super) fn relax<S: Float>(
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
+    last: &mut [S],
+) -> Result<(), NoOrbit> {
+    let start = cycle_map.contact_state;
+    let mut shift = S::constant(FIRST_SHIFT);
+    cycle_map.save(last);
+    for _ in 0..MOST_STEPS {
+        if step(cycle_map, workspace, last, shift)? {
+            let moved = shift * cycle_map.distance(last);
+            cycle_map.save(last);
+            if moved <= S::constant(NEAR) * cycle_map.scale() {
+                break;
+            }
+            shift = shift * S::constant(LONGER);
+        } else {
+            cycle_map.restore(last, &start);
+            shift = shift * S::constant(SHORTER);
+            if S::constant(LARGEST_SHIFT) < shift {
+                break;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A step from `last`; false if Newton's method does not find it.
+fn step<S: Float>(
+    cycle_map: &mut CycleMap<'_, '_, S>,
+    workspace: &mut Workspace<'_, S>,
+    last: &[S],
+    shift: S,
+) -> Result<bool, NoOrbit> {
+    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    let (size, start) = (cycle_map.size(), cycle_map.contact_state);
+    for _ in 0..NEWTON_STEPS {
+        cycle_map.save(workspace.other);
+        unit(workspace.matrix, size);
+        let (image, _) = mapped(cycle_map, workspace.matrix, Map::HALF_CYCLE)?;
+        if (image == Contact::Stuck) != (start.contact == Contact::Stuck) {
+            return Ok(false);
+        }
+        let states = pairs_mut(workspace.other).zip(pairs(last));
+        for (part, (state, last)) in cycle_map.modes.iter_mut().zip(states) {
+            if let ([y, u], [last_y, last_u]) = (state, last) {
+                let missing = [
+                    -part.y - *y - shift * (*y - *last_y),
+                    -part.u - *u - shift * (*u - *last_u),
+                ];
+                (part.y, part.u) = (*y, *u);
+                [*y, *u] = missing;
+            }
+        }
+        negate(workspace.matrix);
+        if !Matrix::new(workspace.matrix, size).solve_shifted(one + shift, workspace.other) {
+            return Ok(false);
+        }
+        let mut change = zero;
+        for (part, state) in cycle_map.modes.iter().zip(pairs_mut(workspace.other)) {
+            if let [y, u] = state {
+                change = change.max(y.abs()).max(u.abs());
+                (*y, *u) = (part.y + *y, part.u + *u);
+            }
+        }
+        if !change.is_finite() {
+            return Ok(false);
+        }
+        cycle_map.restore(workspace.other, &start);
+        let rounding = S::constant(64.0 * S::EPSILON) * cycle_map.scale();
+        if change <= (S::constant(SMALL) * cycle_map.distance(last)).max(rounding) {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}

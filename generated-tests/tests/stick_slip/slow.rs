@@ -1,0 +1,92 @@
+//! Steady states that motion from rest comes to more slowly than it is followed: beside a resonance of the masses that the
+//! contact does not move.
+
+use frictiongen::study::SystemOrbit;
+use frictiongen::{SteadyState, System};
+use std::f64::consts::TAU;
+
+/// Two equal masses, load and contact on the lower.  With it held, the upper one resonates at r = 1.
+fn two() -> System {
+    let text = "struct Two { masses: { lower: 1, upper: 1 }, springs: { base - lower: 1, lower - upper: 1 },
+        contact: lower - wall, excitation: lower }";
+    text.parse().expect("a scene")
+}
+
+/// The largest difference of the displacements over a cycle from a run of so many cycles from rest.
+fn from_a_run(system: &System, (r, beta): (f64, f64), cycles: u32, orbit: &SystemOrbit<'_>) -> f64 {
+    let mut run = system.simulation(r, beta).expect("a run");
+    let mut on = |mut left: f64| {
+        while left > 0.0 {
+            left -= run.advance(left).expect("a reach").length;
+        }
+        [0, 1].map(|mass| run.run().mass(mass).displacement())
+    };
+    for _ in 0..cycles {
+        on(TAU);
+    }
+    let step = TAU / 48.0;
+    let mut worst = 0.0_f64;
+    for index in 1..=48 {
+        let tau = step * f64::from(index) - orbit.origin();
+        for (mass, x) in on(step).into_iter().enumerate() {
+            let motion = orbit.mass_at(mass).expect("a mass");
+            worst = worst.max((motion.displacement(tau) - x).abs());
+        }
+    }
+    worst
+}
+
+/// The largest multiplier of these is above 0.9990 a cycle: 512 cycles from rest leave more than half of the way.  The run
+/// goes on until 1e-8 of it is left.
+#[test]
+fn a_run_comes_to_the_state_at_last() {
+    let system = two();
+    for (r, beta) in [(1.0001, 0.8), (0.9999, 0.6)] {
+        let orbit = system.at(r).expect("a ratio").orbit(beta);
+        let orbit = orbit.expect("a steady state");
+        assert!(
+            orbit.is_settled() && orbit.is_symmetric() && orbit.is_stable() && !orbit.is_marginal()
+        );
+        let largest = orbit
+            .multipliers()
+            .iter()
+            .map(|m| m.norm())
+            .fold(0.0, f64::max);
+        assert!((0.999..1.0).contains(&largest), "{largest}");
+        let cycles = (1e-8_f64.ln() / largest.ln()).ceil() as u32;
+        let away = from_a_run(&system, (r, beta), cycles, &orbit);
+        assert!(
+            away < 1e-6,
+            "r = {r}, β = {beta}: {away} after {cycles} cycles"
+        );
+    }
+}
+
+/// Towards the resonance both sides tend to √(1 − β²), as the square root of the distance: the mean of both is nearer.
+#[test]
+fn both_sides_tend_to_the_same() {
+    let system = two();
+    for beta in [0.6, 0.8] {
+        let at = |r: f64| {
+            let response = system.at(r).expect("a ratio").orbit(beta);
+            response
+                .expect("a steady state")
+                .mass("upper")
+                .expect("a mass")
+                .amplitude()
+        };
+        let limit = f64::sqrt(1.0 - beta * beta);
+        for distance in [1e-4, 3e-5, 1e-5] {
+            let (below, above) = (at(1.0 - distance), at(1.0 + distance));
+            assert!(
+                below < limit && limit < above,
+                "β = {beta}: {below}, {above}"
+            );
+            let mean = 0.5 * (below + above);
+            assert!(
+                (mean - limit).abs() < 2e-3,
+                "β = {beta}, 1 ± {distance}: {mean}"
+            );
+        }
+    }
+}
