@@ -330,7 +330,7 @@ fn sweeps_up_and_down() {
         rows.filter(move |row| row[from] == way && row[regime] == what)
     };
     let number = |text: &str| text.parse::<f64>().unwrap();
-    let last = rows("up", "stuck").last().unwrap();
+    let last = rows("up", "stuck").next_back().unwrap();
     let departure = (1.7 - number(last[offset]).abs()).sqrt();
     assert!((number(last[r]) - departure).abs() < 2e-7);
     let first = rows("down", "continuous").next().unwrap();

@@ -264,12 +264,12 @@ fn settled(piece: &Piece) -> Vec<Piece> {
 pub fn only_regimes(curve: &Curve, stuck: bool) -> Curve {
     let pieces = curve.pieces.iter();
     Curve {
-        beta: curve.beta,
         pieces: pieces
             .filter(|piece| (piece.regime == Regime::Stuck) == stuck)
             .cloned()
             .collect(),
         gaps: Vec::new(),
+        ..curve.clone()
     }
 }
 
