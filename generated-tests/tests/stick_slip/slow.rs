@@ -66,27 +66,26 @@ fn a_run_comes_to_the_state_at_last() {
 #[test]
 fn both_sides_tend_to_the_same() {
     let system = two();
-    for beta in [0.6, 0.8] {
-        let at = |r: f64| {
-            let response = system.at(r).expect("a ratio").orbit(beta);
-            response
-                .expect("a steady state")
-                .mass("upper")
-                .expect("a mass")
-                .amplitude()
-        };
-        let limit = f64::sqrt(1.0 - beta * beta);
-        for distance in [1e-4, 3e-5, 1e-5] {
-            let (below, above) = (at(1.0 - distance), at(1.0 + distance));
-            assert!(
-                below < limit && limit < above,
-                "β = {beta}: {below}, {above}"
-            );
-            let mean = 0.5 * (below + above);
-            assert!(
-                (mean - limit).abs() < 2e-3,
-                "β = {beta}, 1 ± {distance}: {mean}"
-            );
-        }
+    let beta = 0.8;
+    let at = |r: f64| {
+        let response = system.at(r).expect("a ratio").orbit(beta);
+        response
+            .expect("a steady state")
+            .mass("upper")
+            .expect("a mass")
+            .amplitude()
+    };
+    let limit = f64::sqrt(1.0 - beta * beta);
+    for distance in [1e-4, 1e-5] {
+        let (below, above) = (at(1.0 - distance), at(1.0 + distance));
+        assert!(
+            below < limit && limit < above,
+            "β = {beta}: {below}, {above}"
+        );
+        let mean = 0.5 * (below + above);
+        assert!(
+            (mean - limit).abs() < 2e-3,
+            "β = {beta}, 1 ± {distance}: {mean}"
+        );
     }
 }
