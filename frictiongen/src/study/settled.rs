@@ -54,7 +54,7 @@ impl<'a> SystemAt<'a> {
     pub fn response(&self, beta: f64) -> Result<SystemResponse<'a>, Error> {
         let motion = self.motion(beta);
         match motion {
-            Ok(motion) if self.is_unique() => Ok(SystemResponse::Continuous(motion)),
+            Ok(motion) if beta == 0.0 || self.is_unique() => Ok(SystemResponse::Continuous(motion)),
             Err(NotContinuous::OutOfDomain) => Err(OutOfDomain { argument: "beta" }.into()),
             Err(NotContinuous::Unbounded) if beta < self.sliding_limit() => {
                 Err(NotContinuous::Unbounded.into())

@@ -77,6 +77,7 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
         "one rounding of the language",
         &[
             "number::dd::Dd::to_f64",
+            "number::scalar::Float::bits",
             "number::scalar::Float::to_f64",
             "number::scalar::Scalar::constant",
         ],

@@ -419,7 +419,7 @@ const _: () = {
         fn settled(
             at: &At<Self>,
             beta: f64,
-            start: Option<Start<'_, f64>>,
+            start: Start<'_, f64>,
             last: bool,
         ) -> Result<StoppingOrbit, NoOrbit> {
             Orbit::new(

@@ -580,7 +580,7 @@ const _: () = {
         fn settled(
             at: &At<Self>,
             beta: f64,
-            start: Option<Start<'_, f64>>,
+            start: Start<'_, f64>,
             last: bool,
         ) -> Result<MountOrbit, NoOrbit> {
             Orbit::new(

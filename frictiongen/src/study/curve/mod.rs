@@ -66,10 +66,10 @@ impl System {
     /// let mut request = CurveRequest::new(0.9, 1.3, &[Of::Mass(0)]);
     /// request.start = CurveStart::Up;
     /// let up = block.curve(&request, 0.65)?;
-    /// // The block moves with its base up to r² = μβ, then it slides.
+    /// // The block moves with its base up to r² = μβ, less what holds it off its centre; then it slides.
     /// let held = up.pieces[0].points.last().ok_or("a point")?;
     /// assert_eq!(held.regime, Regime::Stuck);
-    /// assert!((held.r - 1.3_f64.sqrt()).abs() < 1e-6);
+    /// assert!((held.r * held.r + held.offset.abs() - 1.3).abs() < 1e-6);
     /// # Ok(())
     /// # }
     /// ```

@@ -10,7 +10,7 @@ use super::request::CurveRequest;
 use super::straight::{Straight, alike};
 use crate::study::system::System;
 use crate::study::work::work;
-use crate::{Error, OutOfDomain};
+use crate::{Error, OutOfDomain, Regime};
 use rayon::prelude::*;
 
 /// Two places nearer than this, relatively, that still differ are on two sides of a jump.
@@ -160,7 +160,9 @@ impl<'a> Refine<'a> {
                 .get(&interval.part)
                 .is_none_or(|count| *count <= MOST_BENT);
             let least = match (&a.answer, &b.answer) {
-                (Ok(a), Ok(b)) if a.settled && b.settled && few => NARROW,
+                (Ok(a), Ok(b)) if a.settled && b.settled && (few || self.is_one_state(a, b)) => {
+                    NARROW
+                }
                 (Ok(_), Ok(_)) => NARROW_SCATTERED,
                 // Answers of no place between are of no use.
                 (Err(a), Err(b)) if a == b => continue,
@@ -175,6 +177,13 @@ impl<'a> Refine<'a> {
         }
         self.cut_apart(&narrow, nodes);
         halved
+    }
+
+    /// Whether two settled points are of a state that no other stands beside, or of the closed form: they do not scatter, however
+    /// steep the curve is.
+    fn is_one_state(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
+        let slides = |point: &CurvePoint| point.regime == Regime::Continuous;
+        self.system.scene().stiction <= 1.0 || (slides(a) && slides(b))
     }
 
     /// Cuts the curve between the ends of intervals that are not of one curve.

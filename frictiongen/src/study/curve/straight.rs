@@ -1,6 +1,7 @@
 //! Whether points of a curve may be joined by straight lines.
 
 use super::point::CurvePoint;
+use crate::Regime;
 use crate::study::response::Swing;
 use std::f64::consts::PI;
 
@@ -50,7 +51,12 @@ impl Straight {
             .filter_map(move |(index, scale)| {
                 let mut swings = [Swing::REST; N];
                 for (swing, point) in swings.iter_mut().zip(points) {
-                    *swing = point.movements.get(index)?.swing;
+                    let movement = point.movements.get(index)?;
+                    *swing = movement.swing;
+                    // The offset of a stuck contact jumps by a slip from place to place, which no point more would mend.
+                    if point.regime == Regime::Stuck {
+                        swing.amplitude = movement.centred;
+                    }
                 }
                 Some((swings, *scale))
             })
