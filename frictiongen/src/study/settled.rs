@@ -13,6 +13,7 @@ use frictiongen_kernel::response::Scene as _;
 const ON_CIRCLE: f64 = 4096.0;
 
 /// The state of a steady motion where the excitation is at its maximum.
+#[cfg(feature = "desk")]
 #[derive(Clone, Debug)]
 pub(super) struct Carried {
     r: f64,
@@ -20,6 +21,7 @@ pub(super) struct Carried {
     velocities: Vec<f64>,
 }
 
+#[cfg(feature = "desk")]
 impl Carried {
     fn of(orbit: &SystemOrbit<'_>, r: f64) -> Self {
         let tau = -orbit.origin();
@@ -71,6 +73,7 @@ impl<'a> SystemAt<'a> {
         }
     }
 
+    #[cfg(feature = "desk")]
     /// The response that motion from another state ends in, with the state to carry on from.
     pub(super) fn response_from(
         &self,
