@@ -8,6 +8,7 @@ use super::places::Place;
 use super::point::CurvePoint;
 use super::request::CurveRequest;
 use super::straight::{Straight, alike};
+use crate::study::Damping;
 use crate::study::system::System;
 use crate::study::work::work;
 use crate::{Error, OutOfDomain, Regime};
@@ -58,6 +59,12 @@ pub(super) struct Refine<'a> {
     pub straight: Straight,
 }
 
+/// Whether the offset of a stuck contact is a matter of every slip before.
+fn offsets_jump(system: &System) -> bool {
+    let scene = system.scene();
+    1.0 < scene.stiction || scene.damping == Damping::None
+}
+
 impl<'a> Refine<'a> {
     pub(super) fn new(system: &'a System, request: &'a CurveRequest, beta: f64) -> Self {
         Self {
@@ -67,6 +74,7 @@ impl<'a> Refine<'a> {
             straight: Straight {
                 accuracy: request.accuracy,
                 scales: Vec::new(),
+                offsets_jump: offsets_jump(system),
             },
         }
     }

@@ -12,6 +12,9 @@ pub(super) struct Straight {
     pub accuracy: f64,
     /// The amplitudes that count, for each motion.
     pub scales: Vec<f64>,
+    /// Whether the offset of a stuck contact jumps by a slip from place to place, as it does with μ > 1 and without damping:
+    /// no point more would mend that, and the centred amplitude counts.
+    pub offsets_jump: bool,
 }
 
 impl Straight {
@@ -53,8 +56,7 @@ impl Straight {
                 for (swing, point) in swings.iter_mut().zip(points) {
                     let movement = point.movements.get(index)?;
                     *swing = movement.swing;
-                    // The offset of a stuck contact jumps by a slip from place to place, which no point more would mend.
-                    if point.regime == Regime::Stuck {
+                    if self.offsets_jump && point.regime == Regime::Stuck {
                         swing.amplitude = movement.centred;
                     }
                 }
