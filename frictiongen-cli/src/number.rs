@@ -13,7 +13,7 @@ pub enum Value<'a> {
     Text(&'a str),
     /// A word made for this row.
     Owned(String),
-    /// Whether or not.
+    /// A flag: yes or no.
     Flag(bool),
     /// Nothing to say: an empty cell.
     Missing,
@@ -25,7 +25,7 @@ impl From<Option<bool>> for Value<'_> {
     }
 }
 
-/// What a flag is in a table and in CSV.
+/// Text of a flag in tables and CSV.
 pub fn word(flag: bool) -> &'static str {
     if flag { "true" } else { "false" }
 }

@@ -64,7 +64,7 @@ impl Drop for Progress {
 /// Writes a text on standard error.
 pub fn say(text: &str) {
     let mut stderr = io::stderr().lock();
-    // What cannot be told is no reason to stop.
+    // A message that standard error does not take must not stop the work.
     let _ = stderr.write_all(text.as_bytes());
     let _ = stderr.flush();
 }

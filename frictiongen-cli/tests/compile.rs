@@ -336,7 +336,7 @@ fn a_name() {
     }
 }
 
-/// What `provide` asks for and no table holds is told on standard error.
+/// `compile` lists on standard error what `provide` asks for and no table holds.
 #[test]
 fn what_is_left_out() {
     let with = |provide: &str| {

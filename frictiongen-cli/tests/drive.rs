@@ -105,7 +105,7 @@ fn tells_work_and_writes_pictures() {
     assert!(words.contains("k1") && words.contains("k2"), "{words}");
 }
 
-/// What a reader sees of a picture's text.
+/// The visible text of a picture.
 fn text_of(picture: &str) -> String {
     let pieces = picture.split('<').filter_map(|tag| tag.split_once('>'));
     pieces.map(|(_, text)| text).collect()

@@ -6,7 +6,7 @@ mod common;
 use common::{FRAME, output};
 use std::path::PathBuf;
 
-/// Of a drawn map the text, and of the same map as CSV the amplitudes of `lower` in mm.
+/// The text of a drawn map, and the amplitudes of `lower` in mm from the CSV of the same map.
 fn drawn(hz: &str, shade: &str) -> (String, Vec<f64>) {
     let grid = [
         "--hz",

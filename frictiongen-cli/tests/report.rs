@@ -227,7 +227,7 @@ fn chain(count: usize) -> String {
     )
 }
 
-/// Of a longer chain, too, the best friction is that of the library's search, with its bracket.
+/// The best friction of a longer chain is that of the library's search too, with its bracket.
 #[test]
 fn the_best_friction_is_the_optimum() {
     let (text, data) = page(&chain(6), &["--r", "0.15:1.2", "--of", "m3"]);

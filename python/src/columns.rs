@@ -77,7 +77,7 @@ impl<'py> Columns<'py> {
         self.put(name.as_ref(), array)
     }
 
-    /// Whether or not.
+    /// A flag: yes or no.
     pub fn flags(&mut self, name: impl AsRef<str>, values: Vec<bool>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)

@@ -110,7 +110,7 @@ impl<'a> Question<'a> {
         match at.orbit_or_last_cycles(beta) {
             Ok(orbit) => {
                 let mut steady = self.steady(at, &orbit);
-                // Of a motion that does not settle the regime is that of the state which `response` gives.
+                // Where motion does not settle, `response` answers with another state: this is that state's regime.
                 if !orbit.is_settled()
                     && let Ok(response) = at.response(beta)
                 {

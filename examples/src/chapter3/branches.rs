@@ -19,7 +19,7 @@ const ALIKE: f64 = 1e-5;
 /// Between two places a branch changes by no more than this.
 const JOINED: f64 = 0.05;
 
-/// What the contact does in a period, which tells one branch from another.
+/// Stops and reversals in a period; they tell one branch from another.
 type Kind = (usize, usize, u32, bool);
 
 fn kind(orbit: &SystemOrbit<'_>) -> Kind {
@@ -108,7 +108,7 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
                 panel.layers.extend(lines);
             }
         }
-        // Of one value until each of them ends.
+        // The stuck line is the same for every μ up to where each of them ends.
         if let Some(curve) = curves.first().and_then(|(_, first)| first.curves().first()) {
             let curve = only_regimes(curve, true);
             let drawn = Drawn {

@@ -98,7 +98,7 @@ pub(super) fn of<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S
     })
 }
 
-/// What is proven, as data.
+/// The proofs of the tables, as data.
 fn proof(proof: &Proof) -> Value {
     json!({
         "evidence": proof.evidence.word(),

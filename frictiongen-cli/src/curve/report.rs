@@ -29,7 +29,7 @@ pub struct CurveReport {
     pub request: CurveRequest,
     /// The curves, one for each friction and start.
     pub curves: Vec<(Friction, Curve)>,
-    /// Whether a start other than rest was asked for.
+    /// True if the user asked for a start other than rest.
     pub swept: bool,
 }
 

@@ -159,7 +159,7 @@ pub fn answer(
     match at.orbit_or_last_cycles(beta) {
         Ok(orbit) => {
             let mut point = found(at, (frequency, friction), &orbit, question);
-            // Of a motion that does not settle the regime is that of the state which `response` gives.
+            // Where motion does not settle, `response` answers with another state: this is that state's regime.
             if !orbit.is_settled()
                 && let Ok(response) = at.response(beta)
             {

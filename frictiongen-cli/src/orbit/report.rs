@@ -28,7 +28,7 @@ pub struct OrbitReport {
     pub masses: Vec<Mass>,
     /// Which harmonics.
     pub orders: Vec<u32>,
-    /// Whether every steady state is asked for, not that from rest alone.
+    /// True if the user asked for every steady state; false for the one from rest.
     pub states: bool,
 }
 
@@ -79,7 +79,7 @@ impl OrbitReport {
         values
     }
 
-    /// What files say beside that.
+    /// Columns that only CSV and JSON have.
     fn flags(point: &Point) -> [Value<'static>; 2] {
         let orbit = point.orbit.as_ref();
         [

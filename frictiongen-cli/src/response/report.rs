@@ -121,7 +121,7 @@ impl ResponseReport {
         values
     }
 
-    /// What files say beside that.
+    /// Columns that only CSV and JSON have.
     fn flags(point: &Point) -> [Value<'static>; 2] {
         [point.marginal.into(), point.from_rest.into()]
     }

@@ -157,7 +157,7 @@ fn quotient_over<S: Float>(
     }
 }
 
-/// What a function answers, or why it does not: name, number in C, meaning.
+/// Statuses of the functions: name, number in C, meaning.
 const STATUSES: [(&str, i32, &str); 5] = [
     ("OutOfDomain", -1, "r or beta is not in the domain"),
     ("Ok", 0, "the values are written"),
@@ -178,20 +178,20 @@ const STATUSES: [(&str, i32, &str); 5] = [
     ),
 ];
 
-/// What both languages ask of an argument, and call what they answer.
+/// Checks of the arguments, as expressions that both languages share.
 struct Asked {
     numbers: Numbers,
-    /// Whether r is out of the domain.
+    /// True if r is out of the domain.
     r_outside: String,
-    /// Whether r or beta is.
+    /// True if r or beta is out of the domain.
     outside: String,
-    /// Whether r is on an undamped resonance that the load drives; none where none is in the range.
+    /// True if r is on an undamped resonance that the load drives; `None` if the range holds no such resonance.
     unbounded: Option<String>,
-    /// What beta is.
+    /// Meaning of beta: F/P, or F/(k₁Y) where the base moves.
     beta: &'static str,
-    /// What an amplitude is.
+    /// Meaning of an amplitude.
     amplitude: &'static str,
-    /// What a force is divided by.
+    /// Load that forces are divided by.
     load: &'static str,
 }
 

@@ -60,7 +60,7 @@ pub(super) struct CycleMap<'f, 'a, S> {
     pub middle: S,
     /// For how long the contact stuck in the last half cycle.
     pub stuck: S,
-    /// So many steps it may still take.
+    /// Steps that are left.
     pub step_budget: u32,
 }
 

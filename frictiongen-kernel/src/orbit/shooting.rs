@@ -10,17 +10,17 @@ use super::relaxed::relax;
 use crate::errors::NoOrbit;
 use crate::number::scalar::Float;
 
-/// So many cycles are followed at most before the search for a steady state is given up.
+/// Upper bound on the cycles followed from rest or from a given state before the search gives up.
 pub const MAX_CYCLES: u32 = 1024;
-/// The same from a start that is near a steady state or leads nowhere.
+/// The same bound for starts that are near a steady state, or lead to none.
 const MAX_CYCLES_NEAR: u32 = 128;
-/// So many steps from one place of a motion to the next are made at most on the way: half of the steady
-/// states of random scenes take a thousand, none has been seen to take half of this.  Modes a thousand
-/// times as fast as the excitation would need as many for every cycle.
+/// Upper bound on the steps of all walks of one search.  Half of the steady states of random scenes take a thousand
+/// steps, and none has taken half of this bound.  Modes a thousand times as fast as the excitation would need as many in
+/// every cycle.
 pub const MAX_STEPS: u32 = 1 << 20;
-/// So many periods are tried at a time.
+/// Periods that are tried at a time.
 const MOST_TRIED: u32 = 3;
-/// After so many cycles a subharmonic state is looked for.
+/// Cycles after which the search looks for a subharmonic state.
 const FIRST_ASKED: u32 = 16;
 /// One of a period is tried if the motion comes back after it to within this share of itself,
 const NEARLY_BACK: f64 = 1e-2;

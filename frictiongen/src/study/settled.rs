@@ -73,8 +73,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    #[cfg(feature = "desk")]
     /// The response that motion from another state ends in, with the state to carry on from.
+    #[cfg(feature = "desk")]
     pub(super) fn response_from(
         &self,
         beta: f64,

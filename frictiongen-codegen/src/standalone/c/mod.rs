@@ -9,7 +9,7 @@ use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::table::Tables;
 
-/// What follows a `float`.
+/// Suffix of a `float` literal.
 const FLOAT: &str = "f";
 
 /// The name that functions begin with, unless another is given: that of the scene.
