@@ -55,13 +55,11 @@ impl<'a> Deref for SystemHeld<'a> {
 pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<S> {
     let zero = S::constant(0.0);
     let shape = system.shape(mass)?;
-    let (mut moved, mut receptance) = (zero, zero);
-    for (mode, component) in system.numbers().modes.iter().zip(shape) {
-        let lambda = mode.resonance * mode.resonance;
-        moved = moved + *component * mode.contact / lambda;
-        receptance = receptance + mode.contact * mode.contact / lambda;
-    }
-    Some(moved / receptance)
+    let modes = system.numbers().modes.iter().zip(shape);
+    let moved = modes.fold(zero, |moved, (mode, component)| {
+        moved + *component * mode.contact / (mode.resonance * mode.resonance)
+    });
+    Some(moved / receptance(system))
 }
 
 /// s: 1 for a contact with the moving base.
@@ -71,8 +69,9 @@ pub(super) fn share_of_base(system: &System) -> f64 {
 }
 
 /// wᵀK̄⁻¹w, by how much a unit of constant force moves the contact.
-fn receptance(system: &System) -> f64 {
+fn receptance<S: Float>(system: &System<S>) -> S {
     let modes = system.numbers().modes.iter();
-    let terms = modes.map(|mode| (mode.contact / mode.resonance).powi(2));
-    terms.sum()
+    modes.fold(S::constant(0.0), |sum, mode| {
+        sum + mode.contact * mode.contact / (mode.resonance * mode.resonance)
+    })
 }
