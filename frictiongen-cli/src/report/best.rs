@@ -11,6 +11,8 @@ use serde_json::{Value as Json, json};
 
 /// The most masses of a chain whose best friction is looked for.
 const MOST_MASSES: usize = 16;
+/// The work of one search, less than “frictiongen optimum” may take: a page should come within seconds.
+const WORK: usize = 150_000;
 /// The most motions whose best friction is looked for,
 const MOST_MOTIONS: usize = 4;
 /// up to so many masses; of longer chains so many motions.
@@ -55,11 +57,12 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
         parts.retain(|part| rank(part).is_some_and(|rank| rank <= *last));
     }
     let best = |part: Part| {
-        let found = asked.system.optimum(&OptimumRequest {
+        let request = OptimumRequest {
             of: part.of,
             band: FrequencyBand::Ratio(asked.band.from, asked.band.to),
             load: asked.words.measure.load(),
-        });
+        };
+        let found = asked.system.optimum_within(&request, WORK);
         let found = found.map_err(|error| error.to_string());
         Best { part, found }
     };
@@ -91,7 +94,9 @@ pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
 /// What limits the amplitude there, in words.
 pub fn kind(optimum: &Optimum) -> &'static str {
     match (optimum.kind, optimum.end) {
-        (_, OptimumEnd::WorkSpent) => words::end(optimum.end),
+        (_, OptimumEnd::WorkSpent) => {
+            "the best seen in the time that a page may take; “frictiongen optimum” searches longer"
+        }
         (OptimumKind::EqualPeaks, _) => {
             "two peaks are equally high: with more friction one grows, with less the other"
         }

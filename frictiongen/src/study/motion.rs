@@ -9,12 +9,25 @@ use std::ops::Deref;
 
 /// The exact continuous motion of a system.
 #[derive(Clone, Debug)]
-pub struct SystemMotion<'a, S: Float = f64>(Continuous<&'a System<S>>);
+pub struct SystemMotion<'a, S: Float = f64> {
+    motion: Continuous<&'a System<S>>,
+    from_rest: bool,
+}
 
 /// The motion of the contact or of a mass of a run-time system.
 pub type SystemSteady<'a, S = f64> = MotionOf<&'a System<S>>;
 
 impl<'a, S: Float> SystemMotion<'a, S> {
+    /// Says whether motion from rest ends in it.
+    pub(super) fn with_start(mut self, from_rest: bool) -> Self {
+        self.from_rest = from_rest;
+        self
+    }
+
+    pub(super) fn is_from_rest(&self) -> bool {
+        self.from_rest
+    }
+
     /// The motion of a mass.
     ///
     /// # Errors
@@ -28,7 +41,10 @@ impl<'a, S: Float> SystemMotion<'a, S> {
 
 impl<'a, S: Float> From<Continuous<&'a System<S>>> for SystemMotion<'a, S> {
     fn from(motion: Continuous<&'a System<S>>) -> Self {
-        Self(motion)
+        Self {
+            motion,
+            from_rest: true,
+        }
     }
 }
 
@@ -36,7 +52,7 @@ impl<'a, S: Float> Deref for SystemMotion<'a, S> {
     type Target = Continuous<&'a System<S>>;
 
     fn deref(&self) -> &Self::Target {
-        &self.0
+        &self.motion
     }
 }
 

@@ -189,7 +189,7 @@ impl SystemResponse<'_> {
         match self {
             Self::StickSlip(orbit) => orbit.is_from_rest(),
             Self::Stuck(held) => held.from_rest,
-            Self::Continuous(_) => true,
+            Self::Continuous(motion) => motion.is_from_rest(),
         }
     }
 

@@ -131,6 +131,7 @@ impl<'a> SystemAt<'a> {
                 Ok(SystemResponse::Stuck(held))
             }
             Some(motion) if slides && orbit.is_symmetric() => {
+                let motion = motion.with_start(orbit.is_from_rest());
                 Ok(SystemResponse::Continuous(motion))
             }
             // Another of the closed form's continuum.

@@ -87,7 +87,10 @@ pub fn on_curve(point: Result<&CurvePoint, Error>) -> &'static str {
     match point {
         Err(error) => no_answer(error),
         Ok(point) if !point.settled => "last 64 cycles",
-        Ok(point) if !point.from_rest => "orbit: not from rest",
+        Ok(point) if !point.from_rest && point.regime == Regime::StickSlip => {
+            "orbit: not from rest"
+        }
+        Ok(point) if !point.from_rest => "closed form: not from rest",
         Ok(point) if point.regime == Regime::StickSlip => "orbit",
         Ok(_) => "closed form",
     }

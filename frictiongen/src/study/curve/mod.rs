@@ -18,7 +18,7 @@ pub use request::{CurveError, CurveRequest, CurveStart};
 
 use super::system::System;
 use rayon::prelude::*;
-use refine::{Node, Refine};
+use refine::Refine;
 
 impl System {
     /// The response along frequency at one friction ratio: closed form where the contact slides all the time, steady
@@ -114,7 +114,6 @@ impl System {
         if request.start != CurveStart::Rest {
             return Ok(refine.swept(&places));
         }
-        let ends: Vec<Node> = places.par_iter().map(|place| refine.node(place)).collect();
-        Ok(refine.refined(ends))
+        Ok(refine.refined(&places))
     }
 }

@@ -22,12 +22,31 @@ pub(super) struct Place {
     pub r: f64,
     /// Why the curve is cut between here and the next place, if it is.
     pub cut: Option<End>,
+    /// Whether the curve can do without it where motions take long to settle: a sub-harmonic of a resonance, beside no cut.
+    pub spare: bool,
+}
+
+impl Place {
+    pub(super) fn at(r: f64) -> Self {
+        Self {
+            r,
+            cut: None,
+            spare: false,
+        }
+    }
+
+    fn cut(r: f64, cut: End) -> Self {
+        Self {
+            cut: Some(cut),
+            ..Self::at(r)
+        }
+    }
 }
 
 /// The places of a curve, ascending: both ends, resonances, their sub-harmonics, a grid, and on both sides of every cut.
 pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<Place> {
     let search = Search { system, beta };
-    let mut poles = Vec::new();
+    let (mut poles, mut subharmonics) = (Vec::new(), Vec::new());
     let mut grid = grid(request);
     for resonance in search.resonances() {
         if search.is_pole(resonance, &request.of) {
@@ -36,8 +55,9 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
             grid.push(resonance);
         }
         let orders = (1..=MOST_SUBHARMONICS).map(|i| (2 * i + 1) as f64);
-        grid.extend(orders.map(|order| resonance / order));
+        subharmonics.extend(orders.map(|order| resonance / order));
     }
+    grid.extend(&subharmonics);
     let sides = |pole: &f64| [pole * (1.0 - NEAR_POLE), pole * (1.0 + NEAR_POLE)];
     // Nothing lies nearer to a pole than its two sides.
     let beside = |r: &f64| poles.iter().any(|pole| (r / pole - 1.0).abs() <= NEAR_POLE);
@@ -47,7 +67,15 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
     grid.sort_by(f64::total_cmp);
     grid.dedup();
     let is_pole = |left: f64, right: f64| poles.iter().any(|pole| left < *pole && *pole < right);
-    search.cut(&grid, is_pole)
+    let mut places = search.cut(&grid, is_pole);
+    subharmonics.sort_by(f64::total_cmp);
+    let mut beside_cut = true;
+    for place in &mut places {
+        let subharmonic = subharmonics.binary_search_by(|r| r.total_cmp(&place.r));
+        place.spare = !beside_cut && place.cut.is_none() && subharmonic.is_ok();
+        beside_cut = place.cut.is_some();
+    }
+    places
 }
 
 /// Evenly spaced places, both ends among them.
@@ -128,15 +156,12 @@ impl Search<'_> {
                 continue;
             };
             if is_pole(left, right) {
-                places.push(Place {
-                    r: left,
-                    cut: Some(End::Pole),
-                });
+                places.push(Place::cut(left, End::Pole));
             } else {
                 self.change(left, right, [*first, *second], &mut places);
             }
         }
-        places.extend(all.last().map(|r| Place { r: *r, cut: None }));
+        places.extend(all.last().copied().map(Place::at));
         places
     }
 
@@ -149,17 +174,14 @@ impl Search<'_> {
         places: &mut Vec<Place>,
     ) {
         if first == second {
-            places.push(Place { r: left, cut: None });
+            places.push(Place::at(left));
             return;
         }
         let (low, high) = self.boundary(left, right, first);
         if left < low {
-            places.push(Place { r: left, cut: None });
+            places.push(Place::at(left));
         }
-        places.push(Place {
-            r: low,
-            cut: Some(End::Boundary),
-        });
+        places.push(Place::cut(low, End::Boundary));
         if high < right {
             // From the continuous regime to the stuck one there may be stick-slip between.
             self.change(high, right, [self.regime(high), second], places);

@@ -27,6 +27,8 @@ pub(super) const NARROW_PATTERN: f64 = 1e-4;
 const NARROW_GAP: f64 = 1e-7;
 /// Below this share of the largest amplitude of the first grid a bend is not followed.
 const SMALL: f64 = 1e-3;
+/// So many spare places are answered at a time.
+const AT_ONCE: usize = 16;
 /// A motion below this share of another is none.
 const ROUNDING: f64 = 1e-6;
 
@@ -93,7 +95,7 @@ impl<'a> Refine<'a> {
     fn answer(&self, r: f64) -> (Result<CurvePoint, Error>, usize) {
         let at = self.system.at(r).map_err(Error::from);
         let response = at.and_then(|at| at.response(self.beta));
-        let work = work(self.system, response.as_ref().map_err(|error| *error));
+        let work = work(self.system, r, response.as_ref().map_err(|error| *error));
         let point = response.and_then(|response| {
             CurvePoint::of(r, &response, self.request)
                 .ok_or_else(|| OutOfDomain { argument: "mass" }.into())
@@ -118,8 +120,28 @@ impl<'a> Refine<'a> {
         scales.into_iter().map(|scale| scale.max(least)).collect()
     }
 
-    /// The curve through some nodes and those that have to lie between them.
-    pub(super) fn refined(mut self, mut nodes: Vec<Node>) -> Curve {
+    /// The nodes of the first grid, and whether the work that is asked for allowed all of them: spare places come last.
+    fn grid(&self, places: &[Place]) -> (Vec<Node>, bool) {
+        let (spare, needed): (Vec<Place>, Vec<Place>) =
+            places.iter().partition(|place| place.spare);
+        let nodes = |places: &[Place]| -> Vec<Node> {
+            places.par_iter().map(|place| self.node(place)).collect()
+        };
+        let mut found = nodes(&needed);
+        for some in spare.chunks(AT_ONCE) {
+            if self.request.work <= spent(&found) {
+                return (found, false);
+            }
+            found.extend(nodes(some));
+        }
+        (found, true)
+    }
+
+    /// The curve through the places of the first grid and those that have to lie between them.
+    pub(super) fn refined(mut self, places: &[Place]) -> Curve {
+        let (mut nodes, mut refined) = self.grid(places);
+        let mut left = self.request.work.saturating_sub(spent(&nodes));
+        nodes.sort_by(|a, b| a.r.total_cmp(&b.r));
         self.straight.scales = self.scales(&nodes);
         let cut = |part: &usize| nodes.get(*part).is_some_and(|node| node.cut.is_some());
         let parts = (0..nodes.len().saturating_sub(1)).filter(|part| !cut(part));
@@ -131,7 +153,6 @@ impl<'a> Refine<'a> {
                 part,
             })
             .collect();
-        let (mut left, mut refined) = (self.request.work, true);
         while !open.is_empty() {
             let halved = self.worth_halving(&open, &mut nodes);
             let kept = affordable(&halved, &nodes, left);
@@ -140,10 +161,9 @@ impl<'a> Refine<'a> {
             self.cut_apart(given_up, &mut nodes);
             let middles: Vec<Node> = halved
                 .par_iter()
-                .map(|(_, r)| self.node(&Place { r: *r, cut: None }))
+                .map(|(_, r)| self.node(&Place::at(*r)))
                 .collect();
-            let spent: usize = middles.iter().map(|node| node.work).sum();
-            left = left.saturating_sub(spent);
+            left = left.saturating_sub(spent(&middles));
             open = Vec::new();
             for ((interval, _), middle) in halved.iter().zip(middles) {
                 open.extend(self.halves(*interval, middle, &mut nodes));
@@ -235,6 +255,11 @@ impl<'a> Refine<'a> {
         };
         vec![half(interval.left, place), half(place, interval.right)]
     }
+}
+
+/// The work of some nodes.
+pub(super) fn spent(nodes: &[Node]) -> usize {
+    nodes.iter().map(|node| node.work).sum()
 }
 
 /// How many of the intervals, in their order, the work that is left suffices for, if a middle takes as much as the

@@ -2,7 +2,7 @@
 
 use crate::Of;
 
-/// The work of a curve beside its first grid: some seconds.
+/// The work of a curve: some seconds.
 const WORK: usize = 200_000;
 
 /// Where the motion of each point of a curve starts.
@@ -37,8 +37,8 @@ pub struct CurveRequest {
     /// Whether the contact's motion is wanted with the opposite sign, as
     /// [`System::contact_is_reversed`](crate::study::System::contact_is_reversed) asks for.
     pub turned: bool,
-    /// How much work points beside those of the first grid may take: that of so many answers of the closed form, of some 10 µs
-    /// each.  It is counted, so that a curve is the same on every machine.
+    /// How much work the curve may take, in units of some 10 µs.  It is counted, so that a curve is the same on every machine.
+    /// The places where the curve is cut and those of an even grid are answered whatever they take.
     pub work: usize,
     /// Where the motion of each point starts.
     pub start: CurveStart,

@@ -4,7 +4,7 @@ use super::answer::{Curve, End};
 use super::pieces;
 use super::places::Place;
 use super::point::CurvePoint;
-use super::refine::{NARROW, NARROW_PATTERN, NARROW_SCATTERED, Node, Refine};
+use super::refine::{NARROW, NARROW_PATTERN, NARROW_SCATTERED, Node, Refine, spent};
 use super::request::CurveStart;
 use super::straight::alike;
 use crate::study::settled::Carried;
@@ -24,7 +24,9 @@ impl Refine<'_> {
     /// The curve through the places, swept from the first to the last of the asked direction.
     pub(super) fn swept(mut self, places: &[Place]) -> Curve {
         let down = self.request.start == CurveStart::Down;
-        let mut places = places.to_vec();
+        // A sweep follows every motion twice, and does without what is spare.
+        let places = places.iter().filter(|place| !place.spare);
+        let mut places: Vec<Place> = places.copied().collect();
         if down {
             places.reverse();
         }
@@ -39,7 +41,7 @@ impl Refine<'_> {
         let coarse = self.coarse(&places);
         self.straight.scales = self.scales(&coarse);
         let sweep = self;
-        let mut left = Some(sweep.request.work);
+        let mut left = sweep.request.work.checked_sub(spent(&coarse));
         let mut steps: Vec<Step> = Vec::new();
         if let Some(first) = places.first() {
             steps.push(sweep.step(first.r, None));
@@ -77,12 +79,12 @@ impl Refine<'_> {
             let (response, carried) = at.response_from(self.beta, start)?;
             let point = CurvePoint::of(r, &response, self.request)
                 .ok_or(OutOfDomain { argument: "mass" })?;
-            Ok((point, carried, work(self.system, Ok(&response))))
+            Ok((point, carried, work(self.system, r, Ok(&response))))
         });
         let (answer, carried, work) = match found {
             Ok((point, carried, work)) => (Ok(point), Some(carried), work),
             // Where there is no answer, the state of the last point goes on.
-            Err(error) => (Err(error), start.cloned(), work(self.system, Err(error))),
+            Err(error) => (Err(error), start.cloned(), work(self.system, r, Err(error))),
         };
         Step {
             node: Node {

@@ -1,5 +1,6 @@
 //! The amplitude to be made small, at one frequency and one friction ratio.
 
+use super::places::beside;
 use crate::study::physical::swing;
 use crate::study::sensitivity::Varied;
 use crate::study::system::System;
@@ -63,8 +64,8 @@ impl<'s> Amplitude<'s> {
         self.most.set(self.work.get().saturating_add(work));
     }
 
-    fn spend(&self, found: Result<&SystemResponse<'_>, Error>) {
-        self.spend_work(work(self.system, found));
+    fn spend(&self, r: f64, found: Result<&SystemResponse<'_>, Error>) {
+        self.spend_work(work(self.system, r, found));
     }
 
     fn spend_work(&self, work: usize) {
@@ -95,22 +96,33 @@ impl<'s> Amplitude<'s> {
     pub(super) fn followed(&self, r: f64, friction: Friction) -> f64 {
         self.asked.set(self.asked.get() + 1);
         let found = self.response(r, friction);
-        self.spend(found.as_ref().map_err(|error| *error));
+        self.spend(r, found.as_ref().map_err(|error| *error));
         match found {
-            Ok(response) => {
-                let swing = response.swing(self.of);
-                swing.map_or(f64::NAN, |swing| swing.amplitude)
+            Ok(response) => self.swing(&response),
+            Err(Error::NotContinuous(NotContinuous::Unbounded)) => f64::INFINITY,
+            // Sliding or stuck.
+            Err(Error::NoOrbit(NoOrbit::Unbounded) | Error::StuckResonance(_)) => {
+                self.beside_resonance(r, friction)
             }
-            Err(
-                Error::NotContinuous(NotContinuous::Unbounded)
-                | Error::NoOrbit(NoOrbit::Unbounded)
-                | Error::StuckResonance(_),
-            ) => f64::INFINITY,
             Err(_) => {
                 self.silent.set(self.silent.get() + 1);
                 f64::NAN
             }
         }
+    }
+
+    fn swing(&self, response: &SystemResponse<'_>) -> f64 {
+        let swing = response.swing(self.of);
+        swing.map_or(f64::NAN, |swing| swing.amplitude)
+    }
+
+    /// The amplitude on an undamped resonance of the chain with its contact stuck: finite where the load does not drive that
+    /// mode.
+    fn beside_resonance(&self, r: f64, friction: Friction) -> f64 {
+        beside(r, |r| {
+            let response = self.response(r, friction);
+            response.map_or(f64::INFINITY, |response| self.swing(&response))
+        })
     }
 
     /// What the contact does.

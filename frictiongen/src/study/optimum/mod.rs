@@ -23,6 +23,9 @@ use problem::Problem;
 pub use request::{FrequencyBand, OptimumError, OptimumRequest};
 pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
 
+/// The work of a search.
+const WORK: usize = 1_000_000;
+
 impl System {
     /// The friction that keeps the largest amplitude of a motion over a band of frequencies smallest, over all regimes: the
     /// closed form where the contact slides all the time, steady states where it stops, the stuck response.
@@ -32,7 +35,8 @@ impl System {
     /// a scan between none and so much that nothing slides.  What has a closed form comes first; a friction ratio at which that
     /// exceeds the best so far is left, and motions are followed where they may be the largest.
     ///
-    /// The work of a search is bounded, to some seconds, and counted: the answer is the same on every machine.  Where the
+    /// The work of a search is bounded and counted: the answer is the same on every machine.  Most frames take less than a
+    /// second; those whose motions jump and do not settle take up to twenty.  Where the
     /// bound is met, or the least is at a jump to another steady state, [`Optimum::end`] says so, and
     /// [`Optimum::bracket`] between which friction ratios the least lies.
     ///
@@ -66,6 +70,18 @@ impl System {
     /// [`OptimumError`]: for a band, a motion, a load or a quantity that makes no sense, and where no friction bounds the
     /// amplitude.
     pub fn optimum(&self, request: &OptimumRequest) -> Result<Optimum, OptimumError> {
-        Problem::new(self, request)?.solved()
+        self.optimum_within(request, WORK)
+    }
+
+    /// The same with a bound on the work, in units of some 10 µs: a smaller one ends sooner with [`OptimumEnd::WorkSpent`].
+    ///
+    /// # Errors
+    /// Same errors as [`optimum`](Self::optimum).
+    pub fn optimum_within(
+        &self,
+        request: &OptimumRequest,
+        work: usize,
+    ) -> Result<Optimum, OptimumError> {
+        Problem::new(self, request)?.solved(work)
     }
 }

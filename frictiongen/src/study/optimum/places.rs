@@ -3,6 +3,10 @@
 use super::amplitude::Friction;
 use crate::study::system::System;
 
+/// How near a resonance its pole is seen, relatively: a value is ten times as large there as at ten times the distance.
+const BESIDE: f64 = 1e-9;
+/// A smaller value so near is no pole's but rounding's.
+const DRIVEN: f64 = 1e-3;
 /// Places of the grid.
 const GRID: usize = 96;
 /// Sub-harmonics of a resonance that are looked at: up to this part of it.
@@ -38,10 +42,29 @@ impl Place {
 
 /// β_lim and β*_lim; neither where there are none.
 pub(super) fn limits(system: &System, r: f64) -> [f64; 2] {
-    system.at(r).map_or([f64::NAN; 2], |at| {
-        let limits = at.limits();
-        [limits.continuous, limits.sliding]
-    })
+    let limits = |r: f64| {
+        system.at(r).map_or([f64::NAN; 2], |at| {
+            let limits = at.limits();
+            [limits.continuous, limits.sliding]
+        })
+    };
+    let [continuous, sliding] = limits(r);
+    if sliding == f64::INFINITY {
+        // On a resonance of the stuck chain: finite if the load does not drive it.
+        return [continuous, beside(r, |r| limits(r)[1])];
+    }
+    [continuous, sliding]
+}
+
+/// The value of a function beside a resonance on which it has none: infinite if it grows towards there.
+pub(super) fn beside(r: f64, function: impl Fn(f64) -> f64) -> f64 {
+    let at = |distance: f64| function(r * (1.0 + distance));
+    let (far, near) = (at(10.0 * BESIDE), at(BESIDE));
+    if DRIVEN < near && 5.0 * far < near {
+        f64::INFINITY
+    } else {
+        near
+    }
 }
 
 /// Where a band is looked at whatever the friction is, ascending.

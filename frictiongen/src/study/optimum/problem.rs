@@ -73,9 +73,9 @@ impl<'s> Problem<'s> {
         Band::new(self.system, self.of, self.ends)
     }
 
-    /// The least over all friction.
-    pub(super) fn least(band: &Band<'_>) -> Result<Least, OptimumError> {
-        search::least(band).ok_or_else(|| {
+    /// The least over all friction, found with so much work at most.
+    pub(super) fn least(band: &Band<'_>, work: usize) -> Result<Least, OptimumError> {
+        search::least(band, work).ok_or_else(|| {
             if band.amplitude.is_spent() {
                 OptimumError::TooLong
             } else {
@@ -84,9 +84,9 @@ impl<'s> Problem<'s> {
         })
     }
 
-    pub(super) fn solved(&self) -> Result<Optimum, OptimumError> {
+    pub(super) fn solved(&self, work: usize) -> Result<Optimum, OptimumError> {
         let band = self.band();
-        let least = Self::least(&band)?;
+        let least = Self::least(&band, work)?;
         self.told(&band, &least)
     }
 

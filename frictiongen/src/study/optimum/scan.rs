@@ -28,6 +28,10 @@ const CLOSER: usize = 5;
 const NEARLY: f64 = 1.2;
 /// More places at most in one go.
 const MOST_CLOSER: usize = 8;
+/// About the best friction ratio so often more are looked at,
+const ABOUT: usize = 2;
+/// which cut the interval to each side into so many parts.
+const PARTS: u32 = 5;
 /// A friction ratio is left as soon as an amplitude exceeds the best so far by this factor: more than any tolerance asks for.
 const MARGIN: f64 = 1.2;
 
@@ -156,6 +160,34 @@ pub(super) fn closer(band: &Band<'_>, scan: &mut Vec<Scanned>) {
             break;
         }
         add(band, scan, middles.into_iter());
+    }
+}
+
+/// More places about the best, to both sides up to its neighbours: with μ > 1 the amplitude jumps with friction, and what it is
+/// between two places of the scan no slope tells.
+pub(super) fn about_best(band: &Band<'_>, scan: &mut Vec<Scanned>) {
+    for _ in 0..ABOUT {
+        let best = best(scan);
+        let Some(index) = scan
+            .iter()
+            .position(|seen| seen.complete && seen.value == best)
+        else {
+            return;
+        };
+        let beta = |index: usize| scan.get(index).map(|seen| seen.beta);
+        let sides = [index.checked_sub(1), Some(index), Some(index + 1)];
+        let sides: Vec<f64> = sides.into_iter().flatten().filter_map(beta).collect();
+        let between = sides.windows(2).flat_map(|pair| match pair {
+            [a, b] => (1..PARTS)
+                .map(|part| a + (b - a) * f64::from(part) / f64::from(PARTS))
+                .collect(),
+            _ => Vec::new(),
+        });
+        let places: Vec<f64> = between.collect();
+        add(band, scan, places.into_iter());
+        if band.amplitude.is_spent() {
+            return;
+        }
     }
 }
 

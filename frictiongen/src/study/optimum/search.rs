@@ -10,7 +10,7 @@ use super::candidates::{Candidate, HOLDS, before, between, of_scan, stays, valle
 use super::creep::crept;
 use super::look::{Closely, Look};
 use super::peaks::{Band, Peak};
-use super::scan::{Scanned, add, best, closer, scanned, scanned_at, slope, with_slope};
+use super::scan::{Scanned, about_best, add, best, closer, scanned, scanned_at, slope, with_slope};
 use crate::Regime;
 
 /// A minimum in which a higher peak turns up is looked for again so often.
@@ -24,10 +24,10 @@ const NARROW: f64 = 1e-7;
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// A peak is at its own minimum if a change of friction by a share changes it by less than so much of that.
 const STATIONARY: f64 = 1e-4;
-/// Work of the search: some seconds.
-const WORK: usize = 300_000;
-/// And of looking closely at what it found, however much it took.
-const WORK_OF_A_CHECK: usize = 60_000;
+/// Work of one of the many searches of a tuning: some seconds.
+pub(super) const WORK_OF_ONE: usize = 300_000;
+/// Looking closely at what was found may take this part of it more, however much the search took.
+const OF_A_CHECK: usize = 6;
 
 /// What kind of a minimum it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,11 +65,14 @@ pub(super) struct Least {
 }
 
 /// The least over all friction, if some friction bounds the amplitude.
-pub(super) fn least(band: &Band<'_>) -> Option<Least> {
-    band.amplitude.allow(WORK);
+pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
+    band.amplitude.allow(work);
     let [free_to, locked_from] = band.limits();
     let mut scan = scanned(band, free_to, locked_from);
     closer(band, &mut scan);
+    if 1.0 < band.amplitude.system.scene().stiction {
+        about_best(band, &mut scan);
+    }
     let mut candidates = of_scan(&scan);
     let top = best(&scan);
     // Nothing is less than rest; just below the friction that holds all, motions too small to settle lead there.
@@ -90,7 +93,7 @@ pub(super) fn least(band: &Band<'_>) -> Option<Least> {
         }
     }
     let spent = band.amplitude.is_spent();
-    band.amplitude.allow(WORK_OF_A_CHECK);
+    band.amplitude.allow(work / OF_A_CHECK);
     let best = checked(band, &mut scan, candidates, spent)?;
     let spent = spent || band.amplitude.is_spent();
     let kind = kind(band, &best.at, locked_from);
@@ -111,7 +114,7 @@ pub(super) fn least(band: &Band<'_>) -> Option<Least> {
 
 /// The least between two friction ratios near by, if the amplitude falls from one and rises to the other.
 pub(super) fn near(band: &Band<'_>, ends: [f64; 2]) -> Option<Least> {
-    band.amplitude.allow(WORK);
+    band.amplitude.allow(WORK_OF_ONE);
     let [below, above] = ends.map(|beta| scanned_at(band, beta, f64::INFINITY));
     if !(below.slope < 0.0 && 0.0 <= above.slope) {
         return None;

@@ -5,7 +5,7 @@ use super::tried::{Groups, Search, Tried, near};
 
 use crate::study::optimum::OptimumError;
 use crate::study::optimum::problem::Problem;
-use crate::study::optimum::search::Least;
+use crate::study::optimum::search::{Least, WORK_OF_ONE};
 use std::sync::atomic::Ordering;
 
 /// Steps of the scan.
@@ -38,7 +38,7 @@ impl Search<'_> {
             let problem = Problem::new(&varied, &self.request_for(&varied))?;
             let band = problem.band();
             // Over all friction, whatever the neighbours had.
-            let mut least = Problem::least(&band)?;
+            let mut least = Problem::least(&band, WORK_OF_ONE)?;
             self.count(band.amplitude.asked.get());
             if let Some(found) = best.found.clone()
                 && found.at.value < least.at.value

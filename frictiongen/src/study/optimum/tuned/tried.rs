@@ -184,7 +184,7 @@ impl<'s> Search<'s> {
         let band = problem.band();
         let found = window
             .and_then(|window| search::near(&band, window.map(|beta| beta / groups.beta)))
-            .map_or_else(|| Problem::least(&band), Ok);
+            .map_or_else(|| Problem::least(&band, search::WORK_OF_ONE), Ok);
         self.count(band.amplitude.asked.get());
         let least: Least = match found {
             Err(OptimumError::Unbounded) => return Ok(tried),
