@@ -116,13 +116,15 @@ pub fn map<'py>(
             .collect(),
     )?;
     for (place, part) in parts.iter().enumerate() {
-        let reads: [(&str, fn(&MapPoint) -> &Vec<f64>); 2] = [
-            ("amplitude", |point| &point.amplitudes),
-            ("centred", |point| &point.centred),
-        ];
-        for (what, read) in reads {
+        for what in ["amplitude", "centred"] {
             let sizes = point().map(|point| {
-                let size = point.and_then(|point| read(point).get(place).copied());
+                let size = point.and_then(|point| {
+                    let sizes = match what {
+                        "amplitude" => &point.amplitudes,
+                        _ => &point.centred,
+                    };
+                    sizes.get(place).copied()
+                });
                 cell(size.map(|size| measure.length(size)))
             });
             columns.numbers(

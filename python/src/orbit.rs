@@ -106,7 +106,7 @@ impl<'a> Question<'a> {
     }
 
     /// The state from rest.
-    fn from_rest(&self, at: &SystemAt<'_>, beta: f64) -> Result<Found, OutOfDomain> {
+    fn found_from_rest(&self, at: &SystemAt<'_>, beta: f64) -> Result<Found, OutOfDomain> {
         match at.orbit_or_last_cycles(beta) {
             Ok(orbit) => {
                 let mut steady = self.steady(at, &orbit);
@@ -231,7 +231,8 @@ pub fn orbit<'py>(
     let system = &system.system;
     let question = Question::of(system, &frequency, &friction, &load, of.as_ref(), highest)?;
     let (r, (beta, _)) = (question.frequencies.only()?, question.frictions.only()?);
-    let found = without_lock(py, |_| question.from_rest(&system.at(r)?, beta))?.map_err(domain)?;
+    let found =
+        without_lock(py, |_| question.found_from_rest(&system.at(r)?, beta))?.map_err(domain)?;
     question.columns(py, found)
 }
 

@@ -105,7 +105,7 @@ def test_a_name_with_another_unit_is_explained(frame):
     with pytest.raises(KeyError, match="Response has no 'roof'; it has r, beta"):
         _ = response["roof"]
     assert "regime" in dir(response) and "Response of shape ()" in repr(response)
-    assert "Motion 'lower': amplitude, phase" in repr(response["lower"])
+    assert "Motion 'lower': amplitude, centred, phase" in repr(response["lower"])
 
 
 def test_what_a_system_is_made_of(frame):

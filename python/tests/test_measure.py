@@ -220,7 +220,7 @@ def test_an_unknown_that_does_not_show(plate):
     assert found.undetermined == ["stiction"] and found.unknowns["stiction"].high == math.inf
     assert found.verdict == "told" and found.unknowns["damping"].high < 0.1
     alone = plate.identify(seen, also="damping")
-    assert found.friction_N == pytest.approx(alone.friction_N, rel=1e-6) and alone.undetermined == []
+    assert found.friction_N.value == pytest.approx(alone.friction_N.value, rel=1e-6) and alone.undetermined == []
 
 
 def test_under_a_force(block):

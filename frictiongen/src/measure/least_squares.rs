@@ -7,7 +7,8 @@ use nalgebra::{DMatrix, DVector};
 
 /// Steps, rejected ones included.
 const MOST_STEPS: usize = 200;
-/// A step that changes every parameter by less than this part is the last one.
+/// A step that changes every parameter by less than this part is the last one, or all residuals together by less than this part
+/// of a deviation.
 const SMALL: f64 = 1e-10;
 /// What damping grows and shrinks by (Marquardt's choice).
 const GROWTH: f64 = 10.0;
@@ -35,6 +36,8 @@ pub(super) struct Fit {
     /// The largest singular value of the Jacobian over the smallest of a determined direction, with each parameter measured by
     /// its own size.
     pub(super) condition: f64,
+    /// What relative changes of the parameters are parts of.
+    sizes: Vec<f64>,
     /// Directions in the parameters' relative changes, each with its singular value, 0 where the data do not determine it.
     directions: Vec<(DVector<f64>, f64)>,
 }
@@ -46,10 +49,12 @@ impl Fit {
         if self.directions.is_empty() {
             return f64::INFINITY;
         }
-        let sizes = self.parameters.iter().map(|value| size(*value));
         let relative = DVector::from_iterator(
             gradient.len(),
-            gradient.iter().zip(sizes).map(|(slope, size)| slope * size),
+            gradient
+                .iter()
+                .zip(&self.sizes)
+                .map(|(slope, size)| slope * size),
         );
         let terms = self.directions.iter().map(|(direction, value)| {
             let along = direction.dot(&relative);
@@ -73,9 +78,20 @@ impl Fit {
     }
 }
 
-/// What a relative change of a parameter is a part of.
-fn size(value: f64) -> f64 {
-    if value == 0.0 { 1.0 } else { value.abs() }
+/// What relative changes of the parameters are parts of: of the value, and where that is smaller than what moves the residuals by
+/// a deviation, of this.
+fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
+    let columns = jacobian.column_iter();
+    let sizes = parameters.iter().zip(columns).map(|(value, column)| {
+        let seen = column.norm().recip();
+        let size = if seen.is_finite() {
+            value.abs().max(seen)
+        } else {
+            value.abs()
+        };
+        if size == 0.0 { 1.0 } else { size }
+    });
+    sizes.collect()
 }
 
 /// Minimises the sum of squares from `start`.
@@ -118,6 +134,8 @@ pub(super) fn minimise(
             .iter()
             .zip(&at)
             .all(|(new, old)| (new - old).abs() <= SMALL * old.abs().max(SMALL));
+        // A parameter that tends to 0 never changes by a small part of itself.
+        let small = small || (&lines.jacobian * &step).norm() <= SMALL;
         let new = residuals(&moved).map(|values| values.norm_squared());
         if let Some(new) = new.filter(|new| *new <= squares) {
             at = moved;
@@ -148,8 +166,9 @@ pub(super) fn minimise(
 /// A fit with what the data determine.
 fn judged(parameters: Vec<f64>, squares: f64, jacobian: &DMatrix<f64>) -> Fit {
     let mut scaled = jacobian.clone();
-    for (index, value) in parameters.iter().enumerate() {
-        scaled.column_mut(index).scale_mut(size(*value));
+    let sizes = sizes(&parameters, jacobian);
+    for (index, size) in sizes.iter().enumerate() {
+        scaled.column_mut(index).scale_mut(*size);
     }
     let (rows, columns) = scaled.shape();
     let decomposed = scaled.svd(false, true);
@@ -168,6 +187,7 @@ fn judged(parameters: Vec<f64>, squares: f64, jacobian: &DMatrix<f64>) -> Fit {
     });
     Fit {
         parameters,
+        sizes,
         settled: false,
         squares,
         rank: kept().count(),

@@ -167,3 +167,25 @@ fn two_unknowns_that_are_one() {
     assert!(found.friction.holds(0.3 * scale(&truth)), "{found:?}");
     assert!(found.unknowns[2].1.holds(0.02), "{found:?}");
 }
+
+/// A rig without damping, recorded exactly: the damping that is looked for ends on its bound, with and without μ beside it.
+#[test]
+fn damping_of_a_rig_that_has_none() {
+    let truth = rig("");
+    let all: Vec<Observation> = [0.8, 1.25, 1.6]
+        .iter()
+        .map(|r| seen(&truth, *r, 0.3, &[0], DEVIATION))
+        .collect();
+    for also in [None, Some(Unknown::Stiction)] {
+        let request = IdentifyRequest {
+            unknowns: also.into_iter().chain([Unknown::Damping]).collect(),
+            ..IdentifyRequest::default()
+        };
+        let found = truth.identify(&all, &request).unwrap();
+        assert_eq!(found.verdict, Verdict::Told, "{found:?}");
+        assert!(found.friction.holds(0.3 * scale(&truth)), "{found:?}");
+        let damping = found.unknowns.last().unwrap().1;
+        assert!(damping.value < 1e-9 && damping.to < 0.05, "{damping:?}");
+        assert_eq!(found.undetermined(), also.into_iter().collect::<Vec<_>>());
+    }
+}

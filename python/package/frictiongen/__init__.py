@@ -4,11 +4,11 @@ A :class:`System` is made from a description; its methods answer on numpy arrays
 
 >>> import frictiongen
 >>> frame = frictiongen.System(frictiongen.FRAME)
->>> response = frame.response(hz=2.5, friction=[0.1, 0.6, 0.8], base=0.001)
+>>> response = frame.response(hz=2.5, friction=[0.1, 0.6, 1.0], base=0.001)
 >>> response.regime.tolist()
 ['continuous', 'stick-slip', 'stuck']
 >>> (1e3 * response["lower"].amplitude_m).round(3).tolist()  # mm
-[0.714, 0.539, 0.697]
+[0.714, 0.539, 0.708]
 
 Frequencies are `r`, `hz` or `omega`; friction is `beta`, or `friction` in N; the load is `force` in N or `base` in m.  With
 a load, answers are in N, m and degrees, and the names of their attributes end in `_N`, `_m` and `_deg`.  Without one they are

@@ -90,7 +90,7 @@ class Steady(Base):
         >>> response = frame.response(r=0.9, beta=[0.3, 0.7, 1.0])
         >>> response.regime.tolist()
         ['continuous', 'stick-slip', 'stuck']
-        >>> response["upper"].amplitude.round(3).tolist()
+        >>> response["upper"].centred.round(3).tolist()
         [1.098, 0.07, 0.0]
         """
         return Response(
@@ -152,7 +152,7 @@ class Steady(Base):
         >>> block = frictiongen.System('''struct Block {
         ...     masses: { block: 1 }, springs: { base - block: 1 }, contact: block - base, excitation: base, stiction: 2,
         ... }''')
-        >>> sorted(state.regime for state in block.states(r=1.1, beta=0.65))
+        >>> sorted(str(state.regime) for state in block.states(r=1.1, beta=0.65))
         ['continuous', 'stuck']
         """
         found = _native.states(self._native, (r, hz, omega), (beta, friction), (force, base), names(of), harmonics)
@@ -221,7 +221,7 @@ class Steady(Base):
         >>> frame = frictiongen.System(frictiongen.FRAME)
         >>> map = frame.map(hz=numpy.linspace(0.5, 7, 14), friction=numpy.linspace(0, 2.4, 7), base=0.001)
         >>> map.shape, int((map.regime == "stuck").sum())
-        ((14, 7), 54)
+        ((14, 7), 53)
         >>> frame.map(hz=(1, 7), friction=[0.4, 0.8], base=0.001).shape
         (161, 2)
         """
