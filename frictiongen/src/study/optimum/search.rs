@@ -102,7 +102,7 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
         bracket: if kind == Kind::Without {
             [best.at.beta; 2]
         } else {
-            best.bracket
+            about(best.bracket, best.at.beta)
         },
         at: best.at,
         kind,
@@ -124,13 +124,18 @@ pub(super) fn near(band: &Band<'_>, ends: [f64; 2]) -> Option<Least> {
     let kind = kind(band, &found.at, locked_from);
     Some(Least {
         end: end(&found.at, kind, band.amplitude.is_spent()),
-        bracket: found.bracket,
+        bracket: about(found.bracket, found.at.beta),
         at: found.at,
         kind,
         scan: Vec::new(),
         locked_from,
         free_to,
     })
+}
+
+/// The bracket with the friction ratio in it: where the least is stationary both ends are nearer than it is known.
+fn about([from, to]: [f64; 2], beta: f64) -> [f64; 2] {
+    [from.min(beta), to.max(beta)]
 }
 
 /// The least of the candidates, once all places have been looked at.
