@@ -36,9 +36,9 @@ impl<S: Float> Sum<'_, S> {
         let low = start.value.abs() <= self.noise || !(start.curve * start.value < zero);
         if start.slope.abs() <= self.noise * self.rate && low {
             // It starts at zero or from the bottom of a valley, where no climb begins: from between its ends everything is in
-            // sight.
-            for share in [0.3, 0.5] {
-                let value = self.local(self.reach * S::constant(share)).value;
+            // sight.  Constants of S, so that `f32` scenes link no double precision.
+            for share in [S::constant(0.3), S::constant(0.5)] {
+                let value = self.local(self.reach * share).value;
                 level = level.max(value.abs());
             }
         }
