@@ -98,10 +98,17 @@ impl<'a> Destination<'a> {
             Some("csv") => Form::Csv(format.extras()),
             Some("json") => Form::Json,
             Some("svg") if pictures => Form::Svg,
-            Some("png") if pictures => Form::Png,
+            Some("png") if pictures && cfg!(feature = "png") => Form::Png,
+            Some("png") if pictures => {
+                return Err(Failure::new(format_args!(
+                    "--output `{shown}`: this program draws .svg; one that is built with `--features png` draws .png too"
+                )));
+            }
             _ => {
-                let endings = if pictures {
+                let endings = if pictures && cfg!(feature = "png") {
                     ".csv, .json, .svg or .png"
+                } else if pictures {
+                    ".csv, .json or .svg"
                 } else {
                     ".csv or .json"
                 };

@@ -10,6 +10,7 @@ use frictiongen_plot::{Figure, Label, Sketch};
 use std::io::Write;
 
 /// Pixels of a PNG for each of the SVG's.
+#[cfg(feature = "png")]
 const SCALE: f32 = 2.0;
 
 /// In what the axes count.
@@ -48,6 +49,7 @@ pub fn write_with(
 ) -> Result<(), Failure> {
     let figure = figure.with_sketch(sketch);
     let bytes = match form {
+        #[cfg(feature = "png")]
         Form::Png => figure.png(SCALE).map_err(Failure::new)?,
         _ => figure.svg().into_bytes(),
     };

@@ -53,7 +53,12 @@ fn what_cannot_be_asked() {
         ),
         (
             vec!["curve", "--r", "0.5:1", "--beta", "1", "-o", "curve.txt"],
-            "--output `curve.txt`: the name of a file ends in .csv, .json, .svg or .png".to_owned(),
+            "--output `curve.txt`: the name of a file ends in .csv, .json or .svg".to_owned(),
+        ),
+        #[cfg(not(feature = "png"))]
+        (
+            vec!["curve", "--r", "0.5:1", "--beta", "1", "-o", "curve.png"],
+            "--output `curve.png`: this program draws .svg; one that is built with `--features png` draws .png too".to_owned(),
         ),
         (
             vec!["curve", "--r", "0.5:1", "--beta", "1", "-o", nowhere],

@@ -94,7 +94,7 @@ fn what_cannot_be_asked() {
         ),
         (
             "--r 0.5 --beta 1 -o motion.txt",
-            "--output `motion.txt`: the name of a file ends in .csv, .json, .svg or .png",
+            "--output `motion.txt`: the name of a file ends in .csv, .json or .svg",
         ),
         (
             "--r 0.5 --beta 1 --events -o motion.svg",

@@ -38,7 +38,7 @@ pub struct CurveArguments {
     /// Start the motion of each point from rest, or sweep the frequency up or down; several with commas [default: rest]
     #[arg(long, value_enum, value_delimiter = ',')]
     pub from: Vec<StartFrom>,
-    /// Write to this file; its ending decides: .csv, .json, .svg, .png
+    /// Write to this file; its ending decides: .csv, .json, .svg; .png with the feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
     /// The format.
@@ -73,7 +73,7 @@ pub struct MapArguments {
     /// What the colours of a picture tell
     #[arg(long, value_enum, default_value_t)]
     pub shade: Shade,
-    /// Write to this file; its ending decides: .csv, .json, .svg, .png
+    /// Write to this file; its ending decides: .csv, .json, .svg; .png with the feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
     /// The format.
@@ -114,7 +114,7 @@ pub struct TimeArguments {
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; its ending decides: .csv, .json, .svg, .png
+    /// Write to this file; its ending decides: .csv, .json, .svg; .png with the feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }
@@ -193,7 +193,7 @@ pub struct FeaturesArguments {
     /// Only of this mass, or of `contact`; may be given more than once [default: all]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
-    /// Write to this file; its ending decides: .csv, .json, .svg, .png
+    /// Write to this file; its ending decides: .csv, .json, .svg; .png with the feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
     /// The format.

@@ -85,7 +85,7 @@ pub struct IdentifyArguments {
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; its ending decides: .csv, .json; .svg, .png: the residuals
+    /// Write to this file; its ending decides: .csv, .json; .svg or, with the feature png, .png: the residuals
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }
@@ -125,7 +125,7 @@ pub struct DriveArguments {
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; its ending decides: .csv, .json, .svg, .png
+    /// Write to this file; its ending decides: .csv, .json, .svg; .png with the feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }

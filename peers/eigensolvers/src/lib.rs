@@ -1,0 +1,1 @@
+//! Natural frequencies and mode shapes against nalgebra and faer: `tests/eigensolvers.rs`.
