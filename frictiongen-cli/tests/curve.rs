@@ -242,7 +242,9 @@ fn pictures() {
     ];
     for (index, command) in commands.iter().enumerate() {
         let mut seen: Vec<Vec<u8>> = Vec::new();
-        for name in ["one.svg", "two.svg", "one.PNG"] {
+        let names = ["one.svg", "two.svg", "one.PNG"];
+        let drawn = if cfg!(feature = "png") { 3 } else { 2 };
+        for name in &names[..drawn] {
             let path = folder.join(format!("{index}-{name}"));
             let arguments = [command, &["-o", path.to_str().unwrap()][..]].concat();
             assert_eq!(output("", &arguments), "");
@@ -254,7 +256,10 @@ fn pictures() {
             "{command:?}"
         );
         assert!(!String::from_utf8_lossy(&seen[0]).contains("NaN"));
-        assert!(seen[2].starts_with(b"\x89PNG\r\n\x1a\n"), "{command:?}");
+        let png = seen
+            .get(2)
+            .is_none_or(|png| png.starts_with(b"\x89PNG\r\n\x1a\n"));
+        assert!(png, "{command:?}");
     }
     std::fs::remove_dir_all(folder).unwrap();
 }

@@ -147,7 +147,7 @@ fn commands_of_desk_run() {
     }
     assert!(folder.join("curve.csv").exists() && folder.join("curve.json").exists());
     std::fs::remove_dir_all(&folder).unwrap();
-    assert_eq!(run, 4);
+    assert_eq!(run, 8);
 }
 
 /// The numbers that docs/desk.md tells of its tuned frame.
