@@ -1,7 +1,9 @@
 //! The best friction against maps near by, and what its answer counts.
 
 use frictiongen::Of;
-use frictiongen::study::{FrequencyBand, Optimum, OptimumRequest, System};
+use frictiongen::study::{
+    FrequencyBand, Load, Optimum, OptimumKind, OptimumRequest, Parameter, Quantity, System,
+};
 
 fn optimum(text: &str, name: &str, band: [f64; 2]) -> (System, Of, Optimum) {
     let system: System = text.parse().expect("a valid scene");
@@ -16,7 +18,11 @@ fn optimum(text: &str, name: &str, band: [f64; 2]) -> (System, Of, Optimum) {
 }
 
 /// The largest amplitude at 2001 frequencies of a band, each top made sharp by golden sections.
-fn largest(system: &System, of: Of, [from, to]: [f64; 2], beta: f64) -> f64 {
+fn largest(system: &System, of: Of, band: [f64; 2], beta: f64) -> f64 {
+    largest_of::<2000>(system, of, band, beta)
+}
+
+fn largest_of<const CELLS: u32>(system: &System, of: Of, [from, to]: [f64; 2], beta: f64) -> f64 {
     let at = |r: f64| {
         let at = system.at(r).expect("in the domain");
         let response = at.response(beta);
@@ -24,10 +30,10 @@ fn largest(system: &System, of: Of, [from, to]: [f64; 2], beta: f64) -> f64 {
             response.swing(of).expect("a motion").amplitude
         })
     };
-    let place = |i: u32| from + (to - from) * f64::from(i) / 2000.0;
-    let values: Vec<f64> = (0..=2000).map(|i| at(place(i))).collect();
+    let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(CELLS);
+    let values: Vec<f64> = (0..=CELLS).map(|i| at(place(i))).collect();
     let mut best = values.iter().copied().fold(0.0, f64::max);
-    for i in 1..2000_u32 {
+    for i in 1..CELLS {
         let [before, here, after] = [i - 1, i, i + 1].map(|place| values[place as usize]);
         if here < before || here < after || here < 0.99 * best {
             continue;
@@ -88,4 +94,67 @@ fn a_resonance_below_the_band() {
     let (system, _, found) = optimum(text, "a", [1.3, 3.0]);
     let thresholds = system.resonance_thresholds();
     assert_eq!(Some(found.unbounded_to), thresholds[1]);
+}
+
+/// At both ends of a tolerance the largest amplitude is as much above the best as it says.
+#[test]
+fn tolerances_end_at_their_excess() {
+    let text = "struct Absorber { masses: { a: 1.0, b: 0.1 },
+        springs: { base - a: 1.0, a - b: 0.085 }, contact: a - b, excitation: a }";
+    let band = [0.75, 1.25];
+    let (system, of, optimum) = optimum(text, "a", band);
+    let excesses: Vec<f64> = optimum.tolerances.iter().map(|one| one.excess).collect();
+    assert_eq!(excesses, [0.01, 0.05, 0.1]);
+    for tolerance in &optimum.tolerances {
+        let level = optimum.amplitude * (1.0 + tolerance.excess);
+        assert!(tolerance.from < optimum.beta && optimum.beta < tolerance.to);
+        for end in [tolerance.from, tolerance.to] {
+            // An end is known to 1e-8 of β, and the amplitude changes by a few times as much.
+            let there = largest_of::<200>(&system, of, band, end);
+            assert!((there / level - 1.0).abs() < 1e-6, "{tolerance:?}: {there}");
+        }
+    }
+}
+
+/// The derivative of the height of two equal peaks, which friction follows, is that of the optimum of another absorber.
+#[test]
+fn sensitivities_of_two_equal_peaks() {
+    let solved = |mass: f64| {
+        let text = format!(
+            "struct Absorber {{ masses: {{ a: 1.0, b: {mass:?} }},
+             springs: {{ base - a: 1.0, a - b: 0.085 }}, contact: a - b, excitation: a }}"
+        );
+        let system: System = text.parse().expect("a valid scene");
+        let request = OptimumRequest {
+            of: Of::Mass(0),
+            band: FrequencyBand::Ratio(0.75, 1.25),
+            load: Some(Load::Force(2.0)),
+        };
+        system.optimum(&request).expect("an optimum")
+    };
+    let (mass, step) = (0.1, 1e-5);
+    let (here, heavier) = (solved(mass), solved(mass * (1.0 + step)));
+    assert_eq!(here.kind, OptimumKind::EqualPeaks);
+    let expected = (heavier.amplitude / here.amplitude).ln() / step;
+    let parameter = Parameter::Quantity(Quantity::Mass(1));
+    let mut all = here.sensitivities.iter();
+    let found = all.find(|(of, _)| *of == parameter);
+    let (_, found) = found.expect("a derivative");
+    // The step times a bend of some ten.
+    assert!((found - expected).abs() < 1e-4, "{found} for {expected}");
+}
+
+/// With μ > 1 the stuck state begins below the end of the closed form: it is that which a mass on a moving base sticks from.
+#[test]
+fn nothing_sticks_below_the_lower_limit() {
+    let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
+        contact: block - base, excitation: base, stiction: 2 }";
+    let (_, _, found) = optimum(text, "block", [1.1, 1.5]);
+    // β*_lim = r²/μ.
+    let expected = 1.1 * 1.1 / 2.0;
+    assert!(
+        (found.free_of_sticking - expected).abs() < 1e-12,
+        "{} for {expected}",
+        found.free_of_sticking
+    );
 }

@@ -120,11 +120,11 @@ impl Measured {
         let masses = masses.map(|(place, channel)| Ok((*place, tone(channel, &kept(channel))?)));
         let masses = masses.collect::<Result<Vec<_>, MeasureError>>()?;
         let seconds = driven.len() as f64 / rate;
-        // Two halves, each with √2 of the deviation of a phase, half the time apart.
+        // Two halves, each with √2 of the deviation of a phase, half the time apart: 2·phase over 2π·T/2.
         let phase = drive_tone.deviation / drive_tone.fundamental().norm();
         Ok(Self {
             hertz: per_sample * rate,
-            hertz_deviation: 2.0 * phase / (std::f64::consts::PI * 0.5 * seconds),
+            hertz_deviation: phase / (std::f64::consts::PI * 0.5 * seconds),
             rate,
             steady: (from as f64 / rate, recording.len() as f64 / rate),
             drive: drive_tone,

@@ -71,21 +71,24 @@ fn subharmonics() {
          excitation: block, stiction: 2 }",
     );
     let response = system.at(0.352).unwrap().response(0.1563).unwrap();
-    let exact = response.spectrum(Of::Mass(0), 30).unwrap();
-    assert_eq!(exact.lines.len(), 91);
-    let history = response.history(&[Of::Mass(0)], 400).unwrap();
-    let found = history.spectrum(Of::Mass(0)).unwrap();
-    let (mut worst, mut between) = (0.0_f64, 0);
-    for (exact, found) in exact.lines.iter().zip(&found.lines) {
-        assert_eq!(exact.order, found.order);
-        worst = worst.max((exact.component - found.component).norm());
-        between += usize::from(exact.order.fract() != 0.0 && exact.amplitude() > 1e-3);
+    let motions = [Of::Mass(0), Of::Contact];
+    let history = response.history(&motions, 400).unwrap();
+    for of in motions {
+        let exact = response.spectrum(of, 30).unwrap();
+        assert_eq!(exact.lines.len(), 91);
+        let found = history.spectrum(of).unwrap();
+        let (mut worst, mut between) = (0.0_f64, 0);
+        for (exact, found) in exact.lines.iter().zip(&found.lines) {
+            assert_eq!(exact.order, found.order);
+            worst = worst.max((exact.component - found.component).norm());
+            between += usize::from(exact.order.fract() != 0.0 && exact.amplitude() > 1e-3);
+        }
+        println!(
+            "{of:?}: {} lines to {worst:.1e}, {between} between the harmonics above 1e-3",
+            exact.lines.len()
+        );
+        assert!(worst < 1e-6 && between > 3, "{of:?}");
     }
-    println!(
-        "{} lines to {worst:.1e}, {between} between the harmonics above 1e-3",
-        exact.lines.len()
-    );
-    assert!(worst < 1e-6 && between > 3);
 }
 
 /// The mean square is that of the spectrum (Parseval).

@@ -1,7 +1,7 @@
 //! CSV and UFF58, there and back.
 
 use crate::made::Noise;
-use frictiongen::measure::{Channel, Column, CsvRequest, Recording, Unit};
+use frictiongen::measure::{Channel, Column, CsvRequest, MeasureError, Recording, Unit};
 
 fn some() -> Recording {
     let mut noise = Noise::new(9);
@@ -176,4 +176,34 @@ fn a_rate_of_times() {
         let error = Recording::rate_of(&wrong).unwrap_err().to_string();
         assert!(error.contains(told), "{wrong:?}: {error}");
     }
+}
+
+/// A clock that slows by 2 % after 30 samples: each step lies within 1 % of the first or of the mean, and the mean does not.
+#[test]
+fn a_clock_that_slows() {
+    let times = |steps: &dyn Fn(u32) -> f64| -> Vec<f64> {
+        let steps = (0..330).scan(0.0, |time, index| {
+            *time += steps(index);
+            Some(*time)
+        });
+        std::iter::once(0.0).chain(steps).collect()
+    };
+    let slows = times(&|index| if index < 30 { 0.01 } else { 0.0102 });
+    let error = Recording::rate_of(&slows).unwrap_err();
+    let MeasureError::MixedRates {
+        place,
+        before,
+        after,
+    } = &error
+    else {
+        panic!("{error}");
+    };
+    assert_eq!(place, "its end");
+    // Sums of 330 steps are rounded at 3.
+    let mean = (30.0 * 0.01 + 300.0 * 0.0102) / 330.0;
+    assert!((before - 0.01).abs() < 1e-12 && (after - mean).abs() < 1e-12);
+    // A first step that alone is too long is one of a clock that rounds.
+    let rounds = times(&|index| if index == 0 { 0.0102 } else { 0.01 });
+    let rate = Recording::rate_of(&rounds).unwrap();
+    assert!((rate - 330.0 / (0.0102 + 329.0 * 0.01)).abs() < 1e-9);
 }

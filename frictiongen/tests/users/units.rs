@@ -1,7 +1,7 @@
 //! Physical units: hand calculations, refusals, and the same answers in any order of masses and springs.
 
 use frictiongen::System;
-use frictiongen::study::units::{angular_frequency, hertz};
+use frictiongen::study::units::{angular_frequency, hertz, reversed_phase};
 use frictiongen::study::{Load, LoadError, StudyError};
 use std::f64::consts::{PI, TAU};
 
@@ -210,4 +210,12 @@ fn a_contact_turned_round() {
     }
     println!("{compared} states, {stops} with stops");
     assert!(compared > 90 && stops > 20);
+}
+
+/// A phase and that of the motion with the opposite sign lie half a turn apart, both in (−π, π]: of 0 it is π.
+#[test]
+fn a_reversed_phase_stays_in_its_turn() {
+    for (lag, expected) in [(0.0, PI), (PI, 0.0), (0.5, 0.5 - PI), (-0.5, PI - 0.5)] {
+        assert_eq!(reversed_phase(lag), expected, "{lag}");
+    }
 }

@@ -34,12 +34,41 @@ fn points_are_responses() {
                         point.amplitudes[1], amplitude,
                         "{name}, r = {r}, β = {beta}"
                     );
+                    let centred = |of: &Of| response.centred_amplitude(*of).unwrap();
+                    let centred: Vec<f64> = request().of.iter().map(centred).collect();
+                    assert_eq!(point.centred, centred, "{name}, r = {r}, β = {beta}");
+                    assert_eq!(
+                        (point.offset, point.pattern.period == 0),
+                        (response.offset(), !response.is_settled()),
+                        "{name}, r = {r}, β = {beta}"
+                    );
                 }
                 (Err(one), Err(other)) => assert_eq!(*one, other),
                 (one, other) => panic!("{name}, r = {r}, β = {beta}: {one:?}, {other:?}"),
             }
         }
     }
+}
+
+/// A motion that does not settle has no period.
+#[test]
+fn what_does_not_settle() {
+    let system = system(
+        "struct S { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - base, excitation: base, stiction: 3 }",
+    );
+    let request = MapRequest {
+        r: vec![1.0 / 3.0],
+        beta: vec![0.01395],
+        of: vec![Of::Mass(0)],
+    };
+    let map = system.map(&request, |_| true).unwrap();
+    let point = map.columns[0].points[0].as_ref().unwrap();
+    let pattern = point.pattern;
+    assert_eq!(pattern.regime, Regime::StickSlip);
+    assert_eq!(
+        (pattern.stops, pattern.reversals, pattern.period),
+        (0, 0, 0)
+    );
 }
 
 /// On both sides of a traced boundary the contact does what it says; the limits of the regimes are exact.

@@ -74,6 +74,20 @@ fn friction_takes_out_what_the_load_puts_in() {
     );
 }
 
+/// The work of a motion that repeats after three cycles is that of one of them.
+#[test]
+fn friction_takes_out_as_much_of_each_of_three_cycles() {
+    let system = system(
+        "struct S { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - wall, excitation: a, stiction: 2 }",
+    );
+    let response = system.at(0.352).unwrap().response(0.1563).unwrap();
+    assert_eq!(response.period(), 3);
+    let (taken, given) = (response.friction_work(), input_work(&system, &response));
+    // As above: a harmonic by quadrature.
+    assert!((taken - given).abs() < 1e-10, "{taken} of {given}");
+    assert!(given > 0.1, "{given}");
+}
+
 /// Velocities and accelerations are those of the displacements at 4000 instants of a period: differences over a step h are
 /// within h² of the derivatives, but not across a jump of an acceleration, which is left out.
 #[test]

@@ -160,3 +160,25 @@ fn one_state_however_it_is_reached() {
     }
     assert!(compared > 300, "{compared}");
 }
+
+/// With less friction than the resonance needs the amplitude has a pole there.  A sweep goes up to it on one side and on from
+/// the other, whatever its direction.
+#[test]
+fn a_sweep_across_a_pole() {
+    let system: System = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
+        contact: block - wall, excitation: block }"
+        .parse()
+        .expect("a scene");
+    for start in [CurveStart::Up, CurveStart::Down] {
+        let curve = swept(&system, (0.95, 1.05), 0.3, start);
+        let told = told(&curve);
+        let [below, above] = curve.pieces.as_slice() else {
+            panic!("{start:?}:\n{told}");
+        };
+        assert_eq!((below.end, above.start), (End::Pole, End::Pole), "{told}");
+        let sides = [&below.points[below.points.len() - 1], &above.points[0]];
+        for (side, expected) in sides.into_iter().zip([1.0 - 1e-5, 1.0 + 1e-5]) {
+            assert!((side.r - expected).abs() < 1e-15, "{start:?}:\n{told}");
+        }
+    }
+}

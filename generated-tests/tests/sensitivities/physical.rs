@@ -216,3 +216,56 @@ fn in_physical_units() {
     );
     assert_eq!((compared, invariant), (486, 1071));
 }
+
+/// A contact that a moving base holds where it was at rest: the masses beside it are held off their places too.
+#[test]
+fn stuck_off_its_centre() {
+    let text = "struct A { masses: { a: 1.0, b: 2.0 }, springs: { base - a: 100.0, a - b: 50.0 }, contact: b - base,
+        excitation: base, damping: modal(0.02) }";
+    let system: System = text.parse().expect("a valid scene");
+    let load = Load::Base(0.003);
+    let (hertz, friction) = (1.5, 30.0);
+    let size = |system: &System| {
+        let scale = system.load_scale(load).expect("a load");
+        let at = system
+            .at(system.frequency_ratio_at_hertz(hertz))
+            .expect("in the domain");
+        let response = at.response(scale.friction_ratio(friction)).expect("stuck");
+        assert_eq!(
+            (response.regime(), response.offset()),
+            (Regime::Stuck, -1.0)
+        );
+        scale.displacement(response.swing(Of::Mass(0)).expect("a mass").amplitude)
+    };
+    let point = OperatingPoint::Physical {
+        hertz,
+        friction,
+        load,
+    };
+    let all = system.response_sensitivities(point, Of::Mass(0));
+    let all = all.expect("derivatives").parameters;
+    let here = size(&system);
+    for quantity in [
+        Quantity::Mass(0),
+        Quantity::Stiffness(0),
+        Quantity::Stiffness(1),
+    ] {
+        let of = Parameter::Quantity(quantity);
+        let found = all.iter().find(|found| found.parameter == of);
+        let found = found.expect("a derivative");
+        assert!((found.amplitude.value / here - 1.0).abs() < 1e-13);
+        // A power of two, so that it is added without a rounding.
+        let by = found.value / 8192.0;
+        let [up, down] = [by, -by].map(|by| {
+            size(&System::<f64>::try_from(moved(system.scene(), quantity, by)).expect("valid"))
+        });
+        let expected = (up - down) / (2.0 * by);
+        // The square of the step, with room for a bend.
+        let scale = here / found.value;
+        assert!(
+            (found.amplitude.derivative - expected).abs() < 1e-6 * scale,
+            "{quantity:?}: {:?} for {expected}",
+            found.amplitude
+        );
+    }
+}

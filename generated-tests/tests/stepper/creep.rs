@@ -96,6 +96,31 @@ fn none() {
     all(1_000_000);
 }
 
+/// A base that goes there and back within one step: the force that the wall's spring asks of the contact is largest in the
+/// middle, and the same at both ends.  Friction that is less slips, friction that is more does not.
+#[test]
+fn the_force_within_a_step_counts() {
+    let scene = scene(
+        "struct Between { masses: { m: 1 }, springs: { base - m: 10, m - wall: 100 }, contact: m - base,
+         excitation: base }",
+    );
+    let (dt, y, v) = (0.05, 1.0, 1.0);
+    // The cubic is y + vt(1 − t/dt), and the mass goes with it: mÿ + ky.
+    let middle = -2.0 * v / dt + 100.0 * (y + 0.25 * v * dt);
+    for (share, slips) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
+        let mut rig = rig::<f64>(&scene, LINEAR, dt);
+        let load = |base: [f64; 2], friction: f64| Load {
+            base,
+            forces: vec![0.0],
+            friction,
+        };
+        begin(&mut rig, &load([0.0; 2], 1e5));
+        assert_eq!(advance(&mut rig, &load([y, v], 1e5)).events, 0);
+        let stepped = advance(&mut rig, &load([y, -v], share * middle));
+        assert_eq!(stepped.events > 0, slips, "{share}: {stepped:?}");
+    }
+}
+
 #[test]
 #[ignore = "minutes"]
 fn none_in_a_hundred_million_steps() {

@@ -19,3 +19,4 @@ mod rig;
 mod scenes;
 mod start;
 mod steady;
+mod terms;
