@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [from, to] = frame.band;
         let path = format!("{directory}/{masses}-{index}.friction");
         std::fs::write(&path, &frame.text)?;
-        // What a curve is asked for: the middle sliding limit is a friction at which every regime turns up.
+        // The curve takes 0.3 of the middle sliding limit: every regime occurs there.
         let mut limits: Vec<f64> = (0..=90)
             .filter_map(|i| {
                 frame

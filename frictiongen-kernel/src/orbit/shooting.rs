@@ -12,7 +12,7 @@ use crate::number::scalar::Float;
 
 /// Upper bound on the cycles followed from rest or from a given state before the search gives up.
 pub const MAX_CYCLES: u32 = 1024;
-/// The same bound for starts that are near a steady state, or lead to none.
+/// Upper bound on the cycles followed from a start that may be near a steady state: the stuck state, a closed form, a neighbour.
 const MAX_CYCLES_NEAR: u32 = 128;
 /// Upper bound on the steps of all walks of one search.  Half of the steady states of random scenes take a thousand
 /// steps, and none has taken half of this bound.  Modes a thousand times as fast as the excitation would need as many in

@@ -36,7 +36,7 @@ pub(super) struct Fit {
     /// The largest singular value of the Jacobian over the smallest of a determined direction, with each parameter measured by
     /// its own size.
     pub(super) condition: f64,
-    /// What relative changes of the parameters are parts of.
+    /// The scale of each parameter.
     sizes: Vec<f64>,
     /// Directions in the parameters' relative changes, each with its singular value, 0 where the data do not determine it.
     directions: Vec<(DVector<f64>, f64)>,
@@ -78,8 +78,8 @@ impl Fit {
     }
 }
 
-/// What relative changes of the parameters are parts of: of the value, and where that is smaller than what moves the residuals by
-/// a deviation, of this.
+/// The scale of each parameter, by which its changes are divided: its value, or the change that moves the residuals by one
+/// deviation if that is larger.  A parameter that tends to zero has no scale of its own.
 fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
     let columns = jacobian.column_iter();
     let sizes = parameters.iter().zip(columns).map(|(value, column)| {

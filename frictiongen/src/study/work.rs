@@ -7,11 +7,11 @@ use super::system::System;
 use crate::study::Damping;
 use crate::{Error, NoOrbit};
 
-/// A motion from rest that was followed to the end without settling: so much for each mass and for two more.
+/// Work of a motion from rest that was followed to its last cycle without settling, for each mass; two more are added.
 const UNSETTLED: usize = 400;
-/// The same where another steady state was found instead.
+/// Work of a point whose motion from rest did not settle and for which another steady state answers.
 const ANOTHER: usize = 1000;
-/// Every cycle takes as much again for each ten vibrations of the fastest mode.
+/// A cycle takes twice the work if the fastest mode vibrates this many times in it.
 const VIBRATIONS: f64 = 10.0;
 /// A motion that settled: for each mass where damping helps, and for each pair of modes where only the contact does.
 const DAMPED: usize = 8;

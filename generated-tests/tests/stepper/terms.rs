@@ -1,4 +1,4 @@
-//! How many terms a power series has, against the remainder that its own terms bound.
+//! The number of terms of a power series: the terms themselves bound the remainder that is left out.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::stepper::series_terms;

@@ -22,7 +22,7 @@ pub(super) struct Place {
     pub r: f64,
     /// Why the curve is cut between here and the next place, if it is.
     pub cut: Option<End>,
-    /// Whether the curve can do without it where motions take long to settle: a sub-harmonic of a resonance, beside no cut.
+    /// True for a sub-harmonic of a resonance that lies beside no cut.  A curve leaves it out when the work runs short.
     pub spare: bool,
 }
 

@@ -27,7 +27,7 @@ pub(super) const NARROW_PATTERN: f64 = 1e-4;
 const NARROW_GAP: f64 = 1e-7;
 /// Below this share of the largest amplitude of the first grid a bend is not followed.
 const SMALL: f64 = 1e-3;
-/// So many spare places are answered at a time.
+/// Number of spare places that are answered between two checks of the work.
 const AT_ONCE: usize = 16;
 /// A motion below this share of another is none.
 const ROUNDING: f64 = 1e-6;
@@ -61,7 +61,7 @@ pub(super) struct Refine<'a> {
     pub straight: Straight,
 }
 
-/// Whether the offset of a stuck contact is a matter of every slip before.
+/// True if the offset of a stuck contact depends on every earlier slip: with μ > 1 or without damping.
 fn offsets_jump(system: &System) -> bool {
     let scene = system.scene();
     1.0 < scene.stiction || scene.damping == Damping::None

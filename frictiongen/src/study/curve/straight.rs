@@ -12,7 +12,7 @@ pub(super) struct Straight {
     pub accuracy: f64,
     /// The amplitudes that count, for each motion.
     pub scales: Vec<f64>,
-    /// Whether the offset of a stuck contact jumps by a slip from place to place, as it does with μ > 1 and without damping:
+    /// True if the offset of a stuck contact jumps by a slip from place to place, which happens with μ > 1 or without damping:
     /// no point more would mend that, and the centred amplitude counts.
     pub offsets_jump: bool,
 }

@@ -73,7 +73,8 @@ impl System {
         self.optimum_within(request, WORK)
     }
 
-    /// The same with a bound on the work, in units of some 10 µs: a smaller one ends sooner with [`OptimumEnd::WorkSpent`].
+    /// Searches as [`optimum`](Self::optimum) does, with another bound on the work, in units of some 10 µs.  A search that meets the
+    /// bound ends with [`OptimumEnd::WorkSpent`].
     ///
     /// # Errors
     /// Same errors as [`optimum`](Self::optimum).
