@@ -1,7 +1,7 @@
 //! What each stable form costs against the printed one, and where that breaks.
 //!
 //! `cargo bench -p generated-tests --bench stable_forms`; with `UPDATE_ACCURACY=1` the figures go to
-//! `tests/budgets/costs.csv`, from which `docs/accuracy.md` is made.
+//! `tests/tables/budgets/costs.csv`, from which `docs/accuracy.md` is made.
 
 use frictiongen_kernel::number::complex::{self, Complex};
 use frictiongen_kernel::number::dd::Dd;

@@ -1,6 +1,6 @@
 //! Writes random frames as files, for `scripts/answer-times`.
 
-#[path = "../tests/answers/frames.rs"]
+#[path = "../tests/study/answers/frames.rs"]
 #[allow(dead_code, reason = "the tests use all of it")]
 mod frames;
 

@@ -2,12 +2,12 @@
 //! write instead, through each door.
 //!
 //! A case is a file in `messages/`: its cause in a sentence, a faulty description, what is told of
-//! it, and the description cured.  From the cases come `messages/rust/*.rs`, which the compiler
-//! reads, and `docs/messages.md`.  After a change:
+//! it, and the description cured.  From the cases come `../refused/tests/messages/*.rs`, which the
+//! compiler reads, and `docs/messages.md`.  After a change:
 //!
 //! ```sh
 //! UPDATE_DOCS=1 cargo test -p generated-tests --test messages
-//! TRYBUILD=overwrite cargo test -p generated-tests --test messages
+//! TRYBUILD=overwrite cargo test -p refused-scenes
 //! ```
 
 #[path = "messages/harness/case.rs"]
@@ -164,12 +164,10 @@ fn frame() -> Scene {
     }
 }
 
-/// The same by the compiler, each on its token.
+/// The files that `refused-scenes` gives to the compiler hold these cases.
 #[test]
 fn of_a_macro() {
-    let cases = cases();
-    rust::write_or_check(&cases);
-    trybuild::TestCases::new().compile_fail("tests/messages/rust/*.rs");
+    rust::write_or_check(&cases());
 }
 
 /// What the compiler was seen to tell is what the cases say, place by place: the recorded output

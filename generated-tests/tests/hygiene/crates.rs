@@ -6,11 +6,14 @@ use std::process::Command;
 /// Editions in which users may write.
 const EDITIONS: [&str; 3] = ["2018", "2021", "2024"];
 
-/// A crate without the standard library, with the facade renamed and every item documented,
-/// compiles and runs in each edition.
+/// Crates that compile and run in one workspace, so that what they depend on is built once.
+///
+/// For each edition, one without the standard library, with the facade renamed and every item documented.  And one with
+/// constants, statics, unit structs and types with the names of what is emitted, a scene with the name of a type that
+/// emitted code uses, `#[deprecated]`, and masses with capitals.
 #[test]
-fn every_edition() {
-    let members: Vec<_> = EDITIONS
+fn every_edition_and_names_that_clash() {
+    let mut members: Vec<_> = EDITIONS
         .iter()
         .map(|edition| Member {
             name: format!("edition-{edition}"),
@@ -18,19 +21,12 @@ fn every_edition() {
             source: "edition.rs",
         })
         .collect();
-    check("editions", &members);
-}
-
-/// Constants, statics, unit structs and types with the names of what is emitted, a scene with the
-/// name of a type that emitted code uses, `#[deprecated]`, masses with capitals.
-#[test]
-fn names_that_clash() {
-    let member = Member {
+    members.push(Member {
         name: "clashes".to_owned(),
         edition: "2024",
         source: "clashes.rs",
-    };
-    check("clashes", &[member]);
+    });
+    check("crates", &members);
 }
 
 /// A crate with one of the sources beside this file.

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/messages/rust")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("refused/tests/messages")
 }
 
 /// A Rust file, its text, and the cases in it with their lines.
@@ -18,7 +18,7 @@ fn files(cases: &[Case]) -> Vec<RustFile<'_>> {
     let parts = groups(cases).flat_map(|(group, cases)| group.of_files(&cases));
     for (file, cases) in parts {
         let mut text = String::from(
-            "// From the cases in `..`; see `../../messages.rs`.\n#![allow(uncommon_codepoints)]\n",
+            "// From the cases in generated-tests/tests/messages; see generated-tests/tests/messages.rs.\n#![allow(uncommon_codepoints)]\n",
         );
         let mut calls = Vec::new();
         for case in cases {

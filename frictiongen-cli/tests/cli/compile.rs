@@ -1,0 +1,423 @@
+//! `frictiongen compile`.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may fail")]
+
+use crate::common::{BLOCK, FRAME, failure, json, output, run_with};
+use std::path::PathBuf;
+use std::{fs, process};
+
+fn temporary(name: &str) -> PathBuf {
+    std::env::temp_dir().join(format!("frictiongen-cli-{}-{name}", process::id()))
+}
+
+#[test]
+fn the_figures() {
+    let text = output(
+        "",
+        &["compile", FRAME, "--accuracy", "1e-4", "--r", "0.2:2.5"],
+    );
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines[0], "scene           Frame");
+    assert_eq!(lines[1], "range           r from 0.2 to 2.5");
+    assert_eq!(lines[2], "accuracy        1e-4");
+    assert!(
+        lines[3].starts_with("table           beta_lim, a, g, arg V and |V|: "),
+        "{text}"
+    );
+    assert!(
+        lines[5].starts_with("largest error   ") && lines[5].contains("checked at"),
+        "{text}"
+    );
+    assert!(!text.contains("proven"));
+    let safe = output(
+        "",
+        &[
+            "compile",
+            FRAME,
+            "--accuracy",
+            "1e-4",
+            "--r",
+            "0.2:2.5",
+            "--safe",
+        ],
+    );
+    assert!(
+        safe.contains("accuracy        1e-4, never above\n"),
+        "{safe}"
+    );
+}
+
+/// Which regimes the declared friction ratios reach.
+#[test]
+fn regimes() {
+    let with = |beta: &str| {
+        let fields = "excitation: block, damping: modal(0.05), accuracy: 1e-3,";
+        let range = format!("{fields} range: {{ r: 0.7..1.3{beta} }}");
+        output(&BLOCK.replace("excitation: block,", &range), &["compile"])
+    };
+    let told = |text: &str| {
+        let line = text.lines().find(|line| line.starts_with("regimes"));
+        line.map(|line| {
+            line.split_whitespace()
+                .skip(1)
+                .collect::<Vec<_>>()
+                .join(" ")
+        })
+    };
+    assert_eq!(told(&with("")), None);
+    let slides = Some("continuous at every r, for every beta up to 0.3".to_owned());
+    assert_eq!(told(&with(", beta: 0..0.3")), slides);
+    let moves = Some("continuous or stick-slip at every r, for every beta up to 0.9".to_owned());
+    assert_eq!(told(&with(", beta: 0..0.9")), moves);
+    assert_eq!(told(&with(", beta: 0..3")), None);
+    // With μ = 2 a stuck state may exist below β_lim.
+    let with = |beta: &str| {
+        let fields = "excitation: block, damping: modal(0.05), stiction: 2, accuracy: 1e-3,";
+        let range = format!("{fields} range: {{ r: 0.9..1.1, beta: 0..{beta} }}");
+        output(&BLOCK.replace("excitation: block,", &range), &["compile"])
+    };
+    let both = Some("continuous or bistable at every r, for every beta up to 0.52".to_owned());
+    assert_eq!(told(&with("0.52")), both);
+    let slides = Some("continuous at every r, for every beta up to 0.4".to_owned());
+    assert_eq!(told(&with("0.4")), slides);
+}
+
+/// What the description declares holds where no option says otherwise.
+#[test]
+fn a_description_that_declares() {
+    let declared = BLOCK.replace(
+        "excitation: block,",
+        "excitation: block, accuracy: 1e-2, range: { r: 0.5..2 }",
+    );
+    let text = output(&declared, &["compile"]);
+    assert!(
+        text.contains("r from 0.5 to 2\naccuracy        1e-2\n"),
+        "{text}"
+    );
+    let text = output(&declared, &["compile", "--accuracy", "1e-6"]);
+    assert!(
+        text.contains("r from 0.5 to 2\naccuracy        1e-6\n"),
+        "{text}"
+    );
+    // Of β_lim nothing is proven to 1e-9, whatever a macro is asked for.
+    let proven = declared.replace("0.5..2 }", "0.5..2 }, proof: whole");
+    let text = output(&proven, &["compile", "--accuracy", "1e-9"]);
+    assert!(
+        text.contains("beta_lim        Checked, not proven"),
+        "{text}"
+    );
+    let text = output(&declared, &["compile", "--budget", "2000"]);
+    let bytes = text
+        .lines()
+        .find_map(|line| line.strip_prefix("bytes           "))
+        .unwrap();
+    assert!(bytes.parse::<usize>().unwrap() <= 2000, "{text}");
+}
+
+#[test]
+fn the_data() {
+    let text = output(
+        "",
+        &[
+            "compile",
+            FRAME,
+            "--accuracy",
+            "1e-3",
+            "--r",
+            "0.2:2.5",
+            "--format",
+            "json",
+        ],
+    );
+    let data = json(&text);
+    assert_eq!(data["version"], 1);
+    assert_eq!(
+        data["functions"],
+        serde_json::json!(["beta_lim", "a", "g", "arg_V", "abs_V"])
+    );
+    // A lookup by hand.
+    let r = 0.9;
+    let pieces = data["pieces"].as_array().unwrap();
+    let piece = pieces
+        .iter()
+        .rfind(|piece| piece["from"].as_f64().unwrap() <= r)
+        .unwrap();
+    let t = r - piece["origin"].as_f64().unwrap();
+    let of = piece["coefficients"][0].as_array().unwrap();
+    let limit = of
+        .iter()
+        .rev()
+        .fold(0.0, |sum, c| sum * t + c.as_f64().unwrap());
+    let exact = json(&output("", &["limits", FRAME, "--r", "0.9", "--json"]));
+    let exact = exact["points"][0]["continuous_limit"].as_f64().unwrap();
+    assert!((limit / exact - 1.0).abs() < 1e-3, "{limit} for {exact}");
+    // Two damped masses are proven whole.
+    let proof = &data["proof"];
+    assert_eq!(proof["evidence"], "proven", "{proof}");
+    assert_eq!(proof["open"], serde_json::json!([]));
+    let bound = proof["bound"]["value"].as_f64().unwrap();
+    let seen = data["largest_error"]["value"].as_f64().unwrap();
+    assert!(
+        0.5 * seen < bound && bound <= 1e-3,
+        "{bound:e}, seen {seen:e}"
+    );
+}
+
+const FIVE: &str = "struct Five {
+    masses: { a: 1, b: 1, c: 1, d: 1, e: 1 },
+    springs: { base - a: 1, a - b: 1, b - c: 1, c - d: 1, d - e: 1 },
+    contact: e - wall, excitation: a, damping: modal(0.02), provide: [limits, stuck],
+    budget: 2000, range: { r: 1.5..2.5 },
+}";
+
+/// Stuck responses are told and written where the description provides them; the force holds |V/H| = μβ*_lim.
+#[test]
+fn stuck_responses() {
+    let scene = fs::read_to_string(FRAME).unwrap();
+    let scene = scene.replace(
+        "stiction: 1.2,",
+        "stiction: 1.2, provide: [limits, stuck], accuracy: 1e-4, range: { r: 0.2..2.5 },",
+    );
+    let text = output(&scene, &["compile"]);
+    let told = text
+        .lines()
+        .find(|line| line.starts_with("stuck  "))
+        .unwrap();
+    assert!(
+        told.contains("not proven: largest error ") && told.ends_with(" bytes"),
+        "{told}"
+    );
+    let data = json(&output(&scene, &["compile", "--format", "json"]));
+    let stuck = &data["stuck"];
+    let worst = stuck["largest_error"]["value"].as_f64().unwrap();
+    assert!(worst < 1e-14 && stuck["checked_points"].as_u64() > Some(100));
+    assert_eq!(stuck["masses"]["upper"]["fixed"], 0.0);
+    assert!(stuck["masses"]["lower"]["damped"].is_object());
+    let force = &stuck["contact_force"]["damped"];
+    for r in [0.3, 0.9, 1.7] {
+        let size = |roots: &serde_json::Value| -> f64 {
+            let of = roots.as_array().unwrap().iter().map(|root| {
+                if let Some(rate) = root["real"][0].as_f64() {
+                    return rate.hypot(r);
+                }
+                let number = |at: usize| root["pair"][at].as_f64().unwrap();
+                let re = number(2) - (r - number(0) - number(1)) * (r + number(0));
+                re.hypot(number(3) * r)
+            });
+            of.product()
+        };
+        let gain = force["gain"].as_f64().unwrap().abs();
+        let limit = gain * size(&force["numerator"]) / size(&force["denominator"]) / 1.2;
+        let exact = json(&output(
+            "",
+            &["limits", FRAME, "--r", &r.to_string(), "--json"],
+        ));
+        let exact = exact["points"][0]["sliding_limit"].as_f64().unwrap();
+        assert!((limit / exact - 1.0).abs() < 1e-12, "{limit} for {exact}");
+    }
+    let code = output(&scene, &["compile", "--format", "rust"]);
+    for function in ["stuck_lower", "stuck_upper", "holding_force"] {
+        let declared = format!("pub fn {function}(r: f64) -> Result<(f64, f64), Error>");
+        assert!(code.contains(&declared), "{code}");
+    }
+    let code = output(&scene, &["compile", "--format", "c"]);
+    assert!(
+        code.contains("enum frame_status frame_stuck_lower(double r, double *re, double *im);")
+    );
+    // Where they take more than a quarter of the bytes, code without the library has none.
+    let told = failure(FIVE, &["compile", "--format", "c"]);
+    assert_eq!(
+        told,
+        [
+            "frictiongen: the stuck responses have no form of their own here: their zeros cannot be told apart, their roundings are more than half the accuracy, or they take more than a quarter of the bytes; leave `stuck` out of `provide`, or use the macro or the library"
+        ]
+    );
+    // Not asked for.
+    let without = json(&output(
+        "",
+        &[
+            "compile",
+            FRAME,
+            "--accuracy",
+            "1e-2",
+            "--r",
+            "0.5:2",
+            "--format",
+            "json",
+        ],
+    ));
+    assert!(without["stuck"].is_null());
+}
+
+#[test]
+fn code_in_files() {
+    let path = temporary("frame.c");
+    let shown = path.to_str().unwrap();
+    let arguments = [
+        "compile",
+        FRAME,
+        "--accuracy",
+        "1e-3",
+        "--r",
+        "0.2:2.5",
+        "--format",
+        "c",
+        "-o",
+        shown,
+    ];
+    assert_eq!(output("", &arguments), "");
+    let source = fs::read_to_string(&path).unwrap();
+    let header = path.with_extension("h");
+    let name = header.file_name().unwrap().to_str().unwrap().to_owned();
+    assert!(source.starts_with(&format!("#include \"{name}\"")));
+    let declared = fs::read_to_string(&header).unwrap();
+    fs::remove_file(&path).unwrap();
+    fs::remove_file(&header).unwrap();
+    let limits = "enum frame_status frame_limits(double r, double *continuous, double *sliding);";
+    assert!(declared.contains(limits), "{declared}");
+    let rust = output(
+        "",
+        &[
+            "compile",
+            FRAME,
+            "--accuracy",
+            "1e-3",
+            "--r",
+            "0.2:2.5",
+            "--format",
+            "rust",
+        ],
+    );
+    assert!(rust.contains("pub fn limits(r: f64) -> Result<(f64, f64), Error>"));
+    assert!(rust.contains("pub fn contact(r: f64, beta: f64)"));
+}
+
+/// A name for the functions of C, for programs with two tables of one scene.
+#[test]
+fn a_name() {
+    let declared = BLOCK.replace(
+        "excitation: block,",
+        "excitation: block, accuracy: 1e-2, range: { r: 0.5..2 }",
+    );
+    let of = |arguments: &[&str]| output(&declared, &[&["compile"], arguments].concat());
+    let code = of(&["--format", "c", "--name", "fine"]);
+    for text in ["fine_limits(", "fine_contact(", "FINE_OK", "FINE_TABLES_H"] {
+        assert!(code.contains(text), "{code}");
+    }
+    assert!(!code.contains("block_limits"), "{code}");
+    assert!(of(&["--format", "c"]).contains("block_limits("));
+    let told = |arguments: &[&str]| failure(&declared, &[&["compile"], arguments].concat());
+    for (arguments, message) in [
+        (
+            &["--name", "fine"][..],
+            "--name is what names in C begin with",
+        ),
+        (
+            &["--name", "fine", "--format", "rust"],
+            "--name is what names in C begin with",
+        ),
+        (
+            &["--name", "2nd", "--format", "c"],
+            "--name is `2nd`, with which no name in C begins",
+        ),
+        (
+            &["--name", "", "--format", "c"],
+            "--name is ``, with which no name in C begins",
+        ),
+        (
+            &["--name", "zähler", "--format", "c"],
+            "--name is `zähler`, with which no name in C begins",
+        ),
+    ] {
+        let lines = told(arguments);
+        assert_eq!(lines.len(), 1, "{lines:?}");
+        assert!(lines[0].contains(message), "{lines:?}");
+    }
+}
+
+/// `compile` lists on standard error what `provide` asks for and no table holds.
+#[test]
+fn what_is_left_out() {
+    let with = |provide: &str| {
+        let fields = format!("excitation: block, provide: [{provide}],");
+        BLOCK.replace("excitation: block,", &fields)
+    };
+    let told = |provide: &str, format: &[&str]| {
+        let options = ["compile", "--accuracy", "1e-2", "--r", "0.5:2"];
+        let run = run_with(with(provide), &[&options[..], format].concat());
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        run.err
+    };
+    for format in ["c", "rust", "json"] {
+        let format = ["--format", format];
+        assert_eq!(told("limits, motion, stuck", &format), "");
+        let err = told("limits, motion(block), orbit, simulation, stepper", &format);
+        let left_out = "frictiongen: `compile` leaves out motion(block), orbit, simulation, stepper of `provide`: it writes limits, the contact's motion and stuck responses; use the macro or the library for the rest\n";
+        assert_eq!(err, left_out);
+        assert!(told("limits, stepper", &format).contains("leaves out stepper of"));
+    }
+    assert_eq!(told("limits, stepper", &[]), "");
+}
+
+#[test]
+fn what_is_wrong() {
+    let told = |arguments: &[&str]| failure(BLOCK, &[&["compile"], arguments].concat());
+    for (arguments, message) in [
+        (
+            &["--accuracy", "1e-4"][..],
+            "what is declared holds over a range",
+        ),
+        (&["--r", "0.2:2"], "`range` belongs to an accuracy"),
+        (&[], "how exact the tables are to be is not said"),
+        (
+            &["--accuracy", "good", "--r", "0.2:2"],
+            "--accuracy has `good`, which is no number",
+        ),
+        (
+            &["--accuracy", "0", "--r", "0.2:2"],
+            "an accuracy is a relative error from 1e-12 to 0.1, not 0.0",
+        ),
+        (
+            &["--accuracy", "1e-20", "--r", "0.2:2"],
+            "an accuracy is a relative error from 1e-12 to 0.1, not 1e-20",
+        ),
+        (
+            &["--accuracy", "1", "--r", "0.2:2"],
+            "an accuracy is a relative error",
+        ),
+        (
+            &["--accuracy", "1e-3", "--r", "2:0.2"],
+            "frequency ratios range over 0 < a < b",
+        ),
+        (
+            &["--accuracy", "1e-3", "--r", "0:2"],
+            "frequency ratios range over 0 < a < b",
+        ),
+        (
+            &["--accuracy", "1e-3", "--r", "0.2:inf"],
+            "frequency ratios range over 0 < a < b",
+        ),
+        (
+            &["--accuracy", "1e-3", "--r", "0.2:0.1:2"],
+            "which is no range a:b",
+        ),
+        (
+            &["--accuracy", "1e-3", "--r", "a:b"],
+            "--r has `a`, which is no number",
+        ),
+        (
+            &["--budget", "64", "--r", "0.2:2"],
+            "no table fits into 64 bytes",
+        ),
+        (
+            &["--budget", "0", "--r", "0.2:2"],
+            "a budget is a whole number of bytes",
+        ),
+    ] {
+        let lines = told(arguments);
+        assert_eq!(lines.len(), 1, "{lines:?}");
+        assert!(
+            lines[0].starts_with("frictiongen: ") && lines[0].contains(message),
+            "{lines:?}"
+        );
+    }
+}

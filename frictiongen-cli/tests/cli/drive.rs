@@ -1,0 +1,196 @@
+//! `frictiongen drive`.
+#![allow(clippy::unwrap_used, reason = "a test fails by it")]
+
+use crate::common::{FRAME, failure, output};
+use frictiongen::System;
+use frictiongen::study::SystemInput;
+use std::{fs, process};
+
+/// A recording of this test alone, and the command over it.
+fn recording(name: &str, text: &str) -> String {
+    let name = format!("frictiongen-drive-{}-{name}.csv", process::id());
+    let path = std::env::temp_dir().join(name);
+    fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+/// Two samples of the base's acceleration a hundredth apart, then rest.
+fn shaken() -> String {
+    let mut text = String::from("time_s,base_m_s2\n");
+    for sample in 0..200_u32 {
+        let time = 0.01 * f64::from(sample);
+        let acceleration = if sample < 60 {
+            3.0 * (9.0 * time).sin()
+        } else {
+            0.0
+        };
+        text += &format!("{time},{acceleration}\n");
+    }
+    text
+}
+
+#[test]
+fn gives_what_the_stepper_gives() {
+    let path = recording("same", &shaken());
+    let text = output("", &["drive", FRAME, &path, "--friction", "0.8", "--csv"]);
+    fs::remove_file(path).unwrap();
+    let mut lines = text.lines();
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let upper = names
+        .iter()
+        .position(|name| *name == "upper.displacement_m")
+        .unwrap();
+    let force = names
+        .iter()
+        .position(|name| *name == "contact.friction_N")
+        .unwrap();
+    let system: System = fs::read_to_string(FRAME).unwrap().parse().unwrap();
+    let mut step = system.stepper(0.01).unwrap();
+    let (mut place, mut velocity, mut last) = (0.0, 0.0, 0.0);
+    let mut largest = 0.0_f64;
+    for (sample, line) in lines.enumerate() {
+        let cells: Vec<&str> = line.split(',').collect();
+        if 0 < sample {
+            let time = 0.01 * f64::from(u32::try_from(sample).unwrap());
+            let now = if sample < 60 {
+                3.0 * (9.0 * time).sin()
+            } else {
+                0.0
+            };
+            // Twice the integral of a straight line.
+            place += 0.01 * velocity + 0.01 * 0.01 * (last / 3.0 + now / 6.0);
+            velocity += 0.01 * 0.5 * (last + now);
+            last = now;
+            step.advance(SystemInput::base(place, velocity).friction(0.8))
+                .unwrap();
+        }
+        let found: f64 = cells[upper].parse().unwrap();
+        let expected = step.mass("upper").unwrap().displacement();
+        // The integral's rounding, and that of a mean step of the times.
+        assert!(
+            (found - expected).abs() < 1e-12,
+            "{sample}: {found} {expected}"
+        );
+        let found: f64 = cells[force].parse().unwrap();
+        assert!((found - step.contact().force()).abs() < 1e-9, "{sample}");
+        largest = largest.max(expected.abs());
+    }
+    assert!(1e-3 < largest, "{largest}");
+}
+
+#[test]
+fn tells_work_and_writes_pictures() {
+    let path = recording("work", &shaken());
+    let text = output("", &["drive", FRAME, &path, "--friction", "0.8", "--json"]);
+    let answer: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let work = |name: &str| answer["work"][name].as_f64().unwrap();
+    let left = work("load_J") - work("friction_J") - work("damping_J") - work("stored_J");
+    assert!(left.abs() < 1e-12 * work("load_J"), "{left}");
+    assert!(0.0 < work("friction_J") && 0.0 < work("damping_J"));
+    let picture = format!("{path}.svg");
+    output(
+        "",
+        &["drive", FRAME, &path, "--friction", "0.8", "-o", &picture],
+    );
+    let drawn = fs::read_to_string(&picture).unwrap();
+    for file in [path, picture] {
+        fs::remove_file(file).unwrap();
+    }
+    assert!(drawn.contains("friction force (N)"), "{drawn}");
+    // The base moves as recorded, and each spring has its own stiffness.
+    let words = text_of(&drawn);
+    assert!(words.contains("y(t)") && !words.contains("cos"), "{words}");
+    assert!(words.contains("k1") && words.contains("k2"), "{words}");
+}
+
+/// The visible text of a picture.
+fn text_of(picture: &str) -> String {
+    let pieces = picture.split('<').filter_map(|tag| tag.split_once('>'));
+    pieces.map(|(_, text)| text).collect()
+}
+
+/// The recording of `drive` is any input: nothing says that it has one driving frequency.
+#[test]
+fn help_asks_for_no_driving_frequency() {
+    let help = output("", &["drive", "--help"]);
+    assert!(
+        help.contains("as CSV or UFF58") && !help.contains("driving frequency"),
+        "{help}"
+    );
+    let help = output("", &["identify", "--help"]);
+    assert!(
+        help.contains("A recording has one driving frequency"),
+        "{help}"
+    );
+}
+
+#[test]
+fn says_what_is_wrong_with_a_recording() {
+    for (name, text, friction, told) in [
+        (
+            "none",
+            "time_s,base_mm\n0,0\n0.01,1\n",
+            None,
+            "no friction force is given",
+        ),
+        (
+            "nan",
+            "time_s,base_mm\n0,0\n0.01,NaN\n",
+            Some("1"),
+            "line 3: `NaN` of `base_mm`",
+        ),
+        (
+            "newton",
+            "time_s,base_N\n0,0\n0.01,1\n",
+            Some("1"),
+            "the channel `base` cannot be in N",
+        ),
+        (
+            "slow",
+            "time_s,base_mm\n0,0\n1000,1\n",
+            Some("1"),
+            "too far for the fastest mode",
+        ),
+        (
+            "force",
+            "time_s,force_N\n0,0\n0.01,1\n",
+            Some("1"),
+            "`force` is nothing of this scene",
+        ),
+        ("one", "time_s,base_mm\n0,0\n", Some("1"), "too short"),
+        (
+            "minus",
+            "time_s,base_mm\n0,0\n0.01,1\n",
+            Some("-1"),
+            "not negative is needed",
+        ),
+        (
+            "twice",
+            "time_s,base_mm,friction_N\n0,0,1\n0.01,1,1\n",
+            Some("1"),
+            "the friction force is given as a number and as the channel `friction`",
+        ),
+        (
+            "uneven",
+            "time_s,base_mm\n0,0\n0.005,1\n0.02,0\n",
+            Some("1"),
+            "the time step changes from 0.005 s to 0.015 s at line 4",
+        ),
+        (
+            "below",
+            "time_s,base_mm,friction_N\n0,0,1\n0.01,1,-1\n",
+            None,
+            "sample 1 of the recording",
+        ),
+    ] {
+        let path = recording(name, text);
+        let mut command = vec!["drive", FRAME, &path];
+        if let Some(force) = friction {
+            command.extend(["--friction", force]);
+        }
+        let lines = failure("", &command);
+        fs::remove_file(&path).unwrap();
+        assert_eq!(lines.len(), 1, "{lines:?}");
+        assert!(lines[0].contains(told), "{name}: {lines:?}");
+    }
+}

@@ -1,0 +1,178 @@
+//! `frictiongen orbit`.
+
+use crate::common::{BLOCK, FRAME, cells, failure, json, output};
+
+#[test]
+fn table() {
+    let arguments = [
+        "orbit", FRAME, "--r", "0.3", "--beta", "0.1,3.0", "--mass", "lower",
+    ];
+    let text = output("", &arguments);
+    let table = text.split("\n\n").nth(2).unwrap();
+    let expected = "
+  r  beta  regime      state      symmetry      period  stops  reversals         stuck    multiplier        offset  motion      amplitude       centred         phase   fundamental
+                                              (cycles)                     (of period)     (largest)        (of Y)                 (of Y)        (of Y)         (rad)         (rad)
+---  ----  ----------  ---------  ----------  --------  -----  ---------  ------------  ------------  ------------  -------  ------------  ------------  ------------  ------------
+0.3   0.1  stick-slip  stable     symmetric          1      2          0      0.016053      0.727854             0  contact      1.330410      1.330410   -9.61382e-4      0.240597
+                                                                                                                    lower        1.231456      1.231456     -0.063372      0.148277
+0.3   3.0  stuck       marginal   symmetric          1      0          0      1.000000      1.000000             0  contact             0             0             0
+                                                                                                                    lower        0.494612      0.494612    4.77119e-3    4.77119e-3
+";
+    assert_eq!(format!("\n{table}"), expected);
+}
+
+#[test]
+fn stops_and_reversals_are_counted() {
+    let arguments = ["orbit", "--r", "0.2,0.3", "--beta", "0.005,0.4", "--csv"];
+    let text = output(BLOCK, &arguments);
+    let cells = cells(&text);
+    let value = |line: usize, name: &str| {
+        let place = cells[0].iter().position(|cell| *cell == name);
+        cells[line][place.unwrap()]
+    };
+    // r = 1/5, β = 0.005: no stop, though beyond β_lim.
+    assert_eq!((value(1, "stops"), value(1, "reversals")), ("0", "6"));
+    let amplitude: f64 = value(1, "block.amplitude").parse().unwrap();
+    assert!((amplitude - 0.993_884_883).abs() < 1e-9);
+    // r = 0.3, β = 0.4.
+    assert_eq!((value(4, "stops"), value(4, "reversals")), ("2", "0"));
+    let amplitude: f64 = value(4, "block.amplitude").parse().unwrap();
+    assert!((amplitude - 0.856_729_778_057_8).abs() < 1e-12);
+    assert_eq!(value(4, "symmetry"), "symmetric");
+}
+
+#[test]
+fn a_point_without_a_steady_state_says_why() {
+    let text = output(BLOCK, &["orbit", "--r", "1", "--beta", "0.4", "--csv"]);
+    let line = text.lines().nth(1).unwrap();
+    assert_eq!(line, "1.0,0.4,unbounded,unbounded,,,,,,,,,,,,,,,,,");
+    let text = output(BLOCK, &["orbit", "--r", "1", "--beta", "0.4", "--json"]);
+    let point = &json(&text)["points"][0];
+    assert_eq!(point["state"], "unbounded");
+    assert!(point["stops"].is_null() && point.get("contact").is_none());
+}
+
+#[test]
+fn json_has_everything() {
+    let arguments = [
+        "orbit",
+        "--r",
+        "0.3",
+        "--beta",
+        "0.4",
+        "--harmonics",
+        "3",
+        "--json",
+    ];
+    let json = json(&output(BLOCK, &arguments));
+    let point = &json["points"][0];
+    let stuck = point["stuck_fraction"].as_f64().unwrap();
+    let intervals = point["sticking_intervals"].as_array().unwrap();
+    let sum: f64 = intervals.iter().map(|pair| pair[1].as_f64().unwrap()).sum();
+    assert!((sum / std::f64::consts::TAU - stuck).abs() < 1e-15);
+    let largest = point["largest_multiplier"].as_f64().unwrap();
+    let multipliers = point["multipliers"].as_array().unwrap();
+    let moduli = multipliers
+        .iter()
+        .map(|pair| pair[0].as_f64().unwrap().hypot(pair[1].as_f64().unwrap()));
+    assert_eq!(moduli.fold(0.0, f64::max), largest);
+    let harmonics = point["masses"][0]["harmonics"].as_array().unwrap();
+    assert_eq!(harmonics.len(), 4);
+    // A symmetric motion has no mean and no even harmonics.
+    for even in [0, 2] {
+        assert!(harmonics[even]["amplitude"].as_f64().unwrap() < 1e-14);
+    }
+    assert!(harmonics[1]["amplitude"].as_f64().unwrap() > 0.8);
+}
+
+#[test]
+fn an_asymmetric_state_has_a_mean() {
+    let arguments = [
+        "orbit",
+        "--r",
+        "0.5",
+        "--beta",
+        "0.2",
+        "--harmonics",
+        "2",
+        "--csv",
+    ];
+    let text = output(BLOCK, &arguments);
+    let cells = cells(&text);
+    assert_eq!(cells[1][3..5], ["marginal", "asymmetric"]);
+    let place = cells[0]
+        .iter()
+        .position(|cell| *cell == "block.X2.amplitude");
+    let second: f64 = cells[1][place.unwrap()].parse().unwrap();
+    assert!(second > 0.1, "{text}");
+}
+
+#[test]
+fn r_must_be_positive_and_finite() {
+    for (grid, entry) in [("0", "0"), ("0.5,inf", "inf"), ("0:0.1:1", "0:0.1:1")] {
+        let lines = failure(BLOCK, &["orbit", "--r", grid, "--beta", "1"]);
+        assert_eq!(
+            lines,
+            [format!(
+                "frictiongen: --r `{entry}`: a motion in time needs a frequency ratio above 0 and below infinity; `limits` and `response` answer there too"
+            )]
+        );
+    }
+    let lines = failure(
+        BLOCK,
+        &["orbit", "--r", "1", "--beta", "1", "--mass", "brick"],
+    );
+    assert_eq!(lines.len(), 1, "{lines:?}");
+}
+
+const STUBBORN: &str = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
+    contact: block - base, excitation: base, stiction: 2 }";
+
+/// The closed form and the stuck block, one from rest and the other not; without --states one of them.
+#[test]
+fn states_beside_each_other() {
+    let asked = ["orbit", "--r", "1.1", "--beta", "0.65", "--json"];
+    let states = json(&output(STUBBORN, &[&asked[..], &["--states"]].concat()));
+    let points = states["points"].as_array().unwrap();
+    let of = |regime: &str| {
+        let found: Vec<_> = points
+            .iter()
+            .filter(|point| point["regime"] == regime)
+            .collect();
+        assert_eq!(found.len(), 1, "{regime}");
+        found[0]
+    };
+    assert_eq!(points.len(), 2);
+    let (sliding, stuck) = (of("continuous"), of("stuck"));
+    // Den Hartog's closed form.
+    let amplitude = sliding["contact"]["amplitude"].as_f64().unwrap();
+    assert!((amplitude - CLOSED_FORM).abs() < 1e-9, "{amplitude}");
+    assert_eq!(
+        sliding["contact"]["centred"],
+        sliding["contact"]["amplitude"]
+    );
+    assert_eq!(sliding["marginal"], false);
+    assert_eq!(stuck["marginal"], true);
+    let from_rest = points.iter().filter(|point| point["from_rest"] == true);
+    assert_eq!(from_rest.count(), 1);
+    let alone = json(&output(STUBBORN, &asked));
+    assert_eq!(alone["points"].as_array().unwrap().len(), 1);
+    assert_eq!(alone["points"][0], points[0]);
+}
+
+/// z̄₀² = V² − β²U² at r = 1.1, β = 0.65, with the load r²Y.
+const CLOSED_FORM: f64 = 4.038_387_375_443_518;
+
+/// A contact with the moving base starts at z̄ = −Y and sticks there: the block moves by 2Y at most, by Y about its middle.
+#[test]
+fn a_contact_stuck_off_its_centre() {
+    let point = &json(&output(
+        STUBBORN,
+        &["orbit", "--r", "0.2", "--beta", "5", "--json"],
+    ))["points"][0];
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    assert_eq!(point["regime"], "stuck");
+    assert!((number(&point["offset"]) + 1.0).abs() < 1e-12);
+    assert!((number(&point["masses"][0]["amplitude"]) - 2.0).abs() < 1e-12);
+    assert!((number(&point["masses"][0]["centred"]) - 1.0).abs() < 1e-12);
+}

@@ -1,0 +1,337 @@
+//! The page of `frictiongen report`: well-formed, with nothing executed from a name, and with the library's numbers.
+#![allow(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    reason = "a test may fail"
+)]
+
+use crate::common::{BLOCK, FRAME, failure, json, output};
+use frictiongen::System;
+use frictiongen::study::{FrequencyBand, OptimumRequest};
+use frictiongen::{Of, Regime};
+use serde_json::Value;
+
+/// Elements without an end.
+const VOID: [&str; 3] = ["meta", "br", "input"];
+
+/// A page, with its elements balanced, its attributes quoted and its data read.
+fn page(input: &str, arguments: &[&str]) -> (String, Value) {
+    let arguments = [&["report"], arguments].concat();
+    let page = output(input, &arguments);
+    let mut rest = page.strip_prefix("<!DOCTYPE html>").unwrap();
+    let mut open: Vec<String> = Vec::new();
+    let mut scripts = 0;
+    while let Some(at) = rest.find('<') {
+        assert!(
+            !rest[..at].contains('>'),
+            "a bracket in a text: {}",
+            &rest[..at]
+        );
+        rest = &rest[at + 1..];
+        let end = tag_end(rest);
+        let (tag, after) = (&rest[..end], &rest[end + 1..]);
+        rest = after;
+        if let Some(name) = tag.strip_prefix('/') {
+            assert_eq!(open.pop().as_deref(), Some(name));
+            continue;
+        }
+        let name = tag.split([' ', '\n', '/']).next().unwrap();
+        assert!(name.chars().all(|c| c.is_ascii_alphanumeric()), "<{tag}>");
+        if tag.ends_with('/') || VOID.contains(&name) {
+            continue;
+        }
+        if name == "script" || name == "style" {
+            scripts += usize::from(name == "script");
+            let close = rest.find(&format!("</{name}>")).unwrap();
+            rest = &rest[close + name.len() + 3..];
+            continue;
+        }
+        // Only the page's own handlers run, and it has none in attributes.
+        assert!(!tag.contains(" on"), "<{tag}>");
+        open.push(name.to_owned());
+    }
+    assert!(open.is_empty(), "{open:?}");
+    assert_eq!(scripts, 2);
+    let (_, data) = page.split_once("type=\"application/json\">").unwrap();
+    let (data, _) = data.split_once("</script>").unwrap();
+    let data = json(data);
+    assert_eq!(data["version"], 1);
+    (page, data)
+}
+
+/// Where a tag ends: not within quotes.
+fn tag_end(text: &str) -> usize {
+    let mut quoted = false;
+    text.find(|c| {
+        quoted ^= c == '"';
+        c == '>' && !quoted
+    })
+    .unwrap()
+}
+
+#[test]
+fn the_numbers_are_the_librarys() {
+    let arguments = ["--r", "0.5:2", "--beta", "0.2,0.6", "--of", "block"];
+    let (text, data) = page(BLOCK, &arguments);
+    let system: System = BLOCK.parse().unwrap();
+    let (mut compared, mut regimes) = (0, Vec::new());
+    for point in data["limits"]["points"].as_array().unwrap() {
+        let limits = system.at(point["r"].as_f64().unwrap()).unwrap().limits();
+        assert_eq!(point["continuous_limit"]["beta"], limits.continuous);
+        assert_eq!(point["sliding_limit"]["beta"], limits.sliding);
+        compared += 2;
+    }
+    for level in data["responses"].as_array().unwrap() {
+        let Some(beta) = level["beta"].as_f64() else {
+            assert_eq!(level["name"], "contact stuck");
+            continue;
+        };
+        for point in level["points"].as_array().unwrap() {
+            let at = system.at(point["r"].as_f64().unwrap()).unwrap();
+            match at.response(beta) {
+                Ok(response) => {
+                    let swing = response.swing(Of::Mass(0)).unwrap();
+                    assert_eq!(point["block"]["amplitude"], swing.amplitude);
+                    regimes.push(response.regime());
+                    compared += 1;
+                }
+                Err(_) => assert!(point["block"]["none"].is_string(), "{point}"),
+            }
+        }
+    }
+    // What a picture shows is a line within a thousandth.
+    let plot = |id: &str| {
+        let plots = data["plots"].as_array().unwrap();
+        plots.iter().find(|plot| plot["id"] == id).unwrap()["panels"][0].clone()
+    };
+    for series in plot("response-block")["series"].as_array().unwrap() {
+        let Some(beta) = series["name"].as_str().unwrap().strip_prefix("β = ") else {
+            continue;
+        };
+        let beta: f64 = beta.parse().unwrap();
+        for run in series["runs"].as_array().unwrap() {
+            let (x, y) = (run["x"].as_array().unwrap(), run["y"].as_array().unwrap());
+            for (x, y) in x.iter().zip(y).skip(1).step_by(5) {
+                let (r, y) = (x.as_f64().unwrap(), y.as_f64().unwrap());
+                let Ok(response) = system.at(r).unwrap().response(beta) else {
+                    continue;
+                };
+                let exact = response.swing(Of::Mass(0)).unwrap().amplitude;
+                // Beside a pole or an edge the sixth digit of r moves the amplitude by more.
+                if !(0.99..=1.01).contains(&r) && 0.05 < exact {
+                    assert!((y - exact).abs() <= 2e-3 * exact, "{beta} {r}: {y} {exact}");
+                    compared += 1;
+                }
+            }
+        }
+    }
+    let request = OptimumRequest {
+        of: Of::Mass(0),
+        band: FrequencyBand::Ratio(0.5, 2.0),
+        load: None,
+    };
+    let optimum = system.optimum(&request).unwrap();
+    assert_eq!(data["best"][0]["beta"], optimum.beta);
+    assert_eq!(data["best"][0]["amplitude"], optimum.amplitude);
+    assert!(150 < compared, "{compared}");
+    assert!(regimes.contains(&Regime::Continuous) && regimes.contains(&Regime::StickSlip));
+    for words in ["No load is given", "threshold", "limit of sliding"] {
+        assert!(text.contains(words), "{words}");
+    }
+    println!("{compared} numbers compared");
+}
+
+/// The lines of `frictiongen features --json`, without their derivatives.
+#[test]
+fn features_are_those_of_the_command() {
+    let undamped = [
+        "--r", "0.62:2", "--beta", "0.2,0.4", "--of", "m1", "--of", "contact",
+    ];
+    let damped = [
+        "--hz",
+        "1:7",
+        "--base",
+        "0.001",
+        "--friction",
+        "0.4",
+        "--of",
+        "lower",
+    ];
+    let two = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/thesis/two_m2.friction");
+    let mut compared = 0;
+    for (file, arguments, told) in [
+        (
+            two,
+            &undamped[..],
+            &[
+                "Invariant points",
+                "Where friction makes it worse",
+                "two frictions",
+                "bounded from",
+            ][..],
+        ),
+        (
+            FRAME,
+            &damped[..],
+            &[
+                "threshold without damping",
+                "Peaks with 0.4 N",
+                "no invariant points",
+                "4.412 Hz",
+            ][..],
+        ),
+    ] {
+        let (text, data) = page("", &[&[file], arguments].concat());
+        let lines = data["features"]["lines"].as_array().unwrap().clone();
+        let command = [&["features", file], arguments, &["--json"]].concat();
+        let own = json(&output("", &command));
+        let own = own["points"].as_array().unwrap();
+        assert_eq!(lines.len(), own.len(), "{file}");
+        for (line, own) in lines.iter().zip(own) {
+            for (name, value) in line.as_object().unwrap() {
+                if !["per_cent_for_one", "parameter"].contains(&name.as_str()) {
+                    assert_eq!(value, &own[name], "{name}");
+                    compared += 1;
+                }
+            }
+        }
+        for words in told {
+            assert!(text.contains(words), "{file}: {words}");
+        }
+        // Marked among the curves.
+        let mark = if file == two {
+            "invariant point"
+        } else {
+            "peak"
+        };
+        assert!(text.matches(mark).count() > 1, "{mark}");
+    }
+    println!("{compared} fields compared");
+    assert!(300 < compared, "{compared}");
+}
+
+/// The chain of six masses whose last one rubs.
+fn chain(count: usize) -> String {
+    let masses: Vec<String> = (1..=count).map(|i| format!("m{i}: 1")).collect();
+    let springs: Vec<String> = (2..=count)
+        .map(|i| format!("m{} - m{i}: 1", i - 1))
+        .collect();
+    format!(
+        "struct Long {{ masses: {{ {} }}, springs: {{ base - m1: 1, {} }}, contact: m{count} - wall, excitation: base,
+         damping: modal(0.02) }}",
+        masses.join(", "),
+        springs.join(", ")
+    )
+}
+
+/// The best friction of a longer chain is that of the library's search too, with its bracket.
+#[test]
+fn the_best_friction_is_the_optimum() {
+    let (text, data) = page(&chain(6), &["--r", "0.15:1.2", "--of", "m3"]);
+    let best = &data["best"][0];
+    assert!(!text.contains("the best of some"));
+    let system: System = chain(6).parse().unwrap();
+    let optimum = system
+        .optimum(&OptimumRequest {
+            of: Of::Mass(2),
+            band: FrequencyBand::Ratio(0.15, 1.2),
+            load: None,
+        })
+        .unwrap();
+    assert_eq!(best["beta"], optimum.beta);
+    assert_eq!(best["amplitude"], optimum.amplitude);
+    assert_eq!(best["bracket"]["from"]["beta"], optimum.bracket[0]);
+    assert_eq!(best["stuck_from"]["beta"], optimum.locked);
+    // One number for the friction that holds the contact over the whole range.
+    assert_eq!(data["limits"]["stuck_from"], best["stuck_from"]);
+    assert_eq!(
+        data["limits"]["nothing_sticks_up_to"],
+        best["nothing_sticks_up_to"]
+    );
+}
+
+#[test]
+fn nothing_runs_from_a_name_or_a_comment() {
+    let evil = "</script><script>alert(1)</script><img src=x onerror=alert(1)> & \"quoted\"";
+    let scene = format!("/// {evil}\n{BLOCK}");
+    let folder = std::env::temp_dir().join(format!("frictiongen-report-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("a<b>&\"onclick=.friction");
+    std::fs::write(&file, scene).unwrap();
+    let (text, data) = page(
+        "",
+        &[file.to_str().unwrap(), "--r", "0.5:0.9", "--beta", "0.3"],
+    );
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert!(!text.contains("<img") && !text.contains("<script>alert"));
+    assert!(text.contains("&lt;img src=x onerror=alert(1)&gt; &amp;"));
+    assert!(
+        data["file"]
+            .as_str()
+            .unwrap()
+            .ends_with("a<b>&\"onclick=.friction")
+    );
+    // A name in a description is a word of letters: the longest chain with such names, and one with markup for a name.
+    let masses: Vec<String> = (1..=64).map(|i| format!("größe_ß{i}: 1")).collect();
+    let springs: Vec<String> = (1..=64).map(|i| format!("größe_ß{i} - base: 1")).collect();
+    let scene = format!(
+        "/// {evil}\nstruct Ünder {{ masses: {{ {} }}, springs: {{ {} }}, contact: größe_ß1 - wall, excitation: größe_ß1 }}",
+        masses.join(", "),
+        springs.join(", ")
+    );
+    let (text, data) = page(
+        &scene,
+        &["--r", "0.5:0.9", "--beta", "3", "--of", "größe_ß1"],
+    );
+    assert!(text.contains("größe_ß1") && !text.contains("<img"));
+    assert_eq!(data["name"], "Ünder");
+    let named = BLOCK.replace("block", "<script>alert(1)</script>");
+    let lines = failure(&named, &["report"]);
+    assert!(
+        lines.iter().all(|line| line.starts_with("<stdin>:")),
+        "{lines:?}"
+    );
+}
+
+#[test]
+fn scenes_without_an_answer_say_so() {
+    let pair = "struct Pair { masses: { a: 1, b: 2 }, springs: { base - a: 1, a - b: 1 },
+        contact: a - b, excitation: a, damping: modal[0.05, 0.05] }";
+    let rubs_on_base = "struct Rig { masses: { m: 1 }, springs: { base - m: 1 },
+        contact: m - base, excitation: base }";
+    let (text, data) = page(
+        pair,
+        &["--force", "1", "--hz", "0.05:0.15", "--beta", "0.1"],
+    );
+    assert!(text.contains("mm") && data["scene"]["load_m_or_N"] == 1.0);
+    let (text, _) = page(rubs_on_base, &["--r", "0.8:1.3", "--beta", "0"]);
+    assert!(text.contains("without bound"));
+    let long = chain(64);
+    // More friction than any limit: 64 masses that stop and slide take long.
+    let (text, data) = page(&long, &["--r", "0.01:0.02", "--beta", "1000", "--of", "m1"]);
+    assert!(text.contains("A chain of 64 masses is not drawn"));
+    assert_eq!(data["modes"].as_array().unwrap().len(), 64);
+    assert!(data["best"]["none"].is_string() && data["features"]["none"].is_string());
+    assert!(text.contains("Of more than 16 masses features are not listed here"));
+}
+
+#[test]
+fn bad_options_are_refused() {
+    for (arguments, told) in [
+        (&["--r", "2:1"][..], "write 1:2"),
+        (&["--r", "0.5:0.1:2"], "without a step"),
+        (&["--friction", "1"], "give --force"),
+        (&["--base", "1"], "--force"),
+        (&["--force", "NaN"], "--force"),
+        (&["--of", "nobody"], "nobody"),
+        (&["--beta", "0.1:0.1:0.9"], "up to 6 frictions"),
+        (&["-o", "/nowhere/at/all.html"], "no such file or folder"),
+    ] {
+        let lines = failure(BLOCK, &[&["report"], arguments].concat());
+        assert!(
+            lines.len() == 1 && lines[0].contains(told),
+            "{arguments:?}: {lines:?}"
+        );
+    }
+    assert!(failure("struct", &["report"])[0].starts_with("<stdin>:1"));
+}

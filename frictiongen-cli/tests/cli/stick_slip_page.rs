@@ -1,0 +1,143 @@
+//! The numbers of docs/stick-slip.md, recomputed by the commands that the page prints.
+
+#![allow(
+    clippy::expect_used,
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    reason = "a test may fail"
+)]
+
+use crate::common::{cells, output};
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
+fn page() -> String {
+    let text = std::fs::read_to_string(format!("{ROOT}/docs/stick-slip.md"));
+    text.expect("the page")
+}
+
+/// The only point of `frictiongen orbit`, its values by name.
+fn point(file: &str, r: &str, beta: &str) -> impl Fn(&str) -> String + use<> {
+    let file = format!("{ROOT}/{file}");
+    let csv = output("", &["orbit", &file, "--r", r, "--beta", beta, "--csv"]);
+    let lines: Vec<Vec<String>> = cells(&csv)
+        .iter()
+        .map(|line| line.iter().map(|cell| (*cell).to_owned()).collect())
+        .collect();
+    assert_eq!(lines.len(), 2, "{file}, r = {r}, β = {beta}: one point");
+    move |name| {
+        let place = lines[0].iter().position(|cell| cell == name);
+        lines[1][place.unwrap_or_else(|| panic!("no column {name}"))].clone()
+    }
+}
+
+/// As many decimals as are printed must be right.
+fn same(printed: &str, value: &str, what: &str) {
+    let decimals = printed.split_once('.').map_or(0, |(_, tail)| tail.len());
+    let value: f64 = value.parse().unwrap();
+    assert_eq!(printed, format!("{value:.decimals$}"), "{what}");
+}
+
+/// The cells of a line of a table.
+fn row(line: &str) -> Vec<&str> {
+    line.trim_matches('|').split('|').map(str::trim).collect()
+}
+
+#[test]
+fn cases() {
+    let page = page();
+    let mut command: Option<Vec<&str>> = None;
+    let mut seen = 0;
+    for line in page.lines() {
+        if line.starts_with("frictiongen orbit ") {
+            command = Some(line.split(' ').collect());
+        }
+        if !line.starts_with("| frictiongen |") {
+            continue;
+        }
+        // Each table stands under a command of its own.
+        let command = command.take().expect("a command above the table");
+        let [_, _, file, "--r", r, "--beta", beta] = command.as_slice() else {
+            panic!("{command:?}");
+        };
+        let value = point(file, r, beta);
+        let cells = row(line);
+        let [_, "", stops, reversals, stuck, amplitude, state, multiplier] = cells.as_slice()
+        else {
+            panic!("{line}");
+        };
+        same(stops, &value("stops"), line);
+        same(reversals, &value("reversals"), line);
+        same(stuck, &value("stuck_fraction"), line);
+        same(amplitude, &value("contact.amplitude"), line);
+        assert_eq!(*state, value("state"), "{line}");
+        same(multiplier, &value("largest_multiplier"), line);
+        seen += 1;
+    }
+    assert_eq!(seen, 5);
+}
+
+#[test]
+fn multipliers_of_the_thesis_examples() {
+    let page = page();
+    let mut seen = 0;
+    for line in page.lines().filter(|line| line.starts_with("| [")) {
+        let cells = row(line);
+        let [scene, _, r, beta, stops, multiplier, cycles] = cells.as_slice() else {
+            panic!("{line}");
+        };
+        let (_, link) = scene.split_once("(../").expect("a link");
+        let value = point(link.trim_end_matches(')'), r, beta);
+        assert_eq!(value("regime"), "stick-slip", "{line}");
+        assert_eq!(value("state"), "stable", "{line}");
+        same(stops, &value("stops"), line);
+        same(multiplier, &value("largest_multiplier"), line);
+        // ln 10/−ln m, to two digits.
+        let largest: f64 = value("largest_multiplier").parse().unwrap();
+        let tenth = std::f64::consts::LN_10 / -largest.ln();
+        let printed: f64 = cycles.parse().unwrap();
+        assert!((printed / tenth - 1.0).abs() < 0.05, "{line}: {tenth}");
+        seen += 1;
+    }
+    assert_eq!(seen, 30);
+}
+
+/// The states that exist side by side, in any order.
+#[test]
+fn several_states() {
+    let page = page();
+    let command = page.lines().find(|line| line.ends_with(" --states"));
+    let words: Vec<&str> = command.expect("the command").split(' ').skip(1).collect();
+    let file = format!("{ROOT}/{}", words[1]);
+    let asked: Vec<&str> = words
+        .iter()
+        .map(|word| if *word == words[1] { &file } else { *word })
+        .chain(["--csv"])
+        .collect();
+    let csv = output("", &asked);
+    let lines = cells(&csv);
+    let place = |name: &str| lines[0].iter().position(|cell| *cell == name).expect(name);
+    let printed: Vec<Vec<&str>> = page
+        .lines()
+        .skip_while(|line| !line.starts_with("| regime | state |"))
+        .skip(2)
+        .take_while(|line| line.starts_with('|'))
+        .map(row)
+        .collect();
+    assert_eq!(printed.len(), lines.len() - 1);
+    for printed in &printed {
+        let found = lines.iter().skip(1);
+        let found: Vec<_> = found
+            .filter(|line| line[place("regime")] == printed[0])
+            .collect();
+        assert_eq!(found.len(), 1, "{printed:?}");
+        for (name, printed) in ["regime", "state", "stops", "reversals"]
+            .iter()
+            .zip(printed)
+        {
+            assert_eq!(found[0][place(name)], *printed);
+        }
+        same(printed[4], found[0][place("contact.amplitude")], printed[0]);
+    }
+}

@@ -1,0 +1,328 @@
+//! `frictiongen time`.
+
+#![allow(
+    clippy::expect_used,
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    reason = "a test may fail"
+)]
+
+use crate::common::{BLOCK, FRAME, cells, column, failure, json, output, texts};
+use frictiongen::study::{HistoryRequest, Load};
+use frictiongen::{Of, System};
+use std::f64::consts::{PI, TAU};
+use std::fs;
+use std::path::PathBuf;
+
+/// A command line without spaces within its words.
+fn words(line: &str) -> Vec<&str> {
+    line.split(' ').collect()
+}
+
+fn frame() -> System {
+    fs::read_to_string(FRAME).unwrap().parse().unwrap()
+}
+
+fn temporary(name: &str) -> PathBuf {
+    let folder =
+        std::env::temp_dir().join(format!("frictiongen-time-{}-{name}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// The samples are the library's, to the last bit.
+#[test]
+fn samples_are_those_of_the_library() {
+    let line = "time FILE --r 0.9 --beta 0.6 --cycles 4 --skip 3 --samples 50 --csv";
+    let arguments = line.replace("FILE", FRAME);
+    let csv = output("", &words(&arguments));
+    let header = "tau,contact.displacement,contact.velocity,lower.displacement,lower.velocity,\
+                  upper.displacement,upper.velocity,contact.friction,contact.state";
+    assert_eq!(csv.lines().next().unwrap(), header);
+    let request = HistoryRequest {
+        skip: 3,
+        cycles: 4,
+        samples: 50,
+        ..HistoryRequest::new(&[Of::Contact, Of::Mass(0), Of::Mass(1)])
+    };
+    let history = frame().history(0.9, 0.6, &request).unwrap();
+    let expected: Vec<f64> = (0..history.len()).map(|index| history.tau(index)).collect();
+    assert_eq!(column(&csv, "tau"), expected);
+    for (name, track) in ["contact", "lower", "upper"].iter().zip(&history.tracks) {
+        assert_eq!(
+            column(&csv, &format!("{name}.displacement")),
+            track.displacement
+        );
+        assert_eq!(column(&csv, &format!("{name}.velocity")), track.velocity);
+    }
+    assert_eq!(column(&csv, "contact.friction"), history.friction);
+    let states = texts(&csv, "contact.state");
+    for state in ["stuck", "forward", "backward"] {
+        assert!(states.contains(&state), "{state}");
+    }
+    // The events within them.
+    let csv = output("", &words(&format!("{arguments} --events --of lower")));
+    let header = "tau,event,contact.state,lower.displacement";
+    assert_eq!(csv.lines().next().unwrap(), header);
+    let expected: Vec<f64> = history.events.iter().map(|event| event.tau).collect();
+    assert_eq!(column(&csv, "tau"), expected);
+    let events = texts(&csv, "event");
+    assert!(events.contains(&"stop") && events.contains(&"break-away"));
+}
+
+/// Every physical column is the column of groups in other units.
+#[test]
+fn columns_beside_those_of_the_groups() {
+    let system = frame();
+    let omega = TAU * 2.7;
+    let r = system.frequency_ratio_at_hertz(2.7);
+    let scale = system.load_scale(Load::Base(0.002)).unwrap();
+    let beta = scale.friction_ratio(1.9);
+    let groups = format!("time {FRAME} --r {r:?} --beta {beta:?} --csv");
+    let physical = format!("time {FRAME} --hz 2.7 --friction 1.9 --base 0.002 --csv");
+    let mut compared = 0;
+    for rest in [
+        "--cycles 6",
+        "--cycles 4 --skip 7 --events",
+        "--steady --samples 100",
+        "--steady --spectrum --samples 20",
+        "--cycles 2 --skip 300 --spectrum --samples 20",
+    ] {
+        let groups = output("", &words(&format!("{groups} {rest}")));
+        let physical = output("", &words(&format!("{physical} {rest}")));
+        for name in cells(&physical)[0].clone() {
+            let (plain, unit) = match name {
+                "event" | "contact.state" => {
+                    assert_eq!(texts(&physical, name), texts(&groups, name));
+                    continue;
+                }
+                "time_s" => ("tau", 1.0 / omega),
+                "frequency_Hz" => ("order", 2.7),
+                "contact.friction_N" => ("contact.friction", 0.002 * 1190.0),
+                name => match (
+                    name.strip_suffix("_m"),
+                    name.strip_suffix("_m_s"),
+                    name.strip_suffix("_deg"),
+                ) {
+                    (Some(plain), ..) => (plain, 0.002),
+                    (_, Some(plain), _) => (plain, 0.002 * omega),
+                    (.., Some(plain)) => (plain, 180.0 / PI),
+                    _ => (name, 1.0),
+                },
+            };
+            let pairs = column(&physical, name)
+                .into_iter()
+                .zip(column(&groups, plain));
+            for (value, plain) in pairs {
+                let expected = plain * unit;
+                assert!((value - expected).abs() <= 1e-12 * expected.abs(), "{name}");
+                compared += 1;
+            }
+        }
+    }
+    println!("{compared} values");
+    assert!(compared > 10_000);
+}
+
+/// r and β refer to the first mass and the first spring listed, a contact of two masses to the order of those. What is
+/// physical does not.
+#[test]
+fn no_order_of_a_description_changes_a_physical_answer() {
+    let masses = ["lower: 3.27", "upper: 3.25"];
+    let springs = ["base - lower: 1190", "lower - upper: 1323"];
+    let (mut compared, mut worst) = (0, 0.0_f64);
+    for (contact, excitation, load) in [
+        ("lower - upper", "base", "--base 0.001"),
+        ("upper - wall", "lower", "--force 1.19"),
+    ] {
+        let scene = |swap_masses: bool, swap_springs: bool| {
+            let order = |swap: bool, list: [&str; 2]| match swap {
+                true => format!("{}, {}", list[1], list[0]),
+                false => list.join(", "),
+            };
+            format!(
+                "struct Frame {{ masses: {{ {} }}, springs: {{ {} }}, contact: {contact},
+                 excitation: {excitation}, damping: modal[0.010, 0.012], stiction: 1.2 }}",
+                order(swap_masses, masses),
+                order(swap_springs, springs)
+            )
+        };
+        for rest in [
+            "--hz 2.7 --friction 0.3 --cycles 5 --samples 40",
+            "--hz 2.7 --friction 0.3 --cycles 5 --events",
+            "--hz 2.7 --friction 0.3 --steady --samples 40",
+            "--hz 2.7 --friction 0.3 --steady --samples 10 --spectrum",
+            "--hz 1.1 --friction 0.45 --cycles 5 --events",
+            "--hz 1.1 --friction 0.45 --steady --samples 40",
+            "--hz 1.1 --friction 0.45 --steady --events",
+            "--hz 1.1 --friction 0.45 --steady --samples 10 --spectrum",
+        ] {
+            let line = format!("time - {load} --of contact --of lower --of upper --csv {rest}");
+            let expected = output(&scene(false, false), &words(&line));
+            for (swap_masses, swap_springs) in [(true, false), (false, true), (true, true)] {
+                let text = output(&scene(swap_masses, swap_springs), &words(&line));
+                for name in cells(&expected)[0].clone() {
+                    if ["event", "contact.state"].contains(&name) {
+                        assert_eq!(texts(&text, name), texts(&expected, name), "{line}");
+                        continue;
+                    }
+                    let expected = column(&expected, name);
+                    let largest = expected
+                        .iter()
+                        .fold(0.0_f64, |most, value| most.max(value.abs()));
+                    let pairs = column(&text, name).into_iter().zip(expected);
+                    for (place, (value, expected)) in pairs.enumerate() {
+                        let mut apart = (value - expected).abs();
+                        if name.ends_with("_deg") {
+                            // The phase of what is not there says nothing.
+                            if place.is_multiple_of(2) {
+                                continue;
+                            }
+                            apart = apart.min((360.0 - apart).abs());
+                        }
+                        worst = worst.max(apart / largest.max(f64::MIN_POSITIVE));
+                        compared += 1;
+                    }
+                }
+            }
+        }
+    }
+    println!("{compared} values, to {worst:.1e} of the largest of their column");
+    assert!(compared > 15_000 && worst < 1e-11);
+}
+
+/// The exact spectrum has the harmonics of `response`.
+#[test]
+fn a_steady_spectrum_has_the_harmonics_of_the_response() {
+    let point = format!("{FRAME} --omega 16 --friction 0.3 --base 0.001");
+    let spectrum = output(
+        "",
+        &words(&format!(
+            "time {point} --steady --spectrum --csv --samples 12"
+        )),
+    );
+    let response = output("", &words(&format!("response {point} --harmonics 5 --csv")));
+    assert_eq!(
+        column(&spectrum, "order"),
+        [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
+    );
+    for part in ["contact", "lower", "upper"] {
+        for what in ["amplitude_m", "phase_deg"] {
+            let lines = column(&spectrum, &format!("{part}.{what}"));
+            for order in [1, 3, 5] {
+                let expected = column(&response, &format!("{part}.X{order}.{what}"))[0];
+                assert_eq!(lines[order], expected, "{part} {what} {order}");
+            }
+        }
+    }
+}
+
+#[test]
+fn json_says_what_is_meant() {
+    let line = format!("time {FRAME} --hz 2.7 --friction 1.9 --base 0.002 --json --samples 4");
+    let run = json(&output("", &words(&format!("{line} --cycles 2 --skip 1"))));
+    assert_eq!(
+        (&run["version"], &run["scene"]),
+        (&1.into(), &"Frame".into())
+    );
+    for (name, value) in [("cycles", 2), ("skipped", 1), ("samples_per_cycle", 4)] {
+        assert_eq!(run[name], value);
+    }
+    assert_eq!(
+        (&run["motion"], run["regime"].is_null()),
+        (&"from rest".into(), true)
+    );
+    assert!(run["frequency_Hz"] == 2.7 && run["friction_N"] == 1.9 && run["beta"].is_number());
+    let points = run["points"].as_array().unwrap();
+    assert_eq!(points.len(), 9);
+    let point = &points[3];
+    assert!(point["time_s"].is_number() && point["tau"].is_number());
+    for name in ["displacement_m", "velocity_m_s", "friction_N"] {
+        assert!(point["contact"][name].is_number(), "{name}");
+    }
+    assert!(point["contact"]["state"].is_string());
+    assert_eq!(point["masses"][1]["name"], "upper");
+    assert!(point["masses"][1]["velocity_m_s"].is_number());
+    let steady = json(&output("", &words(&format!("{line} --steady --events"))));
+    assert_eq!(
+        (&steady["motion"], &steady["regime"]),
+        (&"steady".into(), &"stuck".into())
+    );
+    assert_eq!(steady["points"].as_array().unwrap().len(), 0);
+}
+
+#[test]
+fn a_table_for_people() {
+    let arguments = "time - --hz 0.5 --beta 0.4 --force 10 --cycles 1 --samples 2";
+    let text = output(BLOCK, &words(arguments));
+    let expected = "\
+load                         P = 10.000000 N, P/k1 = 10.000000 m
+at                           frequency_Hz = 0.500000, r = 3.141593, friction_N = 4.000000, beta = 0.400000
+motion                       from rest, cycles 0 to 1, 2 samples a cycle
+
+        time           tau       contact       contact         block         block       contact  contact
+         (s)                displacement      velocity  displacement      velocity      friction  state
+                                     (m)         (m/s)           (m)         (m/s)           (N)
+";
+    assert!(text.contains(expected), "{text}");
+    assert_eq!(
+        text.lines().filter(|line| line.ends_with("ward")).count(),
+        3
+    );
+}
+
+/// The state is in the units of the load.
+#[test]
+fn from_a_state() {
+    let line = "time - --r 0.7 --beta 0.2 --cycles 2 --samples 10 --csv";
+    let groups = output(BLOCK, &words(&format!("{line} --from -0.5;1.25")));
+    assert_eq!(column(&groups, "block.displacement")[0], -0.5);
+    assert_eq!(column(&groups, "block.velocity")[0], 1.25);
+    // P/k₁ = 4 m, ω = 0.7 rad/s.
+    let physical = output(BLOCK, &words(&format!("{line} --force 4 --from -2;3.5")));
+    assert_eq!(column(&physical, "time_s")[10], TAU / 0.7);
+    let pairs = column(&physical, "block.displacement_m").into_iter();
+    for (value, plain) in pairs.zip(column(&groups, "block.displacement")) {
+        assert!((value - 4.0 * plain).abs() < 1e-13);
+    }
+}
+
+/// A file has what standard output would, and nothing is left beside it.
+#[test]
+fn files_are_whole() {
+    let folder = temporary("whole");
+    for ending in ["csv", "json"] {
+        let path = folder.join(format!("motion.{ending}"));
+        let shown = path.to_str().unwrap();
+        fs::write(&path, "what was there before, and longer than nothing").unwrap();
+        let line = format!("time {FRAME} --r 0.9 --beta 0.6 --cycles 2");
+        let written = output("", &[&words(&line)[..], &["-o", shown]].concat());
+        assert_eq!(written, "");
+        let expected = output("", &words(&format!("{line} --{ending}")));
+        assert_eq!(fs::read_to_string(&path).unwrap(), expected);
+    }
+    // What fails leaves everything as it was.
+    let path = folder.join("motion.csv");
+    let before = fs::read_to_string(&path).unwrap();
+    let shown = path.to_str().unwrap();
+    let line = "time - --r 0.7 --beta 0.2 --from 0;0,0 -o";
+    failure(BLOCK, &[&words(line)[..], &[shown]].concat());
+    assert_eq!(fs::read_to_string(&path).unwrap(), before);
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 2);
+    fs::remove_dir_all(&folder).unwrap();
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_told() {
+    let folder = temporary("full");
+    let link = folder.join("full.csv");
+    std::os::unix::fs::symlink("/dev/full", &link).unwrap();
+    let shown = link.to_str().unwrap();
+    let arguments = ["time", FRAME, "--r", "0.9", "--beta", "0.6", "-o", shown];
+    let message = format!("frictiongen: cannot write {shown}: no space is left");
+    assert_eq!(failure("", &arguments), [message]);
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+    fs::remove_dir_all(&folder).unwrap();
+}

@@ -1,0 +1,243 @@
+// From the cases in generated-tests/tests/messages; see generated-tests/tests/messages.rs.
+#![allow(uncommon_codepoints)]
+
+mod case_401_masses_in_brackets {
+frictiongen::friction_system! {
+struct Frame {
+    masses: [3.27, 3.25],
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_402_mass_without_a_name {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { (3.27), upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_403_decimal_comma {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3,27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_404_mass_without_a_colon {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_405_springs_in_brackets {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: [1190.0, 1323.0],
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_406_spring_without_an_end {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base -: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_407_spring_without_a_hyphen {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base > lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_408_spring_with_an_arrow {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base -> lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_409_spring_without_a_colon {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower = 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_410_contact_without_a_hyphen {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_411_contact_with_an_arrow {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper -> wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_412_contact_without_a_side {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_413_excitation_by_a_number {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: 1.0,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_414_excited_wall {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: wall,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_415_misspelt_mass {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: uper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_416_unknown_mass {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: x - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_417_unknown_mass_of_many {
+frictiongen::friction_system! {
+struct Tower {
+    masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, m5: 1.0, m6: 1.0, m7: 1.0, m8: 1.0, m9: 1.0 },
+    springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - m5: 1.0, m5 - m6: 1.0, m6 - m7: 1.0, m7 - m8: 1.0, m8 - m9: 1.0 },
+    contact: roof - wall,
+    excitation: base,
+}
+}
+}
+
+mod case_418_ground {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - ground,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_419_list_of_contacts {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: [upper - wall, lower - wall],
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_420_second_contact {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall, lower - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+fn main() {}

@@ -1,0 +1,187 @@
+//! β = 0: the motion is the plain linear response.
+//!
+//! Reference: the sum of modal receptances x̄_k = Σ φ_k φᵀp/(λ − r² + 2iζr√λ) in complex
+//! double-double numbers, by itself; for the contact wᵀx̄ − s.
+
+use crate::edges::scenes::{Rounded, SCENES, ratios, system};
+use frictiongen::study::System;
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_model::modal::Modal;
+
+/// Roundings of each term of the sum and of the frequency ratio in it.
+const BAR: f64 = 8.0;
+
+/// A sum, and what a relative change ε of each term, of each √λ and of r makes of it, over ε.
+struct Response {
+    re: Dd,
+    im: Dd,
+    condition: f64,
+    /// Of the steepest driven mode: beyond 1/ε r stands on its pole, to rounding.
+    steepest: f64,
+}
+
+/// The load's response along `direction`: a row of mode shape components.
+fn response(modal: &Modal, r: Dd, direction: impl Fn(usize) -> Dd, relative: bool) -> Response {
+    let zero = Dd::ZERO;
+    let mut sum = Response {
+        re: zero,
+        im: zero,
+        condition: 0.0,
+        steepest: 0.0,
+    };
+    let mut add = |re: Dd, im: Dd, condition: f64| {
+        sum.re = sum.re + re;
+        sum.im = sum.im + im;
+        sum.condition += condition * (re.abs() + im.abs()).to_f64();
+        if !(re.is_zero() && im.is_zero()) {
+            sum.steepest = sum.steepest.max(condition);
+        }
+    };
+    for mode in 0..modal.resonances.len() {
+        let root = modal.resonances[mode];
+        let zeta = modal.damping_ratios[mode];
+        let (a, b) = ((root - r) * (root + r), (zeta + zeta) * r * root);
+        let square = a * a + b * b;
+        // Relative to a moving base, v − 1 = (r² − 2iζr√λ)/(λ − r² + 2iζr√λ).
+        let (re, im) = if relative {
+            let (c, d) = (r * r, -b);
+            ((c * a + d * b) / square, (d * a - c * b) / square)
+        } else {
+            (a / square, -b / square)
+        };
+        let mut weight = direction(mode) * modal.loads[mode];
+        if relative {
+            weight = weight / (root * root);
+        }
+        // Of 1/(λ − r² + 2iζr√λ) with respect to r and √λ, each.
+        let steep = (root * root + r * r + b).to_f64() / square.sqrt().to_f64();
+        add(weight * re, weight * im, 1.0 + 2.0 * steep);
+    }
+    if relative {
+        add(modal.static_motion, zero, 1.0);
+    }
+    sum
+}
+
+fn angle(difference: f64) -> f64 {
+    let turn = std::f64::consts::TAU;
+    let difference = difference.rem_euclid(turn);
+    difference.min(turn - difference)
+}
+
+/// What was compared, what was not and why, and the largest error over its bound.
+#[derive(Debug, Default)]
+struct Seen {
+    compared: usize,
+    /// Only bounded from below, within the rounding of a pole.
+    on_poles: usize,
+    /// Frequencies without a motion: undamped resonances, and β_lim = 0.
+    without: usize,
+    worst: f64,
+}
+
+fn compare<S: Rounded>(name: &str, system: &System<S>, seen: &mut Seen) {
+    let modal = system.modal();
+    let epsilon = S::EPSILON;
+    for r in ratios(system.resonances()) {
+        let at = system.at(r).expect("in the domain");
+        let Ok(motion) = at.motion(S::constant(0.0)) else {
+            let undamped = modal.damping_ratios.iter().any(|zeta| zeta.is_zero());
+            let limit = at.continuous_limit().min(at.sliding_limit());
+            assert!(
+                undamped && system.resonances().contains(&r) || limit.is_zero(),
+                "{name}, r = {r:?}: no motion without friction"
+            );
+            seen.without += 1;
+            continue;
+        };
+        let exact = Dd::from(r.to_f64());
+        let mut check = |what: String, of: Response, amplitude: S, phase: S| {
+            let want = (of.re * of.re + of.im * of.im).sqrt();
+            let error = (Dd::from(amplitude.to_f64()) - want).abs().to_f64();
+            let bound = BAR * epsilon * of.condition;
+            if BAR * epsilon * of.steepest > 0.25 {
+                // Within the rounding of a pole nothing bounds the answer from above; from below, the
+                // answer at the far side of that rounding does.
+                let least = (want * want).to_f64() / (want.to_f64() + bound) * 0.5;
+                assert!(
+                    amplitude.to_f64() >= least,
+                    "{name}, r = {r:?}: {what} {amplitude:?} on a pole, at least {least:e}"
+                );
+                seen.on_poles += 1;
+                return;
+            }
+            seen.compared += 1;
+            seen.worst = seen.worst.max(error / (epsilon * of.condition));
+            assert!(
+                error <= bound,
+                "{name}, r = {r:?}: {what} {amplitude:?} for {}, bound {bound:e}",
+                want.to_f64()
+            );
+            // The lag is −arg; a change of the sum by the bound turns it by the quotient.
+            let lag = Scalar::atan2(-of.im, of.re);
+            let error = angle(phase.to_f64() - lag.to_f64());
+            let bound = BAR * epsilon * (of.condition / want.to_f64() + 4.0);
+            assert!(
+                error <= bound,
+                "{name}, r = {r:?}: {what} lags by {phase:?} for {}, bound {bound:e}",
+                lag.to_f64()
+            );
+        };
+        let contact = response(
+            modal,
+            exact,
+            |mode| modal.contacts[mode],
+            modal.on_moving_base,
+        );
+        let steady = motion.contact();
+        check(
+            String::from("contact"),
+            contact,
+            steady.amplitude(),
+            steady.phase(),
+        );
+        for mass in 0..modal.shapes.len() {
+            let of = response(modal, exact, |mode| modal.shapes[mode][mass], false);
+            let steady = motion.mass_at(mass).expect("a mass");
+            check(
+                format!("mass {mass}"),
+                of,
+                steady.amplitude(),
+                steady.phase(),
+            );
+        }
+    }
+}
+
+fn all<S: Rounded>(precision: &str) -> Seen {
+    let mut seen = Seen::default();
+    for (name, text) in SCENES {
+        compare(name, &system::<S>(text), &mut seen);
+    }
+    println!(
+        "linear response, {precision}: {} compared, {} on poles bounded from below only, {} \
+         frequencies without a motion; worst {:.2} roundings of the terms",
+        seen.compared, seen.on_poles, seen.without, seen.worst
+    );
+    seen
+}
+
+#[test]
+fn without_friction_in_double_precision() {
+    let seen = all::<f64>("f64");
+    assert_eq!(
+        (seen.compared, seen.on_poles, seen.without),
+        (41_529, 492, 21)
+    );
+}
+
+#[test]
+fn without_friction_in_single_precision() {
+    let seen = all::<f32>("f32");
+    assert_eq!(
+        (seen.compared, seen.on_poles, seen.without),
+        (19_881, 492, 37)
+    );
+}

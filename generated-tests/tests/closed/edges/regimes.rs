@@ -1,0 +1,306 @@
+//! β one rounding below, at, and above each limit: what is told of the regime, and what the motion is.
+//!
+//! The rule (physics and documentation alike): stuck from β*_lim on, that included, also where it is
+//! below β_lim; continuous below β_lim; stick-slip from β_lim on, that included.  A continuous motion on
+//! an undamped resonance that the load drives is unbounded.
+
+use crate::edges::condition::{Asked, Question, along_place, answer, data, modal_condition};
+use crate::edges::scenes::{Rounded, SCENES, ratios, system};
+use frictiongen::study::System;
+use frictiongen::{
+    ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, NotContinuous, Of, Regime,
+};
+use frictiongen_kernel::number::dd::Dd;
+use generated_tests::shown;
+
+/// Roundings of each input, as for every other answer.
+const BAR: f64 = 64.0;
+
+/// The undamped resonances that the load drives.
+fn unbounded<S: Rounded>(system: &System<S>) -> Vec<S> {
+    let modal = system.modal();
+    let driven = |i: &usize| modal.damping_ratios[*i].is_zero() && !modal.loads[*i].is_zero();
+    let modes = (0..modal.resonances.len()).filter(driven);
+    modes.map(|i| system.resonances()[i]).collect()
+}
+
+fn show<T>(got: &Result<T, NotContinuous>) -> String {
+    match got {
+        Ok(_) => String::from("a motion"),
+        Err(error) => format!("{error:?}"),
+    }
+}
+
+/// How many β were asked, how many were not for being no friction ratio (below 0, beside a limit of 0, or
+/// infinite), and those whose answer breaks the rule.
+#[derive(Debug, Default)]
+struct Told {
+    asked: usize,
+    skipped: usize,
+    failures: Vec<String>,
+}
+
+fn check<S: Rounded, F: FrictionSystem<Scalar = S>>(
+    name: &str,
+    system: &F,
+    ratios: Vec<S>,
+    unbounded: &[S],
+) -> Told
+where
+    for<'a> F::At<'a>: MotionAt<Scalar = S>,
+{
+    let [zero, half, two] = [0.0, 0.5, 2.0].map(S::constant);
+    let mut all = Told::default();
+    for r in ratios {
+        let at = system.at(r).expect("in the domain");
+        let (continuous, sliding) = (at.continuous_limit(), at.sliding_limit());
+        let (lowest, highest) = (continuous.min(sliding), continuous.max(sliding));
+        if !(zero <= lowest) || highest.to_f64().is_nan() {
+            all.failures
+                .push(format!("{name}, r = {r:?}: {continuous:?}, {sliding:?}"));
+        }
+        let betas = [continuous, sliding].map(|limit| [limit.down(), limit, limit.up()]);
+        let others = [
+            zero,
+            half * lowest,
+            half * (lowest + highest),
+            two * highest,
+        ];
+        for beta in betas.into_iter().flatten().chain(others) {
+            if !(zero <= beta && beta.is_finite()) {
+                all.skipped += 1;
+                continue;
+            }
+            all.asked += 1;
+            let regime = match (beta < continuous, beta < sliding) {
+                (true, true) => Regime::Continuous,
+                (false, true) => Regime::StickSlip,
+                (false, false) => Regime::Stuck,
+                (true, false) => Regime::Bistable,
+            };
+            let told = at.regime(beta).expect("in the domain");
+            let motion = at.motion(beta);
+            let right = match (&motion, regime) {
+                (Ok(_), Regime::Continuous | Regime::Bistable) => !unbounded.contains(&r),
+                (Err(NotContinuous::Unbounded), Regime::Continuous | Regime::Bistable) => {
+                    unbounded.contains(&r)
+                }
+                (Err(NotContinuous::StickSlip), Regime::StickSlip)
+                | (Err(NotContinuous::Stuck), Regime::Stuck) => true,
+                _ => false,
+            };
+            let margin = at.margin(beta).expect("in the domain");
+            let inside = if regime == Regime::Continuous {
+                margin < zero
+            } else {
+                zero <= margin
+            };
+            if told != regime || !right || !inside {
+                all.failures.push(format!(
+                    "{name}, r = {r:?}, beta = {beta:?} (limits {continuous:?}, {sliding:?}): \
+                     {told:?}, margin {margin:?}, {}, should be {regime:?}",
+                    show(&motion)
+                ));
+            }
+            if let Ok(motion) = motion {
+                let amplitude = motion.ask(Of::Contact, |contact| contact.amplitude());
+                // Rounding may leave a little less than 0 only where the limit is 0 itself.
+                if !amplitude.is_some_and(|z| zero <= z && z.is_finite()) {
+                    all.failures
+                        .push(format!("{name}, r = {r:?}, beta = {beta:?}: {amplitude:?}"));
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Prints the sum; so many friction ratios have to have been asked for, and so many skipped.
+fn report(title: &str, results: Vec<Told>, counts: (usize, usize)) {
+    let asked: usize = results.iter().map(|result| result.asked).sum();
+    let skipped: usize = results.iter().map(|result| result.skipped).sum();
+    let failures: Vec<String> = results.into_iter().flat_map(|told| told.failures).collect();
+    println!(
+        "{title}: {asked} friction ratios, {skipped} beside 0 or infinity skipped, {} failures",
+        failures.len()
+    );
+    let first: Vec<&String> = failures.iter().take(20).collect();
+    assert!(failures.is_empty(), "{first:#?}");
+    assert_eq!((asked, skipped), counts, "{title}");
+}
+
+/// The grid, and r = 0.
+fn with_rest<S: Rounded>(resonances: &[S]) -> Vec<S> {
+    let mut ratios = ratios(resonances);
+    ratios.push(S::constant(0.0));
+    ratios
+}
+
+fn at_run_time<S: Rounded>() -> Vec<Told> {
+    let scenes = SCENES.iter();
+    scenes
+        .map(|(name, text)| {
+            let system = system::<S>(text);
+            let ratios = with_rest(system.resonances());
+            check(name, &system, ratios, &unbounded(&system))
+        })
+        .collect()
+}
+
+#[test]
+fn at_run_time_in_double_precision() {
+    report("run time, f64", at_run_time::<f64>(), (101_319, 21));
+}
+
+#[test]
+fn at_run_time_in_single_precision() {
+    report("run time, f32", at_run_time::<f32>(), (49_463, 37));
+}
+
+/// An emitted scene, its text read at run time for what is unbounded.
+macro_rules! emitted {
+    ($($name:ident),*) => {
+        vec![$({
+            let scene = shown::SCENES.iter().find(|scene| scene.0 == stringify!($name));
+            let read = system(scene.expect(stringify!($name)).1);
+            let ratios = with_rest(shown::$name.resonances());
+            check(stringify!($name), &shown::$name, ratios, &unbounded(&read))
+        }),*]
+    };
+}
+
+#[test]
+fn emitted() {
+    report(
+        "emitted",
+        emitted![
+            SdofWall, SdofDamped, PairBase, PairMasses, Thesis, Five, Single
+        ],
+        (42_167, 13),
+    );
+}
+
+/// r = ∞: the limits for r → ∞ decide, not the sums at the largest r that is evaluated.
+#[test]
+fn at_infinity() {
+    let infinity = || vec![f64::INFINITY];
+    let results = SCENES.iter().map(|(name, text)| {
+        let system = system::<f64>(text);
+        check(name, &system, infinity(), &unbounded(&system))
+    });
+    report("r = ∞", results.collect(), (117, 33));
+}
+
+/// The closed form goes through a limit without a step: neighbouring β on both sides of it give
+/// amplitudes that differ by no more than what a rounding of β and `BAR` roundings of each input make.
+///
+/// The bound: beside a pole or sub-harmonic the amplitude may be as steep as a root at its zero, where a
+/// first-order condition means nothing; so the effect of r and β is the spread of the double-double
+/// answer over r(1 ± kε), β(1 ± kε), and of the modal data ε k Σ|x ∂f/∂x|, in the smallest of that
+/// spread's corners where the root is real, k = 64.
+fn amplitudes<S: Rounded>(counts: (usize, usize, usize)) {
+    let (mut asked, mut skipped, mut public) = (0, 0, 0);
+    let mut failures = Vec::new();
+    for (name, text) in SCENES {
+        let system = system::<S>(text);
+        let modal = system.modal();
+        let rounded = data(modal, |value| S::constant(value.hi) + S::constant(value.lo));
+        let exact = data(modal, |value| value);
+        let all = ratios(system.resonances());
+        // Every ninth, a number prime to the grid's period.
+        for r in all.into_iter().step_by(9) {
+            let at = system.at(r).expect("in the domain");
+            let limits = [at.continuous_limit(), at.sliding_limit()];
+            for limit in limits {
+                let low = limit.down().down();
+                if !(S::constant(0.0) < low) {
+                    skipped += 1;
+                    continue;
+                }
+                let betas = [low, limit.down(), limit, limit.up()];
+                let values =
+                    betas.map(|beta| answer(&rounded, r, beta, Asked::ContactAmplitude).to_f64());
+                // What the public face answers is the same number.
+                if let Ok(motion) = at.motion(betas[1]) {
+                    assert_eq!(motion.contact().amplitude().to_f64(), values[1], "{name}");
+                    public += 1;
+                }
+                asked += 1;
+                let spread: Vec<f64> = [-BAR, 0.0, BAR]
+                    .into_iter()
+                    .flat_map(|a| [-BAR, 0.0, BAR].map(|b| (a, b)))
+                    .map(|(a, b)| {
+                        let moved = |value: S, k: f64| {
+                            Dd::from(value.to_f64()) * Dd::sum(1.0, k * S::EPSILON)
+                        };
+                        let asked = Asked::ContactAmplitude;
+                        answer(&exact, moved(r, a), moved(limit, b), asked).to_f64()
+                    })
+                    .collect();
+                let most = |values: &[f64]| values.iter().copied().fold(f64::MIN, f64::max);
+                let least = |values: &[f64]| values.iter().copied().fold(f64::MAX, f64::min);
+                let spread = most(&spread) - least(&spread);
+                let question = Question::at(r, low, Asked::ContactAmplitude);
+                let condition = modal_condition(&system, question);
+                let bound = spread + 2.0 * BAR * S::EPSILON * condition;
+                let step = most(&values) - least(&values);
+                if !(step <= bound) {
+                    failures.push(format!(
+                        "{name}, r = {r:?}, limit {limit:?}: {values:?} {step:e} > {bound:e}"
+                    ));
+                }
+            }
+        }
+    }
+    println!(
+        "{asked} limits, {skipped} that are 0 skipped, {public} with a motion of the public face below them, {} failures",
+        failures.len()
+    );
+    let first: Vec<&String> = failures.iter().take(20).collect();
+    assert!(failures.is_empty(), "{first:#?}");
+    assert_eq!((asked, skipped, public), counts);
+}
+
+#[test]
+fn amplitude_on_both_sides_in_double_precision() {
+    amplitudes::<f64>((2262, 0, 1164));
+}
+
+#[test]
+fn amplitude_on_both_sides_in_single_precision() {
+    amplitudes::<f32>((1110, 0, 572));
+}
+
+/// Far below a limit's own rounding: one rounding of β alone moves the contact's amplitude by
+/// |∂Z/∂β| times it, and the amplitude's own rounding.
+#[test]
+fn a_rounding_of_beta() {
+    let (mut worst, mut compared) = (0.0_f64, 0);
+    for (name, text) in SCENES {
+        let system = system::<f64>(text);
+        for r in [0.17, 0.83, 1.37, 2.9] {
+            let at = system.at(r).expect("in the domain");
+            let limit = at.continuous_limit().min(at.sliding_limit());
+            for share in [0.1, 0.5, 0.9, 0.999] {
+                let beta = limit * share;
+                let amplitude = |beta: f64| {
+                    let motion = at.motion(beta).expect("continuous");
+                    motion.contact().amplitude()
+                };
+                let step = (amplitude(beta.next_up()) - amplitude(beta)).abs();
+                let question = Question::at(r, beta, Asked::ContactAmplitude);
+                let (value, _, slope) = along_place(&system, question);
+                let one = slope.abs().to_f64() * (beta.next_up() - beta);
+                // V, U, their two sums, the root and the products: sixteen roundings, half each.
+                let own = 8.0 * f64::EPSILON * modal_condition(&system, question);
+                worst = worst.max((step - one) / own);
+                assert!(step <= one + own, "{name}, r = {r}: {step:e}, {value}");
+                compared += 1;
+            }
+        }
+    }
+    println!(
+        "{compared} steps, none skipped; beyond the slope: {worst:.2} of the rounding allowed"
+    );
+    assert_eq!(compared, 16 * SCENES.len());
+}

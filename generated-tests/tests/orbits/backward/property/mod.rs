@@ -1,0 +1,150 @@
+//! Random scenes of 1 to 16 masses, over the whole range of r, and beside poles, sub-harmonics and limits.
+//!
+//! Here are the runs and what they must keep; `subject` draws scenes and places, `told` asks everything at one of them,
+//! `brute_force` looks for larger values than those that were told.
+
+mod brute_force;
+mod subject;
+mod told;
+
+use crate::backward::tally::Tally;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dd::Dd;
+use subject::{DOUBLE, Range, SINGLE, Subject};
+use told::{Asking, told};
+
+/// In roundings of the inputs.
+pub const BAR: f64 = 64.0;
+const POINTS: u64 = 10;
+
+/// One scene at its places.
+fn check<S: Float>(seed: u64, range: &Range, exact: impl Fn(S) -> Dd + Copy, tally: &mut Tally) {
+    let Some(mut subject) = Subject::<S>::of(seed, range) else {
+        tally.skip("a scene that is refused");
+        return;
+    };
+    tally.scenes += 1;
+    for point in 0..POINTS {
+        let (r, at_limit) = subject.place(range);
+        let at = subject.system.at(r).expect("a ratio in the domain");
+        let limit = at.continuous_limit().min(at.sliding_limit());
+        let place = at_limit(&mut subject, limit);
+        let masses = subject.system.scene().masses.len();
+        let mass = subject.random.below(masses);
+        let asking = Asking {
+            subject: &subject,
+            point,
+            mass,
+        };
+        let Some((judge, told)) = told(&asking, &place, exact, tally) else {
+            continue;
+        };
+        let verdict = judge.verdict(&told);
+        tally.note(&told, &verdict, BAR, || format!("seed {seed}: {place:?}"));
+    }
+}
+
+fn run<S: Float>(scenes: &[u64], range: &Range, exact: impl Fn(S) -> Dd + Copy + Sync) -> Tally {
+    let half = |parity: usize| {
+        let mut tally = Tally::default();
+        for seed in scenes.iter().skip(parity).step_by(2) {
+            check(*seed, range, exact, &mut tally);
+        }
+        tally
+    };
+    std::thread::scope(|scope| {
+        let other = scope.spawn(|| half(1));
+        let mut tally = half(0);
+        tally.join(other.join().expect("no panic"));
+        tally
+    })
+}
+
+/// The kinds of answers of a run of some length.
+const KINDS: usize = 17;
+/// What a run may have of each, as shares of its places.
+struct Shares {
+    /// Above the bar: stuck responses that are differences of larger free ones, and conditions about the largest at
+    /// which all answers must agree.
+    above: f64,
+    /// Without a displacement in common, all of them with a condition above 100.
+    disagreeing: f64,
+    /// Wrong altogether: where the contact's force is known to no digit, in double-double neither, and where r within a
+    /// rounding of a resonance decides whether the contact moves.
+    wrong: f64,
+}
+/// Of a hundred places one is more than of thousands.
+const FEW: Shares = Shares {
+    above: 0.0,
+    disagreeing: 0.04,
+    wrong: 0.0,
+};
+const MANY: Shares = Shares {
+    above: 0.01,
+    disagreeing: 0.02,
+    wrong: 1e-3,
+};
+
+/// What a run has to keep.
+fn report(title: &str, tally: &Tally, most: &Shares) {
+    tally.print(title);
+    // The limit per mode is asked for at few places.
+    assert!(KINDS - 1 <= tally.counts().count(), "a kind is missing");
+    let [above, disagreeing, wrong] = tally.shares();
+    assert!(
+        wrong <= most.wrong,
+        "{wrong} of all places are wrong altogether"
+    );
+    assert!(
+        above <= most.above,
+        "{above} of all places are above the bar"
+    );
+    assert!(
+        disagreeing <= most.disagreeing,
+        "{disagreeing} of all places disagree"
+    );
+}
+
+fn double(scenes: std::ops::Range<u64>, most: &Shares) {
+    let scenes: Vec<u64> = scenes.collect();
+    report("f64", &run::<f64>(&scenes, &DOUBLE, Dd::from), most);
+}
+
+fn single(scenes: std::ops::Range<u64>, most: &Shares) {
+    let exact = |value: f32| Dd::from(f64::from(value));
+    let scenes: Vec<u64> = scenes.collect();
+    report("f32", &run::<f32>(&scenes, &SINGLE, exact), most);
+}
+
+#[test]
+fn double_precision() {
+    double(0..12, &FEW);
+}
+
+#[test]
+fn single_precision() {
+    single(0..12, &FEW);
+}
+
+/// The scenes of SCENES: a number of them, or `from..to`.
+pub fn asked() -> std::ops::Range<u64> {
+    let text = std::env::var("SCENES").unwrap_or_else(|_| "10000".to_owned());
+    let (from, to) = text.split_once("..").unwrap_or(("0", &text));
+    let number = |text: &str| text.parse().expect("SCENES=100 or SCENES=100..200");
+    number(from)..number(to)
+}
+
+/// `SCENES=100000 cargo test --release -p generated-tests --test orbits long_double -- --ignored
+/// --nocapture`
+#[test]
+#[ignore = "takes long; the scenes are SCENES"]
+fn long_double() {
+    double(asked(), &MANY);
+}
+
+/// The same in single precision.
+#[test]
+#[ignore = "takes long; the scenes are SCENES"]
+fn long_single() {
+    single(asked(), &MANY);
+}

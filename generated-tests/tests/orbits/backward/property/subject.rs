@@ -1,0 +1,82 @@
+//! A random scene and the places at which it is asked.
+
+use crate::backward::asked::Place;
+use crate::backward::inputs::Exact;
+use crate::backward::random::{nearness, scene};
+use frictiongen::study::System;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dd::Dd;
+use fuzzing::Random;
+
+/// What a scalar's range asks of the test.
+pub struct Range {
+    /// r is drawn in 2^−this … 2^this.
+    exponents: f64,
+    /// Masses and springs spread over ten to plus and minus this.
+    decades: f64,
+}
+
+pub const DOUBLE: Range = Range {
+    exponents: 300.0,
+    decades: 3.0,
+};
+/// A chain's far masses move by the r⁻²th power of every link: at f32's precision there is nothing
+/// left of them beyond this.
+pub const SINGLE: Range = Range {
+    exponents: 20.0,
+    decades: 1.0,
+};
+
+/// A scene under test, and its exact reading.
+pub struct Subject<S> {
+    pub seed: u64,
+    pub system: System<S>,
+    pub exact: Exact,
+    pub(super) random: Random,
+}
+
+impl<S: Float> Subject<S> {
+    /// The scene of a seed; none where it is refused.
+    pub fn of(seed: u64, range: &Range) -> Option<Self> {
+        let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x5851_F42D);
+        let text = scene(&mut random, range.decades);
+        let system = text.parse::<System<S>>().ok()?;
+        let exact = Exact::of(&text.parse::<System<Dd>>().ok()?);
+        Some(Self {
+            seed,
+            system,
+            exact,
+            random,
+        })
+    }
+
+    /// The next place: r anywhere, or beside a resonance or a fraction of one; β up to the limit or beside it.
+    pub fn place(&mut self, range: &Range) -> (S, impl Fn(&mut Self, S) -> Place<S> + use<S>) {
+        let random = &mut self.random;
+        let resonances = &self.system.modal().resonances;
+        let r = if random.unit() < 0.5 {
+            random.between(-range.exponents, range.exponents).exp2()
+        } else {
+            let pole = resonances[random.below(resonances.len())].to_f64();
+            let order = match random.below(3) {
+                0 => 1.0,
+                _ => (1 + random.below(40)) as f64,
+            };
+            pole / order * (1.0 + nearness(random, S::EPSILON))
+        };
+        let r = S::constant(r);
+        (r, move |subject: &mut Self, limit: S| {
+            let random = &mut subject.random;
+            let share = match random.below(3) {
+                0 => 1.0 - nearness(random, S::EPSILON).abs(),
+                1 => random.unit(),
+                _ => random.power(-12.0, 0.0),
+            };
+            Place {
+                r,
+                beta: limit * S::constant(share),
+                tau: S::constant(random.between(0.0, 7.0)),
+            }
+        })
+    }
+}

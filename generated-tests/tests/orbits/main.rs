@@ -1,0 +1,6 @@
+//! Steady states with stick-slip, their derivatives, and the backward error of every answer.
+
+mod backward;
+mod plain_integration;
+mod sensitivities;
+mod stick_slip;

@@ -1,0 +1,136 @@
+//! Why there is no steady state: every reason, provoked on purpose, emitted and at run time.
+
+use frictiongen::{NoOrbit, OutOfDomain, System};
+
+/// Emits a scene and asks it and the run-time system of the same text.
+macro_rules! refused {
+    ($test:ident, $error:expr, ($($points:tt)*), struct $name:ident { $($body:tt)* }) => {
+        mod $test {
+            frictiongen::friction_system! {
+                pub struct $name { $($body)* provide: [limits, orbit], }
+            }
+        }
+
+        #[test]
+        fn $test() {
+            let text = stringify!(struct $name { $($body)* provide: [limits, orbit], });
+            let system: System = text.parse().expect("a scene");
+            let mut asked = 0;
+            for (r, beta) in [$($points)*] {
+                let emitted = $test::$name::at(r).expect("in the domain");
+                let emitted = emitted.orbit(beta).map(|orbit| orbit.stops());
+                assert_eq!(emitted, Err($error), "emitted, r = {r}, β = {beta}");
+                let at = system.at(r).expect("in the domain");
+                let found = at.orbit(beta).map(|orbit| orbit.stops());
+                assert_eq!(found, Err($error), "at run time, r = {r}, β = {beta}");
+                let error: frictiongen::Error = $error.into();
+                assert!(error.to_string().starts_with($crate::stick_slip::errors::first_words($error)));
+                asked += 2;
+            }
+            println!("{asked} answers compared, none skipped");
+        }
+    };
+}
+
+/// What a reader of the message sees first.
+fn first_words(error: NoOrbit) -> &'static str {
+    match error {
+        NoOrbit::OutOfDomain(_) => "beta is outside",
+        _ => "no steady state",
+    }
+}
+
+refused!(
+    out_of_domain, NoOrbit::OutOfDomain(OutOfDomain { argument: "beta" }),
+    ((0.5, f64::NAN), (0.5, -1.0), (0.5, f64::INFINITY)),
+    struct Block {
+        masses: { block: 1.0 }, springs: { base - block: 1.0 },
+        contact: block - wall, excitation: block,
+    }
+);
+refused!(
+    unbounded, NoOrbit::Unbounded, ((1.0, 0.5), (1.0, 0.785)),
+    struct Block {
+        masses: { block: 1.0 }, springs: { base - block: 1.0 },
+        contact: block - wall, excitation: block,
+    }
+);
+// `reference/orbits_more.json` has a hundred segments at r = 0.01, β = 0.5.
+refused!(
+    too_many_events, NoOrbit::TooManyEvents, ((0.01, 0.5), (0.008, 0.3)),
+    struct Block {
+        masses: { block: 1.0 }, springs: { base - block: 1.0 },
+        contact: block - wall, excitation: block,
+    }
+);
+// The load drives a mode that the contact does not touch.
+refused!(
+    undamped, NoOrbit::Undamped(0), ((0.6, 0.1), (1.3, 0.2)),
+    struct Pair {
+        masses: { left: 1.0, right: 1.0 },
+        springs: { base - left: 1.0, left - right: 1.0, right - wall: 1.0 },
+        contact: left - right, excitation: left,
+    }
+);
+refused!(
+    unstable, NoOrbit::Unstable, ((1.0 / 3.0, 0.01395),),
+    struct Block {
+        masses: { block: 1.0 }, springs: { base - block: 1.0 },
+        contact: block - base, excitation: base, stiction: 3.0,
+    }
+);
+// So little friction that the free vibration from the start outlives every cycle that is followed.
+refused!(
+    unsettled, NoOrbit::Unsettled, ((0.06501, 0.000_001_849), (0.1382, 0.000_005_223)),
+    struct Block {
+        masses: { block: 1.0 }, springs: { base - block: 1.0 },
+        contact: block - base, excitation: base, stiction: 1.5,
+    }
+);
+
+/// A state that is no state, emitted and at run time.
+#[test]
+fn a_state_out_of_domain() {
+    let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
+        contact: block - wall, excitation: block }";
+    let system: System = text.parse().expect("a scene");
+    let at = system.at(0.5).expect("in the domain");
+    let wanted = Err(NoOrbit::OutOfDomain(OutOfDomain { argument: "state" }));
+    for (x, v) in [(f64::NAN, 0.0), (0.0, f64::INFINITY)] {
+        let found = at.orbit_from(0.3, (&[x], &[v])).map(|orbit| orbit.stops());
+        assert_eq!(found, wanted);
+        let emitted = out_of_domain::Block::at(0.5).expect("in the domain");
+        let found = emitted
+            .orbit_from(0.3, (&[x], &[v]))
+            .map(|orbit| orbit.stops());
+        assert_eq!(found, wanted);
+    }
+    let found = at
+        .orbit_from(0.3, (&[0.0, 0.0], &[0.0]))
+        .map(|orbit| orbit.stops());
+    assert_eq!(found, wanted);
+}
+
+/// A vibration so large that friction is below rounding seems steady; it is none of the motion's.
+#[test]
+fn nothing_larger_than_the_motion() {
+    let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
+        contact: block - wall, excitation: block, stiction: 2 }";
+    let system: System = text.parse().expect("a scene");
+    let mut settled = 0;
+    for beta in [0.000_025_1, 0.0001, 0.000_5, 0.002] {
+        let found = system.at(0.2).expect("in the domain").orbit(beta);
+        match found.map(|orbit| (orbit.contact().amplitude(), orbit.reversals())) {
+            // 0.993884883 at β = 0.005, and 1 without friction.
+            Ok((amplitude, reversals)) => {
+                assert!(
+                    (0.99..1.01).contains(&amplitude) && reversals == 6,
+                    "β = {beta}: {amplitude}"
+                );
+                settled += 1;
+            }
+            Err(error) => assert_eq!(error, NoOrbit::Unsettled, "β = {beta}"),
+        }
+    }
+    assert!(settled >= 2, "{settled}");
+}

@@ -1,0 +1,291 @@
+//! What motion from rest ends in, above β*_lim and below, against [`Plain`] runs.
+
+use super::plain::Plain;
+use frictiongen::study::{SystemAt, SystemOrbit};
+use frictiongen::{Of, Regime, System};
+use fuzzing::Random;
+use nalgebra::DVector;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// Cycles of a run that does not repeat.
+const MOST: usize = 1500;
+/// The longest period that is looked for.
+const LONGEST: usize = 64;
+/// A run has settled where a period changes it by less than this,
+const SETTLED: f64 = 1e-10;
+/// and a shorter one by more than this: a free vibration that dies slowly comes back to itself.
+const APART: f64 = 1e-6;
+/// Both agree to this: the run's events are known to 2e-11, and it has settled to 1e-10.
+const TOLERANCE: f64 = 1e-8;
+/// Factors of β*_lim.
+const FACTORS: [f64; 10] = [1.001, 1.003, 1.01, 1.02, 1.03, 1.05, 1.08, 1.12, 1.2, 1.3];
+
+/// A chain of one to four masses with every kind of contact, damped.
+fn chain(random: &mut Random) -> String {
+    let n = 1 + random.below(4);
+    let name = |i: usize| format!("m{}", i + 1);
+    let masses = (0..n).map(|i| format!("{}: {:.4}", name(i), random.log_uniform(0.3, 3.0)));
+    let masses: Vec<String> = masses.collect();
+    let mut springs = vec![format!("base - m1: {:.4}", random.log_uniform(0.3, 3.0))];
+    for i in 1..n {
+        let k = random.log_uniform(0.3, 3.0);
+        springs.push(format!("{} - {}: {k:.4}", name(i - 1), name(i)));
+    }
+    let j = random.below(n);
+    let contact = match random.below(3) {
+        0 => format!("{} - wall", name(j)),
+        1 if n > 1 => {
+            let other = (j + 1 + random.below(n - 1)) % n;
+            format!("{} - {}", name(j), name(other))
+        }
+        _ => format!("{} - base", name(j)),
+    };
+    let excitation = if random.below(2) == 0 {
+        "base".into()
+    } else {
+        name(random.below(n))
+    };
+    let damping = if random.below(3) == 0 {
+        format!(
+            "rayleigh({:.4}, {:.4})",
+            random.power(-3.0, -1.0),
+            random.power(-3.0, -1.0)
+        )
+    } else {
+        let zetas = (0..n).map(|_| format!("{:.5}", random.power(-2.5, -0.7)));
+        format!("modal[{}]", zetas.collect::<Vec<_>>().join(", "))
+    };
+    let mu = if random.below(10) == 0 {
+        1.0
+    } else {
+        random.between(1.0, 3.0)
+    };
+    format!(
+        "struct Chain {{ masses: {{ {} }}, springs: {{ {} }}, contact: {contact}, \
+         excitation: {excitation}, damping: {damping}, stiction: {mu:.4} }}",
+        masses.join(", "),
+        springs.join(", ")
+    )
+}
+
+/// What a run comes to: how many cycles its period has, and what happens in it.
+#[derive(Debug)]
+struct Settled {
+    period: usize,
+    stops: usize,
+    reversals: usize,
+    stuck: f64,
+    largest: Vec<f64>,
+}
+
+/// `nudge` displaces the first mass at the start.
+fn settled(plain: &Plain, masses: usize, nudge: f64) -> Option<Settled> {
+    let mut run = plain.rest();
+    run.state[0] += nudge;
+    let mut states = vec![run.state.clone()];
+    let apart = |states: &[DVector<f64>], period: usize| {
+        let last = states.len() - 1;
+        let back = |back: usize| {
+            let now = last.checked_sub(back)?;
+            Some((&states[now] - &states[now.checked_sub(period)?]).amax())
+        };
+        let apart = (0..2 * period).map(|count| back(count).unwrap_or(f64::MAX));
+        let size = states[last].rows(0, 2 * masses).amax().max(1e-3);
+        apart.fold(0.0, f64::max) / size
+    };
+    let period = |states: &[DVector<f64>]| {
+        let period = (1..=LONGEST).find(|period| apart(states, *period) < APART)?;
+        (apart(states, period) < SETTLED).then_some(period)
+    };
+    for _ in 0..MOST {
+        run.cycle();
+        states.push(run.state.clone());
+        if let Some(period) = period(&states) {
+            run.count();
+            for _ in 0..period {
+                run.cycle();
+            }
+            return Some(Settled {
+                period,
+                stops: run.stops,
+                reversals: run.reversals,
+                stuck: run.stuck / (period as f64 * std::f64::consts::TAU),
+                largest: run.largest.expect("asked for"),
+            });
+        }
+    }
+    None
+}
+
+/// What a run and an answer have in common, and by how much amplitudes differ, of the largest.
+fn difference(found: &Settled, expected: &Settled) -> f64 {
+    let counts = |of: &Settled| (of.period, of.stops, of.reversals);
+    if counts(found) != counts(expected) {
+        return f64::INFINITY;
+    }
+    let scale = expected
+        .largest
+        .iter()
+        .fold(1e-3, |most: f64, value| most.max(*value));
+    let amplitudes = found.largest.iter().zip(&expected.largest);
+    amplitudes.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs() / scale))
+}
+
+fn answered(orbit: &SystemOrbit<'_>, masses: usize) -> Settled {
+    let largest = (0..masses).map(|mass| orbit.mass_at(mass).expect("a mass").amplitude());
+    Settled {
+        period: orbit.period() as usize,
+        stops: orbit.stops(),
+        reversals: orbit.reversals(),
+        stuck: orbit.stuck_fraction(),
+        largest: largest.collect(),
+    }
+}
+
+/// One place: what kind of state it is, or how answer and run differ.
+fn judged(system: &System, at: &SystemAt<'_>, r: f64, beta: f64) -> (&'static str, String) {
+    let masses = system.scene().masses.len();
+    let plain = Plain::new(system.scene(), r, beta);
+    let run = settled(&plain, masses, 0.0);
+    let answer = at.orbit(beta).map(|orbit| answered(&orbit, masses));
+    let (answer, run) = match (answer, run) {
+        (Ok(answer), Some(run)) => (answer, run),
+        (Err(error), Some(run)) => return ("no answer", format!("{error}; {run:?}")),
+        (Ok(answer), None) => return ("run does not settle", format!("{answer:?}")),
+        (Err(_), None) => return ("neither settles", String::new()),
+    };
+    let apart = difference(&answer, &run);
+    if apart < TOLERANCE {
+        let kind = match (run.stuck > 1.0 - 1e-9, run.stops) {
+            (true, _) => "stuck",
+            (false, 0) => "slides",
+            _ => "stick-slip",
+        };
+        return (kind, String::new());
+    }
+    // Where a start that is off by 1e-9 makes as much of a difference, no program can say more.
+    let sensitive = [1e-9, -1e-9, 1e-8].into_iter().any(|nudge| {
+        settled(&plain, masses, nudge).is_none_or(|nudged| {
+            0.1 * apart < difference(&nudged, &run) || difference(&answer, &nudged) < TOLERANCE
+        })
+    });
+    let kind = if sensitive {
+        "differs as much for a start 1e-9 away"
+    } else {
+        "differs"
+    };
+    (kind, format!("{apart:.1e}: {answer:?}, run {run:?}"))
+}
+
+/// Random scenes at factors of a limit: counts of what both agree on, and what they do not.
+fn survey(
+    scenes: usize,
+    factors: &[f64],
+    limit: impl Fn(&SystemAt<'_>) -> f64 + Sync,
+) -> (BTreeMap<&'static str, usize>, Vec<String>) {
+    let seeds: Vec<u64> = (0..scenes as u64).collect();
+    let places = seeds.into_par_iter().flat_map_iter(|seed| {
+        let mut random = Random(0x5eed_0000 + 977 * seed);
+        let text = chain(&mut random);
+        let r = random.log_uniform(0.2, 3.0);
+        factors.iter().map(move |factor| (text.clone(), r, *factor))
+    });
+    let found = places.map(|(text, r, factor)| {
+        let system: System = text.parse().expect("a scene");
+        let at = system.at(r).expect("in the domain");
+        let beta = factor * limit(&at);
+        if !(beta.is_finite() && beta > 1e-9) {
+            return ("no limit", String::new());
+        }
+        let (kind, told) = judged(&system, &at, r, beta);
+        (
+            kind,
+            format!("{kind}: {text} r = {r}, β = {beta} ({factor} of the limit): {told}"),
+        )
+    });
+    let found: Vec<(&str, String)> = found.collect();
+    let mut counts = BTreeMap::new();
+    for (kind, _) in &found {
+        *counts.entry(*kind).or_insert(0) += 1;
+    }
+    (
+        counts,
+        found
+            .into_iter()
+            .map(|(_, told)| told)
+            .filter(|told| !told.ends_with(": "))
+            .collect(),
+    )
+}
+
+/// A few scenes in every run; [`long`] is the same for more.
+#[test]
+fn short() {
+    let (counts, told) = survey(10, &[1.003, 1.03, 1.3], |at| at.sliding_limit());
+    println!("{counts:?}");
+    let wrong = told
+        .iter()
+        .filter(|told| told.starts_with("differs:") || told.starts_with("no answer"));
+    assert_eq!(wrong.collect::<Vec<_>>(), Vec::<&String>::new());
+    let compared =
+        ["stuck", "slides", "stick-slip"].map(|kind| counts.get(kind).copied().unwrap_or(0));
+    assert!(
+        compared.iter().all(|count| *count > 0) && compared.iter().sum::<usize>() >= 24,
+        "{counts:?}"
+    );
+}
+
+#[test]
+#[ignore = "minutes: SCENES=1000 cargo test --release -p generated-tests --test orbits stick_slip::from_rest::long -- --ignored --nocapture"]
+fn long() {
+    let scenes = std::env::var("SCENES").map_or(100, |text| text.parse().expect("a number"));
+    let (counts, told) = survey(scenes, &FACTORS, |at| at.sliding_limit());
+    println!("{counts:?}");
+    for line in told {
+        println!("{line}");
+    }
+}
+
+/// Below both limits with μ > 1 the closed form exists, but motion from rest may end in stick-slip: the desk says so.
+#[test]
+fn response_from_rest() {
+    let system: System = "struct Chain {
+        masses: { m1: 1.0219, m2: 1.1027, m3: 0.8481 },
+        springs: { base - m1: 0.4773, m1 - m2: 0.5388, m2 - m3: 0.4707 }, contact: m1 - m3,
+        excitation: base, damping: rayleigh(0.0012, 0.0076), stiction: 2.7514,
+    }"
+    .parse()
+    .expect("a scene");
+    let r = 0.219_718_580_648_245_57;
+    let at = system.at(r).expect("in the domain");
+    let beta = 0.97 * at.continuous_limit().min(at.sliding_limit());
+    assert_eq!(at.regime(beta), Ok(Regime::Continuous));
+    let closed = at.motion(beta).expect("a motion");
+    let run = settled(&Plain::new(system.scene(), r, beta), 3, 0.0).expect("it settles");
+    let response = at.response(beta).expect("a response");
+    assert_eq!((run.period, run.stops, run.reversals), (1, 1, 1));
+    assert_eq!(response.regime(), Regime::StickSlip);
+    for (mass, expected) in run.largest.into_iter().enumerate() {
+        let found = response.swing(Of::Mass(mass)).expect("a mass").amplitude;
+        assert!(
+            (found - expected).abs() < TOLERANCE * expected,
+            "{found} {expected}"
+        );
+        let other = closed.mass_at(mass).expect("a mass").amplitude();
+        assert!((found - other).abs() > 1e-4 * expected, "{found} {other}");
+    }
+}
+
+/// Below both limits: with μ > 1 a motion from rest may end in stick-slip there too.
+#[test]
+#[ignore = "minutes: SCENES=300 cargo test --release -p generated-tests --test orbits stick_slip::from_rest::below -- --ignored --nocapture"]
+fn below() {
+    let scenes = std::env::var("SCENES").map_or(100, |text| text.parse().expect("a number"));
+    let limit = |at: &SystemAt<'_>| at.continuous_limit().min(at.sliding_limit());
+    let (counts, told) = survey(scenes, &[0.5, 0.8, 0.9, 0.97, 0.99, 0.999], limit);
+    println!("{counts:?}");
+    for line in told {
+        println!("{line}");
+    }
+}

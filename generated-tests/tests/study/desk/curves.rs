@@ -1,0 +1,259 @@
+//! Curves: between their points, at their cuts, against dense sampling.
+
+use crate::desk::{SCENES, system};
+use frictiongen::study::{CurveError, CurveRequest, Damping, End};
+use frictiongen::{Of, Regime};
+use std::f64::consts::TAU;
+
+/// The friction ratios, or the last of them: five masses take a minute each where their motions do not settle.  With
+/// `CURVES=all` in the environment all of them.
+fn frictions<'a>(name: &str, all: &'a [f64]) -> &'a [f64] {
+    let short = name.starts_with("five") && std::env::var_os("CURVES").is_none();
+    if short { &all[all.len() - 1..] } else { all }
+}
+
+/// An angle in (−π, π].
+fn turn(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+/// A straight line between neighbours passes the response at places that the refinement did not see.  Refinement compares
+/// at the middle of an interval; elsewhere, and where a curve bends more on one side, a few times as much is allowed.  Where
+/// several steady states exist a motion from rest ends in one or another, however near its neighbours are: with five masses
+/// and μ > 1 some places stray from the line.
+#[test]
+fn lines_between_points_pass_the_response() {
+    let (mut checked, mut beyond, mut turned, mut far) = (0_u32, 0_u32, 0_u32, 0_u32);
+    for (name, text) in SCENES {
+        let system = system(text);
+        let unique = system.scene().stiction == 1.0;
+        let damped = system.scene().damping != Damping::None;
+        let mut request = CurveRequest::new(0.3, 2.4, &[Of::Contact, Of::Mass(0)]);
+        request.accuracy = 2e-3;
+        for &beta in frictions(name, &[0.1, 0.45, 1.1]) {
+            let curve = system.curve(&request, beta).unwrap();
+            for piece in &curve.pieces {
+                for pair in piece.points.windows(2).step_by(5) {
+                    let (a, b) = (&pair[0], &pair[1]);
+                    let r = a.r + 0.37 * (b.r - a.r);
+                    let Ok(response) = system.at(r).unwrap().response(beta) else {
+                        continue;
+                    };
+                    if !(a.settled && b.settled && response.is_settled()) {
+                        continue;
+                    }
+                    assert_eq!(
+                        response.regime(),
+                        piece.regime,
+                        "{name}, β = {beta}, r = {r}"
+                    );
+                    for (index, of) in request.of.iter().enumerate() {
+                        let [low, high] =
+                            [a, b].map(|point| point.movements[index].swing.amplitude);
+                        let line = low + 0.37 * (high - low);
+                        let exact = response.swing(*of).unwrap().amplitude;
+                        if piece.regime == Regime::Stuck && !(unique && damped) {
+                            // With μ > 1 the offset jumps by a slip from place to place, and without damping slips go on
+                            // as long as the motion is followed.
+                            continue;
+                        }
+                        let stray = (line - exact).abs() / exact.max(1e-2);
+                        // With μ > 1 motion from rest ends in one state or another: a jump may pass between points.
+                        let alone = piece.regime != Regime::StickSlip
+                            || (unique && !name.starts_with("five"));
+                        assert!(
+                            stray < 10.0 * request.accuracy || !alone,
+                            "{name}, β = {beta}, r = {r}: {line} for {exact}"
+                        );
+                        checked += 1;
+                        beyond += u32::from(unique && 4.0 * request.accuracy < stray);
+                        // What is small has no phase that counts.  With stops the largest displacement may go from one
+                        // instant to another at once, whatever the amplitude does: that place is found.
+                        if exact < 0.05 || !alone || b.r - a.r < 1e-5 * r {
+                            continue;
+                        }
+                        let phases = [a, b].map(|point| point.movements[index].swing.phase);
+                        let ([Some(low), Some(high)], Some(phase)) =
+                            (phases, response.swing(*of).unwrap().phase)
+                        else {
+                            continue;
+                        };
+                        let line = low + 0.37 * turn(high - low);
+                        let stray = turn(line - phase).abs() / TAU;
+                        turned += 1;
+                        far += u32::from(4.0 * request.accuracy < stray);
+                        assert!(
+                            stray < 10.0 * request.accuracy,
+                            "{name}, β = {beta}, {} < r = {r} < {}, {of:?}: {line} rad for {phase}",
+                            a.r,
+                            b.r
+                        );
+                    }
+                }
+            }
+        }
+    }
+    println!(
+        "{checked} places between points, {beyond} beyond four times the accuracy; {turned} phases, {far} beyond"
+    );
+    assert!(
+        checked > 600 && beyond * 200 < checked,
+        "{beyond} of {checked}"
+    );
+    assert!(turned > 500 && far * 200 < turned, "{far} of {turned}");
+}
+
+/// Where the regime changes, a limit equals β to rounding; and no change of a dense scan is missing.
+#[test]
+fn regimes_change_at_limits_and_nowhere_else() {
+    for (name, text) in SCENES {
+        let system = system(text);
+        // With μ > 1 motion from rest decides, and limits say only what exists.
+        let unique = system.scene().stiction == 1.0;
+        let (from, to) = (0.3, 2.4);
+        let mut request = CurveRequest::new(from, to, &[Of::Mass(0)]);
+        request.accuracy = 5e-2;
+        for &beta in frictions(name, &[0.02, 0.2, 0.45, 0.7, 1.1]) {
+            let curve = system.curve(&request, beta).unwrap();
+            for pair in curve.pieces.windows(2) {
+                let (last, first) = (pair[0].points.last().unwrap(), &pair[1].points[0]);
+                if !unique || last.regime == first.regime || pair[0].end != End::Boundary {
+                    continue;
+                }
+                // Beside a limit there may be no answer: a motion takes for ever to settle.
+                if curve
+                    .gaps
+                    .iter()
+                    .any(|gap| last.r < gap.from && gap.to < first.r)
+                {
+                    continue;
+                }
+                let limits = system.at(last.r).unwrap().limits();
+                let near = |limit: f64| (limit / beta - 1.0).abs() < 1e-6;
+                assert!(
+                    near(limits.continuous) || near(limits.sliding),
+                    "{name}, β = {beta}, r = {}",
+                    last.r
+                );
+                assert!(
+                    first.r - last.r < 1e-12,
+                    "{name}, β = {beta}: {} to {}",
+                    last.r,
+                    first.r
+                );
+            }
+            // Each place of a scan lies in a piece of its regime, or in a cut.
+            for i in 0..if unique { 2000 } else { 0 } {
+                let r = from + (to - from) * (f64::from(i) + 0.31) / 2000.0;
+                let regime = system.at(r).unwrap().limits().regime(beta).unwrap();
+                let found = curve
+                    .pieces
+                    .iter()
+                    .find(|piece| piece.points[0].r <= r && r <= piece.points.last().unwrap().r);
+                if let Some(piece) = found {
+                    assert_eq!(piece.regime, regime, "{name}, β = {beta}, r = {r}");
+                }
+            }
+        }
+    }
+}
+
+/// Steep but unbroken: the response of two masses beside r = 0.615 falls by a third within 2e-4 (figure 6.6).
+#[test]
+fn what_is_steep_is_not_a_jump() {
+    let system = system(
+        "struct Two { masses: { a: 1, b: 1 }, springs: { base - a: 1, a - b: 1 }, contact: a - wall, excitation: a }",
+    );
+    let curve = system
+        .curve(&CurveRequest::new(0.5, 0.75, &[Of::Mass(0)]), 0.8)
+        .unwrap();
+    let jumps = curve.pieces.iter().filter(|piece| piece.end == End::Jump);
+    assert_eq!(
+        jumps.count(),
+        0,
+        "{:?}",
+        curve
+            .pieces
+            .iter()
+            .map(|piece| piece.end)
+            .collect::<Vec<_>>()
+    );
+    let regimes: Vec<Regime> = curve.pieces.iter().map(|piece| piece.regime).collect();
+    assert_eq!(
+        regimes,
+        [Regime::StickSlip, Regime::Continuous, Regime::StickSlip]
+    );
+}
+
+/// At an undamped resonance with too little friction a curve ends on both sides; with enough it goes on.
+#[test]
+fn poles_are_cut() {
+    let system = system(SCENES[0].1);
+    let request = CurveRequest::new(0.5, 1.5, &[Of::Mass(0)]);
+    let poles = |beta: f64| {
+        let curve = system.curve(&request, beta).unwrap();
+        let ends = curve
+            .pieces
+            .iter()
+            .filter(|piece| piece.end == End::Pole)
+            .count();
+        (
+            ends,
+            curve
+                .pieces
+                .iter()
+                .filter(|piece| piece.start == End::Pole)
+                .count(),
+        )
+    };
+    // The threshold is π/4.
+    assert_eq!(poles(0.7), (1, 1));
+    assert_eq!(poles(0.8), (0, 0));
+    let largest = |beta: f64| {
+        let curve = system.curve(&request, beta).unwrap();
+        let points = curve.pieces.iter().flat_map(|piece| &piece.points);
+        points
+            .map(|point| point.movements[0].swing.amplitude)
+            .fold(0.0, f64::max)
+    };
+    assert!(largest(0.7) > 1e3 && largest(0.8) < 10.0);
+}
+
+#[test]
+fn bad_requests() {
+    let system = system(SCENES[0].1);
+    let of = [Of::Mass(0)];
+    let ask = |from: f64, to: f64| {
+        system
+            .curve(&CurveRequest::new(from, to, &of), 0.3)
+            .unwrap_err()
+    };
+    for (from, to) in [
+        (0.0, 1.0),
+        (1.0, 1.0),
+        (2.0, 1.0),
+        (0.5, f64::INFINITY),
+        (f64::NAN, 1.0),
+    ] {
+        assert_eq!(ask(from, to), CurveError::Range, "{from} to {to}");
+    }
+    let good = CurveRequest::new(0.5, 1.0, &of);
+    for beta in [-0.1, f64::NAN, f64::INFINITY] {
+        assert_eq!(system.curve(&good, beta).unwrap_err(), CurveError::Friction);
+    }
+    let unknown = CurveRequest::new(0.5, 1.0, &[Of::Mass(7)]);
+    assert_eq!(
+        system.curve(&unknown, 0.3).unwrap_err(),
+        CurveError::NoSuchMass(7)
+    );
+    for accuracy in [0.0, -1.0, f64::NAN, 2.0] {
+        let request = CurveRequest {
+            accuracy,
+            ..good.clone()
+        };
+        assert_eq!(
+            system.curve(&request, 0.3).unwrap_err(),
+            CurveError::Accuracy
+        );
+    }
+}

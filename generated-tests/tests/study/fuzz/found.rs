@@ -1,0 +1,369 @@
+//! What the long form has found, each as a test of its own.
+
+use crate::fuzz::text::expanded;
+use frictiongen::{
+    FrictionSystem, MotionAt, NoOrbit, OutOfDomain, Regime, System, friction_system,
+};
+
+/// Was taken as a visibility, and emitted, which is no Rust.
+#[test]
+fn a_visibility_that_is_none() {
+    let rest =
+        "struct C { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - wall, excitation: a }";
+    for faulty in ["pub(m)", "pub(crate::fuzz::a)", "pub(::crate)"] {
+        let text = format!("{faulty} {rest}");
+        let errors = text.parse::<System>().expect_err("no visibility");
+        assert!(errors.to_string().contains("a visibility is"), "{errors}");
+        expanded(&text).expect("Rust all the same");
+    }
+    for sound in [
+        "",
+        "pub",
+        "pub(crate)",
+        "pub(self)",
+        "pub(super)",
+        "pub(in crate::fuzz::a)",
+    ] {
+        assert!(
+            format!("{sound} {rest}").parse::<System>().is_ok(),
+            "{sound}"
+        );
+    }
+}
+
+/// Were taken as paths of the facade, and emitted, which is no Rust.
+#[test]
+fn a_facade_that_is_no_path() {
+    let scene = |facade: &str| {
+        format!(
+            "struct C {{ masses: {{ a: 1 }}, springs: {{ base - a: 1 }}, contact: a - wall, excitation: a, \
+             crate: {facade} }}"
+        )
+    };
+    for faulty in [
+        "in::frictiongen",
+        "struct",
+        "_",
+        "_ ::frictiongen",
+        "a::pub",
+    ] {
+        let text = scene(faulty);
+        assert!(text.parse::<System>().is_err(), "{faulty}");
+        expanded(&text).expect("Rust all the same");
+    }
+    for sound in [
+        "::frictiongen",
+        "crate::fuzz::facade",
+        "super::renamed",
+        "r#in::facade",
+    ] {
+        assert!(scene(sound).parse::<System>().is_ok(), "{sound}");
+        expanded(&scene(sound)).expect("Rust");
+    }
+}
+
+friction_system! {
+    /// Its second resonance lies at 3.2e5.
+    struct Spread {
+        masses: { a: 1.0, b: 1e-6 },
+        springs: { base - a: 1.0, a - b: 1e5 },
+        contact: b - base,
+        excitation: base,
+        scalar: f32,
+        provide: [limits, motion],
+    }
+}
+
+/// √λ/r had a square beyond `f32` at the smallest r at which the formulas were evaluated.
+#[test]
+fn a_high_resonance_at_a_small_ratio() {
+    for r in [1e-45_f32, 1.6e-37, 1.5e-18, 1e-12] {
+        let at = Spread::at(r).expect("a ratio");
+        assert!(at.continuous_limit() >= 0.0, "{r}: {at:?}");
+        assert!(at.continuous_limit_without_search() >= 0.0, "{r}: {at:?}");
+        assert!(at.continuous_limit_per_mode() >= 0.0, "{r}: {at:?}");
+    }
+}
+
+/// With friction on the moving base both limits are infinite at r = ∞, and the motion is that without
+/// friction; a large β was said to stick and slip.
+#[test]
+fn any_friction_on_a_moving_base_at_infinity() {
+    let at = FrictionSystem::at(&Spread, f32::INFINITY).expect("a ratio");
+    for beta in [0.0, 1.0, f32::MAX] {
+        assert_eq!(at.regime(beta), Ok(Regime::Continuous));
+        let motion = MotionAt::motion(&at, beta).expect("continuous");
+        // The base moves, the mass stays.
+        assert_eq!(motion.contact().amplitude(), 1.0);
+    }
+}
+
+friction_system! {
+    /// All but undamped.
+    struct Faint {
+        masses: { a: 1.0, b: 1.0 },
+        springs: { base - a: 1.0, a - b: 1.0 },
+        contact: b - wall,
+        excitation: a,
+        damping: modal(1e-30),
+        scalar: f32,
+        provide: [limits, motion],
+    }
+}
+
+/// Far above all resonances V loses all but its damping's part to rounding, and 1/V overflowed.
+#[test]
+fn a_response_too_small_for_its_reciprocal() {
+    for r in [1.4839235e11_f32, 1e13, 1e15] {
+        let at = Faint::at(r).expect("a ratio");
+        let motion = at.motion(0.0).expect("without friction there is a motion");
+        let mass = motion.a();
+        // Without friction, x̄ of the loaded mass is 1/r² there.
+        assert!(
+            (mass.amplitude() * r * r - 1.0).abs() < 1e-5,
+            "{}",
+            mass.amplitude()
+        );
+        assert!((mass.amplitude_monoharmonic() * r * r - 1.0).abs() < 1e-5);
+    }
+}
+
+friction_system! {
+    struct Still {
+        masses: { a: 1.0, b: 1.0 },
+        springs: { base - a: 1.0, a - b: 1.0 },
+        contact: b - wall,
+        excitation: a,
+        scalar: f32,
+        provide: [limits, orbit],
+    }
+}
+
+/// Panels were counted one by one up to the modes' own rate, which in `f32` never came to an end.
+#[test]
+fn a_harmonic_far_below_the_resonances() {
+    for r in [1e-9_f32, 1e-6] {
+        let orbit = Still::at(r).expect("a ratio").orbit(10.0).expect("stuck");
+        // The held mass is pushed against both springs.
+        let x = orbit.a().harmonic(1);
+        // 2^14 panels, whose sum is rounded as often: at most by 2^14 · 2^-25 of it.
+        assert!((x.re - 0.5).abs() < 2.5e-4 && x.im.abs() < 2.5e-4, "{x:?}");
+        assert!(orbit.a().harmonic(u32::MAX).re.abs() <= 1.0);
+    }
+}
+
+friction_system! {
+    struct Fast {
+        masses: { a: 1.0, b: 0.7 },
+        springs: { base - a: 1.0, a - b: 1.3 },
+        contact: a - b,
+        excitation: b,
+        damping: modal(1.0),
+        scalar: f32,
+        provide: [limits, orbit],
+    }
+}
+
+/// A motion too small for its numbers is flat at zero, and the search for its peak stood still.
+#[test]
+fn a_motion_that_is_all_zero() {
+    let at = Fast::at(2.6789888e8).expect("a ratio");
+    let orbit = at.orbit(at.continuous_limit() * 1.000_494_4);
+    let orbit = orbit.expect("a steady state");
+    // x̄ is below 1/r² there, which is 1.4e-17.
+    assert!(orbit.a().amplitude() < 2e-17, "{}", orbit.a().amplitude());
+}
+
+/// A cycle was recorded from event to event however many leaps that took: at r below the rounding of 1
+/// there was no end.
+#[test]
+fn a_cycle_of_too_many_turns() {
+    let text = "struct R { masses: { a: 3.4233933483554577, b: 0.6278288469607384, c: 3.756799589337862,
+        d: 3.0227642687030514 }, springs: { base - a: 0.45667147705398964, a - b: 0.4516504383832916,
+        b - c: 0.2381738254712511, c - d: 0.9309229793257213 }, contact: b - wall, excitation: base,
+        damping: rayleigh(0.050634208209306135, 0.09476255404592096), stiction: 2.0158022017583335 }";
+    let system: System = text.parse().expect("a sound scene");
+    let at = system.at(f64::EPSILON).expect("a ratio");
+    let orbit = at.orbit(0.2690065403843426 * at.continuous_limit());
+    assert_eq!(orbit.err(), Some(NoOrbit::Unsettled));
+}
+
+/// A mode that the contact touches by 1e-18 of what it touches the others was at rest in the stuck chain to
+/// all digits of a double-double, and its share in itself was 0/0.
+#[test]
+fn a_mode_that_the_contact_hardly_touches() {
+    let text = "struct R { masses: { a: 0.35, b: 2.4e5, c: 1.6, d: 0.19 },
+        springs: { base - a: 4.3, a - b: 7.7e5, b - c: 0.76, c - d: 1.1 }, contact: d - base,
+        excitation: c, damping: modal(2.14), stiction: 1.98 }";
+    let system: System = text.parse().expect("a sound scene");
+    let sliding = system.at(119.3).expect("a ratio").sliding_limit();
+    let mut run = system
+        .simulation(119.3, 0.8 * sliding)
+        .expect("in the domain");
+    for _ in 0..24 {
+        run.advance(std::f64::consts::TAU).expect("a reach");
+        let (z, velocity) = run.run().relative();
+        assert!(z.is_finite() && velocity.is_finite(), "{z}, {velocity}");
+    }
+}
+
+friction_system! {
+    struct Carried {
+        masses: { a: 8e-5, b: 0.52, c: 0.1 },
+        springs: { base - a: 1.2, a - b: 3.6, b - c: 3.9 },
+        contact: c - base,
+        excitation: base,
+        damping: modal(1),
+        scalar: f32,
+        provide: [limits, motion],
+    }
+}
+
+/// On a moving base both limits grow as r², and β with them, up to where nothing may be lifted.
+#[test]
+fn a_friction_ratio_as_large_as_it_gets() {
+    let at = Carried::at(2.8e37).expect("a ratio");
+    let motion = at.motion(0.03 * at.continuous_limit()).expect("continuous");
+    for amplitude in [motion.b().amplitude(), motion.b().amplitude_monoharmonic()] {
+        assert!(amplitude.is_finite(), "{amplitude}");
+    }
+}
+
+friction_system! {
+    struct Shaken {
+        masses: { a: 1.0, b: 0.7 },
+        springs: { base - a: 1.0, a - b: 1.3 },
+        contact: b - base,
+        excitation: base,
+        damping: modal[0.01, 0.02],
+        provide: [limits, simulation],
+    }
+}
+
+/// What drives a held mode on a moving base was formed with r³.
+#[test]
+fn a_base_that_shakes_faster_than_a_cube_can_hold() {
+    let r = 1e116;
+    let beta = Shaken::at(r).expect("a ratio").continuous_limit();
+    let mut run = Shaken::simulation(r, beta).expect("in the domain");
+    for _ in 0..8 {
+        run.advance(core::f64::consts::TAU).expect("a reach");
+        let (z, velocity) = run.relative();
+        assert!(z.is_finite() && velocity.is_finite(), "{z} {velocity}");
+    }
+}
+
+friction_system! {
+    struct Creeping {
+        masses: { a: 1.0, b: 0.7 },
+        springs: { base - a: 1.0, a - b: 1.3 },
+        contact: a - b,
+        excitation: b,
+        damping: modal(1),
+        scalar: f32,
+        provide: [limits, orbit],
+    }
+}
+
+/// Without friction nothing jumps at a reversal, however slowly the contact passes it: 0/0.
+#[test]
+fn multipliers_without_friction() {
+    let at = Creeping::at(5.124_947e-4).expect("a ratio");
+    let orbit = at.orbit(0.0).expect("a steady state");
+    for multiplier in orbit.multipliers() {
+        assert!(multiplier.re.is_finite() && multiplier.im.is_finite());
+    }
+}
+
+/// A mode that the contact touches by 1e-27 is itself a held mode as far as numbers go, but not to the last
+/// digit of a double-double: its share was all rounding.
+#[test]
+fn a_mode_whose_share_is_all_rounding() {
+    let text = "struct R { masses: { a: 2.4462350119996397, b: 7.35905547834189, c: 1.8784094014138872,
+        d: 0.3618976964314165 }, springs: { base - a: 0.16197076457801876, a - b: 144438.29095783064,
+        b - c: 7.507119145768243e-5, c - d: 6.781542474873392 }, contact: d - wall, excitation: b,
+        damping: modal(1), stiction: 1.694914197041189 }";
+    let system: System = text.parse().expect("a sound scene");
+    let mut run = system
+        .simulation(0.370_744, 1.0 / 60.0)
+        .expect("in the domain");
+    for _ in 0..8 {
+        run.advance(core::f64::consts::TAU).expect("a reach");
+        let (z, velocity) = run.run().relative();
+        assert!(z.is_finite() && velocity.is_finite(), "{z} {velocity}");
+    }
+}
+
+friction_system! {
+    struct Tiny {
+        masses: { a: 3.7e4, b: 2.7, c: 2.5e-6 },
+        springs: { base - a: 0.35, a - b: 0.15, b - c: 1.4 },
+        contact: c - base,
+        excitation: base,
+        damping: rayleigh(0.0023, 0.16),
+        scalar: f32,
+        provide: [limits, motion],
+    }
+}
+
+/// On a moving base V grows as r², and times the inverse effective mass of a light mass it was beyond `f32`.
+#[test]
+fn a_light_mass_on_a_fast_base() {
+    let motion = Tiny::at(8.5e36).expect("a ratio").motion(4.4e-12);
+    let motion = motion.expect("continuous");
+    let (exact, estimate) = (motion.c().amplitude(), motion.c().amplitude_monoharmonic());
+    assert!(0.0 < exact && exact <= estimate, "{exact} {estimate}");
+}
+
+/// The friction that lets the contact stick was infinite.
+#[test]
+fn friction_that_overflows() {
+    let most = f64::MAX;
+    assert!(Shaken::simulation(0.5, most).is_ok());
+    let text = "struct R { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - wall,
+        excitation: base, stiction: 2 }";
+    let system: System = text.parse().expect("a sound scene");
+    assert!(system.simulation(0.5, most).is_err());
+    assert!(system.simulation(0.5, most / 4.0).is_ok());
+}
+
+/// Where rounding turns a mode by an angle that counts, two searches differ: the regime said stick-slip, and
+/// a motion was given all the same.
+#[test]
+fn a_sweep_too_slow_for_two_searches() {
+    let text = "struct R { masses: { a: 4.774003736351606, b: 3.6965901884292873,
+        c: 0.8106351209296832 }, springs: { base - a: 0.22183498329861595,
+        a - b: 182301.42005847045, b - c: 1.2420023925764312 }, contact: c - b, excitation: b,
+        damping: modal(1.3333195107448167e-14), stiction: 2.7203322719229726 }";
+    let system: System<f32> = text.parse().expect("a sound scene");
+    let at = system.at(5.737_087e-4).expect("a ratio");
+    let beta = 1.027 * at.continuous_limit();
+    assert_eq!(at.regime(beta), Ok(Regime::StickSlip));
+    assert!(at.motion(beta).is_err());
+}
+
+/// Two decays of different modes were one pair, whose shares were nearly dependent: in `f32` the held
+/// contact moved.  Two overdamped held modes lie so near to each other that `f32` loses a sixth of a motion: refused now.
+#[test]
+fn decays_of_two_modes() {
+    let text = "struct R { masses: { a: 5.967731750865764, b: 0.30315412918747936,
+        c: 1.0809933843637292, d: 0.11418774165390717 }, springs: { base - a: 14210.9929505642,
+        a - b: 5.860394190591326, b - c: 0.182431950610341, c - d: 0.15523094275287846,
+        d - wall: 2976.711845219491 }, contact: c - d, excitation: base,
+        damping: rayleigh(0.1778467665420973, 0.09091268639795028), stiction: 1 }";
+    let narrow: System<f32> = text.parse().expect("a sound scene");
+    let refused = narrow.simulation(0.5, 0.1).err();
+    assert_eq!(
+        refused,
+        Some(OutOfDomain {
+            argument: "damping"
+        })
+    );
+    let system: System = text.parse().expect("a sound scene");
+    let mut run = system.simulation(0.5, 0.1).expect("in the domain");
+    for _ in 0..8 {
+        run.advance(core::f64::consts::TAU).expect("a reach");
+        let (z, _) = run.run().relative();
+        assert!(z.abs() < 1e-14, "{z}");
+    }
+}

@@ -1,0 +1,9 @@
+//! Design studies: curves, maps, sweeps, features, optima; and random input to every function.
+
+mod answers;
+mod desk;
+mod features;
+mod fuzz;
+mod optimum;
+mod optimum_short;
+mod tuned_optimum;

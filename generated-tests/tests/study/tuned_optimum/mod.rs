@@ -1,0 +1,231 @@
+//! The friction and one number of the description that keep the largest amplitude over a band smallest, against maps by
+//! brute force: descriptions written anew for each value, with groups made by hand.
+//!
+//! `case` has the chains, `brute_force` the maps and the golden sections.
+//!
+//! ```sh
+//! cargo test --release -p generated-tests --test study tuned_optimum:: -- --include-ignored --nocapture
+//! ```
+
+mod brute_force;
+mod case;
+mod numbers;
+
+use brute_force::{Tried, golden};
+use case::{ABSORBER, BLOCK, FIRST_SPRING, SHARP};
+use frictiongen::study::{FrequencyBand, OptimumError, OptimumKind, OptimumRequest, Tuning};
+use std::time::Instant;
+
+fn off(a: f64, b: f64) -> f64 {
+    (a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE)
+}
+
+/// The least over number and force about the optimum, by golden sections within golden sections.
+#[test]
+#[ignore = "a million responses: minutes"]
+fn two_masses_as_by_brute_force() {
+    for (case, described, sharp) in [
+        (&ABSORBER, 0.085, false),
+        (&FIRST_SPRING, 1.0, false),
+        (&SHARP, 0.1, true),
+    ] {
+        let start = Instant::now();
+        let tuned = case.tuned(described);
+        let seconds = start.elapsed().as_secs_f64();
+        assert!(!tuned.at_end, "{}: {}", case.name, tuned.value);
+        let [force, amplitude] = case.physical(described, &tuned);
+        let start = Instant::now();
+        let mut count = 0;
+        // The value found is none of the grid's.
+        let interval = [0.971, 1.032].map(|share| share * tuned.value);
+        // A flat least is no nearer than the root of a rounding.
+        let near = if sharp { 1e-10 } else { 1e-6 };
+        let (value, least) = golden(interval, 6, near, |value| {
+            let mut tried = Tried::new(case, value);
+            let found = tried.least(force).1;
+            count += tried.count;
+            found
+        });
+        let (best, there) = Tried::new(case, tuned.value).least(force);
+        let [in_value, in_force, in_amplitude, in_depth] = [
+            off(tuned.value, value),
+            off(force, best),
+            off(amplitude, there),
+            off(amplitude, least),
+        ];
+        println!(
+            "{} = {} ({in_value:.1e} off), {force} N ({in_force:.1e} off), {amplitude} m ({in_amplitude:.1e} off, {in_depth:.1e} \
+             from the least), {:?}; {} amplitudes in {seconds:.1} s, by brute force {count} in {:.0} s",
+            case.name,
+            tuned.value,
+            tuned.optimum.kind,
+            tuned.evaluations,
+            start.elapsed().as_secs_f64()
+        );
+        assert!(in_force < 1e-6 && in_amplitude < 1e-9 && in_depth < 1e-9);
+        assert!(in_value < if sharp { 1e-8 } else { 1e-4 });
+    }
+}
+
+/// The sharp one by its receptances: at both ends of the band the undamped main mass moves as far.
+#[test]
+#[ignore = "many optima: a minute without optimisation"]
+fn sharp_as_by_receptances() {
+    let tuned = SHARP.tuned(0.1);
+    let amplitude = |mass: f64, omega: f64| {
+        let square = omega * omega;
+        let (main, own) = (1.085 - square, 0.085 - mass * square);
+        (own / (main * own - 0.085 * 0.085)).abs()
+    };
+    let higher = |mass: f64| {
+        let [low, high] = SHARP.band.map(|omega| amplitude(mass, omega));
+        low - high
+    };
+    let (mut a, mut b) = (0.1, 0.12);
+    assert!(higher(a) * higher(b) < 0.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (a + b);
+        if higher(a) * higher(middle) <= 0.0 {
+            b = middle;
+        } else {
+            a = middle;
+        }
+    }
+    let least = amplitude(a, SHARP.band[0]);
+    println!("{} ({:.1e} off), {least}", tuned.value, off(tuned.value, a));
+    assert_eq!(tuned.optimum.kind, OptimumKind::NoFriction);
+    assert!(tuned.optimum.beta == 0.0 && off(tuned.value, a) < 1e-9);
+    assert!(off(tuned.optimum.amplitude, least) < 1e-9);
+}
+
+/// One mass: softer to its base it moves less, and at the end of the interval friction is best as a map has it. Nowhere on a
+/// map of the whole interval is it less.
+#[test]
+fn one_mass_as_by_a_coarse_map() {
+    one_mass([6, 8]);
+}
+
+/// The same on a map of a million responses.
+#[test]
+#[ignore = "a map of a million responses: a minute"]
+fn one_mass_as_by_brute_force() {
+    one_mass([16, 31]);
+}
+
+fn one_mass([values, forces]: [u32; 2]) {
+    let tuned = BLOCK.tuned(1.0);
+    assert!(tuned.at_end && tuned.value == 0.1, "{}", tuned.value);
+    assert_ne!(tuned.optimum.kind, OptimumKind::Stuck);
+    let [force, amplitude] = BLOCK.physical(1.0, &tuned);
+    let mut tried = Tried::new(&BLOCK, tuned.value);
+    let (best, least) = tried.least(force);
+    let offs = [off(force, best), off(amplitude, least)];
+    println!(
+        "{force} N ({:.1e} off), {amplitude} m ({:.1e} off)",
+        offs[0], offs[1]
+    );
+    assert!(offs[0] < 1e-6 && offs[1] < 1e-9, "{offs:?}");
+    let mut count = 0;
+    for place in 0..values {
+        let value = 0.1 * 30.0_f64.powf(f64::from(place) / f64::from(values - 1));
+        let mut tried = Tried::new(&BLOCK, value);
+        for step in 0..forces {
+            let share = f64::from(step) / f64::from(forces - 1);
+            let there = tried.largest(0.12 * share * share);
+            assert!(amplitude <= there * (1.0 + 1e-9), "{value}: {there}");
+        }
+        count += tried.count;
+    }
+    println!("nowhere less among {count} responses");
+}
+
+/// The scan holds what `optimum` says of each value, in the units of the scene as it is described, however that is.
+#[test]
+#[ignore = "many optima: half a minute without optimisation"]
+fn whatever_is_described() {
+    let [one, other] = [0.9, 1.1].map(|described| (described, FIRST_SPRING.tuned(described)));
+    let [a, b] = [&one, &other].map(|(described, tuned)| FIRST_SPRING.physical(*described, tuned));
+    assert!(off(one.1.value, other.1.value) < 1e-6);
+    assert!(
+        off(a[0], b[0]) < 1e-6 && off(a[1], b[1]) < 1e-12,
+        "{a:?} {b:?}"
+    );
+    let point = one.1.scan[4];
+    let system = FIRST_SPRING.system(point.value);
+    let request = OptimumRequest {
+        of: system.motion_named("a").expect("a"),
+        band: FrequencyBand::Ratio(
+            FIRST_SPRING.band[0] / point.value.sqrt(),
+            FIRST_SPRING.band[1] / point.value.sqrt(),
+        ),
+        load: None,
+    };
+    let there = system.optimum(&request).expect("an optimum");
+    // P is the unit of β; the unit of amplitudes is P/k₁.
+    assert!(off(there.beta, point.beta) < 1e-7, "{there:?} {point:?}");
+    let amplitude = there.amplitude * 0.9 / point.value;
+    assert!(
+        off(amplitude, point.amplitude) < 1e-10,
+        "{amplitude} {point:?}"
+    );
+}
+
+/// What makes no sense is an error, each its own.
+#[test]
+fn what_makes_no_sense() {
+    let system = ABSORBER.system(0.085);
+    let request = OptimumRequest {
+        of: system.motion_named("a").expect("a"),
+        band: FrequencyBand::Ratio(0.5, 1.6),
+        load: None,
+    };
+    let of = system.tunable_named("k2").expect("a spring");
+    assert_eq!(system.tunable_named(" k  b-a "), Ok(of));
+    let asked = |from: f64, to: f64| {
+        let found = system.tuned_optimum(&request, &Tuning { of, from, to });
+        found.expect_err("nonsense")
+    };
+    for (from, to) in [
+        (0.2, 0.1),
+        (0.1, 0.1),
+        (f64::NAN, 1.0),
+        (0.1, f64::INFINITY),
+    ] {
+        assert_eq!(asked(from, to), OptimumError::Interval, "{from} {to}");
+    }
+    for (from, to) in [(-0.1, 0.1), (0.0, 0.1), (0.1, 1e30)] {
+        assert!(
+            matches!(asked(from, to), OptimumError::Scene(_)),
+            "{from} {to}"
+        );
+    }
+    let unknown = system.tunable_named("k a - c").expect_err("no such spring");
+    assert_eq!(
+        unknown.known,
+        [
+            "m a",
+            "m b",
+            "k base - a",
+            "k a - b",
+            "mu",
+            "zeta",
+            "zeta 1",
+            "zeta 2",
+            "a",
+            "b"
+        ]
+    );
+    let band = OptimumRequest {
+        band: FrequencyBand::Ratio(1.0, 1.0),
+        ..request.clone()
+    };
+    let found = system.tuned_optimum(
+        &band,
+        &Tuning {
+            of,
+            from: 0.1,
+            to: 0.2,
+        },
+    );
+    assert_eq!(found.err(), Some(OptimumError::Width));
+}

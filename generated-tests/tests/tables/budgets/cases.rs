@@ -1,0 +1,164 @@
+//! What is measured: each function of the kernel over each scalar.
+
+use crate::budgets::blocks::*;
+use crate::budgets::draw::{self, Domain, Source, arguments};
+use crate::budgets::elementary::*;
+use crate::budgets::measure::{Arguments, Formula, Real, Results, Unit, against, against_big};
+use crate::budgets::modes::*;
+use frictiongen_kernel::number::dd::Dd;
+
+pub struct Case {
+    /// As the table calls it.
+    pub function: &'static str,
+    /// One row each; a single unnamed result is "".
+    pub fields: &'static [&'static str],
+    /// The public functions of the kernel that it measures, as `crate::budgets::public` finds them.
+    pub covers: &'static [&'static str],
+    pub scalar: &'static str,
+    pub unit: Unit,
+    pub domain: Domain,
+    pub draw: fn(&Domain, &mut Source) -> Arguments,
+    pub error: fn(&Arguments) -> Results<f64>,
+    /// One argument of `f32`: [`Domain::counted`] holds.
+    pub countable: bool,
+}
+
+impl Case {
+    /// The numbers of the counted domain, by their bits.
+    pub fn counted(&self) -> impl Iterator<Item = Arguments> + use<> {
+        let (from, to, negative) = self.domain.counted;
+        let through = if self.countable {
+            from.to_bits()..to.to_bits()
+        } else {
+            0..0
+        };
+        let signs = if negative { 2 } else { 1 };
+        through.flat_map(move |bits| {
+            let x = f64::from(f32::from_bits(bits));
+            [x, -x]
+                .into_iter()
+                .take(signs)
+                .map(|x| [Dd::from(x), Dd::ZERO, Dd::ZERO])
+        })
+    }
+}
+
+struct Shape {
+    function: &'static str,
+    fields: &'static [&'static str],
+    covers: &'static [&'static str],
+    domain: Domain,
+    countable: bool,
+}
+
+/// The unit of `F` unless another is named.
+fn case<F: Formula, T: Real>(shape: &Shape, error: fn(&Arguments) -> Results<f64>) -> Case {
+    Case {
+        function: shape.function,
+        fields: shape.fields,
+        covers: shape.covers,
+        scalar: T::NAME,
+        unit: F::UNIT,
+        domain: shape.domain,
+        draw: arguments::<T>,
+        error,
+        countable: shape.countable && T::NAME == "f32",
+    }
+}
+
+/// `f32` by `f64`, `f64` by double-double, double-double by big numbers.
+fn three<F: Formula>(shape: &Shape) -> Vec<Case> {
+    vec![
+        case::<F, f32>(shape, against::<F, f32, f64>),
+        case::<F, f64>(shape, against::<F, f64, Dd>),
+        case::<F, Dd>(shape, against_big::<F>),
+    ]
+}
+
+fn only_dd<F: Formula>(shape: &Shape) -> Vec<Case> {
+    vec![case::<F, Dd>(shape, against_big::<F>)]
+}
+
+macro_rules! cases {
+    ($($way:ident $formula:ident $function:literal [$($field:literal),*] in $domain:ident $(, $countable:ident)?; [$($covers:literal),*];)*) => {
+        pub fn all() -> Vec<Case> {
+            let mut cases = Vec::new();
+            $(
+                #[allow(unused_mut, unused_assignments)]
+                let mut countable = false;
+                $( countable = stringify!($countable) == "counted"; )?
+                let shape = Shape {
+                    function: $function,
+                    fields: &[$($field),*],
+                    covers: &[$($covers),*],
+                    domain: draw::$domain,
+                    countable,
+                };
+                cases.extend($way::<$formula>(&shape));
+            )*
+            cases
+        }
+    };
+}
+
+cases! {
+    three SinCosPi "sin_cos_pi" ["sin", "cos"] in HALF_TURNS, counted;
+        ["number::trig::sin_cos_pi", "number::trig::sin_pi", "number::scalar::Scalar::sin_cos_pi",
+         "number::scalar::Scalar::sin_pi", "number::scalar::Scalar::cos_pi"];
+    three SinCosPiMinus "sin_cos_pi_minus" ["sin", "cos"] in HALF_TURN_PAIRS;
+        ["number::trig::sin_cos_pi_minus", "number::scalar::Scalar::sin_cos_pi_minus"];
+    three Sqrt "sqrt" [""] in NOT_NEGATIVE, counted; ["number::scalar::Scalar::sqrt", "number::dd::Dd::sqrt"];
+    three Exp "exp" [""] in EXPONENTS, counted; ["number::scalar::Scalar::exp"];
+    three ExpM1 "exp_m1" [""] in GROWTHS, counted; ["number::scalar::Scalar::exp_m1"];
+    three Atan2 "atan2" [""] in PAIRS; ["number::scalar::Scalar::atan2"];
+    three OneMinusSincPi "one_minus_sinc_pi" [""] in SINC, counted; ["number::scalar::Scalar::one_minus_sinc_pi"];
+    three ScaledSinhDefect "scaled_sinh_defect" [""] in DECAYS, counted;
+        ["number::scalar::Scalar::scaled_sinh_defect"];
+    three VersinePi "versine_pi" [""] in SINC, counted; ["number::special::versine_pi"];
+    three ExpM1Minus "exp_m1_minus" [""] in GROWTHS, counted; ["number::special::exp_m1_minus"];
+    three Floor "floor" [""] in ANY, counted; ["number::scalar::Float::floor"];
+    three Pi "pi" [""] in NOTHING; ["number::scalar::Scalar::pi"];
+    three InversePi "inverse_pi" [""] in NOTHING; ["number::scalar::Scalar::inverse_pi"];
+    only_dd Add "a + b" [""] in PAIRS; ["number::dd::Dd::add"];
+    only_dd Subtract "a − b" [""] in PAIRS; ["number::dd::Dd::sub"];
+    only_dd Multiply "a · b" [""] in PAIRS; ["number::dd::Dd::mul"];
+    only_dd Divide "a / b" [""] in PAIRS; ["number::dd::Dd::div"];
+    only_dd DdSum "sum of two f64" [""] in DOUBLES; ["number::dd::Dd::sum"];
+    only_dd DdProduct "product of two f64" [""] in DOUBLES; ["number::dd::Dd::product"];
+    three ComplexAdd "complex add" [""] in COMPLEX; ["number::complex::add"];
+    three ComplexScale "complex scale" [""] in COMPLEX; ["number::complex::scale"];
+    three ComplexMul "complex mul" [""] in COMPLEX; ["number::complex::mul"];
+    three ComplexReciprocal "complex reciprocal" [""] in LARGE_COMPLEX; ["number::complex::reciprocal"];
+    three ReciprocalOfUnit "complex reciprocal_of_unit" [""] in UNIT_COMPLEX;
+        ["number::complex::reciprocal_of_unit"];
+    three Modulus "complex modulus" [""] in LARGE_COMPLEX; ["number::complex::modulus", "number::scalar::Scalar::hypot"];
+    three UndampedComplex "complex, undamped" ["mul", "reciprocal", "modulus", "Im"] in COMPLEX; [];
+    three Constraints "acceleration at a reversal" ["start_constraint", "break_away"] in POSITIVE;
+        ["contact::limits::Chain::start_constraint", "contact::limits::Chain::break_away"];
+    three ContinuousLimit "continuous_limit" [""] in POSITIVE; ["contact::limits::Chain::continuous_limit"];
+    three SlidingLimit "sliding_limit" [""] in POSITIVE; ["contact::limits::Chain::sliding_limit"];
+    three Margin "margin" [""] in MARGINS; ["contact::regime::margin"];
+    three PlainResponse "response, undamped" ["denominator", "u", "g", "reversal"] in FREQUENCIES;
+        ["oscillator::mode::Mode::response"];
+    three Response "response, light" ["denominator re", "denominator im", "u", "g", "reversal"] in LIGHT; [];
+    three DecayedResponse "response, light, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in LIGHT_DECAYED; [];
+    three Response "response, heavy" ["denominator re", "denominator im", "u", "g", "reversal"] in HEAVY; [];
+    three DecayedResponse "response, heavy, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in HEAVY_DECAYED; [];
+    three Response "response, critical" ["denominator re", "denominator im", "u", "g", "reversal"] in CRITICAL; [];
+    three DecayedResponse "response, critical, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in CRITICAL_DECAYED; [];
+    three Response "response, overdamped" ["denominator re", "denominator im", "u", "g", "reversal"] in OVER; [];
+    three DecayedResponse "response, overdamped, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in OVER_DECAYED; [];
+    three V "v, light" [""] in LIGHT; [];
+    three V "v, overdamped" [""] in OVER_DECAYED; [];
+    three AnInstant "instant" ["tau", "sine", "cosine", "versine"] in INSTANTS, counted; ["oscillator::decay::Instant::new"];
+    three InTimeUndamped "basis, undamped" ["free", "slope", "forced", "forced_slope", "rise"] in UNDAMPED_TIME;
+        ["oscillator::decay::Decay::basis"];
+    three InTime "basis, light" ["free", "slope", "forced", "forced_slope", "rise"] in LIGHT_TIME; [];
+    three DecayedInTime "basis, light, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in LIGHT_TIME_DECAYED; [];
+    three InTime "basis, heavy" ["free", "slope", "forced", "forced_slope", "rise"] in HEAVY_TIME; [];
+    three DecayedInTime "basis, heavy, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in HEAVY_TIME_DECAYED; [];
+    three InTime "basis, critical" ["free", "slope", "forced", "forced_slope", "rise"] in CRITICAL_TIME; [];
+    three DecayedInTime "basis, critical, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in CRITICAL_TIME_DECAYED; [];
+    three InTime "basis, overdamped" ["free", "slope", "forced", "forced_slope", "rise"] in OVER_TIME; [];
+    three DecayedInTime "basis, overdamped, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in OVER_TIME_DECAYED; [];
+}

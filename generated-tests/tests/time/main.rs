@@ -1,0 +1,5 @@
+//! Motion in time: the real-time stepper, and friction laws that depend on the speed.
+
+mod step_readings;
+mod stepper;
+mod stribeck;

@@ -1,0 +1,22 @@
+//! The real-time stepper: what shows that it is right.
+//!
+//! `plain` is an integrator that shares no code with it.  Long forms:
+//! `cargo test --release -p generated-tests --test time stepper:: -- --ignored`.
+
+mod bad_input;
+mod both;
+mod creep;
+mod energy;
+mod exact;
+mod extremes;
+mod far;
+mod independent;
+mod kinds;
+mod passive;
+pub mod plain;
+mod plain_itself;
+mod rig;
+pub mod scenes;
+mod start;
+mod steady;
+mod terms;

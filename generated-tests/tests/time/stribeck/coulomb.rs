@@ -1,0 +1,98 @@
+//! Laws that are Coulomb's, or nearly so, against runs with a constant level.
+
+use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE};
+use crate::stribeck::{follow, lined, scaled, units};
+use frictiongen::System;
+
+const ALL: [&str; 7] = [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE, TEN];
+
+/// How far two runs are apart over some cycles, in parts of the largest displacement and velocity; their events.
+fn apart(
+    one: (&System, f64, f64),
+    other: (&System, f64, f64),
+    r: f64,
+    cycles: u64,
+) -> (f64, [usize; 2]) {
+    let mut a = one.0.simulation_under(r, one.1, one.2).expect("a run");
+    let mut b = other
+        .0
+        .simulation_under(r, other.1, other.2)
+        .expect("a run");
+    let (mut worst, mut largest, mut events) = ([0.0_f64; 2], [0.0_f64; 2], [0; 2]);
+    for instant in 1..=64 * cycles {
+        let (cycle, part) = (instant / 64, (instant % 64) as f64 / 64.0);
+        events[0] += follow(&mut a, cycle, part);
+        events[1] += follow(&mut b, cycle, part);
+        for mass in 0..one.0.scene().masses.len() {
+            let (a, b) = (a.run().mass(mass), b.run().mass(mass));
+            let pairs = [
+                [a.displacement(), b.displacement()],
+                [a.velocity(), b.velocity()],
+            ];
+            for (side, [a, b]) in pairs.into_iter().enumerate() {
+                worst[side] = worst[side].max((a - b).abs());
+                largest[side] = largest[side].max(b.abs());
+            }
+        }
+    }
+    ((worst[0] / largest[0]).max(worst[1] / largest[1]), events)
+}
+
+/// Level 1 at every speed, in five lines, is Coulomb's law: the power series against the closed form.  Both round; friction
+/// forgets, but for a factor at each event.
+#[test]
+fn a_constant_level() {
+    let mut compared = 0;
+    for text in ALL {
+        for [r, beta] in [[0.13, 0.2], [0.4, 0.4], [1.0, 0.3], [2.2, 0.1]] {
+            for mu in [1.0, 1.3] {
+                let plain = lined(text, mu, &[]);
+                let ([_, speed], amplitude) = units(&plain, r);
+                let law = [0.05, 0.2, 0.4, 0.9, 3.0].map(|v| [v, 1.0]);
+                let plain: System = plain.try_into().expect("a scene");
+                let system: System = lined(text, mu, &scaled(&law, speed))
+                    .try_into()
+                    .expect("a scene");
+                let (worst, events) =
+                    apart((&system, beta, amplitude), (&plain, beta, amplitude), r, 10);
+                println!(
+                    "{}, {r}, {beta}, {mu}: {worst:.1e}, {events:?}",
+                    &text[7..14]
+                );
+                assert_eq!(events[0], events[1]);
+                assert!(worst < 2e-11, "{worst:e}");
+                compared += 1;
+            }
+        }
+    }
+    assert_eq!(compared, 56);
+}
+
+/// A level that falls to 0.8 within a short speed v is Coulomb's law of 0.8 F with μ/0.8, but for what is of the order of v.
+#[test]
+fn a_sudden_fall() {
+    let mut compared = 0;
+    for text in ALL {
+        for [r, beta] in [[0.4, 0.4], [1.0, 0.3], [1.6, 0.2]] {
+            let plain = lined(text, 1.2 / 0.8, &[]);
+            let ([_, speed], amplitude) = units(&plain, r);
+            let plain: System = plain.try_into().expect("a scene");
+            let off = |v: f64| {
+                let law = scaled(&[[v, 0.8]], speed);
+                let system: System = lined(text, 1.2, &law).try_into().expect("a scene");
+                apart(
+                    (&system, beta, amplitude),
+                    (&plain, 0.8 * beta, amplitude),
+                    r,
+                    10,
+                )
+                .0
+            };
+            let [coarse, fine] = [1e-3, 1e-4].map(off);
+            println!("{}, {r}, {beta}: {coarse:.1e}, {fine:.1e}", &text[7..14]);
+            assert!(fine < 1e-3 && fine < coarse / 4.0, "{coarse:e}, {fine:e}");
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 21);
+}
