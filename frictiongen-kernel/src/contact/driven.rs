@@ -1,8 +1,8 @@
 //! Both limits without search of an undamped chain at run time, from what they take of its modes, laid out once.
 //!
-//! Emitted code has a scene's constants in its instructions.  Here they are gathered before the first frequency, two modes
-//! side by side, without the modes that the contact does not drive, which are in none of the sums.  The formulas are
-//! those of [`Chain`], and the sums are taken one mode after the other: the bits are those of every other way.
+//! Emitted code has a scene's constants in its instructions. Here they are gathered before the first frequency, two
+//! modes side by side, without the modes that the contact does not drive, which are in none of the sums. The formulas
+//! are those of [`Chain`], and the sums are taken one mode after the other: the bits are those of every other way.
 
 use crate::contact::regime::Limits;
 use crate::contact::sums::{Chain, ContactAt};

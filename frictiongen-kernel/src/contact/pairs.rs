@@ -77,8 +77,8 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// The same by the functions of one mode after the other: for modes of several kinds, for programs in which size counts
-    /// for more, and where nothing is optimised, as in a macro.
+    /// The same by the functions of one mode after the other: for modes of several kinds, for programs in which size
+    /// counts for more, and where nothing is optimised, as in a macro.
     pub fn in_turn<const WITH_G: bool>(
         &self,
         modes: &[Mode<S>],

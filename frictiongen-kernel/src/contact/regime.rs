@@ -79,7 +79,7 @@ impl<S: Float> Limits<S> {
         Ok(regime(check_beta(beta)?, self.continuous, self.sliding))
     }
 
-    /// β/min(β_lim, β*_lim) − 1, without another search: negative below both limits, where the closed form exists.  With
+    /// β/min(β_lim, β*_lim) − 1, without another search: negative below both limits, where the closed form exists. With
     /// μ = 1 the closed form is the only state there; with μ > 1 stick-slip may exist beside it.
     ///
     /// # Errors

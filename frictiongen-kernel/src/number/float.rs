@@ -52,7 +52,7 @@ fn root(x: f32) -> f32 {
     near = 0.5 * (near + x / near);
     near = 0.5 * (near + x / near);
     let near = near.to_bits();
-    // x − near² in squares of near's last place.  It is small: the low halves of both are enough, and of x they are what
+    // x − near² in squares of near's last place. It is small: the low halves of both are enough, and of x they are what
     // a shift by at least 21 leaves of its fraction.
     let unit = (near & FRACTION) | ONE;
     let shift = ((bits >> 23) + 150).wrapping_sub(2 * (near >> 23));

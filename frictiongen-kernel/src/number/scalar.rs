@@ -184,8 +184,8 @@ pub trait Float:
         }
         found
     }
-    /// Whether it is no larger than another, neither of them negative or NaN.  Their bits then have the same order, and of
-    /// those a small processor need not fetch flags from its floating-point unit, or has none.
+    /// Whether it is no larger than another, neither of them negative or NaN. Their bits then have the same order, and
+    /// of those a small processor need not fetch flags from its floating-point unit, or has none.
     #[must_use]
     #[inline]
     fn at_most(self, other: Self) -> bool {

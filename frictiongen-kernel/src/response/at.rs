@@ -173,7 +173,8 @@ impl<T: Scene> At<T> {
     ///
     /// A search counts its evaluations. It stops where it would exceed its bound, and then reports
     /// [`Effort::Exceeded`]. In an undamped scene β_lim needs no search for r ≥ √λ_max/2. Searches usually take far
-    /// fewer evaluations than the bound; `docs/evidence.md` has measured numbers.
+    /// fewer evaluations than the bound; `docs/evidence.md` has measured numbers. In random scenes only searches with
+    /// more than 2·10⁴ half turns were stopped (section 9 of `docs/derivation.md`).
     #[must_use]
     pub fn most_evaluations(&self) -> MostEvaluations {
         let numbers = self.scene.numbers();
