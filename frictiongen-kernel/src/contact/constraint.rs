@@ -42,7 +42,7 @@ impl<S: Float> Chain<S> {
         waves: &[Wave<S, D>],
     ) -> Peak<S> {
         let start = self.start_constraint(contact);
-        // Not computed as a difference of two sums. Close to a resonance the damping term outweighs the others.
+        // A difference of two sums would lose digits here. Close to a resonance the damping term outweighs the others.
         let above = (self.stiction - S::constant(1.0)) * self.inverse_mass * contact.scale;
         let mut peak = self.constraint_above(contact, at, waves, start, above);
         peak.value = if peak.places[0].is_some() {
@@ -178,7 +178,7 @@ impl<S: Float> Chain<S> {
     /// undamped resonances that the load drives, `at_infinity` is β_lim for r → ∞.
     ///
     /// # Errors
-    /// Every [`NotContinuous`].
+    /// Any variant of [`NotContinuous`].
     #[allow(clippy::too_many_arguments, reason = "one question on one frequency")]
     pub fn admitted<D: Decay<S>>(
         &self,

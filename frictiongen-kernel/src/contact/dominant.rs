@@ -66,9 +66,9 @@ impl<S: Scalar> Terms<S> {
 /// The sum, other than V, whose own terms cancel.
 #[derive(Clone, Copy)]
 pub(crate) enum Partner {
-    /// U, in a motion.
+    /// The sum U, in a motion.
     U,
-    /// H, in a stuck response.
+    /// The sum H, in a stuck response.
     H,
 }
 
@@ -93,7 +93,7 @@ impl<S: Scalar> Heaviest<S> {
     }
 }
 
-/// Which mode dominates.
+/// The dominant mode.
 #[derive(Clone, Copy)]
 enum Which<S> {
     /// The only mode.

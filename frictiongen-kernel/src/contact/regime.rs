@@ -1,4 +1,4 @@
-//! The regime from the two limits, and checks of r and β at the bounds of their ranges.
+//! Determines the regime from both limits, and checks the ranges of r and β.
 
 use crate::errors::{OutOfDomain, Regime};
 use crate::number::scalar::{Float, Scalar};

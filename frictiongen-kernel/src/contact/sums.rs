@@ -20,13 +20,13 @@ pub struct Chain<S> {
 /// Functions of one mode at one frequency, as the sums use them.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeAt<S> {
-    /// x = √λ/r.
+    /// Resonance of the mode over the excitation, x = √λ/r = 1/R.
     pub x: S,
-    /// E/(x² − 1 + 2iζx) = E·v/x².
+    /// Scaled response E/(x² − 1 + 2iζx) = E·v/x².
     pub response: Complex<S>,
-    /// E·u/x².
+    /// Scaled half-period function of the velocity, E·u/x².
     pub u: S,
-    /// E·g.
+    /// Scaled half-period function of the displacement, E·g.
     pub g: S,
 }
 

@@ -8,7 +8,7 @@ use crate::oscillator::mode::Mode;
 /// Term of one mode in the sum, given by the coefficients of the functions of [`Basis`].
 #[derive(Clone, Copy, Debug)]
 pub struct Wave<S, D> {
-    /// x = 1/R.
+    /// Resonance of the mode over the excitation, x = 1/R.
     pub x: S,
     /// Decay of the mode.
     pub decay: D,

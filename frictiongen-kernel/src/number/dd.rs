@@ -168,7 +168,7 @@ impl Dd {
         self.hi == 0.0
     }
 
-    /// |self|.
+    /// Returns |self|.
     #[inline]
     #[must_use]
     pub fn abs(self) -> Self {
@@ -193,7 +193,7 @@ impl Dd {
         if other < self { other } else { self }
     }
 
-    /// √self, to about 1e-32; NaN below 0.
+    /// Returns √self, to about 1e-32; NaN below 0.
     ///
     /// ```
     /// use frictiongen_kernel::number::dd::Dd;

@@ -21,9 +21,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<S> {
-    /// f.
+    /// Value f.
     pub value: S,
-    /// ∂f/∂p.
+    /// Derivative ∂f/∂p.
     pub slope: S,
 }
 

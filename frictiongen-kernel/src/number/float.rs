@@ -7,7 +7,7 @@
 use crate::number::scalar::{Float, Plain, Scalar};
 use crate::number::trig::{double, polynomial, single};
 
-/// √x, correctly rounded.
+/// Returns √x, correctly rounded.
 #[inline]
 pub(crate) fn sqrt_f64(x: f64) -> f64 {
     #[cfg(any(test, feature = "std"))]
@@ -16,7 +16,7 @@ pub(crate) fn sqrt_f64(x: f64) -> f64 {
     libm::sqrt(x)
 }
 
-/// √x, correctly rounded.
+/// Returns √x, correctly rounded.
 #[inline]
 fn sqrt_f32(x: f32) -> f32 {
     #[cfg(any(test, feature = "std"))]
@@ -25,8 +25,8 @@ fn sqrt_f32(x: f32) -> f32 {
     root(x)
 }
 
-/// √x, correctly rounded, in half the instructions of libm's function. A processor with single precision divides in one
-/// instruction.
+/// Returns √x, correctly rounded, in half the instructions of libm's function. A processor with single precision
+/// divides in one instruction.
 ///
 /// Three of Heron's steps, started from half the exponent, are off by at most one unit in the last place. The
 /// remainder, exact in integers, gives the correction.

@@ -27,19 +27,19 @@ pub trait Scalar:
 
     /// Returns the representable number nearest to `value`.
     fn constant(value: f64) -> Self;
-    /// π.
+    /// Returns π.
     fn pi() -> Self;
-    /// 1/π.
+    /// Returns 1/π.
     fn inverse_pi() -> Self;
-    /// Compares: `self < other`.
+    /// Compares, `self < other`.
     fn lt(self, other: Self) -> Self::Condition;
-    /// Compares: `self == 0`.
+    /// Compares, `self == 0`.
     fn is_zero(self) -> Self::Condition;
     /// Returns `yes` where `condition` is true, `no` elsewhere.
     fn select(condition: Self::Condition, yes: Self, no: Self) -> Self;
-    /// |self|.
+    /// Returns |self|.
     fn abs(self) -> Self;
-    /// √self, correctly rounded (in double-double to its precision).
+    /// Returns √self, correctly rounded (in double-double to its precision).
     fn sqrt(self) -> Self;
     /// Returns the larger of two numbers that are not NaN.
     fn max(self, other: Self) -> Self;
@@ -47,13 +47,13 @@ pub trait Scalar:
     fn min(self, other: Self) -> Self;
     /// Returns `self` with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
-    /// e^self.
+    /// Returns e^self.
     fn exp(self) -> Self;
-    /// e^self − 1, accurate near 0.
+    /// Returns e^self − 1, accurate near 0.
     fn exp_m1(self) -> Self;
     /// Returns the angle of the vector (`x`, `self`), in (−π, π].
     fn atan2(self, x: Self) -> Self;
-    /// √(self² + other²), also for numbers whose squares may overflow or underflow.
+    /// Returns √(self² + other²), also for numbers whose squares may overflow or underflow.
     #[inline]
     #[must_use]
     fn hypot(self, other: Self) -> Self {
@@ -63,15 +63,16 @@ pub trait Scalar:
         let ratio = a.min(b) / divisor;
         large * (Self::constant(1.0) + ratio * ratio).sqrt()
     }
-    /// (sin πh, cos πh) with h = `self`. The argument is reduced exactly before the multiplication by π.
+    /// Returns (sin πh, cos πh) with h = `self`. The argument is reduced exactly before the multiplication by π.
     fn sin_cos_pi(self) -> (Self, Self);
-    /// (sin π(h − d), cos π(h − d)) with h = `self`. It reduces h before it subtracts d. A small d is then lost neither
-    /// in a large h nor close to a zero of the cosine.
+    /// Returns (sin π(h − d), cos π(h − d)) with h = `self`. It reduces h before it subtracts d. A small d is then lost
+    /// neither in a large h nor close to a zero of the cosine.
     fn sin_cos_pi_minus(self, d: Self) -> (Self, Self);
-    /// 1 − sin(πz)/(πz) with z = `self` in half-turns. Its relative accuracy is kept down to z = 0, where the result is
-    /// 0.
+    /// Returns 1 − sin(πz)/(πz) with z = `self` in half-turns. Its relative accuracy is kept down to z = 0, where the
+    /// result is 0.
     fn one_minus_sinc_pi(self) -> Self;
-    /// 1 − e^{−2a} − 2a·e^{−a} = 2e^{−a}(sinh a − a) for a = `self` ≥ 0. Its relative accuracy is kept down to 0.
+    /// Returns 1 − e^{−2a} − 2a·e^{−a} = 2e^{−a}(sinh a − a) for a = `self` ≥ 0. Its relative accuracy is kept down to
+    /// 0.
     fn scaled_sinh_defect(self) -> Self;
 
     /// Returns x² − 1 of an undamped mode, with [`NEXT_TO_POLE`] in place of an exact zero.
@@ -106,12 +107,12 @@ pub trait Scalar:
         let _ = (name, mode);
         self
     }
-    /// sin πh.
+    /// Returns sin πh with h = `self`.
     #[inline]
     fn sin_pi(self) -> Self {
         self.sin_cos_pi().0
     }
-    /// cos πh.
+    /// Returns cos πh with h = `self`.
     #[inline]
     fn cos_pi(self) -> Self {
         self.sin_cos_pi().1

@@ -45,7 +45,7 @@ macro_rules! half_turns {
             /// Adding this to a smaller number rounds that number to a multiple of a half. The lowest bits of the sum
             /// then contain the number of halves.
             const TO_HALVES: $float = $to_halves;
-            /// As [`TO_HALVES`], for multiples of four.
+            /// Adding this to a smaller number rounds that number to a multiple of four.
             const TO_FOURS: $float = $to_fours;
 
             /// Returns the leading third of x's significand.

@@ -7,26 +7,26 @@ use crate::number::special::exp_m1_minus;
 /// Functions of one mode at one frequency, each free of the pole at x = 1.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeResponse<S> {
-    /// x = √λ/r = 1/R.
+    /// Resonance of the mode over the excitation, x = √λ/r = 1/R.
     pub x: S,
-    /// x² − 1 + 2iζx = x²/v.
+    /// Denominator of the response, x² − 1 + 2iζx = x²/v.
     pub denominator: Complex<S>,
-    /// |Re| + |Im| of the denominator.
+    /// Size of the denominator, |Re| + |Im|.
     pub size: S,
-    /// (u R²) times `size`.
+    /// Half-period function of the velocity, u R² times `size`.
     pub u: S,
-    /// g times `size`; 0 without damping.
+    /// Half-period function of the displacement, g times `size`; 0 without damping.
     pub g: S,
-    /// (g + 2ζRu) times `size`; 0 without damping.
+    /// Contribution of damping to a reversal, (g + 2ζRu) times `size`; 0 without damping.
     pub reversal: S,
 }
 
 /// An instant of the half period: τ = πt.
 #[derive(Clone, Copy, Debug)]
 pub struct Instant<S> {
-    /// t = τ/π.
+    /// Time in half-turns, t = τ/π.
     pub t: S,
-    /// τ.
+    /// Time τ, rad.
     pub tau: S,
     /// sin τ.
     pub sine: S,
@@ -39,9 +39,9 @@ pub struct Instant<S> {
 /// Functions of one mode at one instant.
 #[derive(Clone, Copy, Debug)]
 pub struct Basis<S> {
-    /// p = e^{−ζxτ} sin(qxτ)/(qx).
+    /// Free displacement p = e^{−ζxτ} sin(qxτ)/(qx).
     pub free: S,
-    /// p′.
+    /// Slope p′ of the free displacement.
     pub slope: S,
     /// sin τ − p.
     pub forced: S,

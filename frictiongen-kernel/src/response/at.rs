@@ -165,7 +165,7 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Returns upper bounds on the evaluations of one search at this r. The bounds also hold at every larger r.
+    /// Returns upper bounds on the evaluations of one search at this r. The bounds are also valid at every larger r.
     ///
     /// A sweep is therefore bounded by the values at its smallest r. The bound is 256 evaluations for β_lim and 1024
     /// for an amplitude. Both grow by max √λ(1 + 2ζ)/16r, a sixteenth of the fastest mode's half turns in a half

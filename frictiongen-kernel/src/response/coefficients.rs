@@ -21,7 +21,7 @@ use crate::oscillator::mode::Mode;
 pub struct Friction<S> {
     /// Friction ratio β.
     pub beta: S,
-    /// Q = √(|V|² − (βU)²), times r²E.
+    /// In-phase term Q = √(|V|² − (βU)²), times r²E.
     pub root: S,
     /// Z, the amplitude of the contact's relative motion.
     pub amplitude: S,
@@ -218,8 +218,8 @@ impl<S: Scalar> Chain<S> {
         self.fundamental_of(parts, &sums, contact, friction)
     }
 
-    /// Returns the fundamental component of these modes. Each entry of `parts` is a mode's index, component, constants
-    /// and functions.
+    /// Returns the fundamental component of the motion that the given modes make. Each entry of `parts` is a mode's
+    /// index, component, constants and functions.
     pub(crate) fn fundamental_of<'a>(
         &self,
         parts: impl Iterator<Item = (usize, S, &'a Mode<S>, ModeAt<S>)>,

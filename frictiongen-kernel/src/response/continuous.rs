@@ -11,7 +11,7 @@ pub type MotionOf<T> = Motion<<T as Scene>::Scalar, <T as Scene>::Decay, <T as S
 
 /// A scene that provides `motion`.
 ///
-/// The default bodies hold for every chain. A generator writes its own where that is faster.
+/// The default bodies are valid for every chain. A generator writes its own where that is faster.
 pub trait ProvidesMotion: Scene {
     /// Motion type with one method per mass.
     type Motion: From<Continuous<Self>>;

@@ -18,7 +18,7 @@ const ALIKE: f64 = 64.0;
 
 /// Steady motion of one mass, or of the contact, in the continuous regime.
 ///
-/// `W` holds the waves, in an array in emitted code and in a vector at run time.
+/// `W` stores the waves, in an array in emitted code and in a vector at run time.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion<S, D, W> {
     friction: Friction<S>,
@@ -115,9 +115,9 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 
     /// Returns amplitude and phase as [`largest`](Self::largest) does, in a sweep of r or β. The search begins at the
-    /// place that the previous searches predict. The closer the steps of the sweep, the fewer evaluations it takes. As
-    /// in any search, no larger value remains. The amplitude may differ from that of [`largest`](Self::largest) by four
-    /// roundings of the motion's modal terms.
+    /// position that the previous searches predict. The closer the steps of the sweep, the fewer evaluations it takes.
+    /// As in any search, no larger value remains. The amplitude may differ from that of [`largest`](Self::largest) by
+    /// four roundings of the motion's modal terms.
     pub fn largest_near(&self, neighbour: &mut Neighbour<S>) -> Largest<S> {
         if self.is_contact {
             return self.largest();

@@ -36,7 +36,7 @@ pub struct Numbers<'a, S> {
 }
 
 impl<S: Float> Numbers<'_, S> {
-    /// Returns true if this mass moves as the contact does, which is so if it slides on a support at rest.
+    /// Returns true if this mass moves as the contact does. This is so for the mass that slides on a support at rest.
     #[inline]
     #[must_use]
     pub fn moves_as_contact(&self, mass: usize) -> bool {

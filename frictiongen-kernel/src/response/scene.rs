@@ -9,8 +9,8 @@ use crate::oscillator::decay::Decay;
 
 /// A scene, with its constants and the formulas that may be specialised for it.
 ///
-/// The default bodies hold for every chain. A generator writes its own where constants save work. The results have the
-/// same bits.
+/// The default bodies are valid for every chain. A generator writes its own where constants save work. The results have
+/// the same bits.
 pub trait Scene: Clone {
     /// Number type: `f64`, `f32`, or a wider scalar.
     type Scalar: Float;

@@ -14,14 +14,14 @@ pub enum Root<S> {
         at: S,
         /// Rounding error of y: the exact y less the rounded one.
         rest: S,
-        /// x².
+        /// x², the square of the real part of the zeros.
         off: S,
-        /// −2x.
+        /// −2x, the factor of r in the imaginary part.
         rate: S,
     },
     /// Factor s − x of a zero on the real axis of s.
     Real {
-        /// −x.
+        /// −x, the negative of the zero.
         rate: S,
     },
 }

@@ -12,20 +12,20 @@ use crate::response::{Continuous, MotionOf, ProvidesMotion};
 /// Values at one r from which amplitude and phase of the contact follow at any β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTable<S> {
-    /// β_lim.
+    /// Continuous limit β_lim.
     pub limit: S,
     /// a = β_lim·U/|V|, the contribution of the velocity term at the limit.
     pub quadrature: S,
     /// g = β_lim·G/|V|, the contribution of the displacement term at the limit; 0 without damping.
     pub displacement: S,
-    /// |V|.
+    /// Modulus |V| of the response of the relative motion to the excitation, without friction.
     pub excitation: S,
-    /// arg V.
+    /// Argument arg V of the same response, rad.
     pub direction: S,
 }
 
 impl<S: Float> ContactTable<S> {
-    /// Creates the values of an undamped chain, from β_lim and a·sgn V out of a table and V with its sign.
+    /// Creates the values of an undamped chain. β_lim and a·sgn V come from a table, and V has its sign.
     #[inline]
     #[must_use]
     pub fn undamped([limit, quadrature]: [S; 2], excitation: S) -> Self {
@@ -40,7 +40,7 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Creates the values of a damped chain, from β_lim, a, g, arg V and |V| out of a table.
+    /// Creates the values of a damped chain. β_lim, a, g, arg V and |V| come from a table.
     #[inline]
     #[must_use]
     pub fn tabled([limit, quadrature, displacement, direction, excitation]: [S; 5]) -> Self {
@@ -66,7 +66,7 @@ impl<S: Float> ContactTable<S> {
     fn in_phase(&self, share: S) -> S {
         let one = S::constant(1.0);
         let quadrature = share * self.quadrature;
-        // The product is negative only for β within the accuracy of the limit. It is then as good as 0.
+        // The product is negative only for β within the accuracy of the limit. It is then 0 within that accuracy.
         ((one - quadrature) * (one + quadrature)).abs().sqrt()
     }
 

@@ -19,14 +19,14 @@ pub enum Factor<S> {
         at: S,
         /// Rounding error of y: the exact y less the rounded one.
         rest: S,
-        /// x².
+        /// x², the square of the real part of the zeros.
         off: S,
-        /// 4x²y².
+        /// 4x²y², the constant term.
         least: S,
     },
     /// Factor r² + x² of a zero on the real axis of s.
     Real {
-        /// x².
+        /// x², the square of the zero.
         off: S,
     },
 }

@@ -8,16 +8,16 @@ use crate::oscillator::decay::{Basis, Decay, Instant};
 /// Distance from x = 1 within which a mode keeps its forcing. Its difference from the excitation is small, and its
 /// rounding error must be small too.
 const NEAR_EXCITATION: f64 = 0.125;
-/// Number of roundings of a mode's size by which its value at a node may be wrong. The bound also holds for sine and
+/// Number of roundings of a mode's size by which its value at a node may be wrong. The same bound applies to sine and
 /// cosine of the excitation's angle. The matrix has three roundings and its fourth power twelve. The fourth power is
 /// applied seven times, with signs that do not all agree.
 const ROUNDINGS: f64 = 64.0;
 
 /// A mode's term from an instant on: y″ + 2ζx y′ + x²y = constant + cosine·cos τ + sine·sin τ.
 pub(super) struct Track<S> {
-    /// √λ/r.
+    /// Resonance of the mode over the excitation, x = √λ/r.
     pub x: S,
-    /// 2ζx.
+    /// Damping coefficient 2ζx.
     pub loss: S,
     pub value: S,
     pub slope: S,
@@ -114,8 +114,8 @@ pub(super) struct Bounds<S> {
     pub size: S,
     /// Upper bound on the rounding error of a value at a node.
     pub rounding: S,
-    /// Upper bound on the rounding error per unit of time since the instant. It holds if all modes are at rest at the
-    /// instant and keep their forcing.
+    /// Upper bound on the rounding error per unit of time since the instant. It is valid if all modes are at rest at
+    /// the instant and keep their forcing.
     pub drift: S,
 }
 

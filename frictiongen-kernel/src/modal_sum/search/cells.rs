@@ -113,7 +113,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         } else {
             self.open(&grid, [u32::MAX; 2])
         };
-        // The cells next to a summit that it leaves open are for a finer grid. On this grid the same summit would be
+        // The cells next to a summit that remain open are for a finer grid. On this grid the same summit would be
         // found again.
         let mut left = [u32::MAX; 2];
         for _ in 0..SUMMITS {

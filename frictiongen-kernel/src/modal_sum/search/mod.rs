@@ -86,7 +86,7 @@ pub struct Problem<S> {
 /// A position at which the largest value occurs, or where the search looks for it.
 #[derive(Clone, Copy, Debug)]
 pub struct Maximiser<S> {
-    /// τ.
+    /// Position τ.
     pub tau: S,
     /// True if the negative of the sum is the largest value there.
     pub negative: bool,
@@ -97,7 +97,7 @@ pub struct Maximiser<S> {
 pub struct Peak<S> {
     /// Largest value, or the floor if nothing exceeds the floor.
     pub value: S,
-    /// Positions of the largest value; none if nothing exceeds the floor. It holds up to four equal maxima.
+    /// Positions of the largest value; none if nothing exceeds the floor. Up to four equal maxima are kept.
     pub places: [Option<Maximiser<S>>; 4],
     /// Number of evaluations of the sum. A grid counts as two.
     pub evaluations: u32,
@@ -146,8 +146,8 @@ pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, problem: Problem<S>) -
     search.peak
 }
 
-/// Returns the largest value as [`largest`] does, in a sequence of similar searches. The search begins where the
-/// previous searches predict, and its own result updates the prediction.
+/// Returns the largest value as [`largest`] does, in a sequence of similar searches. The search begins at the position
+/// that the previous searches predict. Its own result updates the prediction.
 pub fn largest_near<S: Float, D: Decay<S>>(
     sum: Sum<'_, S, D>,
     problem: Problem<S>,

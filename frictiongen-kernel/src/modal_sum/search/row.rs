@@ -1,7 +1,7 @@
 //! Four neighbouring nodes of a grid, which advance together.
 //!
-//! All operations are written out. Optimised for size, a compiler would leave a loop over the four, and half of its
-//! instructions would only count.
+//! All operations are written out. Optimised for size, a compiler would leave a loop over the four, and half of the
+//! instructions in the loop would only count.
 
 use crate::number::scalar::Float;
 

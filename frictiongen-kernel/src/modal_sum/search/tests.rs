@@ -45,7 +45,8 @@ pub fn excess(search: &TestSearch<'_>, negative: bool, tau: f64) -> f64 {
     }
 }
 
-/// Returns the size of the sum's terms. The angle of a fast wave leaves about twelve digits of them.
+/// Returns the size of the sum's terms. Since its angle is rounded, a fast wave is known to about twelve digits of this
+/// size.
 pub fn size(search: &TestSearch<'_>) -> f64 {
     let wave = |w: &TestWave| {
         w.free.abs() / w.x + w.forced.abs() + w.forced_slope.abs() + w.rise.abs() / (w.x * w.x)
