@@ -53,8 +53,8 @@ impl<S: Float> Chain<S> {
         peak
     }
 
-    /// Returns true if the start of the half period is the maximum and needs no search, which is so without damping and
-    /// with every R ≥ 1/2.
+    /// Returns true if the maximum is at the start of the half period and needs no search. This is so without damping
+    /// if every R ≥ 1/2.
     pub(crate) fn start_decides(&self, mut ratios: impl Iterator<Item = S>) -> bool {
         !self.damped && ratios.all(|x| x <= S::constant(2.0))
     }

@@ -126,7 +126,7 @@ pub(crate) fn check_rooms(
     Ok(())
 }
 
-/// Returns β/min(β_lim, β*_lim) − 1. It is negative below both limits, where the closed form exists, which with μ = 1
+/// Returns β/min(β_lim, β*_lim) − 1. It is negative below both limits. There the closed form exists, and with μ = 1 it
 /// is the only steady state. It is 0 where β equals the lower limit, also if both are 0.
 #[inline]
 pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {

@@ -90,7 +90,7 @@ impl<S: Scalar> Chain<S> {
     pub fn friction(&self, contact: &ContactAt<S>, inverse_r: S, beta: S) -> Friction<S> {
         let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);
         let velocity_part = (beta * contact.u).named("friction_quadrature", None);
-        // A product: close to a limit the difference of the squares would lose its digits.
+        // The root is taken of a product. Close to a limit the difference of the squares would lose its digits.
         let zero = S::constant(0.0);
         let less = (modulus_v - velocity_part).max(zero);
         let more = (modulus_v + velocity_part).max(zero);
@@ -254,8 +254,8 @@ impl<S: Scalar> Chain<S> {
         } else {
             (one, one)
         };
-        // Sums are multiplied, and not ratios: a mass far from the contact moves by V_k U − U_k V, and the common
-        // factors must stay exactly equal.
+        // Sums are multiplied instead of ratios. A mass far from the contact moves by V_k U − U_k V, and the factors
+        // common to both terms must stay exactly equal.
         let part = |driven, u: S, rubbed: Complex<S>, v| {
             let (u, rubbed) = ((u * lower).named("u_in_range", None), rubbed.re * lower);
             self.plus(complex::scale(driven, u), complex::scale(v, rubbed))

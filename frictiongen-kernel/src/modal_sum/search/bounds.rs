@@ -104,8 +104,8 @@ pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool)
 /// Upper bounds on the derivatives of a sum from an instant on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds<S> {
-    /// Second derivative at the instant, and third derivative below. Only a sum over sin τ needs them, which has no
-    /// mass-controlled mode.
+    /// Second derivative at the instant, and third derivative below. Only a sum over sin τ needs them, and such a sum
+    /// has no mass-controlled mode.
     pub second: S,
     pub third: S,
     pub fourth: S,
