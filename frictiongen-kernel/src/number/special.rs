@@ -96,6 +96,6 @@ pub fn exp_m1_minus<T: Float>(a: T) -> T {
         return a * a * curve;
     }
     let grown = a.exp_m1();
-    // Where e^a − 1 overflows, a finite a changes nothing, and an infinite a would give NaN.
+    // If e^a − 1 overflows, the result is infinite. Subtracting an infinite a would give NaN.
     if grown.is_finite() { grown - a } else { grown }
 }

@@ -1,5 +1,5 @@
-//! Closes the cells around a summit. Near the top Taylor's theorem bounds the sum. Farther away the cubic bounds it
-//! that has the value and slope of the next node (section 9 of `docs/derivation.md`).
+//! Closes the cells around a summit. Near the top Taylor's theorem bounds the sum. Farther away a cubic with the value
+//! and slope of the next node bounds the sum (section 9 of `docs/derivation.md`).
 
 use super::grid::{Grid, Node, Open};
 use super::summit::{Cubic, REACH, Summit, beyond_cubic};
@@ -18,8 +18,8 @@ struct Excess<S> {
     cubic: Cubic<S>,
     /// Upper bound on the fourth derivative.
     fourth: S,
-    /// Quadratic coefficient, negative, that a cell's cubic must not exceed. Beyond the reach the slope at the summit
-    /// then no longer matters.
+    /// Upper bound, negative, on the quadratic coefficient of a cell's cubic. Below it the slope at the summit no
+    /// longer matters beyond the reach.
     curvature: S,
 }
 

@@ -14,8 +14,8 @@ use crate::oscillator::decay::{Decay, Instant};
 /// Error allowed to a cubic, relative to the largest value, which sets the width of the cells. A smaller one needs more
 /// nodes, a larger one leaves more cells open.
 const SLACK: f64 = 2e-3;
-/// Smallest size, relative to the modes' amplitudes, from which the first grid gets its width. It matters where modes
-/// cancel.
+/// Smallest value, as a share of the modes' amplitudes, on which the width of the first grid is based. It matters where
+/// modes cancel.
 const CANCELLED: f64 = 1e-3;
 /// Number of evaluations that a grid counts as.
 const COST: u32 = 2;

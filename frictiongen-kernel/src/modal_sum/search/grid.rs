@@ -25,7 +25,8 @@ pub(super) struct Stretch<S> {
     pub width: S,
     /// Number of rows of nodes.
     rows: usize,
-    /// True if all modes are at rest at the start and keep their forcing. The rounding error then only grows with time.
+    /// True if all modes are at rest at the start and keep their forcing. The rounding error then starts at 0 and grows
+    /// with time.
     pub keeps_forcing: bool,
     /// Position of the last node.
     pub to: S,

@@ -63,7 +63,7 @@ impl<S: Float> Neighbour<S> {
         self.known = match last {
             // The same point of the sweep again: its position replaces the last one.
             Some(last) if last.speed == speed => [known, second, None],
-            // The position has jumped, and the older ones would predict the wrong one.
+            // The position has jumped, so that the older ones no longer predict it.
             Some(last) if last.place.negative != place.negative => [known, None, None],
             _ => [known, last, second],
         };

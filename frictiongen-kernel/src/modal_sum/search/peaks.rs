@@ -54,7 +54,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         })
     }
 
-    /// Returns the sum over its weight twice: less its doubt from rounding, for comparisons, and as it is.
+    /// Returns the sum over its weight as a pair. The first value is reduced by the possible rounding error and serves
+    /// comparisons. The second is the plain quotient.
     pub(super) fn quotient_at(&self, value: S, sine: S, cosine: S, negative: bool) -> (S, S) {
         let value = if negative { -value } else { value };
         match self.problem.weight {

@@ -234,7 +234,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         None
     }
 
-    /// Returns the quotient around an instant, and its value less its doubt from rounding.
+    /// Returns the value of the quotient less its possible rounding error, and the quotient around the instant.
     fn quotient_jet(&self, jet: &Jet<S>, negative: bool) -> (S, Cubic<S>) {
         let Jet {
             sine,
