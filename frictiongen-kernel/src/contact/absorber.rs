@@ -1,31 +1,32 @@
-//! The force that holds the contact, where masses beyond it absorb: a common zero of V and H.
+//! Contact force of the stuck contact where masses beyond it act as an absorber: a common zero of V and H.
 //!
-//! Masses that only the contact joins to the load resonate by themselves while the contact is held.
-//! At that frequency V and H vanish together, and V/H, the amplitude of the holding force, is a
-//! quotient of what rounding has left.  The zero is divided out here: with s = r² and d = s − s₀
-//! from it, V = v₁d − v₂d² + v₃d³ − … where v_n = Σα/(λ − s)^{n+1}, and H likewise.
+//! Some masses may be joined to the load by the contact alone. They resonate by themselves while the contact is stuck.
+//! At that frequency V and H vanish together, and V/H, the amplitude of the contact force, would be a quotient of
+//! rounding errors. This module divides the common zero out. With s = r² and the distance d = s − s₀ from the zero, V =
+//! v₁d − v₂d² + v₃d³ − … where v_n = Σα/(λ − s)^{n+1}, and H likewise.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::scalar::Float;
 use crate::oscillator::mode::Mode;
 
-/// Roundings of a sum over modes that vanishes, over the sum of its terms' sizes.
+/// Number of roundings that a vanishing sum over modes may have, relative to the sum of its terms' sizes.
 const ROUNDINGS: f64 = 64.0;
 
-/// Nearer to a common zero than this, relative to the sums, the series is the more accurate: it leaves out
-/// the fourth power of the distance, and the quotient loses a rounding over it.
+/// Returns the relative distance from a common zero below which the series is more accurate than the quotient. The
+/// series leaves out the fourth power of the distance, and the quotient has an error of one rounding divided by the
+/// distance.
 fn near<S: Float>() -> S {
     S::constant(S::EPSILON).sqrt().sqrt()
 }
 
 impl<S: Float> Chain<S> {
-    /// Whether H, here its real part times r²E, is so small that V may have its zero in common with it.
+    /// Returns true if H is so small that V may have the same zero. The argument `h` is the real part of H times r²E.
     #[inline]
     pub(crate) fn may_absorb(&self, h: S) -> bool {
         !self.damped && !(h.abs() > near::<S>() * self.inverse_mass)
     }
 
-    /// V/H of an undamped chain beside a common zero of both; none elsewhere.
+    /// Returns V/H of an undamped chain close to a common zero of both; `None` elsewhere.
     #[must_use]
     pub fn absorbed_force(
         &self,
@@ -56,7 +57,7 @@ impl<S: Float> Chain<S> {
         if h.abs() > near * h_size || v.abs() > near * slope_size {
             return None;
         }
-        // The distance of H's zero, by two steps of its own series.
+        // Distance from the zero of H, by three steps of iteration on H's own series.
         let mut d = h / h1;
         for _ in 0..3 {
             d = (h + h2 * d * d - h3 * d * d * d) / h1;
@@ -71,8 +72,8 @@ impl<S: Float> Chain<S> {
         Some((v1 - v2 * d + v3 * d * d) / (h1 - h2 * d + h3 * d * d))
     }
 
-    /// The amplitude of a mass while the holding force is `force`, from the modes as they stand:
-    /// what [`absorbed_force`](Self::absorbed_force) goes with.
+    /// Returns the amplitude of a mass while the contact force is `force`, from the modes without any division by H. It
+    /// belongs to [`absorbed_force`](Self::absorbed_force).
     #[must_use]
     pub fn stuck_under(
         &self,

@@ -1,4 +1,4 @@
-//! The velocity constraint by a guaranteed search, and whether a motion is admitted.
+//! The velocity constraint by a search with a guarantee, and the decision whether a motion is admitted.
 
 use crate::contact::regime::check_beta;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -10,19 +10,19 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 use crate::oscillator::mode::Mode;
 
-/// By how many roundings β must be below a limit that is not the exact one to be below that as well:
-/// four that a search may miss, and those of a limit, with room.
+/// Number of roundings by which β must be below an approximate limit to be below the exact one as well. A search may
+/// miss four; the others cover the roundings of a limit, with a margin.
 const CLEAR: f64 = 32.0;
-/// By less than this fraction of a half turn must the rounding of r turn every mode for two searches to agree.
+/// Fraction of a half turn by which the rounding of r may turn a mode, such that two searches still agree.
 const UNTURNED: f64 = 1e-4;
 
-/// However little U leaves of S in a limit, of the amplitude there S decides.
+/// Largest tolerance of a search for S. Even where U dominates a limit, the amplitude at the limit depends on S.
 const MOST_TOLERANCE: f64 = 1.0 / 4096.0;
 
 impl<S: Float> Chain<S> {
-    /// r²E·max(S, H_c + μm*/r²): the velocity constraint by a guaranteed search over the half
-    /// period (5.54, 7.36, with the maximum of the sum), started at the break-away term.
-    /// `waves` is working space, one for each mode.
+    /// Returns r²E·max(S, H_c + μm*/r²), the velocity constraint, by a search with a guarantee over the half period
+    /// (5.54, 7.36, with the maximum of the sum). The search starts at the break-away term. `waves` is working space,
+    /// one wave for each mode.
     pub fn velocity_constraint<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -34,7 +34,7 @@ impl<S: Float> Chain<S> {
         self.constraint_of(contact, at, waves)
     }
 
-    /// The same from the modes' waves.
+    /// Returns the velocity constraint from the modes' waves.
     fn constraint_of<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -42,7 +42,7 @@ impl<S: Float> Chain<S> {
         waves: &[Wave<S, D>],
     ) -> Peak<S> {
         let start = self.start_constraint(contact);
-        // Not as the difference of two sums: beside a resonance the damping's part outweighs the rest.
+        // A difference of two sums would lose digits here. Close to a resonance the damping term outweighs the others.
         let above = (self.stiction - S::constant(1.0)) * self.inverse_mass * contact.scale;
         let mut peak = self.constraint_above(contact, at, waves, start, above);
         peak.value = if peak.places[0].is_some() {
@@ -53,12 +53,13 @@ impl<S: Float> Chain<S> {
         peak
     }
 
-    /// Whether the start of the half period decides and nothing is searched: undamped, with every R ≥ 1/2.
+    /// Returns true if the maximum is at the start of the half period and needs no search. This is so without damping
+    /// if every R ≥ 1/2.
     pub(crate) fn start_decides(&self, mut ratios: impl Iterator<Item = S>) -> bool {
         !self.damped && ratios.all(|x| x <= S::constant(2.0))
     }
 
-    /// By how much the constraint exceeds `start`, what it is for τ → 0; at least by `above`.
+    /// Returns by how much the constraint exceeds `start`, its value for τ → 0. The result is at least `above`.
     fn constraint_above<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -68,7 +69,7 @@ impl<S: Float> Chain<S> {
         above: S,
     ) -> Peak<S> {
         let decided = self.start_decides(at.iter().map(|at| at.x));
-        // Where no angle is known, nothing decides.
+        // Where rounding leaves no mode's angle known, a search could decide nothing.
         if decided || waves.iter().all(Wave::turns_unknown) {
             return Peak {
                 value: above,
@@ -87,7 +88,7 @@ impl<S: Float> Chain<S> {
             cosine: zero,
             sine: waves.iter().fold(zero, at_start),
         };
-        // β_lim knows S by U² + S²: where U is the larger, S is needed to fewer digits.
+        // β_lim contains S as U² + S². Where U is the larger, fewer digits of S are needed.
         let ratio = contact.u / (start + above);
         let tolerance = S::constant(4.0 * S::RESOLUTION) * (S::constant(1.0) + ratio * ratio);
         search::largest(
@@ -107,8 +108,8 @@ impl<S: Float> Chain<S> {
         )
     }
 
-    /// The same with the sum of each mode's own maximum in place of S (5.55, 7.37): an upper
-    /// bound on S, as the thesis prints it.
+    /// Returns the constraint with the sum of each mode's own maximum in place of S (5.55, 7.37). The thesis prints
+    /// this form, which is an upper bound on S.
     pub fn constraint_per_mode<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -120,7 +121,7 @@ impl<S: Float> Chain<S> {
             if mode.in_contact {
                 let wave: Wave<S, D> = constraint_wave(mode, at, contact, S::constant(1.0));
                 let two_zeta = mode.zeta + mode.zeta;
-                // The mode's own 1 + g + 2ζRu, its quotient for τ → 0.
+                // The mode's own 1 + g + 2ζRu, which is its quotient for τ → 0.
                 let start = contact.scale + at.g + two_zeta * at.u * at.x;
                 let at = core::slice::from_ref(at);
                 let above = S::constant(0.0);
@@ -131,8 +132,8 @@ impl<S: Float> Chain<S> {
         sum.max(self.break_away(contact))
     }
 
-    /// Whether β is below the exact continuous limit.  Most β are settled by a search that only
-    /// asks whether the constraint exceeds what β allows.
+    /// Returns true if β is below the exact continuous limit. For most β a cheaper search suffices, which only decides
+    /// whether the constraint exceeds the value that β allows.
     pub fn is_continuous<D: Decay<S>>(
         &self,
         beta: S,
@@ -148,20 +149,20 @@ impl<S: Float> Chain<S> {
         let break_away = self.break_away(contact);
         let excitation = complex::modulus(contact.v, self.damped);
         let quadrature = beta * contact.u;
-        // Their product may vanish where neither does.
+        // The product of both factors may underflow where neither does.
         let root = (excitation - quadrature).sqrt() * (excitation + quadrature).sqrt();
         let allowed = S::constant(1.0 - 1e-3) * root / beta;
-        // Where U is so much larger than S that rounding decides on what β allows, this says nothing.
+        // Where U is so much larger than S that `allowed` is mainly rounding, the cheaper search proves nothing.
         let beyond = beta * S::constant(1.0 + CLEAR * S::RESOLUTION);
         let clear = beyond < self.continuous_limit(contact, allowed);
-        // In so slow a sweep rounding turns a mode by an angle that counts, and two searches differ.
+        // At so small an r the rounding of r turns a mode by a noticeable angle, and two searches would differ.
         let fastest = S::constant(UNTURNED / S::RESOLUTION);
         let clear = clear && at.iter().all(|at| at.x < fastest);
         if break_away < allowed && allowed.is_finite() && clear {
             let start = self.start_constraint(contact);
             let above = allowed - start;
             let peak = self.constraint_above(contact, at, waves, start, above);
-            // A search that gave up has found nothing, but knows nothing either.
+            // A search that stopped early has found nothing larger, but has not excluded it either.
             if peak.value <= above && !peak.exceeded {
                 return true;
             }
@@ -172,12 +173,12 @@ impl<S: Float> Chain<S> {
 }
 
 impl<S: Float> Chain<S> {
-    /// β, if a bounded motion exists at it that slides all the time, β < β_lim; else which regime it is instead.
-    /// β*_lim does not decide: with μ > 1 a stuck state may exist beside the motion.
-    /// `unbounded` are the undamped resonances that the load drives, `at_infinity` is β_lim for r → ∞.
+    /// Returns β if a bounded motion with β < β_lim exists that slides all the time. Otherwise the error names the
+    /// regime. β*_lim does not decide, since with μ > 1 a stuck state may coexist with the motion. `unbounded` are the
+    /// undamped resonances that the load drives, `at_infinity` is β_lim for r → ∞.
     ///
     /// # Errors
-    /// Every [`NotContinuous`].
+    /// Any variant of [`NotContinuous`].
     #[allow(clippy::too_many_arguments, reason = "one question on one frequency")]
     pub fn admitted<D: Decay<S>>(
         &self,
@@ -200,8 +201,8 @@ impl<S: Float> Chain<S> {
             }
         };
         if !r.is_finite() {
-            // The limit itself decides, not the sums at a large r, which round it otherwise.  On a moving
-            // base it is infinite: no friction is felt there, and the formulas must not feel it either.
+            // The limiting value at r = ∞ decides. Sums at a large r would round it differently. On a moving base the
+            // limit is infinite and friction has no effect there, so that the formulas get β = 0.
             if !(beta < at_infinity) {
                 return Err(refused());
             }
@@ -217,8 +218,8 @@ impl<S: Float> Chain<S> {
         Ok(beta)
     }
 
-    /// Nothing, unless the chain with its contact stuck resonates at r.  `invisible` are the
-    /// undamped resonances that the load drives and the contact does not touch.
+    /// Fails if the chain with its contact stuck resonates at r. `invisible` are the undamped resonances that the load
+    /// drives and the contact does not.
     ///
     /// # Errors
     /// [`StuckResonance`].
@@ -236,7 +237,7 @@ impl<S: Float> Chain<S> {
     }
 }
 
-/// Every mode's part, in working space.
+/// Writes every mode's wave into the working space.
 fn fill<S: Float, D: Decay<S>>(
     contact: &ContactAt<S>,
     modes: &[Mode<S>],
@@ -250,9 +251,9 @@ fn fill<S: Float, D: Decay<S>>(
     }
 }
 
-/// A mode's part in what the constraint's sum exceeds `start`·sin τ by: −m(1 + g)(sin τ − p) +
-/// mu((cos τ − p′) − 2ζx·sin τ), of which the last comes once.  Beside a resonance sum and sine are nearly in
-/// proportion, and their difference would be what rounding leaves of them.
+/// Returns a mode's wave in the excess of the constraint's sum over `start`·sin τ. The excess is −m(1 + g)(sin τ − p) +
+/// mu((cos τ − p′) − 2ζx·sin τ). The caller adds the last term for all modes at once. Close to a resonance the sum and
+/// `start`·sin τ are nearly proportional, and their difference would be mainly rounding.
 fn constraint_wave<S: Float, D: Decay<S>>(
     mode: &Mode<S>,
     at: &ModeAt<S>,

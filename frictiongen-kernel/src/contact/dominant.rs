@@ -1,12 +1,13 @@
-//! The sums V, U and H as a mode's part in a motion needs them.
+//! The sums V, U and H in the form in which a mode's contribution to a motion needs them.
 //!
-//! A mode's own terms in two of these sums cancel from its part in a motion.  Beside its pole they
-//! outweigh all others, and must not be there in the first place: that one mode gets the sums over all
-//! others.  The rest share the full sums, and so their roundings: a far mass moves by the difference of
-//! its modes, in which a common rounding cancels and a rounding of each mode's own would not.
+//! A mode's own terms in two of these sums cancel from its contribution. Close to the mode's pole they outweigh all
+//! others, and must not be added in the first place. That one mode, the dominant mode, therefore gets the sums over all
+//! other modes. All other modes share the full sums, and so their rounding errors. A mass far from the contact moves by
+//! the difference of its modes. A rounding error common to all modes cancels from that difference, while a separate one
+//! for each mode would not.
 //!
-//! One mode is enough.  Let two modes have the terms a, b in V and c, d in U, and ac ≥ bd.  Then the
-//! larger of ad and bc, which remain of the second mode, is at least √(ac·bd) ≥ bd, what cancels.
+//! One mode is enough. Let two modes have the terms a, b in V and c, d in U, with ac ≥ bd. The terms ad and bc remain
+//! of the second mode, and the larger of them is at least √(ac·bd) ≥ bd, which is the term that cancels.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
@@ -32,7 +33,7 @@ impl<S: Scalar> Terms<S> {
         }
     }
 
-    /// Under names of their own in emitted code.
+    /// Gives the terms their own names in emitted code.
     fn named(self, partner: Partner) -> Self {
         let named = |value: Complex<S>, re, im| {
             Complex::new(value.re.named(re, None), value.im.named(im, None))
@@ -52,7 +53,7 @@ impl<S: Scalar> Terms<S> {
         }
     }
 
-    /// This where the condition holds, else the other.
+    /// Returns these terms where the condition is true, `other` elsewhere.
     fn select(&self, condition: S::Condition, other: &Self) -> Self {
         Self {
             v: complex::select(condition, self.v, other.v),
@@ -62,20 +63,20 @@ impl<S: Scalar> Terms<S> {
     }
 }
 
-/// The second of the two sums whose own terms cancel; the first is V.
+/// The sum, other than V, whose own terms cancel.
 #[derive(Clone, Copy)]
 pub(crate) enum Partner {
-    /// U, in a motion.
+    /// The sum U, in a motion.
     U,
-    /// H, in a stuck response.
+    /// The sum H, in a stuck response.
     H,
 }
 
-/// The mode whose own terms weigh most so far.
+/// The mode with the largest own terms so far.
 #[derive(Clone, Copy)]
 struct Heaviest<S> {
     weight: S,
-    /// Its number, as a scalar: emitted code finds it by comparing.
+    /// Index of the mode, as a scalar, since emitted code finds it by comparison.
     index: S,
     own: Terms<S>,
     static_residue: S,
@@ -92,18 +93,18 @@ impl<S: Scalar> Heaviest<S> {
     }
 }
 
-/// Which mode dominates.
+/// The dominant mode.
 #[derive(Clone, Copy)]
 enum Which<S> {
-    /// The only one.
+    /// The only mode.
     Only,
-    /// The first of two: each has the other's terms, which cancel nothing.
+    /// The first of two. Each of the two gets the other's terms, which cancel nothing.
     First,
-    /// That of this number, or none where it is −1.
+    /// The mode with this index, or no mode if the index is −1.
     Numbered(S),
 }
 
-/// The dominant mode, the sums for it, and those for the others.
+/// The dominant mode, the sums for it, and the sums for the other modes.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantSums<S> {
     which: Which<S>,
@@ -112,9 +113,9 @@ pub(crate) struct DominantSums<S> {
 }
 
 impl<S: Scalar> DominantSums<S> {
-    /// By what the dominant mode, and the others, are turned against V, where there is damping: a mode is in
-    /// phase with its own term of V, so that the others' terms do as well as all, and better where they are
-    /// the smaller.
+    /// Returns the values of V against which the phases of the dominant mode and of the others are measured, for a
+    /// damped chain. A mode is in phase with its own term of V. The other modes' terms therefore give the same phase as
+    /// the full V, and a more accurate one where they are smaller.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", None);
@@ -133,7 +134,7 @@ impl<S: Scalar> DominantSums<S> {
     }
 }
 
-/// A sum over modes: the dominant mode, and the others.
+/// A sum over modes, separated into the dominant mode and the others.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantParts<S> {
     pub own: Complex<S>,
@@ -149,7 +150,7 @@ impl<S: Scalar> DominantParts<S> {
         }
     }
 
-    /// With one more mode.
+    /// Returns the sum with one more mode.
     pub fn with(
         self,
         chain: &Chain<S>,
@@ -176,7 +177,7 @@ impl<S: Scalar> DominantParts<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// The sums for the mode whose own terms weigh most, and for the others.
+    /// Returns the sums for the mode with the largest own terms, and those for the others.
     pub(crate) fn dominant_sums<'a>(
         &self,
         modes: impl Iterator<Item = (&'a Mode<S>, ModeAt<S>)> + Clone,
@@ -251,7 +252,7 @@ impl<S: Scalar> Chain<S> {
             };
         };
         let own = without(sum, heaviest.static_residue).named(partner);
-        // Where no more cancels than the other terms leave of rounding, the full sums lose nothing.
+        // The full sums lose nothing if no more cancels than the rounding of the other terms.
         let (v, other) = self.sizes(&heaviest.own, partner);
         let at_rest = match self.on_moving_base {
             Some(at_rest) => (at_rest - heaviest.static_residue).abs() * contact.scale,
@@ -276,7 +277,7 @@ impl<S: Scalar> Chain<S> {
         index: usize,
     ) -> Heaviest<S> {
         let own = self.own(mode, at, index);
-        // On a moving base what cancels is v, not the v − 1 of the sums.
+        // On a moving base v cancels, not the v − 1 of the sums.
         let v = if self.on_moving_base.is_some() {
             self.plus(own.v, complex::real(mode.static_residue * scale))
         } else {
@@ -300,7 +301,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The sums for a mode: a mass-controlled mode has no terms of U that could cancel, and gets all of it.
+    /// Returns the sums for a mode. A mass-controlled mode has no terms of U that could cancel, and gets the full U.
     fn in_full(
         &self,
         mode: &Mode<S>,
@@ -338,7 +339,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// |V| and the size of its partner.
+    /// Returns the size of V and that of its partner.
     fn sizes(&self, sums: &Terms<S>, partner: Partner) -> (S, S) {
         let size = |value| complex::size(value, self.damped);
         let partner = match partner {

@@ -1,8 +1,9 @@
-//! Both limits without search of an undamped chain at run time, from what they take of its modes, laid out once.
+//! Both limits without search of an undamped chain at run time, from constants of its modes that are gathered once.
 //!
-//! Emitted code has a scene's constants in its instructions.  Here they are gathered before the first frequency, two modes
-//! side by side, without the modes that the contact does not drive, which are in none of the sums.  The formulas are
-//! those of [`Chain`], and the sums are taken one mode after the other: the bits are those of every other way.
+//! Emitted code contains a scene's constants in its instructions. At run time the constants are gathered before the
+//! first frequency, for two modes side by side. Modes that the contact does not drive are left out, since they
+//! contribute to none of the sums. The formulas are those of [`Chain`], and the sums add one mode after the other. The
+//! bits are therefore the same as in every other way of computing.
 
 use crate::contact::regime::Limits;
 use crate::contact::sums::{Chain, ContactAt};
@@ -11,25 +12,26 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::Mode;
 
-/// Chains whose contact drives more modes than so many pairs take the way by [`pairs`](crate::contact::pairs).
+/// Largest number of pairs of modes. A chain whose contact drives more modes uses [`pairs`](crate::contact::pairs).
 const PAIRS: usize = 8;
 
-/// What V, H and U take of a mode, or of two.
+/// Constants of a mode, or of two, that V, H and U need.
 #[derive(Clone, Copy, Debug)]
 struct Driven<S> {
     resonance: S,
-    /// The residue of V: on a moving base the static one.
+    /// Residue of V, on a moving base the static residue.
     load: S,
     inverse_mass: S,
 }
 
-/// x² − 1 and u, in which no other mode's size is yet.
+/// x² − 1 and u of a mode, not yet scaled by the other modes' sizes.
 type Own<S> = [S; 2];
 
 /// Terms of V, H and U, in this order.
 type Terms<S> = [S; 3];
 
-/// The modes of an undamped chain that the contact drives, in their order: two by two, and one if their number is odd.
+/// Modes of an undamped chain that the contact drives, in their order. They are stored in pairs, and a single one if
+/// their number is odd.
 #[derive(Clone, Debug)]
 pub struct DrivenModes<S> {
     pairs: [Driven<Lanes<S>>; PAIRS],
@@ -47,14 +49,14 @@ impl<S: Scalar> Driven<S> {
         }
     }
 
-    /// A mode's own functions.
+    /// Returns a mode's own functions.
     #[inline(always)]
     fn own(&self, inverse_r: S) -> Own<S> {
         let response = Mode::undamped(self.resonance * inverse_r);
         [response.denominator.re, response.u]
     }
 
-    /// Its terms, at the scale.
+    /// Returns the mode's terms, multiplied by the scale.
     #[inline(always)]
     fn terms(&self, scale: S, [detuning, u]: Own<S>) -> Terms<S> {
         let response = scale / detuning;
@@ -78,7 +80,8 @@ impl<S: Float> Driven<Lanes<S>> {
 }
 
 impl<S: Float> DrivenModes<S> {
-    /// Those of a chain; none if it is damped, and where there are too many.
+    /// Gathers the modes of a chain. Returns `None` if the chain is damped, if the contact drives no mode or too many,
+    /// and for scalars that a processor does not compute in pairs.
     #[must_use]
     pub fn of(chain: &Chain<S>, modes: &[Mode<S>]) -> Option<Self> {
         let in_contact = modes.iter().filter(|mode| mode.in_contact);
@@ -120,12 +123,12 @@ impl<S: Float> DrivenModes<S> {
         self.pairs.get(..self.count).unwrap_or_default()
     }
 
-    /// The scale and the sums over all modes.
+    /// Returns the scale and the sums over all modes.
     #[inline(always)]
     fn sums(&self, inverse_r: S) -> (S, Terms<S>) {
         match (self.pairs(), &self.one) {
             ([], Some(only)) => {
-                // It is its own scale: the quotient is a sign.
+                // A single mode is its own scale, and the quotient is a sign.
                 let [detuning, u] = only.own(inverse_r);
                 let sign = S::constant(1.0).copysign(detuning);
                 let terms = [
@@ -148,7 +151,7 @@ impl<S: Float> DrivenModes<S> {
     fn sums_of_many(&self, inverse_r: S) -> (S, Terms<S>) {
         let zero = S::constant(0.0);
         let (pairs, one) = (self.pairs(), self.one.as_ref());
-        // Stored in between: side by side a compiler packs what it stores.
+        // Stored in arrays, since a compiler uses packed instructions for what is stored side by side.
         let mut own = [[Lanes::constant(0.0); 2]; PAIRS];
         let mut own_of_one = [zero; 2];
         let mut least = Lanes::constant(f64::INFINITY);
@@ -181,9 +184,9 @@ fn plus<S: Scalar>([a, b, c]: Terms<S>, [d, e, f]: Terms<S>) -> Terms<S> {
     [a + d, b + e, c + f]
 }
 
-/// The terms of two modes, and the scale.
+/// Writes the terms of two modes, and returns the scale.
 ///
-/// Not inlined: the compiler packs what is stored side by side.
+/// It is not inlined, since the compiler uses packed instructions for what is stored side by side.
 #[inline(never)]
 fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2]; 3]) -> S {
     let own = modes.own(Lanes::all(inverse_r));
@@ -194,8 +197,8 @@ fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2];
 }
 
 impl<S: Float> Chain<S> {
-    /// β_lim without search and β*_lim at 1/r, for r that is neither 0 nor infinite and as if nothing absorbed; and H
-    /// times r²E.  `is_one` says that V = H and μ = 1, so that β*_lim is 1.
+    /// Returns β_lim without search and β*_lim at 1/r, for an r that is neither 0 nor infinite, and without regard to
+    /// an absorber. It also returns H times r²E. `is_one` states that V = H and μ = 1, so that β*_lim is 1.
     #[inline]
     pub fn limits_of_driven(
         &self,

@@ -1,4 +1,4 @@
-//! The boundaries of the three regimes (section 4 of `docs/derivation.md`), from the contact's sums.
+//! Formulas of both limits from the contact's sums (section 4 of `docs/derivation.md`).
 
 use crate::contact::sums::{Chain, ContactAt};
 use crate::number::complex;
@@ -6,14 +6,15 @@ use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
 impl<S: Scalar + PartialEq> Chain<S> {
-    /// Whether the load acts on the mass that rubs, so that V = H.
+    /// Returns true if the load acts on the mass that slides on the support, so that V = H.
     #[must_use]
     pub fn loads_contact(&self, modes: &[Mode<S>]) -> bool {
         let mut modes = modes.iter();
         self.on_moving_base.is_none() && modes.all(|mode| mode.residue == mode.inverse_mass)
     }
 
-    /// Whether V = H and μ = 1, so that β*_lim is 1: a number over itself is, over μ times itself it has a rounding.
+    /// Returns true if V = H and μ = 1, so that β*_lim is exactly 1. V divided by itself is 1 without rounding, which
+    /// is not so for V/(μV) with μ ≠ 1.
     #[must_use]
     pub fn sliding_limit_is_one(&self, modes: &[Mode<S>]) -> bool {
         self.stiction == S::constant(1.0) && self.loads_contact(modes)
@@ -21,7 +22,7 @@ impl<S: Scalar + PartialEq> Chain<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// The velocity constraint's S for τ → 0, times r²E: m* + H_c r² (5.58, 7.52).
+    /// Returns the velocity constraint's S for τ → 0, times r²E: m* + H_c r² (5.58, 7.52).
     #[inline]
     pub fn start_constraint(&self, contact: &ContactAt<S>) -> S {
         if self.damped {
@@ -31,8 +32,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// r²E(H_c + μm*/r²), what the contact force needs for break-away at a reversal
-    /// (5.63, 7.47).  As μ ≥ 1 it is never below [`start_constraint`](Self::start_constraint).
+    /// Returns r²E(H_c + μm*/r²), the contact force needed for break-away at a reversal (5.63, 7.47). As μ ≥ 1 it is
+    /// never below [`start_constraint`](Self::start_constraint).
     #[inline]
     pub fn break_away(&self, contact: &ContactAt<S>) -> S {
         let inverse_mass = self.stiction * self.inverse_mass * contact.scale;
@@ -43,16 +44,16 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²), for `constraint` = r²E times that maximum
-    /// (5.65, 5.80, 5.96, 7.49).
+    /// Returns β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²). The argument `constraint` is r²E times that maximum (5.65,
+    /// 5.80, 5.96, 7.49).
     #[inline]
     pub fn continuous_limit(&self, contact: &ContactAt<S>, constraint: S) -> S {
         let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);
         modulus_v / (contact.u * contact.u + constraint * constraint).sqrt()
     }
 
-    /// β*_lim = |V|/(μ|H|), from which on a stuck state exists (6.11, 6.27, 6.33, and the
-    /// damped stuck configurations of 7.4.3).
+    /// Returns β*_lim = |V|/(μ|H|), from which on a stuck state exists (6.11, 6.27, 6.33, and the damped stuck
+    /// configurations of 7.4.3).
     #[inline]
     pub fn sliding_limit(&self, contact: &ContactAt<S>) -> S {
         let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);

@@ -1,8 +1,9 @@
-//! The contact's sums at run time, with neighbouring modes two by two.
+//! Sums of the contact at run time, with neighbouring modes in pairs.
 //!
-//! A processor takes two numbers at once where a compiler sees that the same is done to both.  In emitted code it sees
-//! much of that by itself; in a loop over modes it does not, so the formulas are read over `Lanes`.  Every operation is
-//! that of one mode alone, and the sums are taken one mode after the other: the bits are those of emitted code.
+//! A processor computes two numbers at once where the compiler sees that both undergo the same operations. In emitted
+//! code the compiler sees much of this by itself. In a loop over modes it does not, so the formulas are evaluated over
+//! `Lanes`. Every operation is that of one mode alone, and the sums add one mode after the other. The bits are
+//! therefore those of emitted code.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::complex::Complex;
@@ -10,7 +11,7 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// A kind of damping that all modes share: a type, so that no loop asks for it.
+/// Kind of damping that all modes share. It is a type, so that no loop checks the kind.
 pub(super) trait Uniform {
     const KIND: Kind;
     const DAMPED: bool;
@@ -31,8 +32,8 @@ impl Uniform for Light {
 }
 
 impl<S: Float> Chain<S> {
-    /// The contact's sums over all modes (section 3 of `docs/derivation.md`: V, H, U, G, H_c).  `keep` is given the
-    /// functions of one mode after the other.
+    /// Returns the contact's sums over all modes (section 3 of `docs/derivation.md`: V, H, U, G, H_c). It passes the
+    /// functions of one mode after the other to `keep`.
     #[inline]
     pub fn contact(
         &self,
@@ -43,7 +44,7 @@ impl<S: Float> Chain<S> {
         self.summed::<true>(modes, inverse_r, keep)
     }
 
-    /// The same without G, of which the limits know nothing.
+    /// Returns the contact's sums without G, which the limits do not need.
     #[inline]
     pub fn contact_without_g(&self, modes: &[Mode<S>], inverse_r: S) -> ContactAt<S> {
         self.summed::<false>(modes, inverse_r, |_| ())
@@ -63,8 +64,8 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// The kind of all modes, if two may go side by side: undamped or lightly damped, on a processor that takes two at
-    /// once.
+    /// Returns the kind of all modes, if two modes may be computed side by side. They may if all are undamped or all
+    /// lightly damped, on a processor that computes two numbers at once.
     #[inline(always)]
     pub(super) fn common_kind(&self, modes: &[Mode<S>]) -> Option<Kind> {
         if !S::PAIRS {
@@ -77,8 +78,8 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// The same by the functions of one mode after the other: for modes of several kinds, for programs in which size counts
-    /// for more, and where nothing is optimised, as in a macro.
+    /// Returns the contact's sums from the functions of one mode after the other. It serves modes of several kinds,
+    /// programs in which size matters more than time, and code without optimisation, such as a macro.
     pub fn in_turn<const WITH_G: bool>(
         &self,
         modes: &[Mode<S>],
@@ -88,7 +89,7 @@ impl<S: Float> Chain<S> {
         let scale = Self::scale_at(modes, inverse_r);
         let responses = modes.iter().map(|mode| {
             if WITH_G {
-                // A call: here size counts.
+                // A call instead of inlined code, since size matters here.
                 mode.response(inverse_r, 0)
             } else {
                 mode.functions(inverse_r, false)
@@ -97,7 +98,7 @@ impl<S: Float> Chain<S> {
         self.contact_of(modes, responses, scale, inverse_r, WITH_G, keep)
     }
 
-    /// The sums over modes of one kind.
+    /// Returns the sums over modes of one kind.
     #[inline(always)]
     fn uniform<U: Uniform, const WITH_G: bool>(
         &self,
@@ -111,7 +112,7 @@ impl<S: Float> Chain<S> {
         };
         if let [mode] = modes {
             let response = mode.functions_of(U::KIND, inverse_r, WITH_G, 0);
-            // It is its own scale.
+            // A single mode is its own scale.
             let one = S::constant(1.0);
             let scale = if mode.in_contact { response.size } else { one };
             let at = chain.scaled(&response, scale, true, 0);
@@ -142,7 +143,7 @@ impl<S: Float> Chain<S> {
         chain.completed(&sum, inverse_r)
     }
 
-    /// The chain's constants, each in every lane.
+    /// Returns the chain's constants, each in every lane.
     #[inline(always)]
     pub(super) fn in_lanes<const N: usize>(&self) -> Chain<Lanes<S, N>> {
         Chain {
@@ -154,8 +155,8 @@ impl<S: Float> Chain<S> {
     }
 }
 
-/// The smallest size of the modes that the contact drives: the scale.  Which comes first does not count among numbers
-/// without derivatives.
+/// Returns the scale, the smallest size of the modes that the contact drives. For numbers without derivatives the order
+/// of equal sizes does not matter.
 #[inline(always)]
 fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
     let infinite = S::constant(f64::INFINITY);
@@ -179,8 +180,8 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
             least = least.min(mode.size_but_zero(U::KIND, inverse_r));
         }
     }
-    // An exact zero is the smallest whether it is replaced before or after: beside it no size is as small as what
-    // replaces it.
+    // An exact zero is the smallest size, whether it is replaced before or after the comparison. No other size is as
+    // small as the replacement.
     let least = if U::DAMPED {
         least
     } else {
@@ -189,10 +190,10 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
     S::select(least.lt(infinite), least, S::constant(1.0))
 }
 
-/// The terms of two modes and, with G, their functions at the scale.
+/// Computes the terms of two modes and, with G, their functions multiplied by the scale.
 ///
-/// Not inlined: the compiler packs what is stored side by side, and in a caller with registers of its own it stores
-/// nothing.  Inlined, ten damped modes took 1.3 times as long.
+/// It is not inlined. The compiler uses packed instructions for what is stored side by side, and a caller with
+/// registers of its own would store nothing.
 #[inline(never)]
 fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
     chain: &Chain<S>,
@@ -210,7 +211,7 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
     let response = mode.functions_of(U::KIND, Lanes::all(inverse_r), WITH_G, 0);
     let at = chain.scaled(&response, scale, false, 0);
     let found = chain.term(scale, &mode, &response, &at, false, WITH_G);
-    // What is 0 without damping, and what nobody keeps, is left alone.
+    // Values that are 0 without damping, or that nobody uses, are not written.
     terms.v.re = found.v.re;
     terms.h.re = found.h.re;
     terms.u = found.u;
@@ -232,7 +233,7 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
 }
 
 impl<S: Float, const N: usize> Mode<Lanes<S, N>> {
-    /// Modes of a kind.
+    /// Puts modes of one kind side by side.
     #[inline(always)]
     pub(super) fn beside(kind: Kind, modes: &[Mode<S>; N]) -> Self {
         let of = |constant: fn(&Mode<S>) -> S| Lanes(modes.each_ref().map(constant));
@@ -252,7 +253,7 @@ impl<S: Float, const N: usize> Mode<Lanes<S, N>> {
     }
 }
 
-/// Each mode's own complex number.
+/// Separates a complex number in lanes into one for each mode.
 #[inline(always)]
 fn complex_apart<S: Float>(value: Complex<Lanes<S>>) -> [Complex<S>; 2] {
     let (Lanes([re, other_re]), Lanes([im, other_im])) = (value.re, value.im);
@@ -260,7 +261,7 @@ fn complex_apart<S: Float>(value: Complex<Lanes<S>>) -> [Complex<S>; 2] {
 }
 
 impl<S: Float> ContactAt<Lanes<S>> {
-    /// Each mode's own.
+    /// Separates the sums into those of each mode.
     #[inline(always)]
     fn split(&self) -> [ContactAt<S>; 2] {
         let ([v, other_v], [h, other_h]) = (complex_apart(self.v), complex_apart(self.h));
@@ -287,7 +288,7 @@ impl<S: Float> ContactAt<Lanes<S>> {
 }
 
 impl<S: Float> ModeAt<Lanes<S>> {
-    /// Each mode's own.
+    /// Separates the functions into those of each mode.
     #[inline(always)]
     fn split(&self) -> [ModeAt<S>; 2] {
         let [response, other_response] = complex_apart(self.response);

@@ -1,9 +1,9 @@
-//! The regime between the two limits, and the ends of both arguments' ranges.
+//! Determines the regime from both limits, and checks the ranges of r and β.
 
 use crate::errors::{OutOfDomain, Regime};
 use crate::number::scalar::{Float, Scalar};
 
-/// r, checked: NaN and negative values are out of the domain, 0 and ∞ are not.
+/// Checks r: NaN and negative values are outside the domain, 0 and ∞ are not.
 #[inline]
 pub fn check_ratio<S: Float>(value: S, argument: &'static str) -> Result<S, OutOfDomain> {
     if value >= S::constant(0.0) {
@@ -13,11 +13,11 @@ pub fn check_ratio<S: Float>(value: S, argument: &'static str) -> Result<S, OutO
     }
 }
 
-/// How far a natural frequency may be from 1 before the range of r gives way to it.
+/// Largest ratio between a resonance and 1 for which the range of r needs no reduction.
 const ROOM: f64 = 1024.0;
 
-/// The smallest and the largest 1/r at which a chain with these resonances is evaluated: those of the
-/// scalar, and less where a resonance is so far from 1 that the square of √λ/r would overflow or vanish.
+/// Returns the smallest and the largest 1/r at which a chain with these resonances is evaluated. The range is that of
+/// the scalar, reduced where a resonance is so far from 1 that the square of √λ/r would overflow or underflow.
 pub fn inverse_ratio_range<S: Float>(resonances: impl Iterator<Item = S>) -> (S, S) {
     let (low, high) = S::inverse_ratio_range();
     let (mut smallest, mut largest) = (1.0 / ROOM, ROOM);
@@ -32,7 +32,7 @@ pub fn inverse_ratio_range<S: Float>(resonances: impl Iterator<Item = S>) -> (S,
     )
 }
 
-/// β, checked: NaN, negative and infinite values are out of the domain.
+/// Checks β: NaN, negative and infinite values are outside the domain.
 #[inline]
 pub fn check_beta<S: Float>(beta: S) -> Result<S, OutOfDomain> {
     if beta >= S::constant(0.0) && beta.is_finite() {
@@ -42,13 +42,13 @@ pub fn check_beta<S: Float>(beta: S) -> Result<S, OutOfDomain> {
     }
 }
 
-/// The regime of β from which steady states exist: the closed form below β_lim, a stuck state from β*_lim on.
+/// Returns the regime of β. The closed form exists below β_lim, a stuck state from β*_lim on.
 #[inline]
 pub fn regime<S: Float>(beta: S, continuous: S, sliding: S) -> Regime {
     regime_of(beta < continuous, beta < sliding)
 }
 
-/// The regime of a β that is or is not below β_lim, and is or is not below β*_lim.
+/// Returns the regime of a β that is below β_lim if `slides_always`, and below β*_lim if `slides`.
 #[inline]
 pub(crate) fn regime_of(slides_always: bool, slides: bool) -> Regime {
     match (slides_always, slides) {
@@ -59,19 +59,19 @@ pub(crate) fn regime_of(slides_always: bool, slides: bool) -> Regime {
     }
 }
 
-/// Both boundaries at one frequency ratio.
+/// Both limits at one frequency ratio.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Limits<S> {
-    /// β_lim, exact: below it a motion exists in which the contact slides all the time.
+    /// β_lim. Below it a motion exists in which the contact slides all the time.
     pub continuous: S,
-    /// β*_lim: from it on a stuck state exists.  With μ = 1 the contact then ends stuck whatever the start; with μ > 1
+    /// β*_lim. From it on a stuck state exists. With μ = 1 the contact then becomes stuck from every start. With μ > 1
     /// sliding motions may exist as well.
     pub sliding: S,
 }
 
 impl<S: Float> Limits<S> {
-    /// The regime at β = F/P, without another search.
+    /// Returns the regime at β = F/P, without another search.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -79,8 +79,9 @@ impl<S: Float> Limits<S> {
         Ok(regime(check_beta(beta)?, self.continuous, self.sliding))
     }
 
-    /// β/min(β_lim, β*_lim) − 1, without another search: negative below both limits, where the closed form exists.  With
-    /// μ = 1 the closed form is the only state there; with μ > 1 stick-slip may exist beside it.
+    /// Returns β/min(β_lim, β*_lim) − 1, without another search. It is negative below both limits, where the closed
+    /// form exists. With μ = 1 the closed form is the only steady state there. With μ > 1 a stick-slip state may
+    /// coexist.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -89,11 +90,12 @@ impl<S: Float> Limits<S> {
     }
 }
 
-/// Both limits over a slice of frequency ratios, into slices of the same length, by what answers at one of them.
+/// Computes both limits over a slice of frequency ratios, into slices of the same length. The argument `limits`
+/// computes them at one frequency ratio.
 ///
 /// # Errors
-/// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first r that has no answer;
-/// what came before it is filled in.
+/// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged, and at the first r for which
+/// `limits` fails. The values before that r are filled in.
 #[inline]
 pub fn limits_into<S: Float>(
     rs: &[S],
@@ -109,7 +111,7 @@ pub fn limits_into<S: Float>(
     Ok(())
 }
 
-/// Whether what answers go into is as long as the slice of frequency ratios.
+/// Checks that both result slices are as long as the slice of frequency ratios.
 #[inline]
 pub(crate) fn check_rooms(
     ratios: usize,
@@ -124,8 +126,8 @@ pub(crate) fn check_rooms(
     Ok(())
 }
 
-/// β/min(β_lim, β*_lim) − 1: negative below both limits, where the closed form exists and
-/// with μ = 1 is the only state; 0 where β and the limit both are.
+/// Returns β/min(β_lim, β*_lim) − 1. It is negative below both limits. There the closed form exists, and with μ = 1 it
+/// is the only steady state. It is 0 where β equals the lower limit, also if both are 0.
 #[inline]
 pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {
     let limit = continuous.min(sliding);
@@ -136,7 +138,7 @@ pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {
     }
 }
 
-/// A limit with its values at r = 0 and r = ∞, where the sums themselves have none.
+/// Returns a limit, with its values at r = 0 and r = ∞, where the sums themselves have none.
 #[inline]
 pub fn with_ends<S: Float>(r: S, limit: S, at_rest: S, at_infinity: S) -> S {
     if r == S::constant(0.0) {

@@ -1,6 +1,6 @@
-//! Both limits without search at several frequencies side by side, which a processor takes at once.
+//! Both limits without search at several frequencies side by side, which a processor computes at once.
 //!
-//! The formulas are those of one frequency, in the same order: the bits are the same.
+//! The formulas are those for one frequency, in the same order, so that the bits are the same.
 
 use crate::contact::pairs::{Light, Undamped, Uniform};
 use crate::contact::sums::{Chain, ContactAt};
@@ -8,19 +8,20 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// So many frequencies: two registers of two numbers, or one of eight where the target has such.
+/// Number of frequencies side by side: two registers of two numbers, or one of eight where the target has such
+/// registers.
 pub(crate) const SIDE_BY_SIDE: usize = if cfg!(target_feature = "avx512f") {
     8
 } else {
     4
 };
 
-/// What limits without search are at several frequencies, as if nothing absorbed.
+/// Limits without search at several frequencies, without regard to an absorber.
 #[derive(Debug)]
 pub(crate) struct Several<S> {
     pub continuous: [S; SIDE_BY_SIDE],
     pub sliding: [S; SIDE_BY_SIDE],
-    /// The real part of H times r²E, which tells whether something may absorb.
+    /// Real part of H times r²E, from which the caller decides whether masses may act as an absorber.
     pub h: [S; SIDE_BY_SIDE],
 }
 
@@ -36,13 +37,15 @@ impl<S: Float> Several<S> {
 }
 
 impl<S: Float> Chain<S> {
-    /// The kind of all modes, if frequencies may go side by side: where no mode is in contact there is no scale.
+    /// Returns the kind of all modes, if frequencies may be computed side by side. Returns `None` if the contact drives
+    /// no mode, since the sums then have no scale.
     pub(crate) fn kind_of_several(&self, modes: &[Mode<S>]) -> Option<Kind> {
         let touched = modes.iter().any(|mode| mode.in_contact);
         self.common_kind(modes).filter(|_| touched)
     }
 
-    /// Both limits without search at several 1/r, for modes [of a kind](Self::kind_of_several).
+    /// Computes both limits without search at several 1/r. `kind` is the result of
+    /// [`kind_of_several`](Self::kind_of_several).
     pub(crate) fn several_limits(
         &self,
         modes: &[Mode<S>],
@@ -56,7 +59,8 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// Not inlined: the compiler packs what is stored side by side.
+    /// Computes the limits for one kind. It is not inlined, since the compiler uses packed instructions for what is
+    /// stored side by side.
     #[inline(never)]
     fn side_by_side<U: Uniform>(
         &self,
@@ -77,7 +81,7 @@ impl<S: Float> Chain<S> {
         let least = touched().fold(Lanes::constant(f64::INFINITY), |least, mode| {
             least.min(mode.size_but_zero(U::KIND, inverse_r))
         });
-        // As in the sums over pairs of modes: an exact zero is replaced once, in the smallest.
+        // As in the sums over pairs of modes, an exact zero is replaced once, in the smallest size.
         let scale = if U::DAMPED {
             least
         } else {

@@ -1,37 +1,37 @@
-//! The chain at one frequency: sums over modes, carried times a scale that keeps them finite.
+//! The chain at one frequency, with sums over modes, multiplied by a scale that keeps them finite.
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::{Mode, ModeResponse};
 
-/// What a scene says beyond its modes.
+/// Constants of a scene that do not belong to one mode.
 #[derive(Clone, Copy, Debug)]
 pub struct Chain<S> {
-    /// Whether any mode is damped.
+    /// True if any mode is damped.
     pub damped: bool,
-    /// Set when the contact rubs on the moving base: wᵀK̄⁻¹p − 1, the static relative motion.
+    /// wᵀK̄⁻¹p − 1, the static relative motion, if the contact slides on the moving base; `None` otherwise.
     pub on_moving_base: Option<S>,
     /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact.
     pub inverse_mass: S,
-    /// μ, static over kinetic friction force.
+    /// μ, the ratio of static to kinetic friction force.
     pub stiction: S,
 }
 
-/// A mode's part in the sums at one frequency.
+/// Functions of one mode at one frequency, as the sums use them.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeAt<S> {
-    /// x = √λ/r.
+    /// Resonance of the mode over the excitation, x = √λ/r = 1/R.
     pub x: S,
-    /// E/(x² − 1 + 2iζx) = E·v/x².
+    /// Scaled response E/(x² − 1 + 2iζx) = E·v/x².
     pub response: Complex<S>,
-    /// E·u/x².
+    /// Scaled half-period function of the velocity, E·u/x².
     pub u: S,
-    /// E·g.
+    /// Scaled half-period function of the displacement, E·g.
     pub g: S,
 }
 
 impl<S: Scalar> ModeAt<S> {
-    /// All zero: what an array of modes starts from.
+    /// Creates functions of zeros, as the initial value of an array of modes.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -44,26 +44,26 @@ impl<S: Scalar> ModeAt<S> {
     }
 }
 
-/// The contact at one frequency.  Every sum is r² times the one of its name in the thesis (so that
-/// it stays finite as r → ∞) and times the scale E (so that it stays finite on a resonance).
+/// Sums of the contact at one frequency. Every sum is r² times the one of its name in the thesis, so that it stays
+/// finite as r → ∞. It is also multiplied by the scale E, so that it stays finite on a resonance.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactAt<S> {
-    /// E, the smallest |x² − 1 + 2iζx| of the chain (sum of the parts' moduli).
+    /// E, the smallest |x² − 1 + 2iζx| of the chain, with |Re| + |Im| as the modulus.
     pub scale: S,
-    /// V: response of the relative motion to the excitation, friction left out.
+    /// V, the response of the relative motion to the excitation, without friction.
     pub v: Complex<S>,
-    /// U: half-period damping function of the contact (velocity part).
+    /// U, the half-period damping function of the contact for the velocity.
     pub u: S,
-    /// G: half-period damping function of the contact (displacement part).
+    /// G, the half-period damping function of the contact for the displacement.
     pub g: S,
-    /// H_c r²: the damping's part of the acceleration at a reversal.
+    /// H_c r², the contribution of damping to the acceleration at a reversal.
     pub reversal: S,
-    /// H: response of the relative motion to a harmonic force in the contact.
+    /// H, the response of the relative motion to a harmonic force in the contact.
     pub h: Complex<S>,
 }
 
 impl<S: Scalar> ContactAt<S> {
-    /// Sums that have not begun.
+    /// Creates sums that are zero.
     #[must_use]
     pub fn zero(scale: S) -> Self {
         let zero = S::constant(0.0);
@@ -79,30 +79,30 @@ impl<S: Scalar> ContactAt<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// E, from the sizes of the modes: that of the smallest that the contact drives.
+    /// Returns the scale E, the smallest size among the modes that the contact drives.
     pub fn scale<'a>(sizes: impl Iterator<Item = (&'a Mode<S>, S)>) -> S
     where
         S: 'a,
     {
-        // A mode that the contact does not drive is in none of its sums.
+        // A mode that the contact does not drive contributes to none of its sums.
         let driven = sizes.filter(|(mode, _)| mode.in_contact);
         let scale = driven.map(|(_, size)| size).reduce(Scalar::min);
         scale.unwrap_or(S::constant(1.0))
     }
 
-    /// The same at 1/r.
+    /// Returns the scale E at 1/r.
     pub(crate) fn scale_at(modes: &[Mode<S>], inverse_r: S) -> S {
         Self::scale(modes.iter().map(|mode| (mode, mode.size(inverse_r))))
     }
 
-    /// Second pass for one of several modes: its functions times the scale.
+    /// Returns the functions of one of several modes, multiplied by the scale. This is the second pass over the modes.
     #[inline]
     pub fn at_scale(&self, mode: &ModeResponse<S>, scale: S) -> ModeAt<S> {
         self.scaled(mode, scale, false, 0)
     }
 
-    /// Second pass: a mode's functions times the scale.  With a single mode, which is then the
-    /// scale itself, the quotient is a sign.
+    /// Returns a mode's functions, multiplied by the scale. This is the second pass over the modes. A single mode is
+    /// the scale itself, and the quotient of both is then a sign.
     #[inline]
     pub fn scaled(
         &self,
@@ -164,8 +164,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The contact's sums over all modes (section 3 of `docs/derivation.md`: V, H, U, G, H_c), from the modes' own
-    /// functions.  `keep` is given those of one mode after the other.
+    /// Returns the contact's sums over all modes from the modes' own functions (section 3 of `docs/derivation.md`: V,
+    /// H, U, G, H_c). It passes the functions of one mode after the other to `keep`.
     #[inline]
     pub fn contact_of(
         &self,
@@ -186,7 +186,7 @@ impl<S: Scalar> Chain<S> {
         self.completed(&sum, inverse_r)
     }
 
-    /// One mode's turn in the sums; in G only where that is asked for.
+    /// Adds one mode to the sums, to G only if `with_g`.
     #[inline]
     pub fn joined_by(
         &self,
@@ -201,7 +201,7 @@ impl<S: Scalar> Chain<S> {
         self.with_term(sum, &term, with_g)
     }
 
-    /// A mode's term of each sum, at the scale.
+    /// Returns a mode's term of each sum, multiplied by the scale.
     #[inline(always)]
     pub(super) fn term(
         &self,
@@ -230,7 +230,7 @@ impl<S: Scalar> Chain<S> {
         term
     }
 
-    /// The sums and a term of each.
+    /// Returns the sums plus a term of each.
     #[inline(always)]
     pub(super) fn with_term(
         &self,
@@ -251,7 +251,7 @@ impl<S: Scalar> Chain<S> {
         sum
     }
 
-    /// The sums with what comes once: on a moving base the static part of V joins, and r² with it.
+    /// Completes the sums. On a moving base it adds the static term of V, and multiplies V by r².
     #[inline]
     pub fn completed(&self, sum: &ContactAt<S>, inverse_r: S) -> ContactAt<S> {
         let mut sum = *sum;
@@ -276,8 +276,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// A mode's term of V.  On a moving base the relative motion is what counts, and v − 1 =
-    /// (1 − 2iζx)/(x² − 1 + 2iζx) replaces v: the difference from the base is then never taken.
+    /// Returns a mode's term of V. On a moving base the relative motion counts, and v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx)
+    /// replaces v. The base motion is then never subtracted.
     #[inline]
     pub(crate) fn load_term(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Complex<S> {
         if self.on_moving_base.is_none() {

@@ -1,13 +1,14 @@
 //! Names of local variables in emitted code.
 //!
-//! A pattern `let r` means the constant `r` where there is one.  Emitted code imports these functions,
-//! which hide what the user may have called so, and which a pattern may in turn hide.
+//! A Rust pattern such as `let r` refers to a constant `r` if one is in scope. A user may have a constant with the name
+//! of a local variable. Emitted code therefore imports the functions of this module. They hide the user's constants,
+//! and a pattern may in turn hide a function.
 
 macro_rules! locals {
     ($($name:ident)*) => {
         $(#[doc(hidden)] pub fn $name() {})*
 
-        /// All of them; what else a scene needs is emitted with it.
+        /// All names in this list. A generator emits any other name that a scene needs together with the scene.
         #[doc(hidden)]
         pub const NAMES: &[&str] = &[$(stringify!($name)),*];
     };

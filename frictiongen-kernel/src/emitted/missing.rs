@@ -1,94 +1,95 @@
-//! What is told of a method that a scene does not provide.
+//! Compiler messages for a method that a scene does not provide.
 //!
-//! Emitted code has a method of that name all the same, which asks for one of these traits.  Nothing implements
-//! them, and the compiler says what to add to which field.
+//! Emitted code has a method of that name all the same, which requires one of the traits below. No type implements
+//! them. The compiler message therefore names what to add, and the field to add it to.
 
-/// Of a scene that provides its motion in time alone.
+/// Required by the methods that need `limits`, in a scene that provides only its motion in time.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `limits`",
     label = "add `limits` to the scene's `provide: [...]`"
 )]
 pub trait AddLimitsToProvide {
-    /// Nothing.
+    /// Never used.
     type Answer;
     /// Never called.
     fn answer() -> Self::Answer;
 }
 
-/// Of a scene without `motion` under `provide`.
+/// Required by `motion`, in a scene that does not list it under `provide`.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `motion`",
     label = "add `motion` to the scene's `provide: [...]`"
 )]
 pub trait AddMotionToProvide {
-    /// Nothing.
+    /// Never used.
     type Answer;
     /// Never called.
     fn answer() -> Self::Answer;
 }
 
-/// Of a scene without `orbit` under `provide`.
+/// Required by the orbit methods, in a scene that does not list `orbit` under `provide`.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `orbit`",
     label = "add `orbit` to the scene's `provide: [...]`"
 )]
 pub trait AddOrbitToProvide {
-    /// Nothing.
+    /// Never used.
     type Answer;
     /// Never called.
     fn answer() -> Self::Answer;
 }
 
-/// Of a scene without `simulation` under `provide`.
+/// Required by the simulation methods, in a scene that does not list `simulation` under `provide`.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `simulation`",
     label = "add `simulation` to the scene's `provide: [...]`"
 )]
 pub trait AddSimulationToProvide {
-    /// Nothing.
+    /// Never used.
     type Answer;
     /// Never called.
     fn answer() -> Self::Answer;
 }
 
-/// Of a scene without `stepper` under `provide`.
+/// Required by the stepper methods, in a scene that does not list `stepper` under `provide`.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `stepper`",
     label = "add `stepper` to the scene's `provide: [...]`"
 )]
 pub trait AddStepperToProvide {
-    /// Nothing.
+    /// Never used.
     type Answer;
     /// Never called.
     fn answer() -> Self::Answer;
 }
 
-/// Of a scene without `stuck` under `provide`.
+/// Required by `stuck`, in a scene that does not list it under `provide`.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `stuck`",
     label = "add `stuck` to the scene's `provide: [...]`"
 )]
 pub trait AddStuckToProvide {
-    /// Nothing.
+    /// Never used.
     type Answer;
     /// Never called.
     fn answer() -> Self::Answer;
 }
 
-/// Of a scene whose `motion(…)` leaves a mass out.
+/// Required by the motion of a mass that the scene's `motion(…)` leaves out.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide the motion of this mass",
     label = "add the mass to `motion(...)` in the scene's `provide: [...]`"
 )]
 pub trait AddMassToMotion {
-    /// Nothing.
+    /// Never used.
     type Answer;
     /// Never called.
     fn answer() -> Self::Answer;
 }
 
-/// Methods of an emitted type that cannot be called.  A method of a number asks for the trait of the number: the
-/// compiler then tells what the trait says.  Of the others it tells the trait's name.
+/// Writes methods of an emitted type that fail to compile when called. A method with a number as its argument requires
+/// the trait of that number type, and the compiler then prints the trait's message. For the other methods the compiler
+/// prints the trait's name.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! not_provided {
@@ -172,7 +173,7 @@ macro_rules! not_provided {
     };
 }
 
-/// Methods of an emitted motion for the masses that its scene leaves out.
+/// Writes methods of an emitted motion for the masses that its scene leaves out. They fail to compile when called.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! left_out {

@@ -1,10 +1,11 @@
-//! What emitted code is written with: the names that it imports, and items that all scenes have alike.
+//! Items that emitted code imports, and items that are the same in all scenes.
 
 pub mod locals;
 pub mod missing;
 mod shapes;
 
-// Local variables may have the names of the user's constants: these hide them.
+// A user's constant may have the name of a local variable in emitted code. The functions of `locals` hide such
+// constants.
 pub use crate::Complex;
 pub use crate::Scalar;
 pub use crate::contact::regime::Limits;
@@ -39,7 +40,7 @@ pub use core::result::Result::{self, Err, Ok};
 pub use locals::*;
 pub use shapes::transposed;
 
-/// An emitted type around one of the kernel's, whose queries it has by `Deref`.
+/// Wraps one of the kernel's types in an emitted type, which reaches the kernel type's methods by `Deref`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! wraps {

@@ -1,6 +1,6 @@
-//! Mode shapes by masses, out of those by modes.
+//! Mode shapes ordered by mass, from mode shapes ordered by mode.
 
-/// Rows as columns, at compile time.
+/// Transposes a table at compile time.
 #[doc(hidden)]
 #[must_use]
 #[allow(clippy::indexing_slicing, reason = "at compile time")]

@@ -1,24 +1,26 @@
-//! The response of one mass-controlled mode, far below the excitation, to a unit force that changes its sign with the
-//! contact's sliding.
+//! Response of one mass-controlled mode, which resonates far below the excitation, to a unit force that changes its
+//! sign with the contact's sliding.
 //!
-//! Over the half period y″ + 2ζx y′ + x²y = 1, and after it the motion repeats with the opposite sign:
-//! y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, E_n the Euler polynomials, and h_0 = 1,
-//! h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}, which fall as the modulus of the mode's roots.  All but the
-//! first of the e_n are sinusoids, and more so with n: the rest of the sum is one, known in closed form.
+//! Over the half period y″ + 2ζx y′ + x²y = 1, and afterwards the motion repeats with the opposite sign. Its solution
+//! is y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, where E_n are the Euler polynomials. The coefficients are
+//! h_0 = 1, h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}. They fall as the powers of the modulus of the mode's roots.
+//! Apart from the first few, the e_n are nearly sinusoids, the more so the larger n. The rest of the sum is therefore
+//! one sinusoid, known in closed form.
 //!
-//! Elsewhere y is put together from the mode's return from rest, its lag and its static displacement (see
-//! [`motion`](crate::response::coefficients)).  Far above the resonance these are each of order 1 where y vanishes, at the
-//! ends of the half period, and where y′ does, in its middle: what rounding leaves there is more than a mass
-//! far from load and contact moves.  The polynomials vanish where the sums do.
+//! For all other modes y is the sum of the return from rest, the lag and the static displacement (see
+//! [`motion`](crate::response::coefficients)). Far above the resonance each of these terms is of order 1, even at the
+//! bounds of the half period, where y vanishes, and in its middle, where y′ vanishes. The rounding error of their sum
+//! would exceed the motion of a mass far from load and contact. The polynomials vanish at the same instants as y and
+//! y′.
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Basis, Instant};
 use crate::oscillator::mode::Kind;
 
-/// A mode whose roots have a smaller modulus than this is mass-controlled: its inertia outweighs its spring.
+/// Modulus of the roots below which a mode is mass-controlled, which means that its inertia outweighs its spring.
 const SLOW: f64 = 0.5;
-/// Whether a mode at x is mass-controlled; never in a scalar that has no polynomials.
+/// Returns true if a mode at x is mass-controlled. Returns false for a scalar that has no polynomials.
 #[inline]
 pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Condition {
     if !S::MASS_CONTROLLED {
@@ -30,16 +32,18 @@ pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Con
     } else {
         x
     };
-    // One constant: two of which one is picked would be converted from double precision on the target.
+    // One constant serves both cases. A choice between two constants would be converted from double precision on the
+    // target.
     rate.lt(S::constant(SLOW))
 }
 
-/// y as the return from rest, y′ and y″ as its derivatives.
+/// Returns y as the return from rest, and y′ and y″ as its derivatives.
 pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let (zero, half, one) = (S::constant(0.0), S::constant(0.5), S::constant(1.0));
     let w = at.tau * (S::pi() * (one - at.t));
     let w_slope = (S::pi() + S::pi()) * (half - at.t);
-    // At the beginning w is 0, and the last term of each is all of it; a derivative has others.
+    // At τ = 0, w is 0 and only the last term of each polynomial remains. A scalar that carries derivatives needs the
+    // other terms as well.
     let starts = at.t.is_zero() && !S::CARRIES;
     let (loss, square) = (-((zeta + zeta) * x), x * x);
     // h_2m−4, h_2m−3, h_2m−2, and e_2m−2.
@@ -69,7 +73,7 @@ pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
         (first, before, now, last) = (now, next, loss * next - square * now, even);
         (rest, order, degree, sign) = (others, order + 1, degree + one, -sign);
     }
-    // The rest: 4/π Im[(−1)^m i (h_N−1 + i x²h_N−2) e^{iτ}/(x² − 1 + 2iζx)], N = 2m.
+    // The rest is 4/π Im[(−1)^m i (h_N−1 + i x²h_N−2) e^{iτ}/(x² − 1 + 2iζx)], N = 2m.
     let denominator = Complex::new((x - one) * (x + one), -loss);
     let numerator = Complex::new(-(square * first), before);
     let turning = complex::mul(numerator, complex::reciprocal(denominator, true), true);
@@ -92,7 +96,8 @@ mod tests {
     use crate::oscillator::decay::{Damped, Decay};
     use crate::oscillator::mode::Mode;
 
-    /// The mode's return, lag and static displacement in double-double, of which at most x⁻² is lost.
+    /// Returns value and slope from the mode's return, lag and static displacement in double-double. Cancellation makes
+    /// the relative error larger by at most a factor x⁻².
     fn put_together(mode: &Mode<Dd>, x: Dd, t: Dd) -> (Dd, Dd) {
         let response = mode.response(x, 0);
         let (u, g) = (response.u / response.size, response.g / response.size);
@@ -128,7 +133,7 @@ mod tests {
         }
     }
 
-    /// Relative to y and y′ themselves, also next to where they vanish.
+    /// Checks value and slope relative to y and y′ themselves, also close to where they vanish.
     #[test]
     fn as_put_together() {
         for zeta in [0.0, 1e-9, 0.01, 0.3, 0.7, 1.0, 1.5, 9.0] {
@@ -140,7 +145,7 @@ mod tests {
                     let (value, slope) = put_together(&mode(zeta.into()), x.into(), t.into());
                     let got = basis(x, zeta, &Instant::new(t));
                     for (got, want) in [(got.rise, value), (got.free, slope)] {
-                        // What double-double leaves of the sums.
+                        // Rounding error of the double-double sums.
                         let lost = 1e-30 / (x * x);
                         let off = (Dd::from(got) - want).abs().to_f64();
                         let bar = 16.0 * f64::EPSILON * want.to_f64().abs() + lost;
@@ -151,14 +156,14 @@ mod tests {
         }
     }
 
-    /// What the `f32` response is off by, in the third harmonic, in units of its rounding: over so many instants
-    /// roundings average out, while orders left out are the third harmonic before all.
+    /// Returns the third harmonic of the error of the `f32` response, in units of its rounding. Over this number of
+    /// instants roundings average out, while the orders left out appear mainly in the third harmonic.
     fn third_harmonic_of_the_error(x: f64, zeta: f64) -> (f64, f64) {
         const INSTANTS: u32 = 4096;
         let (mut sine, mut cosine) = ((0.0, 0.0), (0.0, 0.0));
         for i in 0..INSTANTS {
             let t = (f64::from(i) + 0.5) / f64::from(INSTANTS);
-            // Both read the same instant and the same mode.
+            // Both forms read the same instant and the same mode.
             let (t, x, zeta) = (t as f32, x as f32, zeta as f32);
             let wide = |value: f32| Dd::from(f64::from(value));
             let (value, slope) = put_together(&mode(wide(zeta)), wide(x), wide(t));
@@ -173,7 +178,8 @@ mod tests {
         (sine.0.hypot(sine.1) * unit, cosine.0.hypot(cosine.1) * unit)
     }
 
-    /// The orders that `f32` sums are enough: what is left is below its rounding, and one less is not.
+    /// Checks that the orders summed for `f32` suffice. The remaining error is below the rounding; with one order less
+    /// it would not be.
     #[test]
     fn single_precision_has_enough_orders() {
         let mut worst = (0.0_f64, 0.0_f64);
@@ -188,7 +194,7 @@ mod tests {
         assert!(worst.0 < 0.25 && worst.1 < 0.25);
     }
 
-    /// Each value by itself, as in `f64`.
+    /// Checks each value separately, as for `f64`.
     #[test]
     fn as_put_together_in_single_precision() {
         let (mut compared, mut worst) = (0, 0.0_f64);
@@ -204,7 +210,8 @@ mod tests {
                     for (got, want) in [(got.rise, value), (got.free, slope)] {
                         let lost = 1e-30 / f64::from(x * x);
                         let off = (wide(got) - want).abs().to_f64();
-                        // Of the damping's terms, which do not vanish at the ends, a rounding is left where y does.
+                        // The terms of the damping do not vanish at the bounds of the half period. They leave a
+                        // rounding error where y vanishes.
                         let size = want.to_f64().abs() + f64::from(zeta * x);
                         let unit = f64::from(f32::EPSILON) * size + lost;
                         assert!(

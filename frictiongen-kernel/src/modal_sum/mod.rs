@@ -1,8 +1,8 @@
-//! Sums of modal motions over a half period, as something to evaluate, to bound and to search.
+//! Sums of modal motions over a half period, with their evaluation, bounds and search.
 //!
-//! [`wave`] has a mode's part and the sum with bounds on its derivatives; `mass_controlled` the modes far below the
-//! excitation, which need another form; [`search`] finds the largest value of a sum, and steps over none.  Where a sum
-//! comes from, the rooms above know.
+//! [`wave`] has one mode's term, and the sum with its derivatives. `mass_controlled` has the modes far below the
+//! excitation, which need another form. [`search`] finds the largest value of a sum with a guarantee that it misses
+//! none. The modules above this one form the sums.
 
 pub(crate) mod mass_controlled;
 pub mod search;

@@ -1,34 +1,34 @@
-//! A sum of modal motions over the half period, with bounds on what it can still do.
+//! A sum of modal motions over the half period, with bounds on its size and its derivatives.
 
 use crate::modal_sum::mass_controlled;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 use crate::oscillator::mode::Mode;
 
-/// One mode's part: coefficients of the functions of [`Basis`].
+/// Term of one mode in the sum, given by the coefficients of the functions of [`Basis`].
 #[derive(Clone, Copy, Debug)]
 pub struct Wave<S, D> {
-    /// x = 1/R.
+    /// Resonance of the mode over the excitation, x = 1/R.
     pub x: S,
-    /// How it decays.
+    /// Decay of the mode.
     pub decay: D,
-    /// Of p, the free displacement.
+    /// Coefficient of p, the free displacement.
     pub free: S,
-    /// Of cos τ − p′.
+    /// Coefficient of cos τ − p′.
     pub forced_slope: S,
-    /// Of sin τ − p.
+    /// Coefficient of sin τ − p.
     pub forced: S,
-    /// Of (1 − d)/x².
+    /// Coefficient of (1 − d)/x².
     pub rise: S,
-    /// Whether `rise` is of the whole response to a force that changes its sign instead: of a mode far
-    /// below the excitation.
+    /// True for a mode far below the excitation. `rise` then multiplies the whole response to a force that changes its
+    /// sign every half period.
     pub mass_controlled: bool,
-    /// φ_k(φᵀw)/r², the residue contact → mass; harmonics alone use it.
+    /// φ_k(φᵀw)/r², the residue contact → mass, which only the harmonics need.
     pub residue: S,
 }
 
 impl<S: Float, D: Decay<S>> Wave<S, D> {
-    /// No motion at all.
+    /// Creates a wave without any motion.
     pub fn at_rest(x: S, decay: D) -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -43,7 +43,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// The mode's functions at an instant.
+    /// Returns the mode's functions at an instant.
     #[inline]
     pub(crate) fn basis(&self, at: &Instant<S>) -> Basis<S> {
         if self.mass_controlled {
@@ -53,7 +53,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// The second derivative of sin τ − p, which is the slope of cos τ − p′, from what moves it.
+    /// Returns the second derivative of sin τ − p, which is the slope of cos τ − p′. It is computed from the forces
+    /// that drive the difference, which loses no digits.
     #[inline]
     pub(crate) fn forced_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         let (one, x) = (S::constant(1.0), self.x);
@@ -62,13 +63,13 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         detuning * at.sine + loss * (at.cosine - basis.forced_slope) - x * x * basis.forced
     }
 
-    /// No motion yet, in a mode's place.
+    /// Creates a wave without any motion, as a placeholder for a mode.
     pub fn idle(mode: &Mode<S>) -> Self {
         Self::at_rest(S::constant(0.0), D::of(mode))
     }
 
-    /// Whether the rounding of x alone can turn the wave by a radian before it has died out, or it is at
-    /// rest.
+    /// Returns true if the rounding of x alone can turn the wave by a radian before the wave has decayed. Returns true
+    /// also if the wave is at rest.
     pub(crate) fn turns_unknown(&self) -> bool {
         let zero = S::constant(0.0);
         let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
@@ -76,7 +77,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         at_rest || S::constant(1.0) < self.x * lasts * S::constant(S::RESOLUTION)
     }
 
-    /// The largest that the wave can be.
+    /// Returns an upper bound on the modulus of the wave.
     fn amplitude_bound(&self) -> S {
         let one = S::constant(1.0);
         let Self {
@@ -97,7 +98,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             + rise.abs() * r
     }
 
-    /// What moves the wave beside `rise`: of cos τ and of sin τ.
+    /// Returns the coefficients of cos τ and sin τ in the force that drives the wave. The force has `rise` as its
+    /// constant term.
     pub(crate) fn forcing(&self) -> (S, S) {
         let (one, x) = (S::constant(1.0), self.x);
         let loss = (self.decay.zeta() + self.decay.zeta()) * x;
@@ -106,7 +108,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         (c * loss + b * detuning, c * detuning - b * loss)
     }
 
-    /// The slope at an instant, from the mode's functions there.
+    /// Returns the slope at an instant, from the mode's functions there.
     #[inline]
     pub(crate) fn slope(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         self.free * basis.slope
@@ -115,7 +117,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             + self.rise * basis.free
     }
 
-    /// The value at an instant, from the mode's functions there.
+    /// Returns the value at an instant, from the mode's functions there.
     #[inline]
     pub fn value(&self, basis: &Basis<S>) -> S {
         self.free * basis.free
@@ -125,23 +127,23 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     }
 }
 
-/// Σ waves + cosine·cos τ + sine·sin τ.
+/// The sum Σ waves + cosine·cos τ + sine·sin τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Sum<'a, S, D> {
-    /// The modes, slowest first.
+    /// Terms of the modes, slowest first.
     pub waves: &'a [Wave<S, D>],
-    /// Of cos τ.
+    /// Coefficient of cos τ.
     pub cosine: S,
-    /// Of sin τ.
+    /// Coefficient of sin τ.
     pub sine: S,
 }
 
-/// A function about one instant: value and three derivatives.
+/// Value and first three derivatives of a function at one instant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jet<S> {
-    /// sin τ there.
+    /// sin τ at the instant.
     pub sine: S,
-    /// cos τ there.
+    /// cos τ at the instant.
     pub cosine: S,
     pub value: S,
     pub slope: S,
@@ -150,7 +152,7 @@ pub(crate) struct Jet<S> {
 }
 
 impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
-    /// The value at an instant.
+    /// Returns the value at an instant.
     pub fn value(&self, at: &Instant<S>) -> S {
         let mut sum = self.cosine * at.cosine + self.sine * at.sine;
         for wave in self.waves {
@@ -159,7 +161,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum
     }
 
-    /// The derivative with respect to τ at an instant.
+    /// Returns the derivative with respect to τ at an instant.
     pub fn slope(&self, at: &Instant<S>) -> S {
         let mut sum = self.sine * at.cosine - self.cosine * at.sine;
         for wave in self.waves {
@@ -174,7 +176,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum
     }
 
-    /// The value and three derivatives at an instant: from the second on by the equation that each mode obeys.
+    /// Returns the value and three derivatives at an instant. The second and third derivative follow from the equation
+    /// of motion of each mode.
     pub(crate) fn jet(&self, at: &Instant<S>) -> Jet<S> {
         let Instant { sine, cosine, .. } = *at;
         let value = self.cosine * cosine + self.sine * sine;
@@ -204,7 +207,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         jet
     }
 
-    /// The value and the derivative at τ = 0, where all waves are at rest but the mass-controlled.
+    /// Returns the value and the derivative at τ = 0, where all waves except the mass-controlled ones are at rest.
     pub(crate) fn start(&self) -> (S, S) {
         let mut value = self.cosine;
         let mut slope = self.sine;
@@ -216,14 +219,14 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         (value, slope)
     }
 
-    /// How fast the fastest of its modes moves.
+    /// Returns the rate of the fastest mode in the sum, max x(1 + 2ζ).
     pub(crate) fn fastest(&self) -> S {
         let waves = self.waves.iter();
         fastest(waves.map(|wave| (wave.x, wave.decay.zeta())))
     }
 
-    /// What rounding leaves of the sum at most: waves beside the excitation's frequency, whose
-    /// differences from it are small, do not count.
+    /// Returns an upper bound on the rounding error of the sum. Waves close to the excitation's frequency do not count,
+    /// since their differences from it are small.
     pub(crate) fn rounding(&self) -> S {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         let mut sum = self.cosine.abs() + self.sine.abs();
@@ -235,7 +238,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum * S::constant(S::RESOLUTION)
     }
 
-    /// What rounding leaves of the same: the angle xτ is off by as many roundings as it has turns.
+    /// Returns an upper bound on the rounding error of a sum that is divided by sin τ. The angle xτ is off by one
+    /// rounding for each of its turns.
     pub(crate) fn rounding_over_sine(&self) -> S {
         let quarter = S::constant(0.25);
         let sum = self.over_sine(|x| {
@@ -245,7 +249,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum * S::constant(S::RESOLUTION)
     }
 
-    /// Σ |forced|·p + |forced_slope|·q with (p, q) by x.
+    /// Returns Σ |forced|·p + |forced_slope|·q, where `of` gives (p, q) for x.
     fn over_sine(&self, of: impl Fn(S) -> (S, S)) -> S {
         let add = |sum: S, wave: &Wave<S, D>| {
             let (p, q) = of(wave.x);
@@ -255,14 +259,14 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     }
 }
 
-/// The largest x(1 + 2ζ), which bounds how fast a mode of (x, ζ) turns and how fast it decays.
+/// Returns the largest x(1 + 2ζ), which bounds how fast a mode of (x, ζ) turns and how fast it decays.
 pub(crate) fn fastest<S: Float>(modes: impl Iterator<Item = (S, S)>) -> S {
     modes.fold(S::constant(0.0), |most, (x, zeta)| {
         most.max(x * (S::constant(1.0) + (zeta + zeta)))
     })
 }
 
-/// p″ and p‴, from the mode's equation p″ + 2ζx p′ + x²p = 0.
+/// Returns p″ and p‴, from the mode's equation p″ + 2ζx p′ + x²p = 0.
 #[inline]
 fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) {
     let x = wave.x;
@@ -271,7 +275,8 @@ fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) 
     (curve, -(x * (x * basis.slope + two_zeta * curve)))
 }
 
-/// The second and third derivative of sin τ − p, given those of p: from what moves it, where that is small.
+/// Returns the second and third derivative of sin τ − p, given those of p. Close to x = 1 they are computed from the
+/// forces that drive the difference, since subtraction would lose digits there.
 #[inline]
 fn differences<S: Float, D: Decay<S>>(
     wave: &Wave<S, D>,

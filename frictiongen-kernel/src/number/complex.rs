@@ -1,31 +1,30 @@
-//! The few complex operations that the formulas need, on any [`Scalar`].
+//! Complex operations that the formulas need, on any [`Scalar`].
 //!
-//! num-complex's own operators ask for traits that symbolic scalars cannot have.  Without damping
-//! every imaginary part is the constant 0: `damped` says so, and the imaginary half is then not
-//! computed.
+//! The operators of num-complex require traits that symbolic scalars cannot have. Without damping every imaginary part
+//! is the constant 0. The argument `damped` is then false, and the imaginary part is not computed.
 
 use crate::number::scalar::Scalar;
 pub use num_complex::Complex;
 
-/// `re` + 0i.
+/// Returns `re` + 0i.
 #[inline(always)]
 pub fn real<S: Scalar>(re: S) -> Complex<S> {
     Complex::new(re, S::constant(0.0))
 }
 
-/// a + b.
+/// Returns a + b.
 #[inline(always)]
 pub fn add<S: Scalar>(a: Complex<S>, b: Complex<S>) -> Complex<S> {
     Complex::new(a.re + b.re, a.im + b.im)
 }
 
-/// k·a for a real k.
+/// Returns k·a for a real k.
 #[inline(always)]
 pub fn scale<S: Scalar>(a: Complex<S>, k: S) -> Complex<S> {
     Complex::new(a.re * k, a.im * k)
 }
 
-/// a·b.
+/// Returns a·b.
 #[inline(always)]
 pub fn mul<S: Scalar>(a: Complex<S>, b: Complex<S>, damped: bool) -> Complex<S> {
     if damped {
@@ -35,7 +34,7 @@ pub fn mul<S: Scalar>(a: Complex<S>, b: Complex<S>, damped: bool) -> Complex<S> 
     }
 }
 
-/// |Re| + |Im|: of the order of |a|, without its square root.
+/// Returns |Re| + |Im|, which is of the order of |a| and needs no square root.
 #[inline(always)]
 pub(crate) fn size<S: Scalar>(a: Complex<S>, damped: bool) -> S {
     if damped {
@@ -45,7 +44,7 @@ pub(crate) fn size<S: Scalar>(a: Complex<S>, damped: bool) -> S {
     }
 }
 
-/// a where the condition holds, else b.
+/// Returns a where the condition is true, b elsewhere.
 #[inline(always)]
 pub(crate) fn select<S: Scalar>(
     condition: S::Condition,
@@ -58,7 +57,7 @@ pub(crate) fn select<S: Scalar>(
     )
 }
 
-/// 1/a for a ≠ 0 of any size.
+/// Returns 1/a for a ≠ 0 of any size.
 #[inline(always)]
 pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
     if damped {
@@ -68,7 +67,7 @@ pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
     }
 }
 
-/// 1/a for a ≠ 0 of any size, and 1/|a|² as the product of two numbers of about 1/|a|.
+/// Returns 1/a for a ≠ 0 of any size, and 1/|a|² as the product of two numbers of about 1/|a|.
 #[inline(always)]
 pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
     let inverse = (S::constant(1.0) / size(a, true)).named("inverse_size", None);
@@ -84,14 +83,14 @@ pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
     (reciprocal, (inverse, k))
 }
 
-/// 1/a, where |Re| + |Im| = 1; `mode` only names values in emitted code.
+/// Returns 1/a for |Re| + |Im| = 1. `mode` only names values in emitted code.
 #[inline(always)]
 pub fn reciprocal_of_unit<S: Scalar>(a: Complex<S>, mode: Option<usize>) -> Complex<S> {
     let inverse = (S::constant(1.0) / (a.re * a.re + a.im * a.im)).named("inverse_modulus", mode);
     Complex::new(a.re * inverse, -(a.im * inverse))
 }
 
-/// |a| for a of any size.
+/// Returns |a| for a of any size.
 #[inline(always)]
 pub fn modulus<S: Scalar>(a: Complex<S>, damped: bool) -> S {
     if damped { a.re.hypot(a.im) } else { a.re.abs() }

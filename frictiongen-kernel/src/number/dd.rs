@@ -1,10 +1,9 @@
-//! Double-double arithmetic: the accuracy reference of the project.
+//! Double-double arithmetic, the accuracy reference of the project.
 //!
-//! A [`Dd`] is the unevaluated sum of two `f64`, about 31 digits.  All operations consist of
-//! `f64` additions, subtractions, multiplications, divisions and square roots, without fused
-//! multiply-add, and so give the same bits on every host.  Bounds of the errors: Joldes, Muller
-//! and Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
-//! arithmetic" (2017).
+//! A [`Dd`] is the unevaluated sum of two `f64`, with about 31 digits. All operations consist of `f64` additions,
+//! subtractions, multiplications, divisions and square roots, without fused multiply-add. They therefore give the same
+//! bits on every host. For bounds of the errors see Joldes, Muller and Popescu, "Tight and rigorous error bounds for
+//! basic building blocks of double-word arithmetic" (2017).
 
 use core::cmp::Ordering;
 use core::fmt;
@@ -28,13 +27,13 @@ pub(crate) use tables::INVERSE_FACTORIAL;
 /// ```
 #[derive(Clone, Copy, PartialEq, Default)]
 pub struct Dd {
-    /// The leading part.
+    /// Leading term, the sum rounded to `f64`.
     pub hi: f64,
-    /// What is left, at most half a unit in the last place of `hi`.
+    /// Remainder, at most half a unit in the last place of `hi`.
     pub lo: f64,
 }
 
-/// The rounded sum and what it lost.
+/// Returns the rounded sum and its rounding error.
 #[inline]
 pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -42,14 +41,14 @@ pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - part)) + (b - part))
 }
 
-/// The same for |a| ≥ |b| or a = 0.
+/// Returns the rounded sum and its rounding error, for |a| ≥ |b| or a = 0.
 #[inline]
 fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
-/// Dekker's splitting into two numbers of at most 26 bits.
+/// Splits a number into two of at most 26 bits (Dekker).
 #[inline]
 fn split(a: f64) -> (f64, f64) {
     const LARGE: f64 = 6.696928794914171e299;
@@ -78,7 +77,7 @@ fn split_large(a: f64) -> (f64, f64) {
     (hi / DOWN, lo / DOWN)
 }
 
-/// The rounded product and what it lost (unless that underflows).
+/// Returns the rounded product and its rounding error (unless the error underflows).
 #[inline]
 pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -97,14 +96,14 @@ impl Dd {
     /// π.
     pub const PI: Self = Self::new(core::f64::consts::PI, 1.2246467991473532e-16);
 
-    /// The number `hi + lo`, which must be normalised: `hi` is the rounded sum.
+    /// Creates the number `hi + lo`, which must be normalised: `hi` is the rounded sum.
     #[inline]
     #[must_use]
     pub const fn new(hi: f64, lo: f64) -> Self {
         Self { hi, lo }
     }
 
-    /// The exact sum of two `f64` in any order.
+    /// Returns the exact sum of two `f64` in any order.
     ///
     /// ```
     /// use frictiongen_kernel::number::dd::Dd;
@@ -118,7 +117,7 @@ impl Dd {
         Self::finished(hi, lo)
     }
 
-    /// The exact product of two `f64` (unless its last part underflows).
+    /// Returns the exact product of two `f64` (unless its last part underflows).
     ///
     /// ```
     /// use frictiongen_kernel::number::dd::Dd;
@@ -135,7 +134,7 @@ impl Dd {
         Self::finished(hi, lo)
     }
 
-    /// An infinite leading part leaves a NaN behind, which must not spread.
+    /// Replaces `lo` by 0 if `hi` is not finite. An infinite leading term leaves a NaN in `lo`, which must not spread.
     #[inline]
     fn finished(hi: f64, lo: f64) -> Self {
         if hi.is_finite() {
@@ -145,7 +144,7 @@ impl Dd {
         }
     }
 
-    /// Joins a leading part and a correction.
+    /// Joins a leading term and a correction.
     #[inline]
     fn joined(hi: f64, lo: f64) -> Self {
         if !hi.is_finite() {
@@ -155,21 +154,21 @@ impl Dd {
         Self::finished(hi, lo)
     }
 
-    /// The nearest `f64`: `hi + lo`.
+    /// Returns the nearest `f64`, `hi + lo`.
     #[inline]
     #[must_use]
     pub fn to_f64(self) -> f64 {
         self.hi + self.lo
     }
 
-    /// Whether the number is 0.
+    /// Returns true if the number is 0.
     #[inline]
     #[must_use]
     pub fn is_zero(self) -> bool {
         self.hi == 0.0
     }
 
-    /// |self|.
+    /// Returns |self|.
     #[inline]
     #[must_use]
     pub fn abs(self) -> Self {
@@ -180,21 +179,21 @@ impl Dd {
         }
     }
 
-    /// The larger of two numbers that are not NaN.
+    /// Returns the larger of two numbers that are not NaN.
     #[inline]
     #[must_use]
     pub fn max(self, other: Self) -> Self {
         if self < other { other } else { self }
     }
 
-    /// The smaller of two numbers that are not NaN.
+    /// Returns the smaller of two numbers that are not NaN.
     #[inline]
     #[must_use]
     pub fn min(self, other: Self) -> Self {
         if other < self { other } else { self }
     }
 
-    /// √self, to about 1e-32; NaN below 0.
+    /// Returns √self, to about 1e-32; NaN below 0.
     ///
     /// ```
     /// use frictiongen_kernel::number::dd::Dd;
@@ -209,7 +208,7 @@ impl Dd {
         if self.hi <= 0.0 || !self.hi.is_finite() {
             return Self::new(crate::number::float::sqrt_f64(self.hi), 0.0);
         }
-        // The square of the root must keep its last part, and must not overflow.
+        // The square of the root must keep its last digits and must not overflow.
         if self.hi < TINY {
             return self.scaled(UP).scaled(UP).sqrt().scaled(1.0 / UP);
         }
@@ -221,7 +220,7 @@ impl Dd {
         Self::joined(root, rest.to_f64() / (2.0 * root))
     }
 
-    /// Times a power of two.
+    /// Multiplies by a power of two.
     #[inline]
     pub(crate) fn scaled(self, power: f64) -> Self {
         Self::finished(self.hi * power, self.lo * power)
@@ -255,7 +254,7 @@ impl Neg for Dd {
 
 impl Add for Dd {
     type Output = Self;
-    /// Relative error below 3·2^−106, also where the numbers cancel.
+    /// Adds with a relative error below 3·2^−106, also where the numbers cancel.
     #[inline]
     fn add(self, other: Self) -> Self {
         let (hi, mut rest) = two_sum(self.hi, other.hi);
@@ -279,7 +278,7 @@ impl Sub for Dd {
 
 impl Mul for Dd {
     type Output = Self;
-    /// Relative error below 5·2^−106.
+    /// Multiplies with a relative error below 5·2^−106.
     #[inline]
     fn mul(self, other: Self) -> Self {
         let (hi, rest) = two_product(self.hi, other.hi);
@@ -290,7 +289,7 @@ impl Mul for Dd {
 
 impl Div for Dd {
     type Output = Self;
-    /// Long division with three digits of base 2^53: relative error below 2^−103.
+    /// Divides by long division with three digits of base 2^53. The relative error is below 2^−103.
     #[inline]
     fn div(self, other: Self) -> Self {
         const LARGE: f64 = 1e290;
@@ -312,7 +311,7 @@ impl Div for Dd {
     }
 }
 
-/// Scientific notation with 32 digits, or as many as the precision asks for.
+/// Writes scientific notation with 32 digits, or with the precision that the format asks for.
 ///
 /// ```
 /// use frictiongen_kernel::number::dd::Dd;

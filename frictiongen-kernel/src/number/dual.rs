@@ -1,15 +1,15 @@
-//! Dual numbers: a value and its derivative with respect to one variable.
+//! Dual numbers, which are a value and its derivative with respect to one variable.
 //!
-//! Read with them, a closed form gives its exact derivative beside its value.  Beside a resonance the
-//! derivative of a bounded quotient is a difference of large terms: over [`Dd`](crate::number::dd::Dd) it
-//! keeps its digits there.
+//! A closed form evaluated with dual numbers gives its exact derivative together with its value. Close to a resonance
+//! the derivative of a bounded quotient is a difference of large terms. With [`Dd`](crate::number::dd::Dd) as the
+//! component type it keeps its digits there.
 
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::{exp_m1_minus, versine_pi};
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// f and ∂f/∂p for one variable p.  Comparisons look at the value alone.
+/// A value f with its derivative ∂f/∂p for one variable p. Comparisons use the value alone.
 ///
 /// ```
 /// use frictiongen_kernel::{Scalar, number::dual::Dual};
@@ -21,30 +21,30 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<S> {
-    /// f.
+    /// Value f.
     pub value: S,
-    /// ∂f/∂p.
+    /// Derivative ∂f/∂p.
     pub slope: S,
 }
 
 impl<S: Float> Dual<S> {
-    /// What does not depend on the variable.
+    /// Creates a number that does not depend on the variable.
     pub fn fixed(value: S) -> Self {
         let slope = S::constant(0.0);
         Self { value, slope }
     }
 
-    /// The variable itself.
+    /// Creates the variable itself.
     pub fn variable(value: S) -> Self {
         let slope = S::constant(1.0);
         Self { value, slope }
     }
 
-    /// f(self), where f has the value `value` and the derivative `derivative` there.
+    /// Returns f(self), where f has the value `value` and the derivative `derivative` at `self`.
     #[inline]
     fn chain(self, value: S, derivative: S) -> Self {
         let zero = S::constant(0.0);
-        // What does not move stays so beside an infinite derivative.
+        // A constant keeps the derivative 0, even where f has an infinite derivative.
         let slope = if self.slope == zero {
             zero
         } else {
@@ -177,7 +177,7 @@ impl<S: Float> Scalar for Dual<S> {
     fn atan2(self, x: Self) -> Self {
         let (y, size) = (self, self.value.abs().max(x.value.abs()));
         let value = y.value.atan2(x.value);
-        // Both parts over the larger, whose square may be out of range.
+        // Both components are divided by the larger, since its square may be out of range.
         let (sy, sx) = (y.value / size, x.value / size);
         let slope = (sx * y.slope - sy * x.slope) / (size * (sx * sx + sy * sy));
         Self { value, slope }
@@ -201,8 +201,7 @@ impl<S: Float> Scalar for Dual<S> {
     fn one_minus_sinc_pi(self) -> Self {
         let z = self.value;
         let value = z.one_minus_sinc_pi();
-        // (sinc − cos)/z, of which the parts that vanish with z are three times as large as their
-        // difference.
+        // (sinc − cos)/z, from 1 − cos and 1 − sinc. Both vanish with z, and their difference loses hardly any digits.
         let derivative = if z.is_zero() {
             z
         } else {

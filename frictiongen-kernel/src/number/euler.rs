@@ -1,23 +1,23 @@
 //! Coefficients of the Euler polynomials e_n(τ) = πⁿE_n(τ/π)/n! of even order, as polynomials in w = τ(π − τ).
 //!
-//! They are what a unit force that changes its sign twice a period makes of a mass alone; see
+//! These polynomials describe the motion of a free mass under a unit force that changes its sign twice a period; see
 //! `modal_sum::mass_controlled`.
 
-/// Even orders that are summed in `f64` and in `f32`: 1/6, the rate at which the third harmonic of the rest
-/// falls where polynomials are used, to the power of twice as many is below their rounding.
+/// Number of even orders that are summed in `f64`, and below in `f32`. The third harmonic of the rest falls at least
+/// sixfold per order where the polynomials are used. 1/6 to the power of twice this number is below the rounding.
 const DOUBLE: usize = 11;
 const SINGLE: usize = 5;
 
-/// The coefficients of e_2m, m = 1, 2, …: powers of w = τ(π − τ) from the mth down to the first.
+/// Coefficients of e_2m, m = 1, 2, …, in `f64`: powers of w = τ(π − τ) from the mth down to the first.
 pub(crate) const DOUBLE_TERMS: [f64; terms(DOUBLE)] = coefficients();
-/// The same in `f32`.
+/// The same coefficients in `f32`.
 pub(crate) const SINGLE_TERMS: [f32; terms(SINGLE)] = rounded(coefficients());
 
 const fn terms(orders: usize) -> usize {
     orders * (orders + 1) / 2
 }
 
-/// By e_n″ = e_n−2, from the highest power down, where nothing cancels.
+/// Computes the coefficients by e_n″ = e_n−2, from the highest power down. In this order nothing cancels.
 #[allow(clippy::indexing_slicing, reason = "at compile time")]
 const fn coefficients<const N: usize>() -> [f64; N] {
     const SQUARE: f64 = core::f64::consts::PI * core::f64::consts::PI;
@@ -28,7 +28,7 @@ const fn coefficients<const N: usize>() -> [f64; N] {
         let mut power = order;
         while power > 0 {
             let at = row + order - power;
-            // Of w^(power−1) in e_2m−2, and of w^(power+1) in e_2m.
+            // Coefficients of w^(power−1) in e_2m−2, and of w^(power+1) in e_2m.
             let lower = if power > 1 {
                 out[before + order - power]
             } else {

@@ -1,13 +1,13 @@
 //! `f64` and `f32` as scalars.
 //!
-//! Exponentials and the arc tangent come from `libm`, and the rest is made of additions,
-//! subtractions, multiplications, divisions and square roots: the results have the same bits on
-//! every host.  The polynomials are minimax, from `tools/coefficients.py constants`.
+//! `libm` provides the exponentials and the arc tangent. All other functions consist of additions, subtractions,
+//! multiplications, divisions and square roots. The results therefore have the same bits on every host. The polynomials
+//! are minimax, from `tools/coefficients.py constants`.
 
 use crate::number::scalar::{Float, Plain, Scalar};
 use crate::number::trig::{double, polynomial, single};
 
-/// Correctly rounded √x.
+/// Returns √x, correctly rounded.
 #[inline]
 pub(crate) fn sqrt_f64(x: f64) -> f64 {
     #[cfg(any(test, feature = "std"))]
@@ -16,7 +16,7 @@ pub(crate) fn sqrt_f64(x: f64) -> f64 {
     libm::sqrt(x)
 }
 
-/// Correctly rounded √x.
+/// Returns √x, correctly rounded.
 #[inline]
 fn sqrt_f32(x: f32) -> f32 {
     #[cfg(any(test, feature = "std"))]
@@ -25,10 +25,11 @@ fn sqrt_f32(x: f32) -> f32 {
     root(x)
 }
 
-/// Correctly rounded √x, in half the instructions of libm's: a processor with single precision divides in one.
+/// Returns √x, correctly rounded, in half the instructions of libm's function. A processor with single precision
+/// divides in one instruction.
 ///
-/// Three of Heron's steps from half the exponent are off by a unit in the last place at most; the remainder, exact in
-/// integers, says by which.
+/// Three of Heron's steps, started from half the exponent, are off by at most one unit in the last place. The
+/// remainder, exact in integers, gives the correction.
 #[cfg(any(test, not(feature = "std")))]
 fn root(x: f32) -> f32 {
     const TWO_TO_24: f32 = 16_777_216.0;
@@ -52,15 +53,15 @@ fn root(x: f32) -> f32 {
     near = 0.5 * (near + x / near);
     near = 0.5 * (near + x / near);
     let near = near.to_bits();
-    // x − near² in squares of near's last place.  It is small: the low halves of both are enough, and of x they are what
-    // a shift by at least 21 leaves of its fraction.
+    // x − near² in units of the square of near's last place. It is small, so that the low halves of both terms suffice.
+    // The low half of x is what a shift by at least 21 leaves of its fraction.
     let unit = (near & FRACTION) | ONE;
     let shift = ((bits >> 23) + 150).wrapping_sub(2 * (near >> 23));
     let remainder = bits
         .wrapping_shl(shift)
         .wrapping_sub(unit.wrapping_mul(unit));
     let (remainder, half) = (remainder.cast_signed(), unit.cast_signed());
-    // Below a power of two the places are half as far apart.
+    // Below a power of two the spacing of the numbers is half as large.
     let below = if unit == ONE { half / 2 } else { half };
     let (up, down) = (remainder > half, remainder <= -below);
     f32::from_bits(near + u32::from(up) - u32::from(down))
@@ -138,8 +139,8 @@ macro_rules! real {
             }
             #[inline]
             fn atan2(self, x: Self) -> Self {
-                // The sum with 0 takes the sign off a zero: an exact zero of a sine, of either
-                // sign, must not decide between π and −π.
+                // The sum with 0 removes the sign of a zero. An exact zero of a sine, of either sign, must not decide
+                // between π and −π.
                 $atan2(self + 0.0, x + 0.0)
             }
             #[inline]
@@ -156,7 +157,7 @@ macro_rules! real {
                 if z.abs() > 0.75 {
                     return 1.0 - $trig::sin_pi(z) / (core::$float::consts::PI * z);
                 }
-                // The leading term without a rounding error, as in the trigonometry.
+                // The leading term has no rounding error, as in the trigonometry.
                 const SIXTH_PI_SQUARED: [$float; 2] = $sixth_pi_squared;
                 let u = z * z;
                 let high = $trig::leading(z);
@@ -167,11 +168,11 @@ macro_rules! real {
             }
             #[inline]
             fn scaled_sinh_defect(self) -> Self {
-                // e^{−a} is 0 long before, and would meet an infinite a.
+                // e^{−a} is 0 long before a = 1000. An infinite a times 0 would be NaN.
                 let a = if self > 1000.0 { 1000.0 } else { self };
                 let decay = Scalar::exp(-a);
                 if a < 2.0 {
-                    // The cube with one rounding: that of the leading bits is exact.
+                    // The cube has a single rounding, since the cube of the leading bits is exact.
                     let u = a * a;
                     let high = $trig::leading(a);
                     let square = high * high;
@@ -281,7 +282,7 @@ real! {
 mod tests {
     use super::root;
 
-    /// Fractions over two exponents, an even and an odd one: all that a root's last place depends on.
+    /// Checks fractions over one even and one odd exponent. The last place of a root depends on nothing else.
     #[test]
     fn roots_of_single_precision_are_rounded_correctly() {
         let edges = [0, 1, 2, 0x007f_ffff, 0x0080_0000, 0x7f7f_ffff, 0x7f80_0000].into_iter();

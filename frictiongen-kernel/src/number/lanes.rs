@@ -1,16 +1,16 @@
-//! Several numbers side by side, which a processor takes at once.
+//! Several numbers side by side, which a processor computes at once.
 //!
-//! Every operation is that of each number alone, with the same bits.
+//! Every operation acts on each number alone, with the same bits.
 
 use crate::number::scalar::{Float, Scalar};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// So many numbers.
+/// `N` numbers side by side.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lanes<S, const N: usize = 2>(pub [S; N]);
 
 impl<S: Float, const N: usize> Lanes<S, N> {
-    /// The same number in every lane.
+    /// Puts the same number into every lane.
     #[inline(always)]
     pub(crate) fn all(value: S) -> Self {
         Self([value; N])

@@ -1,8 +1,8 @@
-//! Numbers: the scalar over which every formula is written, and the functions that formulas need of it.
+//! Numbers: the scalar over which every formula is written, and the functions that the formulas need.
 //!
-//! `f64` and `f32` ([`scalar`]), double-double ([`dd`]), numbers with a derivative ([`dual`]); complex operations,
-//! half-turn trigonometry, phases brought into one cycle, and functions that keep their digits where a plain difference
-//! would lose them ([`special`]).  Nothing here knows of masses or springs.
+//! The scalars are `f64` and `f32` ([`scalar`]), double-double ([`dd`]), and numbers with a derivative ([`dual`]). The
+//! functions are complex operations, half-turn trigonometry, phases reduced to one cycle, and functions that keep their
+//! digits where a plain difference would lose them ([`special`]). This module knows neither masses nor springs.
 
 pub mod complex;
 pub mod dd;

@@ -1,8 +1,8 @@
-//! Phases brought into one cycle.
+//! Phases reduced to one cycle.
 
 use super::scalar::{Float, Scalar};
 
-/// An angle moved by a turn into (−π, π], from within a turn of it.
+/// Returns an angle shifted by at most one turn into (−π, π]. The angle must be within one turn of that interval.
 #[inline]
 pub(crate) fn wrapped<S: Scalar>(angle: S) -> S {
     let (pi, turn) = (S::pi(), (S::pi() + S::pi()));
@@ -10,7 +10,7 @@ pub(crate) fn wrapped<S: Scalar>(angle: S) -> S {
     S::select((-pi).lt(angle), angle, angle + turn)
 }
 
-/// A phase in half-turns less all whole cycles: in [0, 2], of which 2 only by rounding.
+/// Returns a phase in half-turns less all whole cycles. The result is in [0, 2], and equals 2 only by rounding.
 #[inline]
 pub(crate) fn within_cycle<S: Float>(t: S) -> S {
     t - (t * S::constant(0.5)).floor() * S::constant(2.0)

@@ -1,17 +1,17 @@
-//! The scalar trait over which every formula of the project is written once.
+//! The scalar trait, over which every formula of the project is written once.
 //!
-//! `f64` and `f32` read the formulas as numbers, [`Dd`](crate::number::dd::Dd) reads them with about 31
-//! digits (the accuracy reference), and the expression type of the code generator reads them as
-//! Rust source.  A formula must therefore not branch on a scalar: it builds a condition with
-//! [`lt`](Scalar::lt) or [`is_zero`](Scalar::is_zero) and picks with [`select`](Scalar::select).
+//! `f64` and `f32` evaluate the formulas as numbers. [`Dd`](crate::number::dd::Dd) evaluates them with about 31 digits
+//! and is the accuracy reference. The expression type of the code generator turns them into Rust source. A formula must
+//! therefore not branch on a scalar. It builds a condition with [`lt`](Scalar::lt) or [`is_zero`](Scalar::is_zero) and
+//! chooses with [`select`](Scalar::select).
 
 use core::f64::consts::FRAC_PI_4;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Stands for an exact zero of x² − 1, which it is far below in any precision.
+/// Replacement for an exact zero of x² − 1. It is far below every other value of x² − 1 in any precision.
 pub const NEXT_TO_POLE: f64 = 1.0 / (1u64 << 60) as f64;
 
-/// A number, or something that stands for one, in which the closed forms can be evaluated.
+/// A number, or a symbol for a number, with which the closed forms can be evaluated.
 pub trait Scalar:
     Copy
     + Add<Output = Self>
@@ -20,40 +20,40 @@ pub trait Scalar:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The outcome of a comparison.
+    /// Result of a comparison.
     type Condition: Copy;
-    /// Whether a mass's motion takes modes far below the excitation by the polynomials of [`Float::euler_terms`].
+    /// True if a mass's motion represents modes far below the excitation by the polynomials of [`Float::euler_terms`].
     const MASS_CONTROLLED: bool = false;
 
-    /// The nearest representable value to `value`.
+    /// Returns the representable number nearest to `value`.
     fn constant(value: f64) -> Self;
-    /// π.
+    /// Returns π.
     fn pi() -> Self;
-    /// 1/π.
+    /// Returns 1/π.
     fn inverse_pi() -> Self;
-    /// `self < other`.
+    /// Compares, `self < other`.
     fn lt(self, other: Self) -> Self::Condition;
-    /// `self == 0`.
+    /// Compares, `self == 0`.
     fn is_zero(self) -> Self::Condition;
-    /// `yes` where `condition` holds, else `no`.
+    /// Returns `yes` where `condition` is true, `no` elsewhere.
     fn select(condition: Self::Condition, yes: Self, no: Self) -> Self;
-    /// |self|.
+    /// Returns |self|.
     fn abs(self) -> Self;
-    /// Correctly rounded √self (double-double: to its precision).
+    /// Returns √self, correctly rounded (in double-double to its precision).
     fn sqrt(self) -> Self;
-    /// The larger of two numbers that are not NaN.
+    /// Returns the larger of two numbers that are not NaN.
     fn max(self, other: Self) -> Self;
-    /// The smaller of two numbers that are not NaN.
+    /// Returns the smaller of two numbers that are not NaN.
     fn min(self, other: Self) -> Self;
-    /// `self` with the sign of `sign`.
+    /// Returns `self` with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
-    /// e^self.
+    /// Returns e^self.
     fn exp(self) -> Self;
-    /// e^self − 1, accurate near 0.
+    /// Returns e^self − 1, accurate near 0.
     fn exp_m1(self) -> Self;
-    /// The angle of the vector (`x`, `self`), in (−π, π].
+    /// Returns the angle of the vector (`x`, `self`), in (−π, π].
     fn atan2(self, x: Self) -> Self;
-    /// √(self² + other²), for numbers whose squares may overflow or vanish.
+    /// Returns √(self² + other²), also for numbers whose squares may overflow or underflow.
     #[inline]
     #[must_use]
     fn hypot(self, other: Self) -> Self {
@@ -63,24 +63,26 @@ pub trait Scalar:
         let ratio = a.min(b) / divisor;
         large * (Self::constant(1.0) + ratio * ratio).sqrt()
     }
-    /// (sin πh, cos πh): the argument `self` = h is reduced exactly, before π comes in.
+    /// Returns (sin πh, cos πh) with h = `self`. The argument is reduced exactly before the multiplication by π.
     fn sin_cos_pi(self) -> (Self, Self);
-    /// (sin π(h − d), cos π(h − d)) with h = `self`, where h is reduced before d is subtracted,
-    /// so that a small d is not lost in a large h, nor beside a zero of the cosine.
+    /// Returns (sin π(h − d), cos π(h − d)) with h = `self`. It reduces h before it subtracts d. A small d is then lost
+    /// neither in a large h nor close to a zero of the cosine.
     fn sin_cos_pi_minus(self, d: Self) -> (Self, Self);
-    /// 1 − sin(πz)/(πz) with z = `self` in half-turns: relative accuracy down to z = 0 (result 0).
+    /// Returns 1 − sin(πz)/(πz) with z = `self` in half-turns. Its relative accuracy is kept down to z = 0, where the
+    /// result is 0.
     fn one_minus_sinc_pi(self) -> Self;
-    /// 1 − e^{−2a} − 2a·e^{−a} = 2e^{−a}(sinh a − a) for a = `self` ≥ 0: relative accuracy down to 0.
+    /// Returns 1 − e^{−2a} − 2a·e^{−a} = 2e^{−a}(sinh a − a) for a = `self` ≥ 0. Its relative accuracy is kept down to
+    /// 0.
     fn scaled_sinh_defect(self) -> Self;
 
-    /// x² − 1 of an undamped mode, where its exact zero is [`NEXT_TO_POLE`] instead.
+    /// Returns x² − 1 of an undamped mode, with [`NEXT_TO_POLE`] in place of an exact zero.
     #[inline]
     #[must_use]
     fn detuning_off_pole(self) -> Self {
         Self::select(self.is_zero(), self.replaced(NEXT_TO_POLE), self)
     }
-    /// cos(πx/2) of an undamped mode, where its exact zero is −π/4·[`NEXT_TO_POLE`] instead: beside x = 1 it is in that
-    /// ratio to x² − 1.
+    /// Returns cos(πx/2) of an undamped mode, with −π/4·[`NEXT_TO_POLE`] in place of an exact zero. This is its ratio
+    /// to x² − 1 close to x = 1.
     #[inline]
     #[must_use]
     fn cosine_off_pole(self) -> Self {
@@ -91,59 +93,59 @@ pub trait Scalar:
         )
     }
 
-    /// The constant in place of the value; what else a scalar carries, a derivative, stays.
+    /// Returns the constant in place of the value. A derivative that the scalar carries is kept.
     #[inline(always)]
     #[must_use]
     fn replaced(self, value: f64) -> Self {
         Self::constant(value)
     }
-    /// Gives the value a name in emitted code; numbers ignore it.  `mode` is the zero-based mode
-    /// that the value belongs to, if it belongs to one.
+    /// Gives the value a name in emitted code; numbers ignore it. `mode` is the zero-based index of the mode that the
+    /// value belongs to, if any.
     #[inline(always)]
     #[must_use]
     fn named(self, name: &'static str, mode: Option<usize>) -> Self {
         let _ = (name, mode);
         self
     }
-    /// sin πh.
+    /// Returns sin πh with h = `self`.
     #[inline]
     fn sin_pi(self) -> Self {
         self.sin_cos_pi().0
     }
-    /// cos πh.
+    /// Returns cos πh with h = `self`.
     #[inline]
     fn cos_pi(self) -> Self {
         self.sin_cos_pi().1
     }
 }
 
-/// A scalar whose value is at hand: what searches, and everything else that must branch, need.
+/// A scalar whose value is known, so that code may branch on it. Searches, for instance, need it.
 pub trait Float:
     Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + Send + Sync + 'static
 {
     /// One unit in the last place of 1.
     const EPSILON: f64;
-    /// What a search tells apart, relative to what it searches.
+    /// Relative resolution of a search: the difference that it can still distinguish.
     const RESOLUTION: f64 = Self::EPSILON;
-    /// Whether it carries a derivative beside its value.  What an iteration finds is then taken one step of Newton's
-    /// method further, with which the derivative is right too.
+    /// True if the scalar carries a derivative next to its value. Code then takes the result of an iteration one Newton
+    /// step further, so that the derivative is right too.
     const CARRIES: bool = false;
-    /// Whether a processor takes two of them at once.
+    /// True if a processor can compute with two of these numbers at once.
     const PAIRS: bool = false;
-    /// The nearest `f64`.
+    /// Returns the nearest `f64`.
     fn to_f64(self) -> f64;
-    /// The smallest and the largest 1/r at which the formulas are evaluated.  Beyond lie the limits
-    /// r → ∞ and r → 0 to every digit; within, no square of a frequency overflows or vanishes.
+    /// Returns the smallest and the largest 1/r at which the formulas are evaluated. Outside this range the limits r →
+    /// ∞ and r → 0 are exact to every digit. Inside it no square of a frequency overflows or underflows.
     fn inverse_ratio_range() -> (Self, Self);
-    /// The polynomials that a mode follows far above its resonance, to this scalar's precision: where
-    /// [`Scalar::MASS_CONTROLLED`] says so.
+    /// Returns the polynomials that a mode follows far above its resonance, to this scalar's precision. They exist
+    /// where [`Scalar::MASS_CONTROLLED`] is true.
     fn euler_terms() -> &'static [Self] {
         &[]
     }
-    /// The largest integer that is not larger.
+    /// Returns the largest integer that is not larger than `self`.
     #[must_use]
     fn floor(self) -> Self;
-    /// The whole part as the index of a table; 0 for negative numbers and NaN.
+    /// Returns the integer part as an index into a table, and 0 for negative numbers and NaN.
     #[must_use]
     #[inline]
     #[allow(
@@ -154,27 +156,28 @@ pub trait Float:
     fn to_index(self) -> usize {
         self.to_f64() as usize
     }
-    /// Whether it is 0 and stays so when the variable of a derivative moves.
+    /// Returns true if the value is 0 and also the derivative that it may carry.
     fn vanishes(self) -> bool {
         self.is_zero()
     }
-    /// The value alone, without its derivative: where something is looked at does not move with what it depends on.
+    /// Returns the value without its derivative. It is used for positions, which must not depend on the variable of a
+    /// derivative.
     #[must_use]
     fn primal(self) -> Self {
         self
     }
-    /// The derivative that it carries, as a number of its own; 0 where it carries none.
+    /// Returns the derivative that the scalar carries, as a number of its own; 0 if it carries none.
     #[must_use]
     fn carried(self) -> Self {
         Self::constant(0.0)
     }
-    /// [`Scalar::sin_cos_pi`] of several numbers: the sines, then the cosines.
+    /// Evaluates [`Scalar::sin_cos_pi`] of several numbers. Returns the sines, then the cosines.
     #[inline(always)]
     fn sin_cos_pi_of<const N: usize>(h: [Self; N]) -> [[Self; N]; 2] {
         let both = h.map(Scalar::sin_cos_pi);
         [both.map(|(s, _)| s), both.map(|(_, c)| c)]
     }
-    /// [`Scalar::sin_cos_pi_minus`] of several numbers: the sines, then the cosines.
+    /// Evaluates [`Scalar::sin_cos_pi_minus`] of several numbers. Returns the sines, then the cosines.
     #[inline(always)]
     fn sin_cos_pi_minus_of<const N: usize>(h: [Self; N], d: [Self; N]) -> [[Self; N]; 2] {
         let mut found = [h, h];
@@ -184,28 +187,29 @@ pub trait Float:
         }
         found
     }
-    /// Whether it is no larger than another, neither of them negative or NaN.  Their bits then have the same order, and of
-    /// those a small processor need not fetch flags from its floating-point unit, or has none.
+    /// Returns true if `self` is no larger than `other`, where neither is negative or NaN. Their bits then have the
+    /// same order. A comparison of the bits spares a small processor the transfer of flags from its floating-point
+    /// unit, and also works without such a unit.
     #[must_use]
     #[inline]
     fn at_most(self, other: Self) -> bool {
         self <= other
     }
-    /// The bits that tell the value from any other, the sign of a zero included.
+    /// Returns the bits that distinguish the value from any other, including the sign of a zero.
     #[must_use]
     fn bits(self) -> u64 {
         self.to_f64().to_bits()
     }
-    /// Whether the value is neither infinite nor NaN.
+    /// Returns true if the value is neither infinite nor NaN.
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()
     }
 }
 
-/// A scalar that carries nothing beside its value.
+/// A scalar that carries nothing next to its value.
 ///
-/// Motions from rest and steady states are found by iteration, which stops as soon as the value is right: a
-/// derivative that came along might not be right yet.  What starts from nothing asks for this trait, so that dual
-/// numbers are refused when the program is compiled.  A steady state that is known gets its derivatives from
-/// [`Orbit::carrying`](crate::orbit::Orbit::carrying).
+/// Motions from rest and steady states are found by iteration, which stops as soon as the value is right. A derivative
+/// carried along might not be right yet. Functions that start such an iteration therefore require this trait, so that
+/// the compiler rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) gives a known steady state its
+/// derivatives.
 pub trait Plain: Float {}

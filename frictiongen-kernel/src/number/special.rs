@@ -1,13 +1,13 @@
-//! Differences that cancel, with full relative accuracy.  The polynomials are minimax, from
+//! Functions that would cancel as plain differences, with full relative accuracy. The polynomials are minimax, from
 //! `tools/coefficients.py constants`.
 
 use crate::number::dd::INVERSE_FACTORIAL;
 use crate::number::scalar::Float;
 use crate::number::trig::polynomial;
 
-/// 1 − cos πz, z in half-turns: relative accuracy also next to the even integers, where it is 0.
+/// Returns 1 − cos πz, z in half-turns. It keeps its relative accuracy also next to the even integers, where it is 0.
 ///
-/// Within 2.5 units in the last place of `f64` and `f32`, 1e-30 in double-double.
+/// The result is within 2.5 units in the last place of `f64` and `f32`, and within 1e-30 in double-double.
 ///
 /// ```
 /// use frictiongen_kernel::number::special::versine_pi;
@@ -22,10 +22,10 @@ pub fn versine_pi<T: Float>(z: T) -> T {
     versine_beside(z, z.cos_pi())
 }
 
-/// The same, knowing cos πz.
+/// Returns 1 − cos πz, for a known cos πz.
 #[inline]
 pub(crate) fn versine_beside<T: Float>(z: T, cosine: T) -> T {
-    // The difference itself has fewer roundings where it does not cancel.
+    // Where nothing cancels, the plain difference has fewer roundings.
     let versine = T::constant(1.0) - cosine;
     if versine < T::constant(0.5) {
         let sin = (z * T::constant(0.5)).sin_pi();
@@ -35,9 +35,9 @@ pub(crate) fn versine_beside<T: Float>(z: T, cosine: T) -> T {
     }
 }
 
-/// e^a − 1 − a: relative accuracy down to a = 0 (result 0) on both sides.
+/// Returns e^a − 1 − a. It keeps its relative accuracy on both sides of a = 0, where the result is 0.
 ///
-/// Within 3.5 units in the last place of `f64` and `f32`, 1e-30 in double-double.
+/// The result is within 3.5 units in the last place of `f64` and `f32`, and within 1e-30 in double-double.
 ///
 /// ```
 /// use frictiongen_kernel::number::special::exp_m1_minus;
@@ -50,7 +50,7 @@ pub(crate) fn versine_beside<T: Float>(z: T, cosine: T) -> T {
 pub fn exp_m1_minus<T: Float>(a: T) -> T {
     if a.abs() < T::constant(1.0) {
         let c = T::constant;
-        // The precisions apart: the condition and the coefficients are known to the compiler.
+        // Each precision has its own branch. The compiler knows the condition and the coefficients.
         let curve = if T::EPSILON < 1e-20 {
             INVERSE_FACTORIAL
                 .iter()
@@ -96,6 +96,6 @@ pub fn exp_m1_minus<T: Float>(a: T) -> T {
         return a * a * curve;
     }
     let grown = a.exp_m1();
-    // Past the overflow the difference of two infinities would remain.
+    // If e^a − 1 overflows, the result is infinite. Subtracting an infinite a would give NaN.
     if grown.is_finite() { grown - a } else { grown }
 }

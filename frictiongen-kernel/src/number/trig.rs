@@ -1,13 +1,12 @@
 //! Sine and cosine of angles in half-turns, in `f64` ([`double`]) and `f32` ([`single`]).
 //!
-//! The argument counts half-turns: `sin_pi(h)` is sin(πh).  A multiple of a half is subtracted
-//! from h without any rounding before π comes in, so the results have full relative accuracy
-//! next to every zero and are exactly 0 or ±1 where the mathematical value is.  Only `+`, `-`
-//! and `*` are used: every host returns the same bits.  The polynomials
-//! are minimax, from `tools/coefficients.py constants`.
+//! The argument counts half-turns: `sin_pi(h)` is sin(πh). A multiple of a half is subtracted from h without rounding,
+//! before the multiplication by π. The results therefore have full relative accuracy next to every zero. They are
+//! exactly 0 or ±1 where the mathematical value is. Only `+`, `-` and `*` are used, so that every host returns the same
+//! bits. The polynomials are minimax, from `tools/coefficients.py constants`.
 
-/// A polynomial with the coefficients of the lowest power first, by Estrin's scheme: pairs of
-/// coefficients do not wait for each other as they would in Horner's.
+/// A polynomial with the coefficients of the lowest power first, by Estrin's scheme. Its pairs of coefficients are
+/// independent, while each step of Horner's scheme waits for the one before.
 macro_rules! polynomial {
     (@pairs $u:ident, $square:ident, $last:expr $(,)?) => { $last };
     (@pairs $u:ident, $square:ident, $first:expr, $second:expr $(,)?) => {
@@ -38,47 +37,47 @@ macro_rules! half_turns {
     ) => {
         $(#[$doc])*
         pub mod $module {
-            /// π as a sum; the first part times a number of [`LEADING`] bits is exact.
+            /// π as a sum of two terms. The product of the first with a number of [`LEADING`] bits is exact.
             const PI: [$float; 2] = $pi;
             const HALF_PI_SQUARED: $float = $half_pi_squared;
-            /// Clears all but the leading third of a significand.
+            /// Mask that clears all but the leading third of a significand.
             const LEADING: $bits = $leading;
-            /// Added to a smaller number, it rounds that number to a multiple of a half, whose
-            /// count of halves then stands in the lowest bits.
+            /// Adding this to a smaller number rounds that number to a multiple of a half. The lowest bits of the sum
+            /// then contain the number of halves.
             const TO_HALVES: $float = $to_halves;
-            /// The same for multiples of four.
+            /// Adding this to a smaller number rounds that number to a multiple of four.
             const TO_FOURS: $float = $to_fours;
 
-            /// The leading third of x's significand.
+            /// Returns the leading third of x's significand.
             #[inline(always)]
             pub(crate) fn leading(x: $float) -> $float {
                 $float::from_bits(x.to_bits() & LEADING)
             }
 
-            /// h minus a multiple of 4, exactly; NaN for what is not finite.
+            /// Returns h minus a multiple of 4, exactly; NaN if h is not finite.
             #[cold]
             fn wrapped(h: $float) -> $float {
                 // From this size on, every number is an even integer.
                 if h.abs() < $even { h - ((h + TO_FOURS) - TO_FOURS) } else { h * 0.0 }
             }
 
-            /// The number q of halves nearest to h (the two lowest bits) and h − q/2, exactly.
+            /// Returns the number q of halves nearest to h (in its two lowest bits) and h − q/2, exactly.
             #[inline(always)]
             fn reduced(h: $float) -> ($bits, $float) {
                 let shifted = h + TO_HALVES;
                 (shifted.to_bits(), h - (shifted - TO_HALVES))
             }
 
-            /// As [`reduced`], for every h.
+            /// Returns the same as [`reduced`], for every h.
             #[inline(always)]
             pub(crate) fn reduced_any(h: $float) -> ($bits, $float) {
                 reduced(if h.abs() < $exact { h } else { wrapped(h) })
             }
 
-            /// Sine and cosine of πr, |r| ≤ 1/4, each as a leading part and a small rest.
+            /// Returns sine and cosine of πr for |r| ≤ 1/4, each as a leading term and a small rest.
             ///
-            /// The leading product πr is split so that it has no rounding error; the cosine is 1
-            /// less a drop of at most 0.3, whose errors weigh little.
+            /// The leading product πr is split so that it has no rounding error. The cosine is 1 minus at most 0.3, so
+            /// that the errors of the subtracted term matter little.
             #[inline(always)]
             fn kernel(r: $float) -> ([$float; 2], [$float; 2]) {
                 let u = r * r;
@@ -106,11 +105,10 @@ macro_rules! half_turns {
                 ($float::from_bits(s), $float::from_bits(c))
             }
 
-            /// (sin πh, cos πh), h in half-turns.
+            /// Returns (sin πh, cos πh), h in half-turns.
             ///
-            /// Each is within 1.1 units in the last place for every finite h, exactly 0 or ±1
-            /// where sine and cosine are.  Large numbers are even integers: (0, 1).  An infinite
-            /// h or NaN gives NaN.
+            /// Each is within 1.1 units in the last place for every finite h. Each is exactly 0 or ±1 where sine and
+            /// cosine are. Large numbers are even integers, with the result (0, 1). An infinite h or NaN gives NaN.
             ///
             /// ```
             #[doc = concat!("use frictiongen_kernel::number::trig::", stringify!($module), "::sin_cos_pi;")]
@@ -126,11 +124,11 @@ macro_rules! half_turns {
                 turned(q, sin[0] + sin[1], cos[0] + cos[1])
             }
 
-            /// (sin π(h − d), cos π(h − d)), h and d in half-turns.
+            /// Returns (sin π(h − d), cos π(h − d)), h and d in half-turns.
             ///
-            /// The difference is never rounded: h is reduced first, and what the subtraction of d
-            /// loses is carried along.  Each result is within 1.2 units in the last place, also
-            /// where h − d is next to a zero; a zero is exact.  NaN unless h and d are finite.
+            /// The difference is never rounded. The function reduces h first, and carries along what the subtraction of
+            /// d loses. Each result is within 1.2 units in the last place, also where h − d is next to a zero. A zero
+            /// is exact. The result is NaN unless h and d are finite.
             ///
             /// ```
             #[doc = concat!(
@@ -144,18 +142,18 @@ macro_rules! half_turns {
             #[inline]
             #[must_use]
             pub fn sin_cos_pi_minus(h: $float, d: $float) -> ($float, $float) {
-                // Beyond this the square of what is lost would no longer be negligible.
+                // For a larger d the square of the lost digits would not be negligible.
                 let d = if d.abs() < $near { d } else { wrapped(d) };
                 less(reduced_any(h), d)
             }
 
-            /// The same, h reduced and d near.
+            /// Returns sine and cosine of π(h − d), for a reduced h and a d below `near`.
             #[inline(always)]
             fn less((q, r): ($bits, $float), d: $float) -> ($float, $float) {
                 let difference = r - d;
                 let subtracted = difference - r;
                 let lost = (r - (difference - subtracted)) - (d + subtracted);
-                // The first order of the addition theorem puts it back.
+                // The first order of the addition theorem restores the lost digits.
                 let angle = lost * core::$float::consts::PI;
                 let (p, rest) = reduced(difference);
                 let (sin, cos) = kernel(rest);
@@ -164,10 +162,10 @@ macro_rules! half_turns {
                 turned(q.wrapping_add(p), s, c)
             }
 
-            /// Each number as it is, or less a multiple of 4, where it is so large that [`reduced`] would not do.
+            /// Returns each number unchanged, or less a multiple of 4 where it is too large for [`reduced`].
             #[inline(always)]
             fn near_of<const N: usize>(mut h: [$float; N]) -> [$float; N] {
-                // One branch for all, which a compiler packs.
+                // One branch for all numbers lets the compiler use packed instructions.
                 if !h.iter().fold(true, |all, h| all & (h.abs() < $exact)) {
                     for h in &mut h {
                         if !(h.abs() < $exact) {
@@ -178,10 +176,10 @@ macro_rules! half_turns {
                 h
             }
 
-            /// [`sin_cos_pi`] of several numbers: the sines, then the cosines.
+            /// Evaluates [`sin_cos_pi`] of several numbers. Returns the sines, then the cosines.
             #[inline(always)]
             pub(crate) fn sin_cos_pi_of<const N: usize>(h: [$float; N]) -> [[$float; N]; 2] {
-                // What may branch comes first: the rest is one block, which a compiler packs.
+                // All branches come first. The rest is one block, for which the compiler uses packed instructions.
                 let h = near_of(h);
                 let (mut sines, mut cosines) = (h, h);
                 for ((s, c), h) in sines.iter_mut().zip(&mut cosines).zip(h) {
@@ -192,7 +190,7 @@ macro_rules! half_turns {
                 [sines, cosines]
             }
 
-            /// [`sin_cos_pi_minus`] of several numbers: the sines, then the cosines.
+            /// Evaluates [`sin_cos_pi_minus`] of several numbers. Returns the sines, then the cosines.
             #[inline(always)]
             pub(crate) fn sin_cos_pi_minus_of<const N: usize>(
                 h: [$float; N],
@@ -208,8 +206,7 @@ macro_rules! half_turns {
                 [sines, cosines]
             }
 
-            /// sin πh, h in half-turns, within 1.1 units in the last place.
-            ///
+            /// Returns sin πh, h in half-turns, within 1.1 units in the last place.
             /// ```
             #[doc = concat!("use frictiongen_kernel::number::trig::", stringify!($module), "::sin_pi;")]
             ///

@@ -1,12 +1,12 @@
-//! ζ = 1.
+//! Critically damped mode, ζ = 1.
 
 use super::values::{
     Basis, Instant, ModeResponse, Turn, complement_and_factor, denominator, one_minus_d,
 };
 use crate::number::scalar::{Float, Scalar};
 
-/// ζ = 1: the limit q → 0 of both neighbours, to first order in q² = 1 − ζ²: its value is 0, but a
-/// derivative with respect to ζ moves it.
+/// Returns the functions for ζ = 1, the limit q → 0 from both sides, to first order in q² = 1 − ζ². The value of q² is
+/// 0, but its derivative with respect to ζ is not.
 #[inline]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -39,7 +39,8 @@ pub(super) fn response<S: Scalar>(
     }
 }
 
-/// The functions at an instant, to first order in q² = 1 − ζ², whose value is 0, for derivatives with respect to ζ.
+/// Returns the functions at an instant, to first order in q² = 1 − ζ². The value of q² is 0; the first order is for
+/// derivatives with respect to ζ.
 pub(super) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let one = S::constant(1.0);
     let time = x * at.tau;
@@ -58,7 +59,7 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// The free motion over τ.
+/// Returns the free motion over τ.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, tau: S) -> Turn<S> {
     let decay_factor = (-(x * tau)).exp();

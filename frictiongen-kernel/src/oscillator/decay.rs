@@ -1,8 +1,8 @@
-//! The free motion of one mode in time, in closed forms that meet where their neighbours end.
+//! Free motion of one mode in time, in closed forms that agree at the bounds of their ranges of damping.
 //!
-//! With p = e^{−ζxτ}·sin(qxτ)/(qx), the free displacement that starts from rest with unit speed,
-//! everything that a mode does in a half period is made of p, its slope, and three differences
-//! that vanish together with it or at the mode's resonance, and are formed without cancellation.
+//! The free displacement that starts with unit speed from x̄ = 0 is p = e^{−ζxτ}·sin(qxτ)/(qx). Everything that a mode
+//! does in a half period consists of p, its slope and three differences. The differences vanish where p vanishes, or at
+//! the mode's resonance, and are computed without cancellation.
 
 use super::mode::{Kind, Mode};
 pub(crate) use super::values::Turn;
@@ -13,7 +13,7 @@ use crate::number::scalar::Float;
 use crate::number::special::versine_beside;
 
 impl<S: Float> Instant<S> {
-    /// The instant τ = πt.
+    /// Creates the instant τ = πt.
     #[inline]
     pub fn new(t: S) -> Self {
         let (sine, cosine) = t.sin_cos_pi();
@@ -26,7 +26,7 @@ impl<S: Float> Instant<S> {
         }
     }
 
-    /// The beginning of the half period.
+    /// Creates the instant τ = 0, the beginning of the half period.
     #[inline]
     pub(crate) fn start() -> Self {
         let zero = S::constant(0.0);
@@ -39,7 +39,7 @@ impl<S: Float> Instant<S> {
         }
     }
 
-    /// The instant τ, without a sine where it is the beginning.
+    /// Creates the instant τ. At τ = 0 it evaluates no sine.
     #[inline]
     pub(crate) fn from_start(tau: S) -> Self {
         if tau.is_zero() {
@@ -50,25 +50,25 @@ impl<S: Float> Instant<S> {
     }
 }
 
-/// How the modes of a scene decay: a type, so that undamped scenes carry no exponentials.
+/// Decay of a scene's modes. It is a type, so that undamped scenes evaluate no exponentials.
 pub trait Decay<S: Float>: Copy {
-    /// Taken from a mode's constants.
+    /// Takes the decay from a mode's constants.
     fn of(mode: &Mode<S>) -> Self;
-    /// Which closed form applies.
+    /// Returns the kind of damping, which selects the closed form.
     fn kind(&self) -> Kind;
-    /// ζ.
+    /// Returns the modal damping ratio ζ.
     fn zeta(&self) -> S;
-    /// The mode's functions at one instant, with x = 1/R.
+    /// Returns the mode's functions at one instant, with x = 1/R.
     fn basis(&self, x: S, at: &Instant<S>) -> Basis<S>;
-    /// p and p′ alone.
+    /// Returns p and p′ alone.
     fn free(&self, x: S, at: &Instant<S>) -> (S, S);
 }
 
-/// No damping.
+/// Decay of a mode without damping.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Undamped;
 
-/// Any damping, none included.
+/// Decay of a mode with any damping, including none.
 #[derive(Clone, Copy, Debug)]
 pub struct Damped<S> {
     kind: Kind,
@@ -137,7 +137,7 @@ impl<S: Float> Decay<S> for Damped<S> {
 }
 
 impl<S: Float> Damped<S> {
-    /// From ζ, √|1 − ζ²| and the kind that goes with them.
+    /// Creates the decay from ζ, √|1 − ζ²| and their kind.
     pub(crate) fn new(kind: Kind, zeta: S, q: S) -> Self {
         Self {
             kind,
@@ -148,7 +148,7 @@ impl<S: Float> Damped<S> {
     }
 }
 
-/// The free motion of an oscillator over τ = πt.
+/// Returns the free motion of an oscillator over τ = πt.
 #[inline]
 pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) -> Turn<S> {
     match kind {
@@ -159,7 +159,7 @@ pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) 
     }
 }
 
-/// By what that multiplies the free motion: e^{x(−ζ ± iq)τ}.
+/// Returns the two factors e^{x(−ζ ± iq)τ} by which `turn` multiplies the free motion.
 pub(crate) fn multipliers<S: Float>(kind: Kind, q: S, turn: &Turn<S>) -> [Complex<S>; 2] {
     let im = q * turn.s;
     match kind {

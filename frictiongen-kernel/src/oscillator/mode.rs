@@ -1,9 +1,9 @@
-//! One mode of the chain: its constants, and its response and damping functions at a frequency.
+//! One mode of the chain, with its constants, and its response and damping functions at a frequency.
 //!
-//! With x = √λ/r = 1/R every function of a single mode is written in x, which is rounded once, so
-//! that the response v, and the half-period damping functions u and g (7.11, 7.12) stay consistent
-//! beside their common pole x = 1.  Sums over modes are carried times the *scale* E, the smallest
-//! |x² − 1 + 2iζx| of the chain: everything is then finite on a resonance as well as beside it.
+//! Every function of a single mode depends on x = √λ/r = 1/R, which is rounded once. The response v and the half-period
+//! damping functions u and g (7.11, 7.12) therefore stay consistent close to their common pole x = 1. Sums over modes
+//! are multiplied by the *scale* E, the smallest |x² − 1 + 2iζx| of the chain. All sums are then finite on a resonance
+//! and close to it.
 
 pub use super::values::ModeResponse;
 use super::values::denominator;
@@ -11,29 +11,30 @@ use super::{critical, overdamped, undamped, underdamped};
 use crate::number::complex;
 use crate::number::scalar::Scalar;
 
-/// How a mode decays; it decides which closed form its functions take.
+/// Kind of decay of a mode, which selects the closed form of its functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// ζ = 0.
+    /// No damping, ζ = 0.
     Undamped,
-    /// 0 < ζ < 1/2: 1 − q is kept beside q, so that the pole at small ζ loses nothing.
+    /// Light damping, 0 < ζ < 1/2. The mode stores 1 − q as well as q, so that no digits are lost at the pole for small
+    /// ζ.
     Light,
-    /// 1/2 ≤ ζ < 1.
+    /// Heavy damping, 1/2 ≤ ζ < 1.
     Heavy,
-    /// ζ = 1.
+    /// Critical damping, ζ = 1.
     Critical,
-    /// ζ > 1: no oscillation.
+    /// Overdamped, ζ > 1, without oscillation.
     Over,
 }
 
-/// The constants of one mode; they depend on the scene alone, not on r.
+/// Constants of one mode. They depend on the scene alone, not on r.
 #[derive(Clone, Copy, Debug)]
 pub struct Mode<S> {
-    /// Which closed form applies.
+    /// Kind of decay, which selects the closed form.
     pub kind: Kind,
-    /// Whether the contact drives the mode: φᵀw ≠ 0.
+    /// True if the contact drives the mode, φᵀw ≠ 0.
     pub in_contact: bool,
-    /// √λ: the frequency ratio r at which the mode resonates.
+    /// √λ, the frequency ratio r at which the mode resonates.
     pub resonance: S,
     /// Modal damping ratio ζ.
     pub zeta: S,
@@ -41,20 +42,20 @@ pub struct Mode<S> {
     pub q: S,
     /// 1 − q, to full relative accuracy (used for [`Kind::Light`]).
     pub q_defect: S,
-    /// φᵀp: how strongly the load drives the mode.
+    /// φᵀp, the strength with which the load drives the mode.
     pub load: S,
-    /// φᵀw: how strongly the contact drives the mode.
+    /// φᵀw, the strength with which the contact drives the mode.
     pub contact: S,
     /// (φᵀw)(φᵀp), the residue load → contact times λ.
     pub residue: S,
-    /// (φᵀw)²: the mode's part c of the inverse effective mass of the contact.
+    /// (φᵀw)², the mode's term c of the inverse effective mass of the contact.
     pub inverse_mass: S,
     /// (φᵀw)(φᵀp)/λ, the static residue load → contact.
     pub static_residue: S,
 }
 
 impl<S: Scalar> ModeResponse<S> {
-    /// All zero: what an array of modes starts from.
+    /// Creates a response of zeros, as the initial value of an array of modes.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -70,19 +71,20 @@ impl<S: Scalar> ModeResponse<S> {
 }
 
 impl<S: Scalar> Mode<S> {
-    /// The functions of the mode at r = 1/`inverse_r`; `index` only names values in emitted code.
+    /// Returns the functions of the mode at r = 1/`inverse_r`. `index` only names values in emitted code.
     #[inline]
     pub fn response(&self, inverse_r: S, index: usize) -> ModeResponse<S> {
         self.functions_of(self.kind, inverse_r, true, index)
     }
 
-    /// The same with 0 for g unless `with_g`: the limits do without, and it is half of the work.
+    /// Returns the functions of the mode, with g = 0 unless `with_g`. The limits do not need g, which is half of the
+    /// work.
     #[inline(always)]
     pub(crate) fn functions(&self, inverse_r: S, with_g: bool) -> ModeResponse<S> {
         self.functions_of(self.kind, inverse_r, with_g, 0)
     }
 
-    /// The same of a mode that is known to be of this kind.
+    /// Returns the functions of a mode whose kind is known.
     #[inline(always)]
     pub(crate) fn functions_of(
         &self,
@@ -103,13 +105,13 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
-    /// The functions of an undamped mode at x = √λ/r.
+    /// Returns the functions of an undamped mode at x = √λ/r.
     #[inline(always)]
     pub(crate) fn undamped(x: S) -> ModeResponse<S> {
         undamped::response(x, None)
     }
 
-    /// The `size` of its [`response`](Self::response) alone.
+    /// Returns only the `size` of the mode's [`response`](Self::response).
     #[inline]
     pub(crate) fn size(&self, inverse_r: S) -> S {
         let x = self.resonance * inverse_r;
@@ -119,7 +121,7 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
-    /// The same of a mode that is known to be of this kind, where the exact zero of an undamped mode stays.
+    /// Returns the `size` of a mode whose kind is known. An exact zero of an undamped mode is not replaced.
     #[inline(always)]
     pub(crate) fn size_but_zero(&self, kind: Kind, inverse_r: S) -> S {
         let x = self.resonance * inverse_r;

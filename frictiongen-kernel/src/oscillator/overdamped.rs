@@ -1,10 +1,10 @@
-//! ζ > 1, with q = √(ζ² − 1): two decays, no oscillation.
+//! Overdamped mode, ζ > 1, with q = √(ζ² − 1): two decays, no oscillation.
 
 use super::values::{Basis, Instant, ModeResponse, Turn, denominator};
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::exp_m1_minus;
 
-/// ζ > 1: two real decays, e^{−πx(ζ∓q)}, combined before they can overflow.
+/// Returns the functions for ζ > 1. The two real decays e^{−πx(ζ∓q)} are combined before they can overflow.
 #[inline]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -24,8 +24,8 @@ pub(super) fn response<S: Scalar>(
     let k = (size / ((one + e_slow) * (one + e_fast))).named("pole_weight", at);
     let b = (-(-spread).exp_m1() * e_slow / q * k).named("u_times_r", at);
     let a = -(-(S::constant(2.0) * pi * zeta * x)).exp_m1() * k;
-    // 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}) from parts of the third order in x, of which
-    // the one subtracted is never more than two thirds of the others.
+    // 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}), from terms of the third order in x. The subtracted term is never
+    // more than two thirds of the others.
     let defect = if with_g {
         let half = S::constant(0.5);
         let minus_one = (-(fast * half)).exp_m1().named("decay_minus_one", at);
@@ -46,7 +46,7 @@ pub(super) fn response<S: Scalar>(
     }
 }
 
-/// The functions at an instant.
+/// Returns the functions at an instant.
 pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> {
     let (one, half) = (S::constant(1.0), S::constant(0.5));
     let sum = zeta + q;
@@ -59,11 +59,11 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     let (free, slope) = (sinh / x, cosh - zeta * sinh);
     let decay = zeta * time;
     let one_minus_d = if S::constant(2.0) < sum && time < sum {
-        // Both decays from their second order on; the parts below would cancel to 1/ζ².
+        // Both decays from their second order on. The forms below would cancel to 1/ζ².
         let (slow, fast) = (exp_m1_minus(-(time / sum)), exp_m1_minus(-(time * sum)));
         (fast / sum - slow * sum) * half / q
     } else if decay < half {
-        // e^a − cosh b − (a/b) sinh b, by parts that start at the second order.
+        // e^a − cosh b − (a/b) sinh b, from terms that start at the second order.
         let b = q * time;
         let (plus, minus) = (exp_m1_minus(b), exp_m1_minus(-b));
         let sinh_ratio = if b > S::constant(0.0) {
@@ -78,7 +78,7 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// The free motion over τ.
+/// Returns the free motion over τ.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, tau: S) -> Turn<S> {
     let half = S::constant(0.5);

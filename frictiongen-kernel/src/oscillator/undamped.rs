@@ -1,19 +1,19 @@
-//! ζ = 0.
+//! Undamped mode, ζ = 0.
 
 use super::values::{Basis, Instant, ModeResponse, Turn, differences};
 use crate::number::complex;
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::versine_beside;
 
-/// x² − 1, where its exact zero is replaced.
+/// Returns x² − 1, with a replacement for its exact zero.
 #[inline]
 pub(super) fn detuning<S: Scalar>(x: S) -> S {
     let one = S::constant(1.0);
     ((x - one) * (x + one)).detuning_off_pole()
 }
 
-/// ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0.  The exact zeros of both divisors (x = 1, where v and u share the
-/// pole, and the odd x, where u has one of its own) are replaced, so that no quotient is 0/0.
+/// Returns the functions for ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0. v and u share a pole at x = 1, and u has a
+/// pole of its own at every other odd x. The exact zeros of both divisors are replaced, so that no quotient is 0/0.
 #[inline(always)]
 pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     let zero = S::constant(0.0);
@@ -33,7 +33,7 @@ pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     }
 }
 
-/// The functions at an instant.
+/// Returns the functions at an instant.
 #[inline]
 pub(super) fn basis<S: Float>(x: S, at: &Instant<S>) -> Basis<S> {
     let half_turns = x * at.t;
@@ -49,7 +49,7 @@ pub(super) fn basis<S: Float>(x: S, at: &Instant<S>) -> Basis<S> {
     }
 }
 
-/// The free motion over τ = πt.
+/// Returns the free motion over τ = πt.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, t: S) -> Turn<S> {
     let (s, c) = (x * t).sin_cos_pi();

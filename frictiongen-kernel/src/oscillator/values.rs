@@ -1,33 +1,32 @@
-//! What the kinds of damping have in common: the values that each of them gives, and the steps that more than
-//! one of them takes.
+//! Values that every kind of damping returns, and steps that several kinds share.
 
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::exp_m1_minus;
 
-/// The functions of one mode at one frequency, each free of the pole at x = 1.
+/// Functions of one mode at one frequency, each free of the pole at x = 1.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeResponse<S> {
-    /// x = √λ/r = 1/R.
+    /// Resonance of the mode over the excitation, x = √λ/r = 1/R.
     pub x: S,
-    /// x² − 1 + 2iζx = x²/v.
+    /// Denominator of the response, x² − 1 + 2iζx = x²/v.
     pub denominator: Complex<S>,
-    /// |Re| + |Im| of the denominator.
+    /// Size of the denominator, |Re| + |Im|.
     pub size: S,
-    /// (u R²) times `size`.
+    /// Half-period function of the velocity, u R² times `size`.
     pub u: S,
-    /// g times `size`; 0 without damping.
+    /// Half-period function of the displacement, g times `size`; 0 without damping.
     pub g: S,
-    /// (g + 2ζRu) times `size`; 0 without damping.
+    /// Contribution of damping to a reversal, (g + 2ζRu) times `size`; 0 without damping.
     pub reversal: S,
 }
 
 /// An instant of the half period: τ = πt.
 #[derive(Clone, Copy, Debug)]
 pub struct Instant<S> {
-    /// t = τ/π.
+    /// Time in half-turns, t = τ/π.
     pub t: S,
-    /// τ.
+    /// Time τ, rad.
     pub tau: S,
     /// sin τ.
     pub sine: S,
@@ -37,24 +36,24 @@ pub struct Instant<S> {
     pub versine: S,
 }
 
-/// One mode's functions at one instant.
+/// Functions of one mode at one instant.
 #[derive(Clone, Copy, Debug)]
 pub struct Basis<S> {
-    /// p = e^{−ζxτ} sin(qxτ)/(qx).
+    /// Free displacement p = e^{−ζxτ} sin(qxτ)/(qx).
     pub free: S,
-    /// p′.
+    /// Slope p′ of the free displacement.
     pub slope: S,
     /// sin τ − p.
     pub forced: S,
     /// cos τ − p′.
     pub forced_slope: S,
-    /// (1 − d)/x², d = p′ + 2ζx·p: the return from rest at distance 1.
+    /// (1 − d)/x² with d = p′ + 2ζx·p, the return from rest at distance 1.
     pub rise: S,
 }
 
 impl<S: Float> Basis<S> {
-    /// All functions from p, p′ and 1 − d = 1 − p′ − 2ζx·p.  cos τ − p′ comes from 1 − d, whose
-    /// digits it keeps at τ → 0, where the velocity constraint divides by sin τ.
+    /// Computes all functions from p, p′ and 1 − d = 1 − p′ − 2ζx·p. It takes cos τ − p′ from 1 − d, and so keeps the
+    /// digits at τ → 0, where the velocity constraint divides by sin τ.
     #[inline]
     pub(super) fn damped(
         x: S,
@@ -74,17 +73,17 @@ impl<S: Float> Basis<S> {
     }
 }
 
-/// The free motion over a time: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q, both entire in q².
+/// Free motion over a time: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q, both entire in q².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn<S> {
     pub c: S,
     pub s: S,
-    /// e^{−ζxτ}, by which an oscillating part has decayed.
+    /// e^{−ζxτ}, the factor by which an oscillation has decayed. It is 1 where c and s contain no oscillation.
     pub decay_factor: S,
 }
 
 impl<S: Float> Turn<S> {
-    /// What a free displacement y and scaled velocity u = y′/x have become.
+    /// Advances a free displacement y and a scaled velocity u = y′/x over the time.
     #[inline]
     pub(crate) fn moved(&self, zeta: S, [y, u]: [S; 2]) -> [S; 2] {
         let drag = zeta * self.s;
@@ -95,7 +94,7 @@ impl<S: Float> Turn<S> {
     }
 }
 
-/// x² − 1 + 2iζx and its size.
+/// Returns x² − 1 + 2iζx and its size |Re| + |Im|.
 #[inline]
 pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Complex<S>, S) {
     let one = S::constant(1.0);
@@ -104,7 +103,8 @@ pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Compl
     (Complex::new(re, im), (re.abs() + im).named("size", at))
 }
 
-/// 1 − e^{−decay} and e^{−decay}, each to its own digits: the second is not what rounding leaves of the first.
+/// Returns 1 − e^{−decay} and e^{−decay}, each with its own digits. Subtracting one from 1 to get the other would lose
+/// digits where the result is small.
 #[inline]
 pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (S, S) {
     let half = (decay * S::constant(-0.5)).exp_m1();
@@ -114,9 +114,9 @@ pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (
     (m.named("decay_complement", at), e.named("decay_factor", at))
 }
 
-/// x·sin τ − sin xτ and cos τ − cos xτ.  Beside x = 1 both are differences of nearly equal terms,
-/// multiplied by the large damping functions of a resonance: there they are written as products.
-/// The second is divided by sin τ in the velocity constraint, so it keeps its digits at τ → 0.
+/// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to x = 1 both are differences of nearly equal terms, and the
+/// large damping functions of a resonance multiply them. Products replace the differences there. The velocity
+/// constraint divides the second by sin τ, so that it must keep its digits at τ → 0.
 #[inline]
 pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<S>) -> (S, S) {
     let one = S::constant(1.0);
@@ -132,7 +132,8 @@ pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<
     }
 }
 
-/// 1 − d from its parts, all of one sign: e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)].
+/// Returns 1 − d as a sum of terms of one sign, e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)]. For a decay a of
+/// at least 1 it returns `direct`.
 #[inline]
 pub(super) fn one_minus_d<S: Float>(
     decay: S,

@@ -1,4 +1,4 @@
-//! A scene at one frequency ratio: limits, regime, and the way to motions.
+//! A scene at one frequency ratio, with its limits, its regime, and the entry to its motions.
 
 use super::scene::Scene;
 use crate::contact::regime::{self, Limits};
@@ -8,7 +8,7 @@ use crate::modal_sum::search::{self, Effort, Peak, Weight};
 use crate::modal_sum::wave::fastest;
 use crate::number::scalar::Scalar;
 
-/// A scene at one frequency ratio: what both limits and every motion share.
+/// A scene at one frequency ratio, with the sums that both limits and every motion share.
 #[derive(Clone, Debug)]
 pub struct At<T: Scene> {
     pub(super) scene: T,
@@ -20,40 +20,40 @@ pub struct At<T: Scene> {
 
 impl<T: Scene + Copy> Copy for At<T> where T::Modes: Copy {}
 
-/// How often a search may evaluate its sum over the modes at most; a grid of up to 32 instants counts as two.
+/// Upper bounds on evaluations of the modal sum in one search. A grid of up to 32 instants counts as two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct MostEvaluations {
-    /// A search for β_lim: one in `continuous_limit`, `limits`, `regime` and `margin`, one or two in `motion`.  0 where
-    /// none is needed.
+    /// Bound of a search for β_lim. `continuous_limit`, `limits`, `regime` and `margin` run one such search, `motion`
+    /// one or two. The bound is 0 where β_lim needs no search.
     pub limit: u32,
-    /// A search for the amplitude and phase of a mass.
+    /// Bound of a search for the amplitude and phase of a mass.
     pub amplitude: u32,
 }
 
-/// r, checked, and 1/r within what the formulas can square.
+/// Checks r and returns it with 1/r, clamped so that its square stays finite.
 #[inline]
 fn ratios<T: Scene>(scene: &T, r: T::Scalar) -> Result<(T::Scalar, T::Scalar), OutOfDomain> {
     let r = regime::check_ratio(r, "r")?;
     Ok((r, inverse_ratio(scene, r)))
 }
 
-/// 1/r within what the formulas can square.
+/// Returns 1/r, clamped so that its square stays finite.
 #[inline]
 pub(super) fn inverse_ratio<T: Scene>(scene: &T, r: T::Scalar) -> T::Scalar {
     let (low, high) = scene.inverse_ratio_range();
     Scalar::min(Scalar::max(T::Scalar::constant(1.0) / r, low), high)
 }
 
-/// β_lim with its values at the ends of the frequency range.
+/// Returns β_lim, with its values at r = 0 and r = ∞.
 #[inline]
 fn continuous_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::Scalar {
     let at_infinity = scene.numbers().ends.continuous_at_infinity;
     regime::with_ends(r, limit, T::Scalar::constant(0.0), at_infinity)
 }
 
-/// β*_lim with its values at the ends of the frequency range.
+/// Returns β*_lim, with its values at r = 0 and r = ∞.
 #[inline]
 fn sliding_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::Scalar {
     let ends = scene.numbers().ends;
@@ -61,16 +61,16 @@ fn sliding_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::
 }
 
 impl<T: Scene> At<T> {
-    /// The scene at the frequency ratio r = ω√(m₁/k₁).
+    /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁).
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the limits take their limiting values.
     #[inline]
     pub fn new(scene: T, r: T::Scalar) -> Result<Self, OutOfDomain> {
         Ok(Self::known(scene, regime::check_ratio(r, "r")?))
     }
 
-    /// The same at an r that is known to be neither NaN nor negative.
+    /// Evaluates the scene at an r that is known to be neither NaN nor negative.
     #[inline]
     pub(crate) fn known(scene: T, r: T::Scalar) -> Self {
         let inverse_r = inverse_ratio(&scene, r);
@@ -84,7 +84,7 @@ impl<T: Scene> At<T> {
         }
     }
 
-    /// The same once more, for a motion to keep.
+    /// Copies the frequency stage, so that a motion can own it.
     #[inline]
     pub(super) fn kept(&self) -> Self {
         Self {
@@ -94,12 +94,13 @@ impl<T: Scene> At<T> {
         }
     }
 
-    /// Both limits without search: the same bits as
+    /// Returns both limits without a search, faster than through [`new`](Self::new), since it stores nothing for a
+    /// motion. The results are bit for bit those of
     /// [`continuous_limit_without_search`](Self::continuous_limit_without_search) and
-    /// [`sliding_limit`](Self::sliding_limit), in less time, as nothing is kept for a motion.
+    /// [`sliding_limit`](Self::sliding_limit).
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the limits take their limiting values.
     #[inline]
     pub fn limits_without_search(
         scene: &T,
@@ -109,7 +110,7 @@ impl<T: Scene> At<T> {
         let (mut limits, h) = scene.limits_without_search(inverse_r);
         let numbers = scene.numbers();
         if numbers.absorbs && numbers.chain.may_absorb(h) {
-            // The holding force takes the modes' functions.
+            // The force that keeps the contact stuck needs each mode's own functions.
             limits.sliding = Self::new(scene.clone(), r)?.sliding_limit();
         }
         Ok(Limits {
@@ -118,42 +119,42 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// The scene.
+    /// Returns the scene.
     #[inline]
     #[must_use]
     pub fn scene(&self) -> &T {
         &self.scene
     }
 
-    /// r.
+    /// Returns the frequency ratio r.
     #[inline]
     #[must_use]
     pub fn frequency_ratio(&self) -> T::Scalar {
         self.r
     }
 
-    /// 1/r as the formulas take it, within what a scalar can square.
+    /// Returns 1/r as the formulas use it, clamped so that its square stays finite.
     #[inline]
     #[must_use]
     pub fn inverse_ratio(&self) -> T::Scalar {
         self.inverse_r
     }
 
-    /// V, U, G, H and H_c of the contact, each times r²E.
+    /// Returns V, U, G, H and H_c of the contact, each multiplied by r²E.
     #[inline]
     #[must_use]
     pub fn contact_sums(&self) -> &ContactAt<T::Scalar> {
         &self.contact
     }
 
-    /// The functions of the modes that load or contact drive.
+    /// Returns the functions of the modes that the load or the contact drives, at this r.
     #[inline]
     #[must_use]
     pub fn modes(&self) -> &T::Modes {
         &self.modes
     }
 
-    /// The search for r²E·max(S, H_c + μm*/r²), the velocity constraint (5.54, 7.36).
+    /// Searches for r²E·max(S, H_c + μm*/r²), the velocity constraint (5.54, 7.36).
     #[must_use]
     pub fn velocity_constraint(&self) -> Peak<T::Scalar> {
         let numbers = self.scene.numbers();
@@ -164,18 +165,16 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// What searches may take at this r, and at every larger one: the scene's own bound from the least r on that it
-    /// meets.
+    /// Returns upper bounds on the evaluations of one search at this r. The bounds are also valid at every larger r.
     ///
-    /// It is 256 evaluations for β_lim and 1024 for an amplitude, both more by the fastest mode's half turns in a half
-    /// period over 16, max √λ(1 + 2ζ)/16r, and never more than [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).  No search
-    /// exceeds it: it counts, and where it would need more it stops and [tells](Effort::Exceeded).  Of undamped scenes
-    /// β_lim takes no search from r = √λ_max/2 on.
+    /// A sweep is therefore bounded by the values at its smallest r. The bound is 256 evaluations for β_lim and 1024
+    /// for an amplitude. Both grow by max √λ(1 + 2ζ)/16r, a sixteenth of the fastest mode's half turns in a half
+    /// period. Neither exceeds [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
     ///
-    /// What searches do take is far less.  In 2·10⁴ random scenes of up to 16 masses, on and beside resonances and
-    /// subharmonics and in sweeps as slow as 2·10⁴ half turns of a mode, half took 2 for β_lim and 5 for an amplitude, 99 of
-    /// 100 at most 80 and 30, and the worst 217 and 318, less than a third of its bound.  None was
-    /// stopped where the fastest mode makes fewer than 2·10⁴ half turns in a half period; beyond, 153 searches for β_lim were.
+    /// A search counts its evaluations. It stops where it would exceed its bound, and then reports
+    /// [`Effort::Exceeded`]. In an undamped scene β_lim needs no search for r ≥ √λ_max/2. Searches usually take far
+    /// fewer evaluations than the bound; `docs/evidence.md` has measured numbers. In random scenes only searches with
+    /// more than 2·10⁴ half turns were stopped (section 9 of `docs/derivation.md`).
     #[must_use]
     pub fn most_evaluations(&self) -> MostEvaluations {
         let numbers = self.scene.numbers();
@@ -196,26 +195,27 @@ impl<T: Scene> At<T> {
         continuous_with_ends(&self.scene, self.r, limit)
     }
 
-    /// β_lim, exact: the boundary of continuous motion (5.65, 5.80, 5.96, 7.49), with S from a guaranteed search
-    /// over the half period.  Without damping the search is needed only where some R < 1/2.
+    /// Returns the exact β_lim, the boundary of continuous motion (5.65, 5.80, 5.96, 7.49). A search with a guarantee
+    /// finds S over the half period. Without damping the search is needed only where some R < 1/2.
     ///
-    /// The search takes no more evaluations of a sum over the modes than [`most_evaluations`](Self::most_evaluations)
-    /// says; [`limits_searched`](Self::limits_searched) tells how many, and whether it came to its end.
+    /// [`most_evaluations`](Self::most_evaluations) bounds the evaluations of the modal sum.
+    /// [`limits_searched`](Self::limits_searched) reports how many the search took, and whether it was completed.
     #[must_use]
     pub fn continuous_limit(&self) -> T::Scalar {
         self.limited(self.velocity_constraint().value)
     }
 
-    /// Both limits, by one search: what is asked of them needs no other.
+    /// Returns both limits, from one search. Regime and margin at any β follow from these limits without another
+    /// search.
     ///
-    /// [`most_evaluations`](Self::most_evaluations) bounds the search for a scene and all r from one on;
-    /// [`limits_searched`](Self::limits_searched) tells what it took.
+    /// [`most_evaluations`](Self::most_evaluations) bounds the search at this r and at every larger one.
+    /// [`limits_searched`](Self::limits_searched) reports what the search took.
     #[must_use]
     pub fn limits(&self) -> Limits<T::Scalar> {
         self.limits_searched().0
     }
 
-    /// Both limits, and what the search took.
+    /// Returns both limits, and how many evaluations the search took.
     #[must_use]
     pub fn limits_searched(&self) -> (Limits<T::Scalar>, Effort) {
         let peak = self.velocity_constraint();
@@ -226,16 +226,16 @@ impl<T: Scene> At<T> {
         (limits, peak.effort())
     }
 
-    /// β_lim with S replaced by its limit for τ → 0 (5.64): an upper bound, exact wherever the start of the half
-    /// period decides.
+    /// Returns β_lim with S replaced by its limit for τ → 0 (5.64). It is an upper bound on β_lim, and exact wherever
+    /// the maximum lies at the start of the half period.
     #[inline]
     #[must_use]
     pub fn continuous_limit_without_search(&self) -> T::Scalar {
         self.limited(self.scene.break_away(&self.contact))
     }
 
-    /// β_lim with S as the sum of each mode's own maximum, as the thesis prints it (5.55, 7.37): a lower bound on
-    /// β_lim.  A search for each mode.
+    /// Returns β_lim with S as the sum of each mode's own maximum, as the thesis prints it (5.55, 7.37). It is a lower
+    /// bound on β_lim, and takes one search per mode.
     #[must_use]
     pub fn continuous_limit_per_mode(&self) -> T::Scalar {
         let numbers = self.scene.numbers();
@@ -246,8 +246,8 @@ impl<T: Scene> At<T> {
         ))
     }
 
-    /// β*_lim = |V|/(μ|H|), from which on a stuck state exists (6.11, 6.27, 6.33).  With μ > 1 motion from rest may go on
-    /// sliding above it.
+    /// Returns β*_lim = |V|/(μ|H|), from which on a stuck state exists (6.11, 6.27, 6.33). With μ > 1, motion from rest
+    /// may continue to slide above it.
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {
@@ -259,7 +259,8 @@ impl<T: Scene> At<T> {
         sliding_with_ends(&self.scene, self.r, limit)
     }
 
-    /// The force that holds a stuck contact, where masses beyond it absorb.
+    /// Returns the force that keeps a stuck contact from sliding, where masses beyond the contact act as an absorber;
+    /// `None` elsewhere.
     #[inline]
     pub(super) fn absorbed_force(&self) -> Option<T::Scalar> {
         let numbers = self.scene.numbers();
@@ -271,7 +272,7 @@ impl<T: Scene> At<T> {
             .absorbed_force(&self.contact, numbers.modes, self.modes.as_ref())
     }
 
-    /// The regime at the friction ratio β = F/P.  It searches for β_lim: for many β at one r, ask
+    /// Returns the regime at the friction ratio β = F/P. Each call searches for β_lim. For many β at one r, call
     /// [`limits`](Self::limits) once.
     ///
     /// # Errors
@@ -282,8 +283,9 @@ impl<T: Scene> At<T> {
         Ok(regime::regime(beta, continuous, sliding))
     }
 
-    /// β/min(β_lim, β*_lim) − 1: negative below both limits, where the closed form exists.  With μ = 1 it is the only state
-    /// there; with μ > 1 stick-slip may exist beside it.  It searches as [`regime`](Self::regime) does.
+    /// Returns β/min(β_lim, β*_lim) − 1, which is negative below both limits, where the closed form exists. With μ = 1
+    /// the closed form is the only steady state there. With μ > 1 a stick-slip state may coexist. Each call searches
+    /// for β_lim, as [`regime`](Self::regime) does.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.

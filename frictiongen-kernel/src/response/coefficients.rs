@@ -1,11 +1,12 @@
-//! The continuous motion at one friction ratio: coefficients of the exact response (section 4 of `docs/derivation.md`).
+//! Coefficients of the exact continuous motion at one friction ratio (section 4 of `docs/derivation.md`).
 //!
-//! The response of mode i, V-part and friction together, has a pole wherever the mode resonates,
-//! which the two parts share and which cancels in part.  Written with ν = p v/V and
-//! κ = (p v U − w u V)/V, where U and V are taken without mode i wherever its own terms would cancel,
-//! nothing is left to cancel: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d +
-//! uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).  Beside a damped resonance g d and Qρ are large
-//! and nearly in proportion to cos τ: −g cos τ joins the fundamental component, and g (cos τ − d) is small.
+//! The response of mode i has a term with V and a term with friction. Both have a pole where the mode resonates, and
+//! the poles cancel partly. The formulas therefore use ν = p v/V and κ = (p v U − w u V)/V. They take U and V without
+//! mode i wherever the mode's own terms would cancel. Then nothing is left to cancel: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ
+//! e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).
+//!
+//! Close to a damped resonance g d and Qρ are large and nearly proportional to cos τ. The code therefore moves −g cos τ
+//! into the fundamental component, and keeps g (cos τ − d), which is small.
 
 use crate::contact::dominant::{DominantParts, DominantSums, Partner};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -15,34 +16,34 @@ use crate::number::phase::wrapped;
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// What a friction ratio adds to the contact's sums.
+/// Quantities of the contact's motion that depend on the friction ratio.
 #[derive(Clone, Copy, Debug)]
 pub struct Friction<S> {
-    /// β.
+    /// Friction ratio β.
     pub beta: S,
-    /// Q = √(|V|² − (βU)²), times r²E.
+    /// In-phase term Q = √(|V|² − (βU)²), times r²E.
     pub root: S,
     /// Z, the amplitude of the contact's relative motion.
     pub amplitude: S,
     /// φ, the lag of the contact's relative motion behind the excitation, in (−π, π].
     pub phase: S,
-    /// 1/(r²E), by which sums become displacements.
+    /// 1/(r²E), the factor that turns sums into displacements.
     pub unscale: S,
 }
 
 /// Coefficients of a motion that all modes share.
 #[derive(Clone, Copy, Debug)]
 pub struct Fundamental<S> {
-    /// Of cos τ.
+    /// Coefficient of cos τ.
     pub cosine: S,
-    /// Of sin τ.
+    /// Coefficient of sin τ.
     pub sine: S,
-    /// V_k, the complex response with friction left out.
+    /// V_k, the complex response to the load without friction.
     pub response: Complex<S>,
 }
 
 impl<S: Scalar> Fundamental<S> {
-    /// No motion.
+    /// Returns the coefficients of a mass that does not move.
     #[inline]
     #[must_use]
     pub fn at_rest() -> Self {
@@ -55,24 +56,24 @@ impl<S: Scalar> Fundamental<S> {
     }
 }
 
-/// A mode's coefficients in a motion.
+/// Coefficients of one mode in a motion.
 #[derive(Clone, Copy, Debug)]
 pub struct ModalCoefficients<S> {
-    /// Of (1 − d)/x², the mode's return from rest.
+    /// Coefficient of (1 − d)/x², the mode's response to a constant force from rest.
     pub rise: S,
-    /// Of cos τ − d, with which its static displacement falls behind the excitation; the cos τ is in the
-    /// fundamental component.  0 without damping.
+    /// Coefficient of cos τ − d, by which the mode's static displacement lags behind the excitation. The fundamental
+    /// component contains the cos τ. The coefficient is 0 without damping.
     pub fall: S,
-    /// Of sin τ − R q̃, the mode's lag behind the excitation.
+    /// Coefficient of sin τ − R q̃, by which the mode lags behind the excitation.
     pub forced: S,
-    /// φ_k(φᵀw)/r², the residue contact → mass, for the harmonics.
+    /// φ_k(φᵀw)/r², the residue contact → mass, which the harmonics need.
     pub residue: S,
 }
 
-/// 2^24: the smallest `f32` times this has a finite reciprocal.
+/// The factor 2^24, by which the smallest `f32` becomes a number with a finite reciprocal.
 const INTO_RANGE: f64 = (1_u32 << 24) as f64;
 
-/// A complex value under its names in emitted code.
+/// Gives both components of a complex value their names in emitted code.
 #[inline(always)]
 fn named<S: Scalar>(
     value: Complex<S>,
@@ -84,18 +85,18 @@ fn named<S: Scalar>(
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Amplitude and phase of the contact's relative motion (2.21, 5.35, 5.38, 7.20, 7.21).
+    /// Returns amplitude and phase of the contact's relative motion (2.21, 5.35, 5.38, 7.20, 7.21).
     #[inline]
     pub fn friction(&self, contact: &ContactAt<S>, inverse_r: S, beta: S) -> Friction<S> {
         let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);
         let velocity_part = (beta * contact.u).named("friction_quadrature", None);
-        // As a product: the difference of squares would lose what is left beside a limit.
+        // The root is taken of a product. Close to a limit the difference of the squares would lose its digits.
         let zero = S::constant(0.0);
         let less = (modulus_v - velocity_part).max(zero);
         let more = (modulus_v + velocity_part).max(zero);
         let root = if self.damped || self.on_moving_base.is_some() {
-            // Both grow as r⁴ on a moving base, and with damping V may be all but zero: their product
-            // would overflow or vanish.
+            // On a moving base both factors grow as r⁴, and with damping V may almost vanish. The product would then
+            // overflow or underflow, so each factor gets its own root.
             less.sqrt() * more.sqrt()
         } else {
             (less * more).sqrt()
@@ -122,7 +123,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The contact's own coefficients: of the fundamental component only the amplitude at τ = 0 is left.
+    /// Returns the coefficients of the contact itself. Its fundamental component reduces to the amplitude at τ = 0.
     #[inline]
     pub fn contact_fundamental(
         &self,
@@ -136,7 +137,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// A mode's coefficients in a motion; `residue` is φ_k(φᵀw), or (φᵀw)² for the contact.
+    /// Returns a mode's coefficients in a motion. `residue` is φ_k(φᵀw), or (φᵀw)² for the contact.
     #[inline]
     pub fn modal_coefficients(
         &self,
@@ -162,8 +163,9 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The same in the motion of a mass: the response of a mass-controlled mode is not put together from parts that
-    /// cancel (see `modal_sum::mass_controlled`).  The wave is [`mass_wave`](crate::response::motion::mass_wave).
+    /// Returns a mode's coefficients in the motion of a mass. The response of a mass-controlled mode is kept whole, so
+    /// that no cancelling terms are added (see `modal_sum::mass_controlled`). The wave is
+    /// [`mass_wave`](crate::response::motion::mass_wave).
     #[inline]
     #[allow(clippy::too_many_arguments, reason = "a mode, and all it rests on")]
     pub fn mass_coefficients(
@@ -180,8 +182,8 @@ impl<S: Scalar> Chain<S> {
         self.modal_coefficients(&at, residue, contact, friction, inverse_r, index)
     }
 
-    /// A mode in the motion of a mass: a mass-controlled one has its whole response in its wave, and neither lag
-    /// nor static displacement beside.
+    /// Returns a mode's functions without u and g if the mode is mass-controlled. Such a mode has its whole response in
+    /// its wave, so that lag and static displacement must not be added again.
     fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
         let (slow, zero) = (
             is_mass_controlled(mode.kind, mode.zeta, at.x),
@@ -199,7 +201,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// The fundamental component of mass k, whose mode shape components are `shape`.
+    /// Returns the fundamental component of mass k, whose mode shape components are `shape`.
     pub fn fundamental(
         &self,
         shape: &[S],
@@ -216,7 +218,8 @@ impl<S: Scalar> Chain<S> {
         self.fundamental_of(parts, &sums, contact, friction)
     }
 
-    /// The fundamental component that these modes make: number, component, constants and functions of each.
+    /// Returns the fundamental component of the motion that the given modes make. Each entry of `parts` is a mode's
+    /// index, component, constants and functions.
     pub(crate) fn fundamental_of<'a>(
         &self,
         parts: impl Iterator<Item = (usize, S, &'a Mode<S>, ModeAt<S>)>,
@@ -243,7 +246,7 @@ impl<S: Scalar> Chain<S> {
             }
         }
         let ratio = self.plus(driven.own, driven.others);
-        // On a moving base V grows as r², and the products with it may be out of range.
+        // On a moving base V grows as r², and products with V may overflow or underflow.
         let on_base = self.on_moving_base.is_some();
         let one = S::constant(1.0);
         let (lower, raise_back) = if on_base {
@@ -251,7 +254,8 @@ impl<S: Scalar> Chain<S> {
         } else {
             (one, one)
         };
-        // Products of sums: a far mass moves by V_k U − U_k V, and what is common must stay so.
+        // Sums are multiplied instead of ratios. A mass far from the contact moves by V_k U − U_k V, and the factors
+        // common to both terms must stay exactly equal.
         let part = |driven, u: S, rubbed: Complex<S>, v| {
             let (u, rubbed) = ((u * lower).named("u_in_range", None), rubbed.re * lower);
             self.plus(complex::scale(driven, u), complex::scale(v, rubbed))
@@ -262,7 +266,7 @@ impl<S: Scalar> Chain<S> {
         );
         let ratio = named(ratio, ["response_re", "response_im"], None);
         let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
-        // On a moving base V does not vanish, and β may be all that a number can be.
+        // On a moving base V does not vanish, and β may be as large as the number format allows.
         let vanishes = self.damped && !on_base;
         let raise = if vanishes {
             S::constant(INTO_RANGE)
@@ -308,7 +312,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck.
+    /// Returns x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck.
     pub fn stuck(
         &self,
         shape: &[S],

@@ -1,4 +1,4 @@
-//! The exact continuous motion at one friction ratio.
+//! Exact continuous motion at one friction ratio.
 
 use super::at::At;
 use super::scene::Scene;
@@ -6,17 +6,17 @@ use crate::errors::NotContinuous;
 use crate::response::coefficients::{Friction, Fundamental};
 use crate::response::motion::Motion;
 
-/// The motion of the contact or of a mass of a scene.
+/// Motion of the contact, or of a mass, of a scene.
 pub type MotionOf<T> = Motion<<T as Scene>::Scalar, <T as Scene>::Decay, <T as Scene>::Waves>;
 
 /// A scene that provides `motion`.
 ///
-/// The formulas that have a body here are those of every chain; a generator writes its own where that is faster.
+/// The default bodies are valid for every chain. A generator writes its own where that is faster.
 pub trait ProvidesMotion: Scene {
-    /// The motion, with a method for each mass.
+    /// Motion type with one method per mass.
     type Motion: From<Continuous<Self>>;
 
-    /// The relative motion in the contact.
+    /// Returns the relative motion of the contact.
     #[inline]
     fn contact_motion(at: &At<Self>, friction: &Friction<Self::Scalar>) -> MotionOf<Self> {
         let numbers = at.scene.numbers();
@@ -30,7 +30,7 @@ pub trait ProvidesMotion: Scene {
         Motion::of_contact(*friction, fundamental, waves)
     }
 
-    /// The motion of a mass that does not move as the contact does; none if there is no such mass.
+    /// Returns the motion of a mass that does not move as the contact does; `None` if the scene has no such mass.
     #[inline]
     fn mass_motion(
         at: &At<Self>,
@@ -52,21 +52,21 @@ pub trait ProvidesMotion: Scene {
 }
 
 impl<T: ProvidesMotion> At<T> {
-    /// The exact continuous motion at the friction ratio β = F/P.  One or two
-    /// searches decide whether β is below β_lim.
+    /// Returns the exact continuous motion at the friction ratio β = F/P. One or two searches decide whether β is below
+    /// β_lim.
     ///
     /// # Errors
-    /// [`NotContinuous`] says which regime it is instead, or that an undamped resonance is unbounded at this β, or
-    /// that β is out of the domain.
+    /// [`NotContinuous`] names the regime if the motion is not continuous. It also reports an undamped resonance that
+    /// is unbounded at this β, and a β outside the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous> {
         let beta = self.admitted(beta)?;
         Ok(self.kept().closed_form(beta).into())
     }
 
-    /// β, if the motion at it is continuous and bounded.
+    /// Returns β if the motion at β is continuous and bounded.
     ///
     /// # Errors
-    /// As of [`motion`](Self::motion).
+    /// Same errors as [`motion`](Self::motion).
     #[inline]
     pub(crate) fn admitted(&self, beta: T::Scalar) -> Result<T::Scalar, NotContinuous> {
         let numbers = self.scene.numbers();
@@ -85,8 +85,8 @@ impl<T: ProvidesMotion> At<T> {
         })
     }
 
-    /// The closed form of the continuous motion at any β, 0 ≤ β < |V|/|U|: it is the motion only where
-    /// [`motion`](Self::motion) gives it.
+    /// Returns the closed form of the continuous motion at any β with 0 ≤ β < |V|/|U|. It is a steady state only where
+    /// [`motion`](Self::motion) returns it.
     #[inline]
     #[must_use]
     pub fn closed_form(self, beta: T::Scalar) -> Continuous<T> {
@@ -96,7 +96,7 @@ impl<T: ProvidesMotion> At<T> {
     }
 }
 
-/// The exact continuous motion at one frequency ratio and one friction ratio.
+/// Exact continuous motion at one frequency ratio and one friction ratio.
 #[derive(Clone, Debug)]
 pub struct Continuous<T: Scene> {
     at: At<T>,
@@ -106,29 +106,30 @@ pub struct Continuous<T: Scene> {
 impl<T: Scene + Copy> Copy for Continuous<T> where T::Modes: Copy {}
 
 impl<T: ProvidesMotion> Continuous<T> {
-    /// The scene at the frequency of this motion.
+    /// Returns the scene at the frequency of this motion.
     #[inline]
     #[must_use]
     pub fn at(&self) -> &At<T> {
         &self.at
     }
 
-    /// What the friction ratio adds to the sums.
+    /// Returns the quantities of the contact's motion that depend on the friction ratio.
     #[inline]
     #[must_use]
     pub fn friction(&self) -> &Friction<T::Scalar> {
         &self.friction
     }
 
-    /// The relative motion in the contact: x̄ of the mass, of the mass from the base, or of the later mass from the
-    /// earlier.
+    /// Returns the relative motion of the contact. It is x̄ of the mass, x̄ of the mass relative to the base, or x̄ of
+    /// the later mass relative to the earlier.
     #[inline]
     #[must_use]
     pub fn contact(&self) -> MotionOf<T> {
         T::contact_motion(&self.at, &self.friction)
     }
 
-    /// The same as [`mass_at`](Self::mass_at); rest if there is no such mass.
+    /// Returns the motion of a mass as [`mass_at`](Self::mass_at) does, but a motion at rest if the scene has no such
+    /// mass.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> MotionOf<T> {
@@ -138,8 +139,8 @@ impl<T: ProvidesMotion> Continuous<T> {
         })
     }
 
-    /// The motion of a mass (5.50 and its exact form, 7.29), by its place in the description; none if there is no
-    /// such mass, or the scene does not provide its motion.
+    /// Returns the motion of a mass, given by its index in the description (5.50 and its exact form, 7.29). Returns
+    /// `None` if the scene has no such mass or does not provide its motion.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<MotionOf<T>> {

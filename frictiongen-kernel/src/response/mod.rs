@@ -1,9 +1,9 @@
-//! The steady response of a scene: at one frequency ratio, then at one friction ratio.
+//! Steady response of a scene, first at one frequency ratio and then at one friction ratio.
 //!
-//! [`Scene`] is what a scene has to say: its numbers, and the formulas that a generator may have specialised.
-//! [`At`] has the sums at one r, and with them both limits and the regime; [`Continuous`] is the motion at one β,
-//! [`Stuck`] the response with the contact stuck.  Emitted solvers and the run-time system are these types, over
-//! their own scenes.  Nothing here knows of time, events or text.
+//! [`Scene`] provides the constants of a scene, and formulas that a generator may specialise. [`At`] evaluates the
+//! modal sums at one r and derives both limits and the regime from the sums. [`Continuous`] is the motion at one β,
+//! [`Stuck`] the response with the contact stuck. Emitted solvers and the run-time system use the same types over their
+//! own scenes. This module knows neither time integration, nor events, nor text.
 
 mod at;
 pub mod coefficients;

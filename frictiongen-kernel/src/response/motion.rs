@@ -1,5 +1,5 @@
-//! The steady continuous motion as something to ask: exact amplitude, displacement at any time,
-//! harmonics.  Run-time systems and emitted solvers share it.
+//! Steady continuous motion, with its exact amplitude, its displacement at any time, and its harmonics. Run-time
+//! systems and emitted solvers share it.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
@@ -12,13 +12,13 @@ use crate::oscillator::decay::{Decay, Instant};
 use crate::oscillator::mode::Mode;
 use crate::response::coefficients::{Friction, Fundamental, ModalCoefficients};
 
-/// Lags whose sizes differ by no more than so many roundings of a radian are of one size: places of maxima and
-/// the contact's phase have a few each.
+/// Number of roundings of a radian within which two lags count as equal in size. Positions of maxima and the contact's
+/// phase have a few roundings each.
 const ALIKE: f64 = 64.0;
 
-/// The steady motion of one mass, or of the contact, in the continuous regime.
+/// Steady motion of one mass, or of the contact, in the continuous regime.
 ///
-/// `W` holds the waves: an array in emitted code, a vector at run time.
+/// `W` stores the waves, in an array in emitted code and in a vector at run time.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion<S, D, W> {
     friction: Friction<S>,
@@ -28,19 +28,19 @@ pub struct Motion<S, D, W> {
     decay: core::marker::PhantomData<D>,
 }
 
-/// The largest displacement of a motion.
+/// Largest displacement of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Largest<S> {
-    /// The exact maximum of |x̄|.
+    /// Exact maximum of |x̄|.
     pub amplitude: S,
-    /// Its lag behind the excitation's maximum, rad, in (−π, π].
+    /// Lag of the maximum behind the excitation's maximum, rad, in (−π, π].
     pub phase: S,
-    /// What the search for it took.
+    /// Number of evaluations that the search took.
     pub effort: Effort,
 }
 
-/// A mode's wave in a motion.
+/// Returns a mode's wave in a motion.
 pub fn motion_wave<S: Float, D: Decay<S>>(
     x: S,
     decay: D,
@@ -56,7 +56,7 @@ pub fn motion_wave<S: Float, D: Decay<S>>(
     wave
 }
 
-/// A mode's wave in the motion of a mass, for [`Chain::mass_coefficients`].
+/// Returns a mode's wave in the motion of a mass, from the coefficients of [`Chain::mass_coefficients`].
 pub fn mass_wave<S: Float, D: Decay<S>>(
     x: S,
     decay: D,
@@ -69,7 +69,7 @@ pub fn mass_wave<S: Float, D: Decay<S>>(
 }
 
 impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
-    /// The relative motion in the contact.
+    /// Creates the relative motion of the contact.
     pub fn of_contact(friction: Friction<S>, fundamental: Fundamental<S>, waves: W) -> Self {
         Self {
             friction,
@@ -80,7 +80,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// The motion of a mass.
+    /// Creates the motion of a mass.
     pub fn of_mass(friction: Friction<S>, fundamental: Fundamental<S>, waves: W) -> Self {
         Self {
             friction,
@@ -99,10 +99,10 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Amplitude and phase by one search, and what that took.
+    /// Returns amplitude and phase by one search, with the number of its evaluations.
     ///
-    /// It evaluates the motion at most as often as
-    /// [`At::most_evaluations`](crate::response::At::most_evaluations) says, of the contact never.
+    /// [`At::most_evaluations`](crate::response::At::most_evaluations) bounds the evaluations of the motion. The
+    /// contact's motion needs none.
     pub fn largest(&self) -> Largest<S> {
         if self.is_contact {
             return Largest {
@@ -114,9 +114,10 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         self.largest_of(&self.peak())
     }
 
-    /// The same in a sweep of r or β, where the search begins at the place to which those before it lead: the nearer they
-    /// are, the less it takes.  Nothing larger remains, as in any search; the amplitude may differ from that of
-    /// [`largest`](Self::largest) by four roundings of the motion's modal terms.
+    /// Returns amplitude and phase as [`largest`](Self::largest) does, in a sweep of r or β. The search begins at the
+    /// position that the previous searches predict. The closer the steps of the sweep, the fewer evaluations it takes.
+    /// As in any search, no larger value remains. The amplitude may differ from that of [`largest`](Self::largest) by
+    /// four roundings of the motion's modal terms.
     pub fn largest_near(&self, neighbour: &mut Neighbour<S>) -> Largest<S> {
         if self.is_contact {
             return self.largest();
@@ -136,8 +137,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// The exact maximum of |x̄| over the period (P/k₁; for base motion Y).  A search of its own, as of
-    /// [`largest`](Self::largest), which says whether it came to its end.
+    /// Returns the exact maximum of |x̄| over the period (P/k₁; for base motion Y). Each call searches anew.
+    /// [`largest`](Self::largest) also reports whether the search was completed.
     pub fn amplitude(&self) -> S {
         if self.is_contact {
             self.friction.amplitude
@@ -146,7 +147,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// √(x̄₀² + x̄₀′²), the estimate 5.50, 7.33 from the start of the half period.
+    /// Returns √(x̄₀² + x̄₀′²), the estimate (5.50), (7.33) from the start of the half period.
     pub fn amplitude_monoharmonic(&self) -> S {
         if self.is_contact {
             return self.friction.amplitude;
@@ -160,7 +161,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         large * (S::constant(1.0) + ratio * ratio).sqrt()
     }
 
-    /// The search for the exact maximum of |x̄|.
+    /// Searches for the exact maximum of |x̄|.
     pub fn peak(&self) -> Peak<S> {
         search::largest(self.sum(), Self::problem())
     }
@@ -177,9 +178,9 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// The lag of the motion's maximum behind the excitation's, rad, in (−π, π].  Of equal maxima
-    /// the one of the smallest |lag| counts, then the positive one.  A search of its own, as of
-    /// [`largest`](Self::largest).
+    /// Returns the lag of the motion's maximum behind the excitation's maximum, rad, in (−π, π]. Of equal maxima the
+    /// one with the smallest |lag| counts, then the positive one. Each call searches anew, as
+    /// [`largest`](Self::largest) does.
     pub fn phase(&self) -> S {
         if self.is_contact {
             return self.friction.phase;
@@ -207,22 +208,23 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         best.unwrap_or(self.friction.phase)
     }
 
-    /// x̄ at τ, counted from a maximum of the contact's relative motion.
+    /// Returns x̄ at τ, counted from a maximum of the contact's relative motion.
     pub fn displacement(&self, tau: S) -> S {
         let (at, negative) = instant(tau);
         let value = self.sum().value(&at);
         if negative { -value } else { value }
     }
 
-    /// dx̄/dτ at τ, counted from a maximum of the contact's relative motion.
+    /// Returns dx̄/dτ at τ, counted from a maximum of the contact's relative motion.
     pub fn velocity(&self, tau: S) -> S {
         let (at, negative) = instant(tau);
         let value = self.sum().slope(&at);
         if negative { -value } else { value }
     }
 
-    /// X_n, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the excitation (section 5 of `docs/derivation.md`).
-    /// Even n, and n = 0, are 0: the motion repeats with the opposite sign after half a period.
+    /// Returns X_n, with x̄ = Re Σ X_n e^{inτ_e} and τ_e counted from a maximum of the excitation (section 5 of
+    /// `docs/derivation.md`). For even n, and n = 0, X_n is 0, since the motion repeats with the opposite sign after
+    /// half a period.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         let zero = S::constant(0.0);
         if n.is_multiple_of(2) {
@@ -259,7 +261,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 }
 
-/// τ as an instant of the half period, and whether the motion has the opposite sign there.
+/// Returns τ as an instant of the half period, and true if the motion has the opposite sign there.
 fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
     let half_turns = tau * S::inverse_pi();
     let whole = half_turns.floor();
@@ -268,7 +270,7 @@ fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
 }
 
 impl<S: Float> Chain<S> {
-    /// A mode's wave in the contact's motion.
+    /// Returns a mode's wave in the contact's motion.
     pub fn contact_wave<D: Decay<S>>(
         &self,
         mode: &Mode<S>,
@@ -286,7 +288,7 @@ impl<S: Float> Chain<S> {
         motion_wave(at.x, decay, coefficients)
     }
 
-    /// A mode's wave in the motion of a mass; `component` is the mass's in the mode's shape.
+    /// Returns a mode's wave in the motion of a mass. `component` is the component of the mass in the mode shape.
     pub fn mass_wave<D: Decay<S>>(
         &self,
         mode: &Mode<S>,

@@ -9,11 +9,11 @@ use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::Kind;
 
 impl<T: Scene> At<T> {
-    /// Both limits over a slice of frequency ratios, into slices of the same length.
+    /// Computes both limits over a slice of frequency ratios, into slices of the same length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first NaN or negative
-    /// r; what came before it is filled in.
+    /// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged, and at the first NaN or
+    /// negative r. The values before that r are filled in.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -25,13 +25,13 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Both limits [without search](Self::limits_without_search) over a slice of frequency ratios, into slices of the
-    /// same length: the same bits.  Where all modes are undamped or all lightly damped, several frequencies go side by
-    /// side.
+    /// Computes both limits [without search](Self::limits_without_search) over a slice of frequency ratios, into slices
+    /// of the same length. The bits are the same as for single frequencies. Where all modes are undamped or all are
+    /// lightly damped, several frequencies are computed side by side.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first NaN or negative
-    /// r; what came before it is filled in.
+    /// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged, and at the first NaN or
+    /// negative r. The values before that r are filled in.
     pub fn limits_without_search_into(
         scene: &T,
         rs: &[T::Scalar],
@@ -74,7 +74,7 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// For r that are neither 0 nor infinite.
+    /// Computes the limits at several r, none of which is 0 or infinite.
     #[inline(always)]
     fn side_by_side(
         scene: &T,
@@ -90,7 +90,7 @@ impl<T: Scene> At<T> {
         if numbers.absorbs {
             let limits = found.sliding.iter_mut().zip(&found.h);
             for (r, (sliding, h)) in rs.iter().zip(limits) {
-                // The holding force takes the modes' functions.
+                // The force that keeps the contact stuck needs each mode's own functions.
                 if numbers.chain.may_absorb(*h)
                     && let Ok(Limits { sliding: limit, .. }) =
                         Self::limits_without_search(scene, *r)

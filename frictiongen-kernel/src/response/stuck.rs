@@ -1,4 +1,4 @@
-//! The response while the contact is stuck.
+//! Response while the contact is stuck.
 
 use super::at::At;
 use super::scene::Scene;
@@ -8,10 +8,11 @@ use crate::number::scalar::Scalar;
 
 /// A scene that provides `stuck`.
 pub trait ProvidesStuck: Scene {
-    /// The response, with a method for each mass.
+    /// Response type with one method per mass.
     type Stuck: From<Stuck<Self>>;
 
-    /// x̄* = V_k − H_kV/H of a mass that the stuck contact does not tie (6.11, 6.27, 6.33); a generator may write its own.
+    /// Returns x̄* = V_k − H_kV/H of a mass that is not fixed to the support by the stuck contact (6.11, 6.27, 6.33). A
+    /// generator may write its own body.
     #[inline]
     fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<Self::Scalar>> {
         let numbers = at.scene.numbers();
@@ -22,7 +23,7 @@ pub trait ProvidesStuck: Scene {
 }
 
 impl<T: ProvidesStuck> At<T> {
-    /// The response while the contact is stuck, β ≥ β*_lim.
+    /// Returns the response while the contact is stuck, which exists for β ≥ β*_lim.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
@@ -35,14 +36,16 @@ impl<T: ProvidesStuck> At<T> {
         Ok(self.kept().stuck_unchecked().into())
     }
 
-    /// The response with the contact stuck, without a look at resonances: there it is infinite.
+    /// Returns the response with the contact stuck, without a check for resonances. On an undamped resonance the
+    /// response is infinite.
     #[inline]
     #[must_use]
     pub fn stuck_unchecked(self) -> Stuck<T> {
         Stuck { at: self }
     }
 
-    /// The amplitude of a mass while the contact is stuck, from the holding force where masses beyond it absorb.
+    /// Returns the amplitude of a mass from the contact force, where masses beyond the stuck contact act as an
+    /// absorber; `None` elsewhere.
     #[inline]
     fn absorbed_mass(&self, mass: usize) -> Option<Complex<T::Scalar>> {
         let force = self.absorbed_force()?;
@@ -55,7 +58,7 @@ impl<T: ProvidesStuck> At<T> {
     }
 }
 
-/// The response at one frequency ratio while the contact is stuck.
+/// Response at one frequency ratio while the contact is stuck.
 #[derive(Clone, Debug)]
 pub struct Stuck<T: Scene> {
     at: At<T>,
@@ -64,15 +67,15 @@ pub struct Stuck<T: Scene> {
 impl<T: Scene + Copy> Copy for Stuck<T> where T::Modes: Copy {}
 
 impl<T: ProvidesStuck> Stuck<T> {
-    /// The scene at this frequency.
+    /// Returns the scene at this frequency.
     #[inline]
     #[must_use]
     pub fn at(&self) -> &At<T> {
         &self.at
     }
 
-    /// A of the force Re(A e^{iτ}) over P that holds the contact, V/H (6.11, 6.27, 6.33); positive against positive
-    /// sliding.  Its modulus is μβ*_lim.
+    /// Returns the complex amplitude A = V/H of the force Re(A e^{iτ}), over P, that keeps the contact stuck (6.11,
+    /// 6.27, 6.33). A positive force acts against positive sliding. Its modulus is μβ*_lim.
     #[must_use]
     pub fn contact_force(&self) -> Complex<T::Scalar> {
         if let Some(force) = self.at.absorbed_force() {
@@ -82,7 +85,7 @@ impl<T: ProvidesStuck> Stuck<T> {
         complex::mul(sums.v, complex::reciprocal(sums.h, true), true)
     }
 
-    /// The same as [`mass_at`](Self::mass_at); rest if there is no such mass.
+    /// Returns the amplitude of a mass as [`mass_at`](Self::mass_at) does, but 0 if the scene has no such mass.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> Complex<T::Scalar> {
@@ -90,15 +93,15 @@ impl<T: ProvidesStuck> Stuck<T> {
         self.mass_at(mass).unwrap_or(at_rest)
     }
 
-    /// x̄* = V_k − H_kV/H, the complex amplitude of a mass (6.11, 6.27, 6.33), by its place in the description; none
-    /// if there is no such mass.
+    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of a mass, given by its index in the description (6.11, 6.27,
+    /// 6.33). Returns `None` if the scene has no such mass.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<Complex<T::Scalar>> {
         if let Some(amplitude) = self.at.scene().numbers().tied(mass) {
             return Some(complex::real(amplitude));
         }
-        // Masses beyond the contact absorb: V and H have zeros in common.
+        // Where masses beyond the contact act as an absorber, V and H have common zeros.
         if let Some(amplitude) = self.at.absorbed_mass(mass) {
             return Some(amplitude);
         }

@@ -1,33 +1,33 @@
-//! A scene at one frequency ratio, from its tables.
+//! A scene at one frequency ratio, whose limits come from its tables.
 
 use crate::contact::regime::{self, Limits};
 use crate::errors::{OutOfDomain, Regime};
 use crate::number::scalar::{Float, Scalar};
 use crate::response::{At, Scene};
 
-/// Where the tables of a scene hold, and what happens beyond.
+/// Range in which the tables of a scene are valid, and the behaviour beyond it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain<S> {
     /// Smallest and largest frequency ratio.
     pub r: (S, S),
-    /// Smallest and largest friction ratio that may be asked for.
+    /// Smallest and largest friction ratio that a caller may ask for.
     pub beta: (S, S),
-    /// Whether the exact formulas answer beyond; else nothing does.
+    /// True if the exact formulas answer beyond this range. If false, nothing answers there.
     pub exact_beyond: bool,
-    /// Whether all these friction ratios are below β_lim at all these frequencies: the closed form then answers without a
-    /// look at it.
+    /// True if all these friction ratios are below β_lim at all these frequencies. The closed form is then used without
+    /// a comparison with β_lim.
     pub always_continuous: bool,
-    /// Whether they are all below β*_lim: it is then not asked.
+    /// True if all these friction ratios are below β*_lim, which is then not evaluated.
     pub never_stuck: bool,
 }
 
 /// A scene with tables of its limits.
 pub trait Tabled: Scene {
-    /// Where they hold.
+    /// Returns the range in which the tables are valid.
     fn domain(&self) -> Domain<Self::Scalar>;
-    /// β_lim within the domain.
+    /// Returns β_lim within the domain.
     fn tabled_limit(&self, r: Self::Scalar) -> Self::Scalar;
-    /// β*_lim within the domain; none where only the exact formulas keep the accuracy.
+    /// Returns β*_lim within the domain; `None` where only the exact formulas reach the declared accuracy.
     fn tabled_sliding_limit(&self, r: Self::Scalar) -> Option<Self::Scalar>;
 }
 
@@ -35,14 +35,14 @@ pub trait Tabled: Scene {
 #[derive(Clone, Copy, Debug)]
 pub struct Compiled<T: Scene> {
     scene: T,
-    /// Neither NaN nor negative.
+    /// Frequency ratio, neither NaN nor negative.
     r: T::Scalar,
-    /// Whether the tables hold at this r.
+    /// True if the tables are valid at this r.
     within: bool,
 }
 
 impl<T: Tabled> Compiled<T> {
-    /// The scene at the frequency ratio r = ω√(m₁/k₁).
+    /// Creates the scene at the frequency ratio r = ω√(m₁/k₁).
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, and beyond the tables' range unless the exact formulas answer there.
@@ -53,7 +53,7 @@ impl<T: Tabled> Compiled<T> {
             exact_beyond,
             ..
         } = scene.domain();
-        // The difference is 0 where both are the same alone, and a lookup needs it.
+        // A difference of two unequal numbers is never 0, so the sign decides. The lookup needs the same difference.
         let within = r - low >= T::Scalar::constant(0.0) && r <= high;
         if !within {
             let allowed = exact_beyond && r >= T::Scalar::constant(0.0);
@@ -64,11 +64,11 @@ impl<T: Tabled> Compiled<T> {
         Ok(Self { scene, r, within })
     }
 
-    /// Both limits over a slice of frequency ratios, into slices of the same length.
+    /// Computes both limits over a slice of frequency ratios, into slices of the same length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first r out of the
-    /// domain; what came before it is filled in.
+    /// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged, and at the first r outside
+    /// the domain. The values before that r are filled in.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -80,34 +80,34 @@ impl<T: Tabled> Compiled<T> {
         })
     }
 
-    /// The scene.
+    /// Returns the scene.
     #[inline]
     #[must_use]
     pub fn scene(&self) -> &T {
         &self.scene
     }
 
-    /// r.
+    /// Returns the frequency ratio r.
     #[inline]
     #[must_use]
     pub fn frequency_ratio(&self) -> T::Scalar {
         self.r
     }
 
-    /// Whether the tables hold at this r; beyond them the exact formulas answer.
+    /// Returns true if the tables are valid at this r. Beyond them the exact formulas answer.
     #[inline]
     #[must_use]
     pub fn is_within(&self) -> bool {
         self.within
     }
 
-    /// The same by the exact formulas.
+    /// Returns the scene at this r with the exact formulas.
     #[must_use]
     pub fn exact(&self) -> At<T> {
         At::known(self.scene.clone(), self.r)
     }
 
-    /// β_lim, the boundary of continuous motion (5.65, 5.80, 5.96, 7.49), to the declared accuracy.
+    /// Returns β_lim, the boundary of continuous motion (5.65, 5.80, 5.96, 7.49), to the declared accuracy.
     #[inline]
     #[must_use]
     pub fn continuous_limit(&self) -> T::Scalar {
@@ -118,7 +118,7 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// β*_lim = |V|/(μ|H|), from which on a stuck state exists (6.11, 6.27, 6.33), to the declared accuracy.
+    /// Returns β*_lim = |V|/(μ|H|), from which on a stuck state exists (6.11, 6.27, 6.33), to the declared accuracy.
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {
@@ -133,7 +133,7 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Both limits.
+    /// Returns both limits.
     #[inline]
     #[must_use]
     pub fn limits(&self) -> Limits<T::Scalar> {
@@ -143,19 +143,19 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// β_lim with S replaced by its limit for τ → 0 (5.64), by the exact formulas.
+    /// Returns β_lim with S replaced by its limit for τ → 0 (5.64), from the exact formulas.
     #[must_use]
     pub fn continuous_limit_without_search(&self) -> T::Scalar {
         self.exact().continuous_limit_without_search()
     }
 
-    /// β_lim with S as the sum of each mode's own maximum (5.55, 7.37), by the exact formulas.
+    /// Returns β_lim with S as the sum of each mode's own maximum (5.55, 7.37), from the exact formulas.
     #[must_use]
     pub fn continuous_limit_per_mode(&self) -> T::Scalar {
         self.exact().continuous_limit_per_mode()
     }
 
-    /// β, if it is one that may be asked for.
+    /// Returns β if it is within the domain.
     pub(super) fn checked(&self, beta: T::Scalar) -> Result<T::Scalar, OutOfDomain> {
         let beta = regime::check_beta(beta)?;
         let domain = self.scene.domain();
@@ -167,32 +167,32 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Whether β may be asked for and the motion is continuous, without more than that takes.
+    /// Returns true if β is within the domain and the motion is continuous, with as few comparisons as this needs.
     #[inline]
     pub(super) fn is_admitted(&self, beta: T::Scalar, limit: T::Scalar) -> bool {
         let domain = self.scene.domain();
         let (low, high) = domain.beta;
-        // Below β_lim β is finite; a bound that is not there costs nothing.
+        // A β below β_lim is finite. An infinite upper bound then needs no comparison.
         let asked = beta >= T::Scalar::constant(0.0)
             && (domain.exact_beyond || (low <= beta && (!high.is_finite() || beta <= high)));
         asked && (domain.always_continuous || beta < limit)
     }
 
-    /// Whether a β that may be asked for is below β*_lim.
+    /// Returns true if β is below β*_lim. The caller has checked that β is within the domain.
     #[inline]
     pub(super) fn slides(&self, beta: T::Scalar) -> bool {
         self.scene.domain().never_stuck || beta < self.sliding_limit()
     }
 
-    /// Whether an admitted β is below β*_lim as well.  A contact that grips no better than it rubs cannot stick while it
-    /// can slide all the time: the difference of both motions would lose energy for ever.  β_lim is then the smaller limit.
+    /// Returns true if an admitted β is below β*_lim as well. With μ ≤ 1 a contact cannot stick while it can slide all
+    /// the time, since the difference of both motions would lose energy for ever. β_lim is then the smaller limit.
     #[inline]
     fn slides_if_admitted(&self, beta: T::Scalar) -> bool {
         let one = T::Scalar::constant(1.0);
         self.scene.numbers().chain.stiction <= one || self.slides(beta)
     }
 
-    /// The regime at β = F/P: right except within the declared accuracy of a limit.
+    /// Returns the regime at β = F/P. It may be wrong only within the declared accuracy of a limit.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β, and beyond the declared range.
@@ -211,10 +211,10 @@ impl<T: Tabled> Compiled<T> {
         Ok(regime::regime_of(admitted, slides))
     }
 
-    /// β/min(β_lim, β*_lim) − 1: negative below both limits, where the closed form exists.
+    /// Returns β/min(β_lim, β*_lim) − 1, which is negative below both limits, where the closed form exists.
     ///
     /// # Errors
-    /// As of [`regime`](Self::regime).
+    /// Same errors as [`regime`](Self::regime).
     pub fn margin(&self, beta: T::Scalar) -> Result<T::Scalar, OutOfDomain> {
         let beta = self.checked(beta)?;
         self.limits().margin(beta)

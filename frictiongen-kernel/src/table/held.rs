@@ -1,33 +1,33 @@
-//! Responses while the contact is held: rational functions of s = ir by their zeros and poles.
+//! Responses while the contact is stuck, as rational functions of s = ir given by their zeros and poles.
 
 use super::quotient::Quotient;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 
-/// A factor in s = ir, by a zero s = x + iy of a polynomial with real coefficients.
+/// Factor in s = ir, from a zero s = x + iy of a polynomial with real coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Root<S> {
-    /// (s − x)² + y² = x² − (r − y)(r + y) − 2ixr, of the zeros x ± iy; y is given in two parts: the digits of r − y then
-    /// hold beside the zero.
+    /// Factor of the zeros x ± iy: (s − x)² + y² = x² − (r − y)(r + y) − 2ixr. It stores y as a rounded value and a
+    /// rest, so that r − y keeps its digits close to the zero.
     Pair {
-        /// y.
+        /// y, rounded.
         at: S,
-        /// What the rounding of y left out.
+        /// Rounding error of y: the exact y less the rounded one.
         rest: S,
-        /// x².
+        /// x², the square of the real part of the zeros.
         off: S,
-        /// −2x.
+        /// −2x, the factor of r in the imaginary part.
         rate: S,
     },
-    /// s − x, of a zero on the real axis of s.
+    /// Factor s − x of a zero on the real axis of s.
     Real {
-        /// −x.
+        /// −x, the negative of the zero.
         rate: S,
     },
 }
 
 impl<S: Float> Root<S> {
-    /// The factor at r.
+    /// Returns the factor at r.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> Complex<S> {
@@ -43,19 +43,19 @@ impl<S: Float> Root<S> {
     }
 }
 
-/// gain·Π numerator/Π denominator, complex.
+/// Complex rational function gain·Π numerator/Π denominator.
 #[derive(Clone, Copy, Debug)]
 pub struct Transfer<'a, S> {
-    /// What stands before it.
+    /// Constant factor.
     pub gain: S,
-    /// The zeros.
+    /// Zeros.
     pub numerator: &'a [Root<S>],
-    /// The poles.
+    /// Poles.
     pub denominator: &'a [Root<S>],
 }
 
 impl<S: Float> Transfer<'_, S> {
-    /// The quotient at r; infinite or no number on a pole.
+    /// Returns the quotient at r. On a pole the result is infinite or NaN.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> Complex<S> {
@@ -70,8 +70,8 @@ impl<S: Float> Transfer<'_, S> {
     }
 }
 
-/// Π factors at r, if there are any: the first twelve without a loop, so that of constant factors nothing but arithmetic
-/// remains.
+/// Returns the product of all factors at r; `None` if there are no factors. The first twelve are written out without a
+/// loop, so that constant factors compile to plain arithmetic.
 #[inline(always)]
 fn product<S: Float>(roots: &[Root<S>], r: S) -> Option<Complex<S>> {
     let mut product = roots.first()?.value(r);
@@ -92,7 +92,7 @@ fn product<S: Float>(roots: &[Root<S>], r: S) -> Option<Complex<S>> {
     Some(product)
 }
 
-/// A product with the factor at a place, if there is one.
+/// Multiplies a product by the factor at index `place`, if there is one.
 #[inline(always)]
 fn times<S: Float>(product: Complex<S>, roots: &[Root<S>], place: usize, r: S) -> Complex<S> {
     match roots.get(place) {
@@ -101,19 +101,19 @@ fn times<S: Float>(product: Complex<S>, roots: &[Root<S>], place: usize, r: S) -
     }
 }
 
-/// A response while the contact is held, at any r.
+/// Response while the contact is stuck, at any r.
 #[derive(Clone, Copy, Debug)]
 pub enum HeldResponse<'a, S> {
-    /// The same at every r: of a mass that the held contact ties to its support or cuts off from the load.
+    /// Constant response, of a mass that the stuck contact fixes to its support or cuts off from the load.
     Fixed(S),
-    /// Of an undamped chain: real, with its sign.
+    /// Response of an undamped chain, real and with its sign.
     Undamped(Quotient<'a, S>),
-    /// Of a damped chain.
+    /// Response of a damped chain.
     Damped(Transfer<'a, S>),
 }
 
 impl<S: Float> HeldResponse<'_, S> {
-    /// The response at r.
+    /// Returns the response at r.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> Complex<S> {

@@ -1,10 +1,11 @@
-//! Answers of a declared accuracy: over a range of r a scene's limits are piecewise polynomials.
+//! Answers of a declared accuracy, from piecewise polynomials for the limits of one scene over a range of r.
 //!
-//! For one scene β_lim is a function of r alone, and so are the three functions from which the contact's amplitude
-//! and phase follow at any β.  A generator knows them exactly and writes [`Table`]s of them; β*_lim and |V| are
-//! [`Quotient`]s of products, and so are the responses while the contact is stuck, as [`HeldResponse`]s.  [`Compiled`] is
-//! a scene at one r that answers from them, and passes on to the exact formulas what they do not hold.  How tables are
-//! built, and how far they are from the exact values, is not known here.
+//! For one scene β_lim is a function of r alone. Three further functions of r give the contact's amplitude and phase at
+//! any β. A generator knows all four exactly and writes [`Table`]s of them. β*_lim and |V| are [`Quotient`]s of
+//! products. The responses while the contact is stuck are products too, written as [`HeldResponse`]s.
+//!
+//! [`Compiled`] is a scene at one r that answers from its tables. It calls the exact formulas for everything that the
+//! tables do not contain. This module does not build tables, and does not know how far they are from the exact values.
 
 mod compiled;
 mod held;

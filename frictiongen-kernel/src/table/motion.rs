@@ -1,4 +1,4 @@
-//! The contact's motion from tables; the masses' by the exact formulas.
+//! Motion of the contact from tables, and motions of the masses from the exact formulas.
 
 use super::compiled::{Compiled, Tabled};
 use crate::errors::NotContinuous;
@@ -9,23 +9,23 @@ use crate::number::scalar::Float;
 use crate::response::motion::Largest;
 use crate::response::{Continuous, MotionOf, ProvidesMotion};
 
-/// What amplitude and phase of the contact follow from at any β.
+/// Values at one r from which amplitude and phase of the contact follow at any β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTable<S> {
-    /// β_lim.
+    /// Continuous limit β_lim.
     pub limit: S,
-    /// a = β_lim·U/|V|, the share of the velocity part at the limit.
+    /// a = β_lim·U/|V|, the contribution of the velocity term at the limit.
     pub quadrature: S,
-    /// g = β_lim·G/|V|, the share of the displacement part at the limit; 0 without damping.
+    /// g = β_lim·G/|V|, the contribution of the displacement term at the limit; 0 without damping.
     pub displacement: S,
-    /// |V|.
+    /// Modulus |V| of the response of the relative motion to the excitation, without friction.
     pub excitation: S,
-    /// arg V.
+    /// Argument arg V of the same response, rad.
     pub direction: S,
 }
 
 impl<S: Float> ContactTable<S> {
-    /// Of an undamped chain: β_lim and a·sgn V from a table, V with its sign.
+    /// Creates the values of an undamped chain. β_lim and a·sgn V come from a table, and V has its sign.
     #[inline]
     #[must_use]
     pub fn undamped([limit, quadrature]: [S; 2], excitation: S) -> Self {
@@ -40,14 +40,15 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Of a damped chain: β_lim, a, g, arg V and |V| from a table.
+    /// Creates the values of a damped chain. β_lim, a, g, arg V and |V| come from a table.
     #[inline]
     #[must_use]
     pub fn tabled([limit, quadrature, displacement, direction, excitation]: [S; 5]) -> Self {
         Self::damped([limit, quadrature, displacement, direction], excitation)
     }
 
-    /// Of a chain with undamped modes among damped ones, where |V| may have poles: β_lim, a, g and arg V from a table.
+    /// Creates the values of a chain with undamped modes among damped ones, where |V| may have poles. β_lim, a, g and
+    /// arg V come from a table.
     #[inline]
     #[must_use]
     pub fn damped([limit, quadrature, displacement, direction]: [S; 4], excitation: S) -> Self {
@@ -60,16 +61,16 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// √((1 − ρ²) + ρ²(1 − a²)) with ρ = β/β_lim: the in-phase part over |V|.
+    /// Returns √((1 − ρ²) + ρ²(1 − a²)) with ρ = β/β_lim, the in-phase term over |V|.
     #[inline]
     fn in_phase(&self, share: S) -> S {
         let one = S::constant(1.0);
         let quadrature = share * self.quadrature;
-        // Negative within the accuracy of the limit alone, where its size is as good as 0.
+        // The product is negative only for β within the accuracy of the limit. It is then 0 within that accuracy.
         ((one - quadrature) * (one + quadrature)).abs().sqrt()
     }
 
-    /// Z, the amplitude of the contact's relative motion (2.21, 5.35, 7.20).
+    /// Returns Z, the amplitude of the contact's relative motion (2.21, 5.35, 7.20).
     #[inline]
     #[must_use]
     pub fn amplitude(&self, beta: S) -> S {
@@ -77,7 +78,7 @@ impl<S: Float> ContactTable<S> {
         self.excitation * (self.in_phase(share) - share * self.displacement)
     }
 
-    /// φ, the lag of the contact's relative motion behind the excitation, in (−π, π] (5.38, 7.21).
+    /// Returns φ, the lag of the contact's relative motion behind the excitation, in (−π, π] (5.38, 7.21).
     #[inline]
     #[must_use]
     pub fn phase(&self, beta: S) -> S {
@@ -89,27 +90,28 @@ impl<S: Float> ContactTable<S> {
 
 /// A scene with tables of its contact's motion.
 pub trait TabledMotion: Tabled + ProvidesMotion {
-    /// The motion, with a method for each mass.
+    /// Motion type with one method per mass.
     type Moving: From<Moving<Self>>;
 
-    /// The contact's motion within the domain; none where only the exact formulas keep the accuracy.
+    /// Returns the contact's motion within the domain; `None` where only the exact formulas reach the declared
+    /// accuracy.
     fn tabled_contact(&self, r: Self::Scalar) -> Option<ContactTable<Self::Scalar>>;
 }
 
 impl<T: TabledMotion> Compiled<T> {
-    /// The continuous motion at the friction ratio β = F/P, where the tabled limits admit it.
+    /// Returns the continuous motion at the friction ratio β = F/P, where the tabled limits admit it.
     ///
     /// # Errors
-    /// [`NotContinuous`] says which regime it is instead, or that an undamped resonance is unbounded at this β, or
-    /// that β is out of the domain.
+    /// [`NotContinuous`] names the regime if the motion is not continuous. It also reports an undamped resonance that
+    /// is unbounded at this β, and a β outside the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Moving, NotContinuous> {
         let mut table = None;
         if !self.is_within() {
-            // The exact formulas have their own admission.
+            // The exact formulas check β against their own limits.
             let beta = self.checked(beta)?;
             self.exact().admitted(beta)?;
         } else {
-            // One lookup for the admission and for the motion.
+            // One lookup serves the check and the motion.
             table = self.scene().tabled_contact(self.frequency_ratio());
             let limit = match table {
                 Some(table) => table.limit,
@@ -125,7 +127,7 @@ impl<T: TabledMotion> Compiled<T> {
         Ok(Moving { at, beta, table }.into())
     }
 
-    /// Why there is no continuous motion within the tables' range.
+    /// Returns the reason why there is no continuous motion within the tables' range.
     #[cold]
     fn refused(&self, beta: T::Scalar, limit: T::Scalar) -> NotContinuous {
         if let Err(error) = self.checked(beta) {
@@ -140,30 +142,30 @@ impl<T: TabledMotion> Compiled<T> {
     }
 }
 
-/// The continuous motion at one frequency ratio and one friction ratio, of a scene with tables.
+/// Continuous motion at one frequency ratio and one friction ratio, of a scene with tables.
 #[derive(Clone, Copy, Debug)]
 pub struct Moving<T: TabledMotion> {
     at: Compiled<T>,
     beta: T::Scalar,
-    /// Amplitude and phase of the contact at any β; none where the exact formulas answer.
+    /// Amplitude and phase of the contact at any β; `None` where the exact formulas answer.
     table: Option<ContactTable<T::Scalar>>,
 }
 
 impl<T: TabledMotion> Moving<T> {
-    /// The scene at the frequency of this motion.
+    /// Returns the scene at the frequency of this motion.
     #[inline]
     #[must_use]
     pub fn at(&self) -> &Compiled<T> {
         &self.at
     }
 
-    /// The same motion by the exact formulas.
+    /// Returns the same motion from the exact formulas.
     #[must_use]
     pub fn exact(&self) -> Continuous<T> {
         self.at.exact().closed_form(self.beta)
     }
 
-    /// The relative motion in the contact, from the tables.
+    /// Returns the relative motion of the contact, from the tables.
     #[inline]
     #[must_use]
     pub fn contact(&self) -> SteadyContact<T> {
@@ -172,33 +174,35 @@ impl<T: TabledMotion> Moving<T> {
         }
     }
 
-    /// The motion of a mass, by its place in the description, by the exact formulas; rest if there is no such mass.
+    /// Returns the motion of a mass, given by its index in the description, from the exact formulas. Returns a motion
+    /// at rest if the scene has no such mass.
     #[must_use]
     pub fn mass(&self, mass: usize) -> MotionOf<T> {
         self.exact().mass(mass)
     }
 
-    /// The same; none if there is no such mass, or the scene does not provide its motion.
+    /// Returns the motion of a mass as [`mass`](Self::mass) does, but `None` if the scene has no such mass or does not
+    /// provide its motion.
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<MotionOf<T>> {
         self.exact().mass_at(mass)
     }
 }
 
-/// The relative motion in the contact: amplitude and phase from tables, the rest by the exact formulas.
+/// Relative motion of the contact, with amplitude and phase from tables and all other results from the exact formulas.
 #[derive(Clone, Copy, Debug)]
 pub struct SteadyContact<T: TabledMotion> {
     moving: Moving<T>,
 }
 
 impl<T: TabledMotion> SteadyContact<T> {
-    /// The same motion by the exact formulas.
+    /// Returns the same motion from the exact formulas.
     #[must_use]
     pub fn exact(&self) -> MotionOf<T> {
         self.moving.exact().contact()
     }
 
-    /// Amplitude and phase, without a search.
+    /// Returns amplitude and phase, from the tables without a search.
     #[must_use]
     pub fn largest(&self) -> Largest<T::Scalar> {
         let beta = self.moving.beta;
@@ -212,7 +216,7 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// The maximum of |z̄| over the period (P/k₁; for base motion Y).
+    /// Returns the maximum of |z̄| over the period (P/k₁; for base motion Y).
     #[inline]
     #[must_use]
     pub fn amplitude(&self) -> T::Scalar {
@@ -222,14 +226,14 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// The estimate 5.50, 7.33: of the contact it is the amplitude.
+    /// Returns the monoharmonic estimate (5.50), (7.33). For the contact it equals the amplitude.
     #[inline]
     #[must_use]
     pub fn amplitude_monoharmonic(&self) -> T::Scalar {
         self.amplitude()
     }
 
-    /// The lag of the maximum behind the excitation's, rad, in (−π, π].
+    /// Returns the lag of the motion's maximum behind the excitation's maximum, rad, in (−π, π].
     #[inline]
     #[must_use]
     pub fn phase(&self) -> T::Scalar {
@@ -239,19 +243,19 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// z̄ at τ, counted from a maximum of the contact's relative motion.
+    /// Returns z̄ at τ, counted from a maximum of the contact's relative motion.
     #[must_use]
     pub fn displacement(&self, tau: T::Scalar) -> T::Scalar {
         self.exact().displacement(tau)
     }
 
-    /// dz̄/dτ at τ, counted from a maximum of the contact's relative motion.
+    /// Returns dz̄/dτ at τ, counted from a maximum of the contact's relative motion.
     #[must_use]
     pub fn velocity(&self, tau: T::Scalar) -> T::Scalar {
         self.exact().velocity(tau)
     }
 
-    /// Z_n, with z̄ = Re Σ Z_n e^{inτ_e} and τ_e from a maximum of the excitation.
+    /// Returns Z_n, with z̄ = Re Σ Z_n e^{inτ_e} and τ_e counted from a maximum of the excitation.
     #[must_use]
     pub fn harmonic(&self, n: u32) -> Complex<T::Scalar> {
         self.exact().harmonic(n)

@@ -1,44 +1,48 @@
-//! Piecewise polynomials, found by a bucket and a few halvings.
+//! Piecewise polynomials. A bucket and a few halvings find the piece that contains r.
 
 use crate::number::scalar::Float;
 
-/// One piece: `F` functions as polynomials of degree `C` − 1 in r − origin.
+/// One piece, with `F` functions as polynomials of degree `C` − 1 in r − origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece<S, const F: usize, const C: usize> {
-    /// The smallest r of the piece; it ends where the next one begins.
+    /// Smallest r of the piece. The piece ends where the next one begins.
     pub from: S,
-    /// From where r is counted.  Beside a zero it is the zero: relative accuracy then holds up to it.
+    /// Origin from which r is counted. Near a zero of a function it is the zero, so that the relative accuracy is kept
+    /// up to the zero.
     pub origin: S,
-    /// Of each function the coefficients, from the constant on.
+    /// Coefficients of each function, from the constant term upwards.
     pub coefficients: [[S; C]; F],
 }
 
-/// Functions of r over a range, by pieces.
+/// Functions of r over a range, in pieces.
 ///
-/// A lookup has no branch that depends on r: a bucket names a first piece, and `halvings` comparisons the right one.
+/// A lookup has no branch that depends on r. A bucket names a first piece, and `halvings` comparisons find the right
+/// one.
 #[derive(Clone, Copy, Debug)]
 pub struct Table<'a, S, B, const F: usize, const C: usize> {
-    /// Where the first bucket begins.
+    /// Start of the first bucket.
     pub low: S,
-    /// Buckets to a unit of r.
+    /// Number of buckets per unit of r.
     pub density: S,
-    /// How many comparisons find a piece among those of a bucket: at most 2^halvings − 1 begin within one.
+    /// Number of comparisons that find a piece among those of a bucket. At most 2^halvings − 1 pieces begin within one
+    /// bucket.
     pub halvings: u32,
-    /// The piece in which each bucket begins; a power of two of them.
+    /// Index of the piece in which each bucket begins. The number of buckets is a power of two.
     pub buckets: &'a [B],
-    /// The pieces, ascending.
+    /// Pieces in ascending order.
     pub pieces: &'a [Piece<S, F, C>],
 }
 
 impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, S, B, F, C> {
-    /// The piece that holds r: any one outside the range, none if there are no pieces.
+    /// Returns the piece that contains r. Outside the range it is an arbitrary piece. Returns `None` if there are no
+    /// pieces.
     #[inline(always)]
     #[must_use]
     pub fn piece(&self, r: S) -> Option<&Piece<S, F, C>> {
         let bucket = ((r - self.low) * self.density).to_index();
         let bucket = bucket & self.buckets.len().wrapping_sub(1);
         let first: usize = self.buckets.get(bucket).copied().map_or(0, Into::into);
-        // Where the number of halvings is a constant, one of these remains, in straight lines.
+        // Where the number of halvings is a constant, the compiler keeps one of these arms, without branches.
         match self.halvings {
             0 => self.pieces.get(first),
             1 => self.among::<2>(first, r),
@@ -50,7 +54,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// The piece that holds r among `W` from the first, or among the last `W`.
+    /// Returns the piece that contains r, among the `W` pieces from `first` on, or among the last `W` if fewer follow.
     #[inline(always)]
     fn among<const W: usize>(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let first = first.min(self.pieces.len().saturating_sub(W));
@@ -62,7 +66,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// The piece that holds r, from the first on, by as many halvings as there are.
+    /// Returns the piece that contains r, from `first` on, with `halvings` halvings in a loop.
     fn onwards(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let mut index = first;
         let mut halving = self.halvings;
@@ -78,13 +82,13 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         self.pieces.get(index)
     }
 
-    /// All functions at r; NaN if there are no pieces.
+    /// Returns all functions at r; NaN if there are no pieces.
     #[inline(always)]
     #[must_use]
     pub fn values(&self, r: S) -> [S; F] {
         let mut values = [S::constant(f64::NAN); F];
         if let Some(piece) = self.piece(r) {
-            // Not a loop: a function that nobody asks for then costs nothing.
+            // Written out instead of a loop, so that the compiler removes a function whose value is not used.
             let t = r - piece.origin;
             put(&mut values, piece, 0, t);
             put(&mut values, piece, 1, t);
@@ -98,7 +102,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         values
     }
 
-    /// The first function at r; NaN if there are no pieces.
+    /// Returns the first function at r; NaN if there are no pieces.
     #[inline(always)]
     #[must_use]
     pub fn first(&self, r: S) -> S {
@@ -111,7 +115,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
     }
 }
 
-/// The piece of a window that holds r, by halves: the fewest instructions.
+/// Returns the piece of a window that contains r, by halving. This takes the fewest instructions.
 #[inline(always)]
 fn halved<S: Float, const F: usize, const C: usize, const W: usize>(
     window: &[Piece<S, F, C>; W],
@@ -133,7 +137,7 @@ fn halved<S: Float, const F: usize, const C: usize, const W: usize>(
     half(pieces, r).first()
 }
 
-/// The half of some pieces that holds r.
+/// Returns the half of the given pieces that contains r.
 #[inline(always)]
 fn half<S: Float, const F: usize, const C: usize>(
     pieces: &[Piece<S, F, C>],
@@ -148,10 +152,11 @@ fn half<S: Float, const F: usize, const C: usize>(
     }
 }
 
-/// The place in a window of the piece that holds r, by quarters: what begins before r is counted.
+/// Returns the index in a window of the piece that contains r, by counting in quarters the pieces that begin at or
+/// below r.
 ///
-/// Of halves a compiler makes branches, which a large processor cannot foresee where r is any, and each waits for the
-/// one before; the comparisons of a count wait for nothing.
+/// A compiler turns halving into branches. A large processor cannot predict such branches for an arbitrary r, and each
+/// waits for the one before. The comparisons of a count do not wait for one another.
 #[inline(always)]
 fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
     window: &[Piece<S, F, C>; W],
@@ -183,7 +188,7 @@ fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
     }
 }
 
-/// One function's value, if there is such a function.
+/// Evaluates one function of the piece, if it has a function with this index.
 #[inline(always)]
 fn put<S: Float, const F: usize, const C: usize>(
     values: &mut [S; F],
@@ -196,9 +201,9 @@ fn put<S: Float, const F: usize, const C: usize>(
     }
 }
 
-/// Σ c_k t^k: pairs c_2k + c_2k+1·t, then by t² from the highest pair down.
+/// Returns Σ c_k t^k. It forms the pairs c_2k + c_2k+1·t, and multiplies by t² from the highest pair downwards.
 ///
-/// Up to degree 9 without a loop, so that code that is compiled for size has none.
+/// Up to degree 9 it is written out without a loop, so that code compiled for size has no loop.
 #[inline(always)]
 #[must_use]
 pub fn polynomial<S: Float>(coefficients: &[S], t: S) -> S {
@@ -217,7 +222,7 @@ pub fn polynomial<S: Float>(coefficients: &[S], t: S) -> S {
     sum.unwrap_or(S::constant(0.0))
 }
 
-/// The pair that begins at a coefficient, with what is above it.
+/// Returns the pair that begins at the coefficient `first`, plus t² times the sum of the higher pairs.
 #[inline(always)]
 fn below<S: Float>(
     coefficients: &[S],

@@ -1,37 +1,38 @@
-//! Quotients of products: a rational function of r by its zeros and poles, each of which keeps its digits.
+//! Quotients of products. They give a rational function of r by its zeros and poles, each of which keeps its digits.
 
 use crate::number::scalar::Float;
 
-/// A factor in r², by a zero s = x + iy of the polynomial in s = ir (or by its square for an undamped chain).
+/// Factor in r², from a zero s = x + iy of the polynomial in s = ir, or from its square for an undamped chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factor<S> {
-    /// (r − y)(r + y), y given in two parts: the digits of r − y then hold beside the zero.
+    /// Factor (r − y)(r + y). It stores y as a rounded value and a rest, so that r − y keeps its digits close to the
+    /// zero.
     Zero {
-        /// y.
+        /// y, rounded.
         at: S,
-        /// What the rounding of y left out.
+        /// Rounding error of y: the exact y less the rounded one.
         rest: S,
     },
-    /// ((r − y)(r + y) + x²)² + 4x²y², of a pair of zeros beside the axis.
+    /// Factor ((r − y)(r + y) + x²)² + 4x²y² of a pair of zeros off the imaginary axis.
     Pair {
-        /// y.
+        /// y, rounded.
         at: S,
-        /// What the rounding of y left out.
+        /// Rounding error of y: the exact y less the rounded one.
         rest: S,
-        /// x².
+        /// x², the square of the real part of the zeros.
         off: S,
-        /// 4x²y².
+        /// 4x²y², the constant term.
         least: S,
     },
-    /// r² + x², of a zero on the real axis of s.
+    /// Factor r² + x² of a zero on the real axis of s.
     Real {
-        /// x².
+        /// x², the square of the zero.
         off: S,
     },
 }
 
 impl<S: Float> Factor<S> {
-    /// The factor at r.
+    /// Returns the factor at r.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> S {
@@ -51,33 +52,33 @@ impl<S: Float> Factor<S> {
     }
 }
 
-/// gain·Π numerator/Π denominator, or its root where the factors are those of squares.
+/// Rational function gain·Π numerator/Π denominator, or gain times the root of that quotient if `squared` is set.
 #[derive(Clone, Copy, Debug)]
 pub struct Quotient<'a, S> {
-    /// What stands before it.
+    /// Constant factor.
     pub gain: S,
-    /// The factors are those of the squares of what is meant.
+    /// True if the factors are those of the square of the wanted function.
     pub squared: bool,
-    /// The zeros.
+    /// Zeros.
     pub numerator: &'a [Factor<S>],
-    /// The poles.
+    /// Poles.
     pub denominator: &'a [Factor<S>],
 }
 
 impl<S: Float> Quotient<'_, S> {
-    /// The size of the quotient at r.
+    /// Returns the modulus of the quotient at r.
     #[inline(always)]
     #[must_use]
     pub fn size(&self, r: S) -> S {
         self.value(r).abs()
     }
 
-    /// The quotient at r, with its sign where there is one; infinite on a pole.
+    /// Returns the quotient at r, with its sign unless it is a root; infinite on a pole.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> S {
         let (above, below) = (product(self.numerator, r), product(self.denominator, r));
-        // A quotient without poles costs no division.
+        // A quotient without poles needs no division.
         let quotient = if self.denominator.is_empty() {
             above
         } else {
@@ -91,7 +92,8 @@ impl<S: Float> Quotient<'_, S> {
     }
 }
 
-/// Π factors at r: the first twelve without a loop, so that of constant factors nothing but arithmetic remains.
+/// Returns the product of all factors at r. The first twelve are written out without a loop, so that constant factors
+/// compile to plain arithmetic.
 #[inline(always)]
 fn product<S: Float>(factors: &[Factor<S>], r: S) -> S {
     let mut product = S::constant(1.0);
@@ -113,7 +115,7 @@ fn product<S: Float>(factors: &[Factor<S>], r: S) -> S {
     product
 }
 
-/// A product with the factor at a place, if there is one.
+/// Multiplies a product by the factor at index `place`, if there is one.
 #[inline(always)]
 fn times<S: Float>(product: S, factors: &[Factor<S>], place: usize, r: S) -> S {
     match factors.get(place) {

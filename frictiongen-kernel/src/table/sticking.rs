@@ -1,4 +1,4 @@
-//! The response of a scene with tables while its contact is stuck.
+//! Response of a scene with tables while its contact is stuck.
 
 use super::compiled::{Compiled, Tabled};
 use crate::errors::StuckResonance;
@@ -8,30 +8,31 @@ use crate::response::{ProvidesStuck, Stuck};
 
 /// A scene with products over zeros and poles for its response while the contact is stuck.
 ///
-/// Without a body of its own for any of these methods the exact formulas answer.
+/// The exact formulas answer unless a scene writes its own bodies for these methods.
 pub trait TabledStuck: Tabled + ProvidesStuck {
-    /// The response, with a method for each mass.
+    /// Response type with one method per mass.
     type Sticking: From<Sticking<Self>>;
 
-    /// Whether the products answer; else only the exact formulas keep the accuracy.
+    /// Returns true if the products answer. If false, only the exact formulas reach the declared accuracy.
     #[inline]
     fn holds_stuck(&self) -> bool {
         false
     }
 
-    /// The numbers within the domain on which an undamped resonance of the held chain lies to the last digit.
+    /// Returns the frequency ratios within the domain that equal an undamped resonance of the chain with its contact
+    /// stuck, to the last digit.
     #[inline]
     fn stuck_resonances(&self) -> &[Self::Scalar] {
         &[]
     }
 
-    /// x̄* = V_k − H_kV/H of a mass within the domain; none if there is no such mass.
+    /// Returns x̄* = V_k − H_kV/H of a mass within the domain; `None` if the scene has no such mass.
     #[inline]
     fn tabled_stuck(&self, _mass: usize, _r: Self::Scalar) -> Option<Complex<Self::Scalar>> {
         None
     }
 
-    /// V/H within the domain.
+    /// Returns V/H within the domain.
     #[inline]
     fn tabled_holding_force(&self, _r: Self::Scalar) -> Option<Complex<Self::Scalar>> {
         None
@@ -39,7 +40,7 @@ pub trait TabledStuck: Tabled + ProvidesStuck {
 }
 
 impl<T: TabledStuck> Compiled<T> {
-    /// The response while the contact is stuck, β ≥ β*_lim, to the declared accuracy.
+    /// Returns the response while the contact is stuck, which exists for β ≥ β*_lim, to the declared accuracy.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
@@ -47,7 +48,7 @@ impl<T: TabledStuck> Compiled<T> {
     pub fn stuck(&self) -> Result<T::Sticking, StuckResonance> {
         let at = self.clone();
         if !self.holds_stuck() {
-            // The exact formulas have their own admission.
+            // The exact formulas make their own check for a resonance.
             self.exact().stuck()?;
             return Ok(Sticking { at }.into());
         }
@@ -58,37 +59,37 @@ impl<T: TabledStuck> Compiled<T> {
         Ok(Sticking { at }.into())
     }
 
-    /// Whether the products answer at this r.
+    /// Returns true if the products answer at this r.
     #[inline]
     fn holds_stuck(&self) -> bool {
-        // Where nothing answers beyond the range, it need not be asked.
+        // If nothing answers beyond the range, r is within it and needs no check.
         let within = !self.scene().domain().exact_beyond || self.is_within();
         within && self.scene().holds_stuck()
     }
 }
 
-/// The response at one frequency ratio while the contact is stuck, of a scene with tables.
+/// Response at one frequency ratio while the contact is stuck, of a scene with tables.
 #[derive(Clone, Copy, Debug)]
 pub struct Sticking<T: TabledStuck> {
     at: Compiled<T>,
 }
 
 impl<T: TabledStuck> Sticking<T> {
-    /// The scene at this frequency.
+    /// Returns the scene at this frequency.
     #[inline]
     #[must_use]
     pub fn at(&self) -> &Compiled<T> {
         &self.at
     }
 
-    /// The same response by the exact formulas.
+    /// Returns the same response from the exact formulas.
     #[must_use]
     pub fn exact(&self) -> Stuck<T> {
         self.at.exact().stuck_unchecked()
     }
 
-    /// A of the force Re(A e^{iτ}) over P that holds the contact, V/H (6.11, 6.27, 6.33); positive against positive
-    /// sliding.  Its modulus is μβ*_lim.
+    /// Returns the complex amplitude A = V/H of the force Re(A e^{iτ}), over P, that keeps the contact stuck (6.11,
+    /// 6.27, 6.33). A positive force acts against positive sliding. Its modulus is μβ*_lim.
     #[inline]
     #[must_use]
     pub fn contact_force(&self) -> Complex<T::Scalar> {
@@ -104,7 +105,7 @@ impl<T: TabledStuck> Sticking<T> {
         }
     }
 
-    /// The same as [`mass_at`](Self::mass_at); rest if there is no such mass.
+    /// Returns the amplitude of a mass as [`mass_at`](Self::mass_at) does, but 0 if the scene has no such mass.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> Complex<T::Scalar> {
@@ -112,8 +113,8 @@ impl<T: TabledStuck> Sticking<T> {
         self.mass_at(mass).unwrap_or(at_rest)
     }
 
-    /// x̄* = V_k − H_kV/H, the complex amplitude of a mass (6.11, 6.27, 6.33), by its place in the description; none
-    /// if there is no such mass.
+    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of a mass, given by its index in the description (6.11, 6.27,
+    /// 6.33). Returns `None` if the scene has no such mass.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<Complex<T::Scalar>> {

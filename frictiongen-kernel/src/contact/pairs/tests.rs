@@ -1,10 +1,10 @@
-//! Two by two and one by one are the same to the last bit.
+//! Tests that modes in pairs and modes one by one give the same bits.
 
 use super::*;
 use crate::contact::driven::DrivenModes;
 use crate::number::complex::Complex;
 
-/// A number from the place of a mode: neither regular nor on a resonance.
+/// Returns a number from the index of a mode, neither regular nor on a resonance.
 fn scattered(index: usize, salt: usize) -> f64 {
     ((index * 37 + salt * 11) as f64 * 0.618_033_988_749_894_9).fract() + 0.1
 }
@@ -39,7 +39,7 @@ fn modes<S: Float>(count: usize, zeta: impl Fn(usize) -> f64, driven: usize) -> 
     (0..count).map(mode).collect()
 }
 
-/// The bits of all that a frequency stage gives; an f32 has those of its f64.
+/// Returns the bits of all results of a frequency stage. An f32 has the bits of its f64.
 fn bits<S: Float>(contact: &ContactAt<S>, kept: &[ModeAt<S>]) -> Vec<u64> {
     let of = |z: Complex<S>| [z.re, z.im];
     let ContactAt {
@@ -59,7 +59,7 @@ fn bits<S: Float>(contact: &ContactAt<S>, kept: &[ModeAt<S>]) -> Vec<u64> {
     all.iter().map(|value| value.to_f64().to_bits()).collect()
 }
 
-/// How often was compared: sums two by two, and limits from modes laid out before.
+/// Compares, and returns the number of comparisons: sums in pairs, and limits from gathered constants.
 fn agree<S: Float>() -> [usize; 2] {
     let dampings: [fn(usize) -> f64; 4] = [
         |_| 0.0,
@@ -78,7 +78,7 @@ fn agree<S: Float>() -> [usize; 2] {
                     inverse_mass: S::constant(0.9),
                     stiction: S::constant(1.2),
                 };
-                // On resonances and sub-harmonics, beside them, and where no angle is left of x.
+                // Values on resonances and subharmonics, close to them, and so large that x has no angle left.
                 for inverse_r in [2.0, 1.0, 0.3, 0.7, 6.0, 1.0 + 1e-7, 1e-9, 3e5, 1e17] {
                     let inverse_r = S::constant(inverse_r);
                     let (mut by_two, mut in_turn) = (Vec::new(), Vec::new());
@@ -110,7 +110,8 @@ fn agree<S: Float>() -> [usize; 2] {
 
 #[test]
 fn pairs_of_modes_have_the_bits_of_single_ones() {
-    // The first dampings, and the last of a single mode; without the sets of modes of which the contact drives none.
+    // Undamped modes of every count, and a single mode with the last damping, but not the sets of modes that the
+    // contact does not drive.
     let laid_out = ((7 * 4 - (7 + 1)) + (4 - 2)) * 2 * 9;
     assert_eq!(agree::<f64>(), [7 * 4 * 4 * 2 * 9, laid_out]);
     assert_eq!(agree::<f32>(), [7 * 4 * 4 * 2 * 9, laid_out]);

@@ -1,5 +1,5 @@
-//! The cells about a summit that it closes: near the top by Taylor's theorem, and further on by the cubic that meets value
-//! and slope of a node beyond (section 9 of `docs/derivation.md`).
+//! Closes the cells around a summit. Near the top Taylor's theorem bounds the sum. Farther away a cubic with the value
+//! and slope of the next node bounds the sum (section 9 of `docs/derivation.md`).
 
 use super::grid::{Grid, Node, Open};
 use super::summit::{Cubic, REACH, Summit, beyond_cubic};
@@ -7,32 +7,34 @@ use super::{Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// A small step may reach so many times its length: the farther, the flatter may a summit be that closes cells.
+/// Larger of two multiples of a step within which a summit must bend down to close cells; `REACH` is the smaller. A
+/// larger multiple lets a flatter summit close cells.
 const FAR: f64 = 97.0;
 
-/// What a sum exceeds its level by, about a summit: E, or E/τ.
+/// Excess E of a sum over its level around a summit, or E/τ.
 struct Excess<S> {
-    /// The summit.
+    /// Position of the summit.
     tau: S,
     cubic: Cubic<S>,
-    /// What its fourth derivative cannot exceed.
+    /// Upper bound on the fourth derivative.
     fourth: S,
-    /// The curvature that a cell must keep for the slope to count no more than that beyond the reach.
+    /// Upper bound, negative, on the quadratic coefficient of a cell's cubic. Below it the slope at the summit no
+    /// longer matters beyond the reach.
     curvature: S,
 }
 
-/// A node from which a cell may be closed.
+/// A node up to which a cell may be closed.
 #[derive(Clone, Copy)]
 struct Beyond<S> {
     tau: S,
     value: S,
     slope: S,
-    /// What rounding can do to the value.
+    /// Upper bound on the rounding error of the value.
     rounding: S,
 }
 
 impl<S: Float> Cubic<S> {
-    /// The same of the function over τ.
+    /// Returns value and derivatives of the function over τ.
     fn over(self, tau: S) -> Self {
         let value = self.value / tau;
         let slope = (self.slope - value) / tau;
@@ -47,7 +49,7 @@ impl<S: Float> Cubic<S> {
 }
 
 impl<S: Float> Excess<S> {
-    /// None if it is not below 0 within the reach of a step.
+    /// Creates the excess; `None` if it is not below 0 within the reach of a step.
     fn new(tau: S, cubic: Cubic<S>, fourth: S) -> Option<Self> {
         let step = cubic.step();
         let reach = [S::constant(FAR), S::constant(REACH)]
@@ -64,13 +66,14 @@ impl<S: Float> Excess<S> {
         })
     }
 
-    /// Whether it stays below 0 from the summit to a node.
+    /// Returns true if the excess stays below 0 from the summit to a node.
     fn stays_below(&self, node: &Beyond<S>) -> bool {
         let distance = node.tau - self.tau;
         self.is_near(distance) || self.is_below(node, distance)
     }
 
-    /// By the derivatives at the summit alone: so near, they leave a third of the curvature, or more.
+    /// Returns true if the derivatives at the summit alone prove it. At so small a distance the higher terms take at
+    /// most a third of the curvature.
     fn is_near(&self, distance: S) -> bool {
         let Cubic {
             curvature, third, ..
@@ -80,12 +83,12 @@ impl<S: Float> Excess<S> {
         bend <= -curvature * S::constant(1.0 / 3.0)
     }
 
-    /// By value and slope at the node.
+    /// Returns true if value and slope at the node prove it.
     fn is_below(&self, node: &Beyond<S>, distance: S) -> bool {
         let Cubic { value, slope, .. } = self.cubic;
         let there = node.value + node.rounding;
         let square = distance * distance;
-        // Of the square of the distance, in the cubic that meets both.
+        // Coefficient of the square of the distance, in the cubic that meets both.
         let curve = S::constant(3.0) * (there - value) - distance * (node.slope + slope + slope)
             + node.rounding;
         let bend = self.fourth * square * S::constant(1.0 / 24.0);
@@ -94,8 +97,8 @@ impl<S: Float> Excess<S> {
 }
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Which of the open cells about a summit hold nothing above its level.  They are closed for the summit's own sign,
-    /// which a step across the half period's end may have changed.
+    /// Returns the open cells around a summit that contain nothing above its level. They are closed for the sign that
+    /// the summit has. A step across the end of the half period may have changed it.
     pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>, open: Open) -> Open {
         let zero = S::constant(0.0);
         // Before the first node the derivatives have no bounds.
@@ -108,13 +111,13 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         } else {
             summit.level
         };
-        // What sin τ times the level adds to derivatives.
+        // Coefficient of sin τ in the level, which adds to the derivatives.
         let of_sine = if over_sine { level } else { zero };
         let cubic = self.cubic_about(summit, level, of_sine);
         let starts = over_sine && grid.stretch.from.is_zero();
         let plain = Excess::new(summit.tau, cubic, grid.bounds.fourth + of_sine.abs());
         let over_tau = if starts && !summit.tau.is_zero() {
-            // Its fourth derivative is at most a fifth of E's fifth.
+            // The fourth derivative of E/τ is at most a fifth of the fifth derivative of E.
             let fourth = (grid.bounds.fifth + of_sine.abs()) * S::constant(0.2);
             Excess::new(summit.tau, cubic.over(summit.tau), fourth)
         } else {
@@ -125,17 +128,18 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
         let [plus, minus] = open;
         let among = if summit.negative { minus } else { plus };
-        // The cell before a node, and whether all between the summit and the node before stays below.
+        // `closed` has a cell's bit once the cell is closed. `before` is true if E stays below 0 from the summit to the
+        // last visited node. `last` is the bit of the cell after that node.
         let (mut closed, mut before, mut last) = (0, false, 0_u32);
         grid.beside(among, |after, tau, node| {
             let cell = after >> 1;
-            // A node that is not beside these cells says nothing.
+            // A visited node that does not bound this cell proves nothing about it.
             let known = before && last == cell;
             let (value, slope) = self.excess_at(&node, summit.negative, level);
             let first = starts && tau.is_zero();
             let there = Beyond {
                 tau,
-                // Exactly 0 at the start.
+                // The excess is exactly 0 at the start.
                 value: if first { zero } else { value },
                 slope,
                 rounding: if first { zero } else { grid.rounding(tau) },
@@ -160,7 +164,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// E about a summit, by its derivatives there; `of_sine` times sin τ is what is taken off.
+    /// Returns E around a summit, from its derivatives there. `of_sine` times sin τ is the level that is subtracted.
     fn cubic_about(&self, summit: &Summit<S>, level: S, of_sine: S) -> Cubic<S> {
         let Summit { jet, negative, .. } = summit;
         let node = Node {

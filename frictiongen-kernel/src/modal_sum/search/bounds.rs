@@ -1,22 +1,23 @@
-//! What the derivatives of a sum cannot exceed from an instant on, and each mode's part as what its equation carries on
-//! from there (section 9 of `docs/derivation.md`).
+//! Upper bounds on the derivatives of a sum from an instant on, and each mode's term in a form that its equation
+//! continues from there (section 9 of `docs/derivation.md`).
 
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
-/// Modes so near the excitation's frequency keep their forcing: their difference from it is small, and so must be what
-/// rounding leaves of it.
+/// Distance from x = 1 within which a mode keeps its forcing. Its difference from the excitation is small, and its
+/// rounding error must be small too.
 const NEAR_EXCITATION: f64 = 0.125;
-/// How many roundings of a mode's size its value at a node may be off, and sine and cosine of the excitation's angle as
-/// well: the matrix has three, its fourth power twelve, and that is applied seven times, where signs do not all agree.
+/// Number of roundings of a mode's size by which its value at a node may be wrong. The same bound applies to sine and
+/// cosine of the excitation's angle. The matrix has three roundings and its fourth power twelve. The fourth power is
+/// applied seven times, with signs that do not all agree.
 const ROUNDINGS: f64 = 64.0;
 
-/// A mode's part from an instant on: y″ + 2ζx y′ + x²y = constant + cosine·cos τ + sine·sin τ.
+/// A mode's term from an instant on: y″ + 2ζx y′ + x²y = constant + cosine·cos τ + sine·sin τ.
 pub(super) struct Track<S> {
-    /// √λ/r.
+    /// Resonance of the mode over the excitation, x = √λ/r.
     pub x: S,
-    /// 2ζx.
+    /// Damping coefficient 2ζx.
     pub loss: S,
     pub value: S,
     pub slope: S,
@@ -25,7 +26,7 @@ pub(super) struct Track<S> {
     sine: S,
 }
 
-/// What a mode's part is beside its free motion: it joins what all modes have in common.
+/// Rest of a mode's term, without its free motion. It is added to what all modes have in common.
 pub(super) struct Common<S> {
     pub constant: S,
     pub cosine: S,
@@ -33,7 +34,7 @@ pub(super) struct Common<S> {
 }
 
 impl<S: Float> Track<S> {
-    /// The part of a wave that its equation carries on from an instant, and what it leaves to the common.
+    /// Returns the term of a wave that its equation continues from an instant, and the rest for the common terms.
     #[inline]
     pub fn of<D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>, all: bool) -> (Self, Common<S>) {
         let zero = S::constant(0.0);
@@ -68,7 +69,7 @@ impl<S: Float> Track<S> {
             };
             return (track, common);
         }
-        // Free, with d = p′ + 2ζx·p in the return: of p and of p′.
+        // A free mode, where the return contains d = p′ + 2ζx·p: coefficients of p and of p′.
         let constant = wave.rise / (x * x);
         let of_slope = -(wave.forced_slope + constant);
         let of_free = wave.free - wave.forced - constant * loss;
@@ -91,8 +92,8 @@ impl<S: Float> Track<S> {
     }
 }
 
-/// Whether a mode keeps its forcing: beside the excitation's frequency, and far below it, where 1/x² of the return
-/// would outweigh what it moves.
+/// Returns true if a mode keeps its forcing. Modes close to the excitation's frequency do, and modes far below it. For
+/// the latter the factor 1/x² of the return would outweigh the motion.
 pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool) -> bool {
     let slow = wave.x < S::constant(0.5) && !wave.rise.is_zero();
     all || wave.mass_controlled
@@ -100,26 +101,29 @@ pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool)
         || (wave.x - S::constant(1.0)).abs() < S::constant(NEAR_EXCITATION)
 }
 
-/// What the derivatives of a sum cannot exceed from an instant on.
+/// Upper bounds on the derivatives of a sum from an instant on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds<S> {
-    /// The second and the third derivative there, which a sum over sin τ asks for: no mode of one is mass-controlled.
+    /// Second derivative at the instant, and third derivative below. Only a sum over sin τ needs them, and such a sum
+    /// has no mass-controlled mode.
     pub second: S,
     pub third: S,
     pub fourth: S,
     pub fifth: S,
-    /// The sum of the modes' sizes.
+    /// Sum of the modes' sizes.
     pub size: S,
-    /// What rounding can do to a value at a node.
+    /// Upper bound on the rounding error of a value at a node.
     pub rounding: S,
-    /// The same over the time since then, if all modes were at rest and keep their forcing.
+    /// Upper bound on the rounding error per unit of time since the instant. It is valid if all modes are at rest at
+    /// the instant and keep their forcing.
     pub drift: S,
 }
 
 impl<S: Float> Bounds<S> {
-    /// From an instant on, for a time.
+    /// Computes the bounds from an instant on, for a given time.
     ///
-    /// The energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of a derivative falls but for the forcing's nth derivative, which drives it.
+    /// The energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of the nth derivative falls, except for the nth derivative of the forcing,
+    /// which drives it.
     pub fn of<D: Decay<S>>(sum: &Sum<'_, S, D>, at: &Instant<S>, time: S) -> Self {
         let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
         let (mut cosine, mut sine) = (sum.cosine, sum.sine);
@@ -172,8 +176,8 @@ impl<S: Float> Bounds<S> {
     }
 }
 
-/// What a mass-controlled mode, and its fourth and fifth derivative cannot exceed: its Fourier series has Σ 4/(πn(n² − x²))
-/// of sines in it, and x < 1/2.
+/// Returns upper bounds on a mass-controlled mode, on its fourth and on its fifth derivative. Its Fourier series
+/// contains Σ 4/(πn(n² − x²)) of sines, with x < 1/2.
 fn mass_controlled_bounds<S: Float, D: Decay<S>>(wave: &Wave<S, D>) -> [S; 3] {
     let (y0, y1) = (S::constant(1.79), S::constant(2.1));
     let x = wave.x;

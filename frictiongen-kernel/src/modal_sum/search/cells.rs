@@ -1,8 +1,8 @@
-//! The largest value by grids: a cell is closed once nothing in it exceeds what is known.
+//! The search by grids. It closes a cell once nothing in the cell exceeds the largest value found.
 //!
-//! In a cell, between two nodes, the sum exceeds the largest Bernstein coefficient of its cubic by no more than the fourth
-//! derivative allows.  Summits are looked at from the highest open cell on; what is open still is divided by a finer
-//! grid, until rounding alone keeps it open (section 9 of `docs/derivation.md`).
+//! A cell is the interval between two nodes. In it the sum exceeds the largest Bernstein coefficient of its cubic by no
+//! more than the fourth derivative allows. The search evaluates summits from the highest open cell on. A finer grid
+//! divides the cells that remain open, until only rounding keeps them open (section 9 of `docs/derivation.md`).
 
 use super::bounds::Bounds;
 use super::grid::{Grid, Node, Open, Stretch};
@@ -11,34 +11,36 @@ use super::{EQUAL, Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
-/// The error allowed to a cubic, over the largest value; it sets the width of cells.  Less takes more nodes, more leaves more
-/// cells open.
+/// Error allowed to a cubic, relative to the largest value, which sets the width of the cells. A smaller one needs more
+/// nodes, a larger one leaves more cells open.
 const SLACK: f64 = 2e-3;
-/// Where modes cancel, the first grid is as fine as if the largest value were this share of the modes' amplitudes.
+/// Smallest value, as a share of the modes' amplitudes, on which the width of the first grid is based. It matters where
+/// modes cancel.
 const CANCELLED: f64 = 1e-3;
-/// A grid costs about as much as so many evaluations.
+/// Number of evaluations that a grid counts as.
 const COST: u32 = 2;
-/// So many summits of a grid are looked at.
+/// Largest number of summits that are evaluated on one grid.
 const SUMMITS: u32 = 6;
-/// Into so many each of a few open cells is divided.
+/// Number of cells into which each of a few open cells is divided.
 const FINER: f64 = 10.0;
 
 const NONE: Open = [0, 0];
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Whether one more grid and its summits fit into what the search may take; if not, it has not come to its end.
+    /// Returns true if one more grid and its summits fit into the allowed evaluations. If they do not, the search is
+    /// marked as incomplete.
     fn has_room(&mut self) -> bool {
         self.peak.exceeded |= self.most - self.peak.evaluations < COST + SUMMITS * EVALUATIONS;
         !self.peak.exceeded
     }
 
-    /// The whole half period, as far as the evaluations go that the search may take.
+    /// Searches the whole half period, as far as the allowed evaluations reach.
     pub(super) fn by_grids(&mut self) {
         let end = self.problem.end;
         let mut from = S::constant(0.0);
         while from < end && self.has_room() {
             let bounds = Bounds::of(&self.sum, &Instant::from_start(from), end - from);
-            // From h⁴/384 times the fourth derivative.
+            // Solved for the width: the error of the cubic is h⁴/384 times the fourth derivative.
             let fourth = bounds.fourth + self.level();
             let width = (S::constant(384.0 * SLACK) * self.size(&bounds) / fourth)
                 .sqrt()
@@ -49,7 +51,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// About how large the largest value is: not far below the modes' own, unless they cancel.
+    /// Returns an estimate of the largest value. Unless modes cancel, it is not far below the modes' own size.
     fn size(&self, bounds: &Bounds<S>) -> S {
         let mut known = self.problem.start + self.peak.value;
         if self.problem.weight == Weight::One && known.is_zero() {
@@ -59,7 +61,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         known.max(bounds.size * S::constant(CANCELLED))
     }
 
-    /// Searches a stretch by one grid, then divides the cells left open, until rounding exceeds the cubic's error.
+    /// Searches an interval by one grid, then divides the cells left open, until rounding exceeds the cubic's error.
     fn settle(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) {
         let [plus, minus] = self.open_cells(stretch, bounds);
         let mut open = plus | minus;
@@ -82,7 +84,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Open cells side by side: the fewer, the finer.
+    /// Divides a run of open cells. A short run gets finer cells.
     fn divide(&mut self, from: S, to: S, width: S, bounds: &Bounds<S>) {
         let few = to - from < width * S::constant(3.5);
         let share = S::constant(if few { 1.0 / FINER } else { 0.25 });
@@ -95,12 +97,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Whether sum and sine both vanish here, at the end of the half period.
+    /// Returns true if sum and sine both vanish here, at the end of the half period.
     fn ends_at_pi(&self, to: S) -> bool {
         !(to < self.problem.end) && !(to < S::pi() * S::constant(0.75))
     }
 
-    /// Evaluates a grid, looks at its highest summits, and says which cells may still hold a larger value.
+    /// Evaluates a grid and its highest summits, and returns the cells that may still contain a larger value.
     #[inline(never)]
     pub(super) fn open_cells(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) -> Open {
         let mut grid = Grid::blank(stretch, bounds);
@@ -111,7 +113,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         } else {
             self.open(&grid, [u32::MAX; 2])
         };
-        // What a summit leaves open beside it is for a finer grid: on this one it would be looked at again.
+        // The cells next to a summit that remain open are for a finer grid. On this grid the same summit would be
+        // found again.
         let mut left = [u32::MAX; 2];
         for _ in 0..SUMMITS {
             let [plus, minus] = [open[0] & left[0], open[1] & left[1]];
@@ -144,12 +147,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         self.open(&grid, open)
     }
 
-    /// Whether a motion's largest value is known by nothing yet, so that no cell can be closed.
+    /// Returns true if no value of a motion is known yet, so that no cell can be closed.
     fn knows_nothing(&self) -> bool {
         self.problem.weight == Weight::One && self.peak.value.is_zero()
     }
 
-    /// Which of these cells may hold more than is known.
+    /// Returns those of the given cells that may contain more than the largest value found.
     fn open(&self, grid: &Grid<S>, among: Open) -> Open {
         let mut open = NONE;
         for (open, (&negative, among)) in open.iter_mut().zip(self.signs().iter().zip(among)) {
@@ -160,10 +163,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         open
     }
 
-    /// The level that a cell must stay below: of a motion all maxima count that are equal.
+    /// Returns the level below which a cell is closed. For a motion it is slightly below the largest value, since all
+    /// equal maxima count.
     fn bar(&self, negative: bool) -> S {
         match self.problem.weight {
-            // What rounding leaves of a sum is still the largest that is known of it.
+            // Nothing is found yet. Even a sum that is only rounding error must return its largest value.
             Weight::One if self.peak.places[0].is_none() => self.peak.value,
             Weight::One => {
                 let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
@@ -173,7 +177,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// ±sum − level·weight and its slope at a node.
+    /// Returns ±sum − level·weight and its slope at a node.
     pub(super) fn excess_at(&self, node: &Node<S>, negative: bool, level: S) -> (S, S) {
         let Node {
             value,
@@ -192,7 +196,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Which of these cells have a Bernstein coefficient, value or value ± slope·h/3, that leaves room for more.
+    /// Returns those of the given cells that may contain more. In such a cell a Bernstein coefficient, value or value ±
+    /// slope·h/3, exceeds the bar less the cubic's error.
     pub(super) fn open_of(&self, grid: &Grid<S>, negative: bool, among: u32) -> u32 {
         let zero = S::constant(0.0);
         let Stretch {
@@ -233,8 +238,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         open & among
     }
 
-    /// The last cell of a sum that vanishes with sin τ: what is left of the cubic is a parabola times the distance from
-    /// the end.
+    /// Returns true if the last cell of a sum that vanishes with sin τ stays below the bar. There the cubic is the
+    /// distance from the end times a parabola.
     fn ends_below(&self, grid: &Grid<S>, negative: bool, bar: S, slack: S) -> bool {
         let width = grid.stretch.width;
         let cells = grid.stretch.cells();
@@ -248,8 +253,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         most + slack <= S::constant(0.0)
     }
 
-    /// The first cell of a sum that vanishes with its slope at 0: by the sum over τ², a parabola but for what the fifth
-    /// derivative can add, or by the excess over τ, a cubic.
+    /// Returns true if the first cell of a sum that vanishes with its slope at 0 stays below the bar. It compares first
+    /// the sum over τ², a parabola except for the fifth derivative, and then the excess over τ, a cubic.
     fn starts_below(&self, grid: &Grid<S>, negative: bool, bar: S) -> bool {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
         let third = S::constant(1.0 / 3.0);
@@ -274,7 +279,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         if (second * half).max(at_node).max(between) <= bar * node.sine / square {
             return true;
         }
-        // The fourth derivative of a function over τ is at most a fifth of its fifth.
+        // The fourth derivative of a function over τ is at most a fifth of the function's fifth derivative.
         let (value, slope) = self.excess_at(&node, negative, bar);
         let slack = (bounds.fifth + bar) * (square * square * S::constant(1.0 / (5.0 * 384.0)))
             + error / width;

@@ -1,8 +1,8 @@
-//! A grid over a stretch of the half period, and what the sum cannot exceed between its nodes.
+//! A grid over an interval of the half period, with upper bounds on the sum between its nodes.
 //!
-//! From node to node a mode advances by a constant matrix, four nodes at a time: no sine and no exponential is
-//! evaluated on the way.  Between two nodes the cubic that meets values and slopes there is at most h⁴/384 times the
-//! fourth derivative away from the sum, and the cubic's Bernstein coefficients are the values and slopes themselves
+//! A constant matrix advances a mode from node to node, four nodes at a time. No sine and no exponential is evaluated
+//! on the way. Between two nodes the sum differs by at most h⁴/384 times the fourth derivative from the cubic that
+//! meets its values and slopes at both. The cubic's Bernstein coefficients follow directly from these values and slopes
 //! (section 9 of `docs/derivation.md`).
 
 use super::bounds::{Bounds, Track, keeps_forcing};
@@ -11,28 +11,29 @@ use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
-/// Rows of nodes at most.
+/// Largest number of rows of nodes.
 const ROWS: usize = 8;
 
-/// The open cells of a grid, one bit for each, for the sum and for its negative.
+/// Open cells of a grid, one bit for each, for the sum and for its negative.
 pub(super) type Open = [u32; 2];
 
-/// Where the nodes of a grid are.
+/// Interval covered by one grid, with the positions of its nodes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch<S> {
     pub from: S,
-    /// The distance of two nodes.
+    /// Distance between two nodes.
     pub width: S,
-    /// Nodes come in rows.
+    /// Number of rows of nodes.
     rows: usize,
-    /// Whether it starts where all modes are at rest and keep their forcing: rounding then grows with the time alone.
+    /// True if all modes are at rest at the start and keep their forcing. The rounding error then starts at 0 and grows
+    /// with time.
     pub keeps_forcing: bool,
-    /// The last node.
+    /// Position of the last node.
     pub to: S,
 }
 
 impl<S: Float> Stretch<S> {
-    /// From an instant as far as `end` or as one grid goes, with cells of at most this width.
+    /// Creates an interval from an instant to `end`, or as far as one grid reaches, with cells of at most this width.
     pub fn new(from: S, end: S, width: S, keeps_forcing: bool) -> Self {
         let (mut rows, mut cells) = (1, S::constant(LANES as f64 - 1.0));
         let left = end - from;
@@ -53,29 +54,29 @@ impl<S: Float> Stretch<S> {
         }
     }
 
-    /// Whether an instant is in it.
+    /// Returns true if an instant is in the interval.
     pub fn holds(&self, tau: S) -> bool {
         self.from <= tau && tau <= self.to
     }
 
-    /// How many cells there are.
+    /// Returns the number of cells.
     pub fn cells(&self) -> usize {
         self.rows * LANES - 1
     }
 }
 
-/// A sum at one node.
+/// Values of a sum at one node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node<S> {
     pub value: S,
     pub slope: S,
-    /// sin τ there.
+    /// sin τ at the node.
     pub sine: S,
-    /// cos τ there.
+    /// cos τ at the node.
     pub cosine: S,
 }
 
-/// Value and slope of a sum at equidistant nodes, and what is known of its derivatives from the first on.
+/// Value and slope of a sum at equidistant nodes, with bounds on its derivatives from the first node on.
 pub(super) struct Grid<S> {
     pub stretch: Stretch<S>,
     pub bounds: Bounds<S>,
@@ -85,8 +86,8 @@ pub(super) struct Grid<S> {
     cosine: [Row<S>; ROWS],
 }
 
-/// What the forcing adds to a mode in a step that starts from rest: of sine and cosine of the excitation's angle, and of
-/// the constant, in value and in slope.
+/// Contribution of the forcing to a mode in one step that starts from rest. The three entries belong to sine and cosine
+/// of the excitation's angle and to the constant, for value and slope.
 struct ForcedStep<S> {
     value: [S; 3],
     slope: [S; 3],
@@ -126,7 +127,7 @@ impl<S: Float> ForcedStep<S> {
 }
 
 impl<S: Float> Grid<S> {
-    /// A grid without a sum yet.
+    /// Creates a grid that contains no sum yet.
     #[inline(always)]
     pub fn blank(stretch: &Stretch<S>, bounds: &Bounds<S>) -> Self {
         let blank = [[S::constant(0.0); LANES]; ROWS];
@@ -140,14 +141,14 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// The sum at the nodes.  In place: a grid that is handed on would stand on the stack twice.
+    /// Evaluates the sum at the nodes. It works in place, since a returned grid would occupy the stack twice.
     pub fn fill<D: Decay<S>>(&mut self, sum: &Sum<'_, S, D>) {
         let (zero, stretch) = (S::constant(0.0), self.stretch);
         let at = &Instant::from_start(stretch.from);
         let width = stretch.width;
         let step = Instant::new(width * S::inverse_pi());
         self.turn(at, &step);
-        // A row further; only a mode that keeps its forcing asks for it.
+        // Step by one row. Only a mode that keeps its forcing needs it.
         let mut four = None;
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {
@@ -174,7 +175,7 @@ impl<S: Float> Grid<S> {
         self.add_common(constant, cosine, sine);
     }
 
-    /// Sine and cosine of the excitation's angle.
+    /// Evaluates sine and cosine of the excitation's angle at the nodes.
     fn turn(&mut self, at: &Instant<S>, step: &Instant<S>) {
         let matrix = Matrix {
             a: step.cosine,
@@ -260,7 +261,7 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// What rounding can do to the value at a node.
+    /// Returns an upper bound on the rounding error of the value at a node.
     pub fn rounding(&self, tau: S) -> S {
         let Bounds {
             rounding, drift, ..
@@ -272,7 +273,8 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// The nodes beside some cells, one after the other: the bit of the cell that follows a node, its τ, and the node.
+    /// Visits the nodes of the given cells in ascending order. `visit` gets the bit of the cell that follows a node,
+    /// its τ, and the node.
     pub fn beside(&self, cells: u32, mut visit: impl FnMut(u32, S, Node<S>)) {
         let values = self.value.as_flattened().iter();
         let slopes = self.slope.as_flattened();
@@ -300,7 +302,7 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// The bit of the cell in which an instant is; none if it is before the first node or beyond the last.
+    /// Returns the bit of the cell that contains an instant; 0 if it is before the first node or beyond the last.
     pub fn cell_of(&self, tau: S) -> u32 {
         let (mut cell, mut right) = (1_u32, self.stretch.from);
         if tau < right {
@@ -316,7 +318,7 @@ impl<S: Float> Grid<S> {
         0
     }
 
-    /// One node.
+    /// Returns one node; `None` beyond the last.
     pub fn node(&self, index: usize) -> Option<Node<S>> {
         if index > self.stretch.cells() {
             return None;

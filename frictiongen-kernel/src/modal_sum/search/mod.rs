@@ -1,9 +1,10 @@
 //! The largest value of a modal sum over a half period, with a guarantee.
 //!
-//! Grids cover the half period.  Between two nodes a cubic and a bound on the fourth derivative say what the sum
-//! cannot exceed; where that is more than the largest value known, a summit is looked at, and what is open then is divided.
-//! Nothing larger than the answer times 1 + tolerance remains anywhere, but for rounding (section 9 of
-//! `docs/derivation.md`).
+//! The search covers the half period by grids. The interval between two nodes of a grid is a cell. In a cell, a cubic
+//! and a bound on the fourth derivative give an upper bound on the sum. A cell is open while this bound exceeds the
+//! largest value found. The search then evaluates a summit, a position from which one Newton step leads to a local
+//! maximum. It divides the cells that remain open. At the end no value larger than the result times 1 + tolerance
+//! exists, except for rounding (section 9 of `docs/derivation.md`).
 
 mod about;
 mod bounds;
@@ -20,21 +21,22 @@ use crate::modal_sum::wave::Sum;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// No search takes more than this, whatever the scene; a grid of up to 32 nodes counts as two evaluations.  The worst of
-/// 10⁴ random scenes at r from 0.01 to 100 takes 34, half of them 4, and 8 for an amplitude.  [`most_evaluations`] says
-/// what a scene's own searches may take; one that would need more ends with the best value it has found.
+/// Upper bound on the evaluations of every search, whatever the scene. A grid of up to 32 nodes counts as two
+/// evaluations. [`most_evaluations`] gives the smaller bound of a given scene, and `docs/evidence.md` has measured
+/// numbers. A search that would need more ends with the best value that it has found.
 pub const MAX_EVALUATIONS: u32 = 20_000;
 
-/// What a search over sin τ may take however slow the modes are: five times the most seen.
+/// Evaluations allowed to a search over sin τ, however slow the modes are. It is five times the largest number seen.
 const OVER_SINE: u32 = 256;
-/// The same of a motion, which may be what is left where modes cancel: three times the most seen.
+/// Evaluations allowed to a search of a motion, however slow the modes are. The motion may be the remainder of modes
+/// that cancel. It is three times the largest number seen.
 const OF_MOTION: u32 = 1024;
-/// One evaluation more for so many half turns of the fastest mode; the most seen is one for 120.
+/// Number of half turns of the fastest mode that allow one more evaluation. Measured searches need at most one for 120.
 const HALF_TURNS: usize = 16;
 
-/// How many evaluations a search may take at most, by the weight and by the fastest mode, max √λ(1 + 2ζ)/r.
+/// Returns the upper bound on evaluations of one search, from the weight and from the fastest mode, max √λ(1 + 2ζ)/r.
 ///
-/// A search counts, and stops before a grid and its summits that might lead beyond.
+/// A search counts its evaluations. It stops before a grid and its summits that might exceed the bound.
 #[must_use]
 pub fn most_evaluations<S: Float>(weight: Weight, fastest: S) -> u32 {
     let few = match weight {
@@ -46,74 +48,75 @@ pub fn most_evaluations<S: Float>(weight: Weight, fastest: S) -> u32 {
     few.saturating_add(turns).min(MAX_EVALUATIONS)
 }
 
-/// Maxima closer than this many roundings count as equal.
+/// Number of roundings within which two maxima count as equal.
 const EQUAL: f64 = 64.0;
-/// So many roundings of its largest terms may a sum be off.
+/// Number of roundings of its largest terms by which a sum may be wrong.
 const NOISE: f64 = 16.0;
-/// Places closer than this belong to the same maximum: about it the sum falls by the square of the
-/// distance, far more than maxima may differ that count as equal.
+/// Distance in τ below which two positions belong to the same maximum. Over this distance the sum falls by far more
+/// than equal maxima may differ, since it falls with the square of the distance.
 const SAME_MAXIMUM: f64 = 0.05;
 
-/// By what the sum is divided.
+/// Divisor of the sum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
-    /// By nothing.
+    /// The sum is not divided.
     One,
-    /// By sin τ, as in the velocity constraint.
+    /// The sum is divided by sin τ, as in the velocity constraint.
     Sine,
 }
 
-/// What to search.
+/// A search problem.
 #[derive(Clone, Copy, Debug)]
 pub struct Problem<S> {
-    /// By what the sum is divided.
+    /// Divisor of the sum.
     pub weight: Weight,
-    /// Whether the negative of the sum counts as well.
+    /// True if the negative of the sum counts as well.
     pub both_signs: bool,
-    /// Where to stop: π, or π/2 for a sum that is odd about it.
+    /// Largest τ of the search: π, or π/2 for a sum that is odd about it.
     pub end: S,
-    /// Values up to this one are of no interest.
+    /// Lower bound on the values of interest. The search ignores smaller values.
     pub floor: S,
-    /// By what the quotient falls short of what is looked for: its value for τ → 0, which the sum is without.
+    /// Value of the wanted function for τ → 0, which the sum does not contain. The wanted function is the quotient plus
+    /// `start`.
     pub start: S,
     /// Amount by which a larger value may be missed, relative to the value and `start` together.
     pub tolerance: S,
 }
 
-/// A place where the largest value is taken, or is looked for.
+/// A position at which the largest value occurs, or where the search looks for it.
 #[derive(Clone, Copy, Debug)]
 pub struct Maximiser<S> {
-    /// τ.
+    /// Position τ.
     pub tau: S,
-    /// Whether the negative of the sum is the largest there.
+    /// True if the negative of the sum is the largest value there.
     pub negative: bool,
 }
 
-/// The answer.
+/// Result of a search.
 #[derive(Clone, Copy, Debug)]
 pub struct Peak<S> {
-    /// The largest value, or the floor if nothing exceeds it.
+    /// Largest value, or the floor if nothing exceeds the floor.
     pub value: S,
-    /// Where it is taken; none if nothing exceeds the floor.  Up to four equal ones.
+    /// Positions of the largest value; none if nothing exceeds the floor. Up to four equal maxima are kept.
     pub places: [Option<Maximiser<S>>; 4],
-    /// How often the sum was evaluated; a grid counts as two.
+    /// Number of evaluations of the sum. A grid counts as two.
     pub evaluations: u32,
-    /// Whether the search stopped before its end, at what it [may take](most_evaluations).
+    /// True if the search stopped early, at its [bound](most_evaluations).
     pub exceeded: bool,
 }
 
-/// What a search took.
+/// Work of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Effort {
-    /// It came to its end after so many evaluations, and nothing larger remains.
+    /// The search was completed after this number of evaluations, and nothing larger remains.
     Bounded(u32),
-    /// It stopped at [what it may take](most_evaluations): its answer is the best that it had seen.
+    /// The search stopped at its [bound](most_evaluations). Its result is the best value that it has found.
     Exceeded,
 }
 
 impl<S> Peak<S> {
-    /// Whether the search came to its end.
+    /// Returns the work of the search, and whether it was completed.
     #[must_use]
     pub fn effort(&self) -> Effort {
         if self.exceeded {
@@ -128,22 +131,23 @@ struct Search<'a, S, D> {
     sum: Sum<'a, S, D>,
     problem: Problem<S>,
     peak: Peak<S>,
-    /// What rounding leaves of the sum, below which nothing can be told.
+    /// Upper bound on the sum's rounding error. Smaller values carry no information.
     rounding: S,
-    /// What it may take.
+    /// Upper bound on the evaluations.
     most: u32,
-    /// Where to look for the first summit.
+    /// Position at which to look for the first summit.
     guess: Option<Maximiser<S>>,
 }
 
-/// The largest value of `sum` over (0, end], divided by the weight.
+/// Returns the largest value of `sum` over (0, end], divided by the weight.
 pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, problem: Problem<S>) -> Peak<S> {
     let mut search = Search::new(sum, problem);
     search.by_grids();
     search.peak
 }
 
-/// The same beside other searches: it begins where they lead, and its place leads the next.
+/// Returns the largest value as [`largest`] does, in a sequence of similar searches. The search begins at the position
+/// that the previous searches predict. Its own result updates the prediction.
 pub fn largest_near<S: Float, D: Decay<S>>(
     sum: Sum<'_, S, D>,
     problem: Problem<S>,
@@ -187,7 +191,8 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    /// The level as the negative of the sum meets it: −(sum + start·sin τ) over sin τ, less `start`.
+    /// Returns the level for the sum, or for its negative. The wanted value of the negative is −(sum + start·sin τ)/sin
+    /// τ. Less `start`, it must exceed the same level, so that −sum/sin τ must exceed a level raised by 2·start.
     fn signed(&self, level: S, negative: bool) -> S {
         if negative {
             level + self.problem.start + self.problem.start
@@ -196,8 +201,8 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    /// What says nothing about a sum that sin τ divides: towards π both vanish, and rounding does not, as it
-    /// does towards 0.
+    /// Returns the size up to which a sum over sin τ is only rounding error. Towards π the sum and sin τ both vanish,
+    /// but the rounding error does not. Towards 0 the rounding error vanishes as well.
     fn noise(&self, cosine: S) -> S {
         let zero = S::constant(0.0);
         if self.problem.weight == Weight::Sine && cosine < zero {
@@ -207,7 +212,7 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    /// The signs that count.
+    /// Returns the signs that count: `false` for the sum, `true` for its negative.
     fn signs(&self) -> &'static [bool] {
         if self.problem.both_signs {
             &[false, true]

@@ -1,37 +1,38 @@
-//! What a search learns from searches at frequency ratios beside its own: where to look first.
+//! Prediction of the largest value's position from earlier searches at nearby frequency ratios.
 
 use super::{Maximiser, Peak};
 use crate::number::scalar::Float;
 
-/// Where the last searches of a sweep found their largest values.
+/// Positions at which the last searches of a sweep found their largest values.
 ///
-/// A search that is given one begins at the place that the last ones lead to; it then proves that nothing larger remains,
-/// as every search does.  A wrong place costs some evaluations, and no answer.
+/// A search that gets a `Neighbour` begins at the predicted position. It then proves that nothing larger
+/// remains, as every search does. A wrong prediction costs some evaluations, but does not change the result.
 ///
-/// One serves the motion of one mass of one scene; see
+/// One `Neighbour` serves the motion of one mass of one scene; see
 /// [`Motion::largest_near`](crate::response::motion::Motion::largest_near).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Neighbour<S> {
-    /// The latest first.
+    /// Known positions, the latest first.
     known: [Option<Known<S>>; 3],
 }
 
-/// A place, and where in the sweep it was.
+/// A position, and the point of the sweep at which it was found.
 #[derive(Clone, Copy, Debug)]
 struct Known<S> {
-    /// The fastest mode's speed, which goes with 1/r.
+    /// Rate of the fastest mode, which is proportional to 1/r.
     speed: S,
     place: Maximiser<S>,
 }
 
 impl<S: Float> Neighbour<S> {
-    /// Knows nothing: the first search of a sweep is as any other.
+    /// Creates an empty prediction. The first search of a sweep is like any other.
     #[must_use]
     pub fn new() -> Self {
         Self { known: [None; 3] }
     }
 
-    /// Where the largest value is expected: on the parabola through the last places, the line, or at the last one.
+    /// Returns the expected position of the largest value. It lies on the parabola through the last three positions, on
+    /// the line through the last two, or at the last one.
     pub(super) fn guess(&self, speed: S) -> Option<Maximiser<S>> {
         let [last, second, third] = self.known;
         let last = last?;
@@ -50,7 +51,7 @@ impl<S: Float> Neighbour<S> {
         })
     }
 
-    /// Takes up what a search has found.
+    /// Stores the position that a search has found.
     pub(super) fn learn(&mut self, speed: S, peak: &Peak<S>) {
         let [found, ..] = peak.places;
         let [last, second, _] = self.known;
@@ -60,9 +61,9 @@ impl<S: Float> Neighbour<S> {
         };
         let known = Some(Known { speed, place });
         self.known = match last {
-            // The same place of the sweep once more.
+            // The same point of the sweep again: its position replaces the last one.
             Some(last) if last.speed == speed => [known, second, None],
-            // A jump: what was known leads elsewhere.
+            // The position has jumped, so that the older ones no longer predict it.
             Some(last) if last.place.negative != place.negative => [known, None, None],
             _ => [known, last, second],
         };

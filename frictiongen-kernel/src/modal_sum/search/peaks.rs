@@ -1,11 +1,11 @@
-//! The largest value so far, and the places where it is taken.
+//! The largest value so far, and its positions.
 
 use super::{EQUAL, Maximiser, SAME_MAXIMUM, Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Keeps a maximum, if there is none larger: what it is compared by, what it is, and where.
+    /// Keeps a maximum if no larger one is known. `best` is the value for the comparison, `kept` the value to return.
     pub(super) fn keep(&mut self, best: S, kept: S, place: Maximiser<S>) {
         let share = S::constant(1.0 - EQUAL * S::RESOLUTION);
         if self.peak.value < best {
@@ -19,8 +19,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// A climber's next place, and whether it is in a half period of the other sign: the motion
-    /// goes on there, while the velocity constraint has no meaning beyond its ends.
+    /// Returns the next position of a climb within the half period, and true if it lies in the neighbouring half
+    /// period. There the motion continues with the opposite sign. The velocity constraint has no meaning beyond the
+    /// bounds, so its position is clamped.
     pub(super) fn moved(&self, tau: S) -> (S, bool) {
         let (zero, end) = (S::constant(0.0), self.problem.end);
         match self.problem.weight {
@@ -39,8 +40,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Whether this maximum is known: the end of one half period is the beginning of the next, of the
-    /// other sign.
+    /// Returns true if this maximum is known. For a motion the end of one half period is the beginning of the next,
+    /// with the opposite sign.
     fn knows(&self, place: Maximiser<S>) -> bool {
         let near = S::constant(SAME_MAXIMUM);
         self.peak.places.iter().flatten().any(|known| {
@@ -53,7 +54,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         })
     }
 
-    /// The sum over its weight: as far as it is sure, by which places are compared, and as it is.
+    /// Returns the sum over its weight as a pair. The first value is reduced by the possible rounding error and serves
+    /// comparisons. The second is the plain quotient.
     pub(super) fn quotient_at(&self, value: S, sine: S, cosine: S, negative: bool) -> (S, S) {
         let value = if negative { -value } else { value };
         match self.problem.weight {

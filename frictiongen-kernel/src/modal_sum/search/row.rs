@@ -1,15 +1,16 @@
-//! Four nodes of a grid side by side, and how they advance together.
+//! Four neighbouring nodes of a grid, which advance together.
 //!
-//! All is written out: where size counts a compiler leaves a loop over four, and half of its instructions count.
+//! All operations are written out. Optimised for size, a compiler would leave a loop over the four, and half of the
+//! instructions in the loop would only count.
 
 use crate::number::scalar::Float;
 
-/// Nodes that advance together.
+/// Number of nodes that advance together.
 pub(super) const LANES: usize = 4;
 
 pub(super) type Row<S> = [S; LANES];
 
-/// ( a b ; c d )
+/// The matrix ( a b ; c d ).
 #[derive(Clone, Copy)]
 pub(super) struct Matrix<S> {
     pub a: S,
@@ -19,7 +20,7 @@ pub(super) struct Matrix<S> {
 }
 
 impl<S: Float> Matrix<S> {
-    /// By what a free mode advances in a time.
+    /// Returns the matrix that advances a free mode by a time step.
     pub fn of(x: S, loss: S, (free, slope): (S, S)) -> Self {
         Self {
             a: slope + loss * free,
@@ -46,7 +47,7 @@ impl<S: Float> Matrix<S> {
     }
 }
 
-/// The start and three steps from it; `step` gets the number of the lane that it steps from.
+/// Returns the start and the three steps after it. `step` gets the number of the lane from which it steps.
 #[inline(always)]
 pub(super) fn first_lanes<S: Float>(
     (u, v): (S, S),
@@ -58,7 +59,7 @@ pub(super) fn first_lanes<S: Float>(
     ([u, one.0, two.0, three.0], [v, one.1, two.1, three.1])
 }
 
-/// Of four pairs each.
+/// Applies a function to each of four pairs.
 #[inline(always)]
 pub(super) fn pairwise<S: Float>(
     [u0, u1, u2, u3]: Row<S>,

@@ -1,4 +1,5 @@
-//! Summits of a grid: from the highest node to the top in two evaluations.
+//! Summits of a grid. A summit is a position from which one Newton step leads to a local maximum. From the highest node
+//! it usually takes two evaluations.
 
 use super::grid::{Grid, Node, Open};
 use super::{Maximiser, Search, Weight};
@@ -6,22 +7,22 @@ use crate::modal_sum::wave::Jet;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
-/// So many evaluations a summit may take.
+/// Largest number of evaluations that a summit may take.
 pub(super) const EVALUATIONS: u32 = 5;
-/// A step counts as the last if what it leaves out is small within so many times its length.
+/// Multiple of a step within which the neglected terms must be small for the step to count as the last.
 pub(super) const REACH: f64 = 7.0;
 
-/// A place from which one step leads to the top.
+/// A position from which one step leads to the top.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Summit<S> {
     pub tau: S,
     pub negative: bool,
     pub jet: Jet<S>,
-    /// What the top is below.
+    /// Upper bound on the top.
     pub level: S,
 }
 
-/// Value, slope, curvature and third derivative.
+/// Value, slope, curvature and third derivative at a position.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cubic<S> {
     pub value: S,
@@ -32,14 +33,14 @@ pub(super) struct Cubic<S> {
 
 #[cfg(test)]
 impl<S: Float> Summit<S> {
-    /// Its level, and whether it is one of the sum's negative.
+    /// Returns the level, and true if the summit is one of the sum's negative.
     pub fn height(&self) -> (S, bool) {
         (self.level, self.negative)
     }
 }
 
 impl<S: Float> Cubic<S> {
-    /// How far it is to the top.
+    /// Returns the distance to the top.
     pub fn step(&self) -> S {
         let half = S::constant(0.5);
         let newton = -(self.slope / self.curvature);
@@ -47,19 +48,19 @@ impl<S: Float> Cubic<S> {
         newton * (S::constant(1.0) - bend.max(-half).min(half))
     }
 
-    /// By how much the top is higher.
+    /// Returns the height of the top above the value here.
     pub fn rise(&self, step: S) -> S {
         let bend = self.curvature * S::constant(0.5) + self.third * step * S::constant(1.0 / 6.0);
         (self.slope + bend * step) * step
     }
 
-    /// Whether it bends down by at least half of its curvature within so many times a step.
+    /// Returns true if the cubic bends down by at least half of its curvature within `reach` times a step.
     pub fn is_concave(&self, step: S, reach: S) -> bool {
         (self.third * step).abs() * (reach + reach) < -self.curvature
     }
 }
 
-/// What the fourth derivative can add within so many times a step.
+/// Returns the most that the fourth derivative can add within `reach` times a step.
 pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
     let far = step * reach;
     let square = far * far;
@@ -67,7 +68,7 @@ pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
 }
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// The quotient and its first derivative at a node.
+    /// Returns the quotient and its first derivative at a node.
     fn quotient_node(&self, node: &Node<S>) -> (S, S) {
         match self.problem.weight {
             Weight::One => (node.value, node.slope),
@@ -78,7 +79,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Where to look for a summit: where the cubic beside the highest node of the open cells is largest.
+    /// Returns the position at which to look for a summit: the top of the cubic next to the highest node of the open
+    /// cells.
     pub(super) fn highest(&self, grid: &Grid<S>, open: Open) -> Option<Maximiser<S>> {
         let zero = S::constant(0.0);
         let over_sine = self.problem.weight == Weight::Sine;
@@ -123,7 +125,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let here = self.quotient_node(&node);
         let rising = (zero < here.1) != negative;
         if !over_sine {
-            // The motion goes on beyond the half period with the opposite sign.
+            // The motion continues beyond the half period with the opposite sign.
             let end = self.problem.end;
             let outside = if rising { !(tau < end) } else { tau.is_zero() };
             if outside {
@@ -163,10 +165,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         })
     }
 
-    /// The summit near a place, its value kept if it is the largest; none if the place is not near enough to one.
+    /// Finds the summit near a position and keeps its value if it is the largest. Returns `None` if the position is not
+    /// near enough to a summit.
     pub(super) fn summit(&mut self, place: &Maximiser<S>, grid: &Grid<S>) -> Option<Summit<S>> {
         let (fourth, width) = (grid.bounds.fourth, grid.stretch.width);
-        // The value is exact to rounding, however little is asked of the search.
+        // The value is exact to rounding, even if the search has a larger tolerance.
         let four = S::constant(4.0 * S::EPSILON);
         let Maximiser {
             mut tau,
@@ -195,12 +198,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 Weight::Sine => jet.sine,
             };
             let left = beyond_cubic(fourth + self.level(), step, S::constant(REACH));
-            // A motion's lag needs the place itself.
+            // The lag of a motion needs the position itself, not only the value.
             let placed = self.problem.weight == Weight::Sine
                 || (fourth * step * step * step).abs() <= four * quotient.curvature.abs()
                 || evaluation == EVALUATIONS;
             let (at_top, flipped) = self.moved(tau + step);
-            // In the next half period friction has the opposite sign, and the curvature is another.
+            // In the next half period friction has the opposite sign, and the curvature differs.
             let crossed = flipped && four < at_top.min(self.problem.end - at_top);
             if quotient.is_concave(step, S::constant(REACH))
                 && left <= spare * weight
@@ -218,7 +221,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                     tau,
                     negative,
                     jet,
-                    // Where modes cancel, rounding says more than the tolerance allows.
+                    // Where modes cancel, rounding exceeds the tolerance.
                     level: quotient.value + rise + tolerance * size + self.rounding,
                 });
             }
@@ -231,7 +234,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         None
     }
 
-    /// The quotient about an instant, and its value as far as it is sure.
+    /// Returns the value of the quotient less its possible rounding error, and the quotient around the instant.
     fn quotient_jet(&self, jet: &Jet<S>, negative: bool) -> (S, Cubic<S>) {
         let Jet {
             sine,
@@ -246,7 +249,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let [slope, curvature, third] = match self.problem.weight {
             Weight::One => [slope, curvature, third],
             Weight::Sine => {
-                // From F = Q sin τ, derived.
+                // Derivatives of F = Q sin τ, solved for those of Q.
                 let over = |value: S| value / sine;
                 let q0 = over(value);
                 let q1 = over(slope - q0 * cosine);
@@ -266,7 +269,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     }
 }
 
-/// Where between 0 and 1 a cubic is largest: of its slope at 0, which is positive, its slope at 1, and its rise.
+/// Returns where between 0 and 1 a cubic is largest, from its slope at 0, which is positive, its slope at 1, and its
+/// rise.
 fn top_between<S: Float>(up: S, down: S, rise: S) -> S {
     let zero = S::constant(0.0);
     if !(zero < up && down < zero) {

@@ -1,4 +1,4 @@
-//! Grids, summits and whole searches against dense scans of sums written down anew.
+//! Tests of grids, summits and whole searches against dense scans of independently written sums.
 
 use super::*;
 use crate::modal_sum::wave::Wave;
@@ -14,7 +14,8 @@ mod whole;
 type TestSearch<'a> = Search<'a, f64, Damped<f64>>;
 type TestSum<'a> = Sum<'a, f64, Damped<f64>>;
 
-/// A problem without a tolerance: over the half period, or over half of it for a sum that is odd about it.
+/// Returns a problem without a tolerance, over the half period, or over half of it for a sum that is odd about its
+/// middle.
 pub fn asked(weight: Weight, both_signs: bool, start: f64) -> Problem<f64> {
     let odd = weight == Weight::Sine && both_signs;
     Problem {
@@ -27,14 +28,14 @@ pub fn asked(weight: Weight, both_signs: bool, start: f64) -> Problem<f64> {
     }
 }
 
-/// A search that has found this much.
+/// Returns a search that has already found the value `known`.
 pub fn search<'a>(sum: TestSum<'a>, problem: Problem<f64>, known: f64) -> TestSearch<'a> {
     let mut search = Search::new(sum, problem);
     search.peak.value = known;
     search
 }
 
-/// ±sum − level·weight at any time, by other formulas.
+/// Returns ±sum − level·weight at any time, from other formulas.
 pub fn excess(search: &TestSearch<'_>, negative: bool, tau: f64) -> f64 {
     let value = sum_derivative(&search.sum, tau, 0);
     let value = if negative { -value } else { value };
@@ -44,7 +45,8 @@ pub fn excess(search: &TestSearch<'_>, negative: bool, tau: f64) -> f64 {
     }
 }
 
-/// How large the sum's terms are, of which the angle of a fast wave leaves some twelve digits.
+/// Returns the size of the sum's terms. Since its angle is rounded, a fast wave is known to about twelve digits of this
+/// size.
 pub fn size(search: &TestSearch<'_>) -> f64 {
     let wave = |w: &TestWave| {
         w.free.abs() / w.x + w.forced.abs() + w.forced_slope.abs() + w.rise.abs() / (w.x * w.x)
@@ -56,7 +58,7 @@ pub fn size(search: &TestSearch<'_>) -> f64 {
         + search.sum.waves.iter().map(wave).sum::<f64>()
 }
 
-/// A sum to search, and its problem: the constraint's quotient or a mass's motion.
+/// A random sum and its search problem, for the constraint's quotient or for a mass's motion.
 struct Drawn {
     waves: Vec<TestWave>,
     cosine: f64,

@@ -1,11 +1,12 @@
-//! A sum's derivatives against those of other formulas.
+//! Tests of a sum's derivatives against other formulas.
 
 use super::*;
 use crate::oscillator::decay::{Damped, Undamped};
 use crate::testing::{Lcg, TestWave, at_rest, derivative, parts, random_waves, sum_derivative};
 use core::f64::consts::PI;
 
-/// Instants to look from: both ends, the first quarter turn of a fast mode, anywhere.
+/// Returns test instants: both bounds of the half period, the first quarter turns of a fast mode, and instants in
+/// between.
 fn instants(x: f64) -> Vec<f64> {
     let mut out = vec![0.0, PI];
     for k in 1..12 {
@@ -24,8 +25,8 @@ fn alone(wave: &TestWave) -> Sum<'_, f64, Damped<f64>> {
     }
 }
 
-/// Beside x = 1, without damping, y = sin τ − sin(xτ)/x has y″ = 2 cos((x + 1)τ/2) sin((x − 1)τ/2) + (x − 1) sin xτ,
-/// and that keeps its digits.
+/// Close to x = 1 and without damping, y = sin τ − sin(xτ)/x has y″ = 2 cos((x + 1)τ/2) sin((x − 1)τ/2) + (x − 1) sin
+/// xτ. This form keeps its digits.
 #[test]
 fn differences_keep_their_digits_beside_the_resonance() {
     let mut compared = 0;
@@ -57,7 +58,7 @@ fn differences_keep_their_digits_beside_the_resonance() {
     assert_eq!(compared, 192);
 }
 
-/// Sums of waves: values and three derivatives, and what they cannot exceed.
+/// Checks values and three derivatives of sums of waves, and the bound on the size of each wave.
 #[test]
 fn sums_have_their_derivatives() {
     let mut random = Lcg(11);
@@ -75,7 +76,7 @@ fn sums_have_their_derivatives() {
         for _ in 0..5 {
             let tau = PI * random.unit();
             let jet = sum.jet(&Instant::new(tau / PI));
-            // The angle xτ of the fastest wave has some ten digits more than this.
+            // The angle xτ of the fastest wave is known to about ten digits more than this tolerance needs.
             let scale = largest + sum.cosine.abs() + sum.sine.abs();
             for (order, got) in [jet.value, jet.slope, jet.curvature, jet.third]
                 .into_iter()
@@ -99,7 +100,7 @@ fn sums_have_their_derivatives() {
     assert_eq!(compared, 12_000);
 }
 
-/// A wave's angle is known until its rounding has grown to a radian, or it has died out.
+/// Checks that a wave's angle counts as known until its rounding has grown to a radian, or until the wave has decayed.
 #[test]
 fn turns_are_unknown_from_where_rounding_turns_by_a_radian() {
     let asked = |x: f64, zeta: f64| {
@@ -116,9 +117,9 @@ fn turns_are_unknown_from_where_rounding_turns_by_a_radian() {
     };
     // 1/(πε) = 1.43e15.
     assert!(!asked(1.4e15, 0.0) && asked(1.5e15, 0.0) && asked(1e300, 0.0));
-    // It lives 1/ζx, in which it turns by 1/ζ.
+    // The wave lives for 1/ζx, in which it turns by 1/ζ.
     assert!(!asked(1.5e15, 1e-9) && !asked(1e300, 1e-3) && asked(1e300, 1e-16));
-    // One that the contact does not drive says nothing either.
+    // A wave that the contact does not drive counts as unknown as well.
     assert!(at_rest(3.0, 0.0).turns_unknown());
     let single = Wave {
         forced: 1.0,

@@ -4,10 +4,11 @@ use core::fmt;
 
 use super::Dd;
 
-/// Digits are made one more than asked for, then rounded; beyond 32 they carry no information.
+/// Largest number of digits. One digit more than requested is computed, then the result is rounded. Digits beyond the
+/// 32nd carry no information.
 const MOST: usize = 39;
 
-/// The number between 1 and 10 (of which the digits are read), and the power of ten taken out.
+/// Returns the number scaled to between 1 and 10, from which the digits are read, and the exponent of ten.
 fn mantissa(value: Dd) -> (Dd, i32) {
     let (mut value, mut exponent) = (value, 0);
     for power in [256, 128, 64, 32, 16, 8, 4, 2, 1] {
@@ -16,13 +17,13 @@ fn mantissa(value: Dd) -> (Dd, i32) {
             value = value / factor;
             exponent += power;
         }
-        // Up to just below 10: the last step, with power 1, leaves at least 1.
+        // Scales up to just below 10. The last step, with power 1, leaves at least 1.
         if value < Dd::from(10.0) / factor {
             value = value * factor;
             exponent -= power;
         }
     }
-    // A rounding in the divisions may leave it just outside.
+    // A rounding error of the divisions may leave the number just outside.
     if value >= Dd::from(10.0) {
         (value / Dd::from(10.0), exponent + 1)
     } else if value < Dd::ONE {

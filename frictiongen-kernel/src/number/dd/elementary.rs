@@ -1,4 +1,4 @@
-//! The elementary functions in double-double, to about 1e-31.
+//! Elementary functions in double-double, to about 1e-31.
 
 use super::tables::LN_2;
 use super::{Dd, INVERSE_FACTORIAL, ordered_sum, two_product, two_sum};
@@ -6,15 +6,15 @@ use crate::number::float::POWER_400;
 use crate::number::scalar::{Float, Plain, Scalar};
 use crate::number::trig::double;
 
-/// The sum of two numbers of which the first is at least twice as large.
+/// Adds two numbers, of which the first is at least twice as large.
 #[inline]
 fn dominated_sum(large: Dd, small: Dd) -> Dd {
     let (hi, rest) = ordered_sum(large.hi, small.hi);
     Dd::joined(hi, rest + (large.lo + small.lo))
 }
 
-/// Σ cₖvᵏ, where every term is far below the one before.  From the number `exact` on they are below 2^−55
-/// of the first, and need no second part.
+/// Returns Σ cₖvᵏ, where every term is far below the one before. From term `exact` on, the terms are below 2^−55 of the
+/// first, and their leading `f64` suffices.
 #[inline]
 fn series<'a>(
     coefficients: impl DoubleEndedIterator<Item = &'a Dd> + ExactSizeIterator + Clone,
@@ -28,7 +28,7 @@ fn series<'a>(
     })
 }
 
-/// 1/first!, 1/(first + 2)!, 1/(first + 4)! ….
+/// Returns 1/first!, 1/(first + 2)!, 1/(first + 4)! ….
 #[expect(
     clippy::indexing_slicing,
     reason = "only while compiling, where a panic is an error of the build"
@@ -47,14 +47,14 @@ static EVEN: [Dd; 18] = in_twos(2);
 /// 1/3!, 1/5! … 1/37!.
 static ODD: [Dd; 18] = in_twos(3);
 
-/// Σ factorials[k]·v^k, so many terms of it.
+/// Returns the first `terms` terms of Σ factorials[k]·v^k.
 fn factorials_in_twos(factorials: &[Dd], terms: usize, exact: usize, v: Dd) -> Dd {
     series(factorials.iter().take(terms), exact, v)
 }
 
-/// The number of halves nearest to h (its two lowest bits) and the exact remainder.
+/// Returns the number of halves nearest to h (in its two lowest bits) and the exact remainder.
 fn reduced(h: Dd) -> (u64, Dd) {
-    // Beyond 2^53 the second part still holds a fraction: both are reduced.
+    // Beyond 2^53 `lo` still contains a fraction, so that `hi` and `lo` are both reduced.
     let (q, high) = double::reduced_any(h.hi);
     let (p, low) = double::reduced_any(h.lo);
     let (sum, lost) = two_sum(high, low);
@@ -62,7 +62,7 @@ fn reduced(h: Dd) -> (u64, Dd) {
     (q.wrapping_add(p).wrapping_add(o), Dd::sum(rest, lost))
 }
 
-/// (sin πr, cos πr) turned by q quarter turns, |r| ≤ 1/4.
+/// Returns (sin πr, cos πr) turned by q quarter turns, for |r| ≤ 1/4.
 fn turned(q: u64, r: Dd) -> (Dd, Dd) {
     let x = r * Dd::PI;
     let u = x * x;
@@ -81,7 +81,7 @@ fn power_of_two(k: i32) -> f64 {
     f64::from_bits(u64::from((1023 + k).unsigned_abs()) << 52)
 }
 
-/// The integer k nearest to x/ln 2 and e^(x − k ln 2) − 1, for |x| < 800.
+/// Returns the integer k nearest to x/ln 2, and e^(x − k ln 2) − 1, for |x| < 800.
 fn reduced_exp_m1(x: Dd) -> (i32, Dd) {
     const SHIFT: f64 = 6_755_399_441_055_744.0;
     const HALVINGS: usize = 4;
@@ -145,7 +145,7 @@ impl Scalar for Dd {
             return Self::ZERO;
         }
         let (k, grown) = reduced_exp_m1(self);
-        // In two steps: 2^1024 and the powers below 2^−1022 have no f64 of their own.
+        // Scaled in two steps, since 2^1024 and the powers below 2^−1022 are not representable as `f64`.
         let half = k / 2;
         (Self::ONE + grown)
             .scaled(power_of_two(half))
@@ -173,11 +173,11 @@ impl Scalar for Dd {
         if y.is_zero() {
             return if x.hi < 0.0 { Self::PI } else { Self::ZERO };
         }
-        // Below 1e-17 the angle is the ratio; the scaling below would cut it off.
+        // Below 1e-17 the angle equals the ratio. The scaling below would cut off digits.
         if x.hi > 0.0 && start.abs() < 1e-17 {
             return y / x;
         }
-        // Only the ratio counts: away from overflow, and from losing the last parts.
+        // Only the ratio matters. The scaling avoids overflow and keeps the last digits.
         let size = y.hi.abs().max(x.hi.abs());
         let power = match size {
             size if size > 1e100 => power_of_two(-700),
@@ -185,7 +185,7 @@ impl Scalar for Dd {
             _ => 1.0,
         };
         (y, x) = (y.scaled(power), x.scaled(power));
-        // One step of Newton's: tan of the angle that is missing.  Its cube is below 1e-45.
+        // One Newton step adds the tangent of the missing angle, whose cube is below 1e-45.
         let (sin, cos) = (Self::from(start) / Self::PI).sin_cos_pi();
         Self::from(start) + (y * cos - x * sin) / (x * cos + y * sin)
     }
@@ -200,7 +200,7 @@ impl Scalar for Dd {
         let (p, s) = reduced(d);
         let (difference, lost) = two_sum(r.hi, -s.hi);
         let (o, rest) = double::reduced_any(difference);
-        // Every step was exact so far: the only rounding is that of this sum.
+        // All steps so far were exact. The only rounding is that of this sum.
         let rest = Self::sum(rest, lost) + Self::sum(r.lo, -s.lo);
         turned(q.wrapping_sub(p).wrapping_add(o), rest)
     }
@@ -215,7 +215,7 @@ impl Scalar for Dd {
     }
 
     fn scaled_sinh_defect(self) -> Self {
-        // e^{−a} is 0 long before, and would meet an infinite a.
+        // e^{−a} is 0 long before a = 1000. An infinite a times 0 would be NaN.
         let a = if self.hi > 1000.0 {
             Self::from(1000.0)
         } else {
@@ -233,7 +233,7 @@ impl Scalar for Dd {
 impl Float for Dd {
     /// 2^−104.
     const EPSILON: f64 = 1.0 / (1_u128 << 104) as f64;
-    /// 2^−90: sums of many terms are no better, and nothing that is compared with them needs more.
+    /// 2^−90. Sums of many terms are not more accurate, and nothing that is compared with them needs more.
     const RESOLUTION: f64 = 1.0 / (1_u128 << 90) as f64;
 
     fn inverse_ratio_range() -> (Self, Self) {

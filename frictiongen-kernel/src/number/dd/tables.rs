@@ -2,8 +2,8 @@
 
 use super::Dd;
 
-/// ln 2 as a sum of three parts; the first two have 42 bits, so that their products with the
-/// exponents of `f64` are exact.
+/// ln 2 as a sum of three terms. The first two have 42 bits, so that their products with the exponents of `f64` are
+/// exact.
 pub(super) const LN_2: [f64; 3] = [
     0.6931471805598903,
     5.49792301870721e-14,

@@ -1,4 +1,4 @@
-//! Grids against the sum itself: nodes, bounds, and cells that a grid closes.
+//! Tests of grids against the sum itself: nodes, bounds, and closed cells.
 
 use super::whole::scanned;
 use super::*;
@@ -19,7 +19,7 @@ fn grid_of(sum: &TestSum<'_>, from: f64, to: f64, width: f64) -> Grid<f64> {
     filled(sum, &Stretch::new(from, to, width, false), &bounds)
 }
 
-/// Value and slope at every node, as far as rounding is said to reach.
+/// Checks value and slope at every node against the bound on their rounding error.
 #[test]
 fn nodes_are_on_the_sum() {
     let mut random = Lcg(59);
@@ -32,7 +32,7 @@ fn nodes_are_on_the_sum() {
         let rounding = grid.bounds.rounding;
         let fastest = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
         grid.beside(u32::MAX, |_, tau, node| {
-            // The sum's own angles are known to a rounding of τ.
+            // The reference sum's own angles are known to one rounding of τ.
             let own = 1e-15 * size_of(&sum) * (1.0 + fastest * tau);
             let value = (node.value - sum_derivative(&sum, tau, 0)).abs();
             let slope = (node.slope - sum_derivative(&sum, tau, 1)).abs();
@@ -52,7 +52,7 @@ fn nodes_are_on_the_sum() {
     assert!(compared > 15_000);
 }
 
-/// The fourth and the fifth derivative at any later time.
+/// Checks the bounds on the fourth and fifth derivative at later times.
 #[test]
 fn no_derivative_exceeds_its_bound() {
     let mut random = Lcg(61);
@@ -72,7 +72,7 @@ fn no_derivative_exceeds_its_bound() {
             nearest = nearest.max(fourth / bounds.fourth);
             compared += 1;
         }
-        // Of a mass-controlled mode neither is asked.
+        // A sum with a mass-controlled mode does not need the second and third derivative.
         let asked = sum.waves.iter().all(|wave| !wave.mass_controlled);
         for (order, value) in [(2, bounds.second), (3, bounds.third)] {
             let want = sum_derivative(&sum, from, order);
@@ -87,7 +87,8 @@ fn no_derivative_exceeds_its_bound() {
     assert!(compared == 600 * 51 && nearest > 0.5);
 }
 
-/// The same of each part of a wave by itself, for every kind of damping: and no bound is far too large.
+/// Checks the same bounds for each term of a wave alone, for every kind of damping, and checks that no bound is far too
+/// large.
 #[test]
 fn bounds_hold_for_every_part() {
     let (mut compared, mut least, mut most) = (0, 9.0_f64, 0.0_f64);
@@ -104,7 +105,7 @@ fn bounds_hold_for_every_part() {
                 for from in [0.0, 0.2 / x.max(1.0), 0.5, 2.4] {
                     let bounds = Bounds::of(&sum, &Instant::new(from / PI), PI - from);
                     let start = Bounds::of(&sum, &Instant::new(0.0), PI);
-                    // What rounding leaves of a decay is a unit of the start.
+                    // The rounding error of a decay is one unit of its value at the start.
                     let fourth = bounds.fourth * (1.0 + 1e-9) + f64::EPSILON * start.fourth;
                     let fifth = bounds.fifth * (1.0 + 1e-9) + f64::EPSILON * start.fifth;
                     let near = (0..64).map(|k| from + 0.11 * f64::from(k) / x.max(1.0));
@@ -134,7 +135,7 @@ fn size_of(sum: &TestSum<'_>) -> f64 {
     size(&search(*sum, asked(Weight::One, true, 0.0), 0.0))
 }
 
-/// At a level of its own choice, with summits looked at: wherever a cell is closed, the sum is below.
+/// Checks that the sum is below an arbitrary level wherever a cell is closed, with summits evaluated.
 #[test]
 fn nothing_is_above_the_level_in_a_closed_cell() {
     let mut random = Lcg(67);
@@ -145,7 +146,7 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
         let (sum, problem) = (drawn.sum(), drawn.problem);
         let problem = Problem {
             tolerance: 4.0 * f64::EPSILON,
-            // The level is anything up to twice what the largest value is.
+            // The level is at most twice the largest value.
             floor: if over_sine { 0.0 } else { 1e-3 * size_of(&sum) },
             ..problem
         };
@@ -189,8 +190,8 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
     assert!(closed > 50_000 && open > 500 && beside > 10_000);
 }
 
-/// With the level just below what the sum reaches in a cell, that cell must not be closed: first, last and any other,
-/// without a look at summits.
+/// Checks that a cell stays open if the level is just below the largest value in it. It takes the first, the last and
+/// any other cell, and evaluates no summits.
 #[test]
 fn a_cell_that_exceeds_the_level_is_open() {
     let mut random = Lcg(71);
@@ -205,7 +206,7 @@ fn a_cell_that_exceeds_the_level_is_open() {
         let bounds = Bounds::of(&sum, &Instant::new(0.0), problem.end);
         let grid = filled(&sum, &stretch, &bounds);
         let cell = [0, stretch.cells() - 1, random.below(stretch.cells())][case % 3];
-        // The largest quotient in the cell, at its thirty-second parts.
+        // Largest quotient in the cell, at multiples of a thirty-second of its width.
         let at = |i: usize| (cell as f64 + i as f64 / 32.0) * stretch.width;
         let quotient = |tau: f64| {
             let weight = if over_sine { tau.sin() } else { 1.0 };
@@ -214,11 +215,11 @@ fn a_cell_that_exceeds_the_level_is_open() {
         let most = (1..32).map(|i| quotient(at(i))).fold(f64::MIN, f64::max);
         let gap = random.log_uniform(1e-7, 1e-2) * size(&search);
         search.peak.value = most - gap;
-        // The whole of what is above must be worth more than rounding.
+        // The excess above the level must be larger than rounding.
         let above = (1..32)
             .map(|i| excess(&search, false, at(i)))
             .fold(f64::MIN, f64::max);
-        // Levels are positive; but only a negative one is met before π.
+        // Levels are positive, but just before π only a negative level is met.
         let low = search.peak.value <= 0.0 && (!over_sine || case % 3 != 1);
         if above < 1e-9 * size(&search) || low {
             continue;
@@ -240,7 +241,7 @@ fn a_cell_that_exceeds_the_level_is_open() {
     assert!(held.iter().all(|held| *held > 300));
 }
 
-/// About a maximum of its own, of whatever height, a summit closes only cells in which the sum is not higher.
+/// Checks that a summit around any local maximum closes only cells in which the sum is not higher.
 #[test]
 fn a_summit_closes_nothing_that_is_higher() {
     let mut random = Lcg(73);
@@ -286,7 +287,8 @@ fn a_summit_closes_nothing_that_is_higher() {
     assert!(summits > 900 && closed > 2000);
 }
 
-/// A step across the half period's end: the cells about the summit are closed for the sign that it has there.
+/// Checks a step across the end of the half period. The cells around the summit are closed for the sign that it has
+/// there.
 #[test]
 fn a_summit_across_the_end_closes_cells_of_its_own_sign() {
     let waves = [];

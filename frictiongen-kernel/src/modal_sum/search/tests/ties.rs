@@ -1,9 +1,9 @@
-//! Equal maxima, the first guess, and a search that would take too long.
+//! Tests of equal maxima, of a minimum at the start, and of a search that would take too long.
 
 use super::whole::scanned;
 use super::*;
 
-/// Of sinusoids with odd multiples of the excitation's frequency: Σ sines b·sin kτ + Σ cosines c·cos kτ.
+/// Returns a sum of sinusoids at multiples of the excitation's frequency: Σ sines b·sin kτ + Σ cosines c·cos kτ.
 fn harmonics(sines: &[(f64, f64)], cosines: &[(f64, f64)]) -> (Vec<TestWave>, f64, f64) {
     let (mut waves, mut cosine, mut sine) = (Vec::new(), 0.0, 0.0);
     for &(k, b) in sines {
@@ -36,7 +36,7 @@ fn motion_problem() -> Problem<f64> {
     }
 }
 
-/// Sorted places with their signs.
+/// Returns the positions in ascending order, with their signs.
 fn places(peak: &Peak<f64>) -> Vec<(f64, bool)> {
     let mut places: Vec<_> = peak
         .places
@@ -48,8 +48,8 @@ fn places(peak: &Peak<f64>) -> Vec<(f64, bool)> {
     places
 }
 
-/// Sums that are even or odd about the middle of the half period have their largest values in pairs, from
-/// far apart to a seventh of a radian.
+/// Checks sums that are even or odd about the middle of the half period. Their largest values come in pairs, from far
+/// apart to a seventh of a radian.
 #[test]
 fn equal_maxima_are_all_found() {
     let mut compared = 0;
@@ -97,7 +97,7 @@ fn equal_maxima_are_all_found() {
     assert_eq!(compared, 18);
 }
 
-/// Seven of one height, of which a peak keeps four; and the ends of the half period, which are one maximum.
+/// Checks that a peak keeps four of seven equal maxima, and that both bounds of the half period count as one maximum.
 #[test]
 fn a_peak_keeps_four_places() {
     let (waves, cosine, sine) = harmonics(&[(7.0, 1.0)], &[]);
@@ -125,8 +125,8 @@ fn a_peak_keeps_four_places() {
     assert_eq!(places(&largest(sum, motion_problem())).len(), 1);
 }
 
-/// A mode so fast that every one of its 5·10⁴ turns must be looked at: the search gives up with the best of
-/// what it has seen, soon after it may.
+/// Checks a mode so fast that each of its 5·10⁴ turns must be evaluated. The search stops at its bound with the best
+/// value found.
 #[test]
 fn a_search_that_takes_too_long_ends_with_the_best_so_far() {
     let waves = [Wave {
@@ -142,14 +142,14 @@ fn a_search_that_takes_too_long_ends_with_the_best_so_far() {
     let most = most_evaluations(Weight::One, 1e5 + 0.3);
     println!("{} evaluations of {most}", peak.evaluations);
     assert!(most < MAX_EVALUATIONS);
-    // Less than one more grid and its summits would take.
+    // The remainder is less than one more grid and its summits would take.
     assert!(peak.evaluations <= most && peak.evaluations > most - 32);
     assert!(peak.exceeded && peak.effort() == Effort::Exceeded);
     assert!((peak.value * (1e5 + 0.3) / 1e5 - 1.0).abs() < 1e-9);
     assert!(peak.places[0].is_some());
 }
 
-/// Where the sum is smallest the slope is exactly 0, which is no maximum though nothing pulls away.
+/// Checks a sum whose slope is exactly 0 at its minimum. A search must not take this for a maximum.
 #[test]
 fn a_minimum_at_the_start_is_left() {
     for (k, b) in [(3.0, 0.3), (5.0, 0.1), (9.0, 0.02)] {
