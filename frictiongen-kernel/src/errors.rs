@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// How the contact moves in the steady state.
+/// Regime of the steady state: the way in which the contact moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
