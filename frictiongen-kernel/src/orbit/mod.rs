@@ -87,8 +87,8 @@ impl<S: Float> SegmentStart<S> {
         }
     }
 
-    /// z̄ at the end of a segment in which the contact sticks, or `None` if the contact slides.  While the contact sticks,
-    /// z̄ at the end equals z̄ at the start to the last digit.
+    /// z̄ at the end of a segment in which the contact sticks, or `None` if the contact slides.  While the contact
+    /// sticks, z̄ at the end equals z̄ at the start to the last digit.
     fn stuck_at(&self) -> Option<S> {
         (self.contact_state.contact == Contact::Stuck).then_some(self.relative)
     }
@@ -246,9 +246,10 @@ where
         intervals.map(|(start, length, _)| (start, length))
     }
 
-    /// The intervals between changes of the contact's state, one after the other all around the period: start, length, and
-    /// whether the contact sticks or its direction of sliding.  The start is defined as in
-    /// [`sticking_intervals`](Self::sticking_intervals).  The last and the first interval may have the same contact state.
+    /// The intervals between changes of the contact's state, one after the other all around the period: start, length,
+    /// and whether the contact sticks or its direction of sliding.  The start is defined as in
+    /// [`sticking_intervals`](Self::sticking_intervals).  The last and the first interval may have the same contact
+    /// state.
     pub fn intervals(&self) -> impl Iterator<Item = (S, S, Contact)> + '_ {
         self.segments().map(|mark| {
             let start = self.within(self.angle(&mark)) * S::pi();
