@@ -14,7 +14,7 @@ pub enum Regime {
     /// in turn.
     StickSlip,
     /// Stuck: β ≥ β_lim and β ≥ β*_lim.  A stuck state exists.  With μ = 1 motion from rest always ends in a stuck
-    /// state.  With μ > 1 it may end in stick-slip instead.
+    /// state.  With μ > 1 that motion may end in stick-slip instead.
     Stuck,
     /// Bistable: β*_lim ≤ β < β_lim, only with μ > 1.  The closed form and a stuck state both exist.
     Bistable,
@@ -32,7 +32,7 @@ pub struct OutOfDomain {
     /// - "dt", "force", "forces", "base", "friction", "stiction", "steps", "saved" or "work" of a stepper.
     /// - "mass" of a map or a curve.
     /// - "amplitude" and "steepness" of a simulation under a friction law that depends on the speed.
-    /// - "damping" where free and stuck modes cannot be told apart in the scalar.
+    /// - "damping" where free and stuck modes cannot be distinguished in the scalar.
     /// - "stribeck" where the friction law has no constant kinetic level.  A stepper and `simulation_under` accept such
     ///   a law.
     pub argument: &'static str,
@@ -69,8 +69,8 @@ pub enum NoOrbit {
     TooManyEvents,
     /// The excitation is on an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,
-    /// Nothing damps this mode, which the load drives and the contact does not touch, so that its free vibration never
-    /// dies. Modes are counted from 0 in the order of the natural frequencies.
+    /// Nothing damps this mode, which the load drives and the contact does not touch, so that the mode's free vibration
+    /// never decays.  Modes are counted from 0 in the order of the natural frequencies.
     Undamped(usize),
     /// Every steady state that was found is unstable, and the motion did not come to rest on another.
     Unstable,
@@ -79,7 +79,7 @@ pub enum NoOrbit {
     Unsettled,
 }
 
-/// Any error of a solver.  A function that calls several solvers can use `?` on all of them.
+/// Any error of a solver.  A function that calls several solvers can use `?` on the errors of all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

@@ -1,7 +1,7 @@
 //! Functions and types that generated friction solvers call.
 //!
-//! Each module uses only those listed before it: [`number`], [`oscillator`], [`modal_sum`], [`contact`], [`response`],
-//! [`table`], [`simulation`], [`stepper`], [`orbit`].  [`errors`] has the error types of all of them.
+//! Each module uses only modules that this list names before: [`number`], [`oscillator`], [`modal_sum`], [`contact`],
+//! [`response`], [`table`], [`simulation`], [`stepper`], [`orbit`].  [`errors`] has the error types of all modules.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 pub mod contact;

@@ -192,7 +192,7 @@ pub fn random_waves(
 }
 
 /// A motion like that of a chain: a fundamental component and waves, which repeat with the opposite sign after half a
-/// period. Modes far below the excitation have their whole response as a wave.
+/// period.  Modes far below the excitation have their whole response as a wave.
 pub fn random_motion(
     random: &mut Lcg,
     (low, high): (f64, f64),

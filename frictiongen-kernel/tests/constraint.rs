@@ -131,7 +131,8 @@ fn printed(parts: &[Part], inverse_r: f64, tau: f64) -> f64 {
 }
 
 /// Six modes near neighbouring odd multiples of the excitation's frequency.  Their vibrations are all in phase at the
-/// middle of the half period and not close to it elsewhere, so that the constraint is largest close to the middle.
+/// middle of the half period, and nearly in phase nowhere else.  The constraint is therefore largest close to the
+/// middle.
 fn in_step(random: &mut Random) -> Vec<Part> {
     let mut odd: Vec<u32> = (12..19).map(|n| 2 * n + 1).collect();
     odd.remove((random.unit() * odd.len() as f64) as usize);

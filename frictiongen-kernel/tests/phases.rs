@@ -1,5 +1,5 @@
-//! The phase of a motion with several equal maxima is that of the smallest |lag|, and of two such lags the positive
-//! one.
+//! The phase of a motion with several equal maxima is the lag of smallest size.  If two such lags differ in sign, the
+//! positive lag counts.
 
 use frictiongen_kernel::Complex;
 use frictiongen_kernel::modal_sum::wave::Wave;

@@ -22,7 +22,7 @@ fn undamped<S: Float>(resonance: S) -> Mode<S> {
     }
 }
 
-/// On the pole that v and u share, their ratio continues that of their neighbours.  With v = x²/(x² − 1) and u =
+/// On the pole that v and u share, the ratio u over v continues its values on both sides.  With v = x²/(x² − 1) and u =
 /// x·tan(πx/2), u over v tends to −4/π from both sides.
 #[test]
 fn an_exact_resonance_continues_its_neighbours() {
@@ -54,8 +54,8 @@ fn an_exact_resonance_continues_its_neighbours() {
     assert_eq!(compared, 20);
 }
 
-/// At both bounds of the range no square of √λ/r vanishes, overflows or loses digits, whatever the resonances.  The
-/// same is true of r² times that square.  Chains of ordinary resonances have the scalar's whole range.
+/// At both bounds of the range no square of √λ/r vanishes, overflows or loses digits, whatever the resonances.  r²
+/// times such a square stays in range too.  Chains of ordinary resonances have the scalar's whole range.
 fn range_is_safe<S: Float>(smallest: f64, powers: &[i32]) {
     let mut compared = 0;
     let normal = |value: S, what: &str, powers: &[i32]| {

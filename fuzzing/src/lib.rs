@@ -42,7 +42,7 @@ pub struct Outcome {
 }
 
 /// Gives `count` inputs to a check.  The run ends earlier after the number of seconds in the environment variable
-/// SECONDS_EACH. If SHOW is set, every input is printed before its check, so that the last one printed is the one that
+/// SECONDS_EACH.  If SHOW is set, every input is printed before its check, so that the last one printed is the one that
 /// hangs.
 pub fn run<I: std::fmt::Debug>(
     count: u64,

@@ -28,8 +28,7 @@ where
     /// an error.
     ///
     /// # Errors
-    /// [`NoOrbit`] gives the reason why there is no steady state.  It is `OutOfDomain` also for slices of a wrong
-    /// length.
+    /// [`NoOrbit`] gives the reason why there is no steady state.  Slices of a wrong length give `OutOfDomain`.
     #[allow(
         clippy::too_many_arguments,
         reason = "one question and the room for its answer"
@@ -101,7 +100,7 @@ where
             .place(&mut cycle_map, &mut workspace)?;
         let settled = match (beta.is_zero() || start == Start::Stuck, holding) {
             (true, None) => Settled::Found(linear(&mut cycle_map, &mut workspace)?),
-            // At β = 0 neither friction nor a stuck contact changes the motion.
+            // With β = 0 this case means β*_lim = 0 as well, so that the load does not move the contact.
             (true, Some(_)) => Settled::Stuck(zero),
             _ => {
                 let spare = states.get_mut(..4 * driven).unwrap_or_default();
@@ -121,7 +120,7 @@ where
                 (Settled::Found(found), _) => found,
                 _ => Found::NONE,
             };
-            // The way to the steady state may have used up the steps.  The period itself may take as many again.
+            // The search may have used up the steps.  The record of the period may take as many again.
             cycle_map.step_budget = MAX_STEPS;
             to_event(&mut cycle_map, found.period)?;
             let at = cycle_map.contact_state.t.sin_cos_pi();
@@ -180,7 +179,7 @@ fn settles<S: Float>(
 
 /// Fails if a sliding mode grows without bound.
 fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
-    // At β_n = (π/4)|φᵀp/φᵀw| friction dissipates what the load supplies (6.2, 6.26).
+    // Below β_n = (π/4)|φᵀp/φᵀw| friction dissipates less than the load supplies (6.2, 6.26).
     let threshold = S::constant(FRAC_PI_4) * mode.load.abs();
     let resonant = mode.kind == Kind::Undamped && mode.resonance == r;
     if resonant && beta * mode.contact.abs() < threshold {
@@ -213,8 +212,8 @@ pub(super) fn stuck<S: Float>(
         departing: None,
         wedged: false,
     };
-    // A deviation of the contact's displacement stays, and one of its velocity vanishes at once.  Deviations of the
-    // stuck chain's modes decay independently.
+    // A deviation of the contact's displacement stays.  A deviation of its velocity vanishes at once.  Deviations of
+    // the stuck chain's modes decay independently.
     let one = S::constant(1.0);
     let two_pi = S::pi() + S::pi();
     let mut out = workspace.multipliers.iter_mut();
@@ -300,8 +299,8 @@ pub(super) fn to_event<S: Float>(
             cycle_map.contact_state,
             left,
         );
-        // A leap too long for one search ends without an event.  Where a mode turns faster than r is known, such leaps
-        // never end, so that each one must spend its steps.
+        // A leap too long for one search ends without an event.  A mode may turn faster than the precision of r
+        // resolves.  Such leaps then never end, so that the step budget has to end them.
         cycle_map.spend(end.steps)?;
         cycle_map.contact_state = end.contact_state;
         left = left - end.tau;

@@ -16,8 +16,8 @@ pub const MAX_PERIOD: u32 = 64;
 /// Upper bound on the cycles for which a motion is followed to see whether it comes near to a fixed point.
 const MOST_FOLLOWED: u32 = 64;
 
-/// Upper bound on the size of a marginal state over that of the motion that tends to it, or over P/k₁ if that is
-/// larger.  Away from a resonance both are of the order of the excitation.
+/// Upper bound on the ratio of a marginal state's size to the size of the motion that tends to that state.  If P/k₁ is
+/// larger than the motion, the ratio is to P/k₁.  Away from a resonance both are of the order of the excitation.
 const MOST_GROWN: f64 = 64.0;
 
 /// Number of equal half cycles, with at most two stops or reversals a cycle, after which a motion tends to a member of
@@ -30,7 +30,7 @@ const FAR_ENOUGH: f64 = 0.01;
 const SPARE: f64 = 0.1;
 /// Largest relative difference of the sticking times of motions that stop alike.
 const STICKS_ALIKE: f64 = 0.25;
-/// Distance from the fixed point, relative to the state, at which a motion has reached it.
+/// Distance from the fixed point, relative to the state, at which the fixed point counts as reached.
 const REACHED: f64 = 1e-9;
 /// Distance from the fixed point, in P/k₁, below which rounding decides the motion of a contact that hardly moves.
 const HARDLY_MOVES: f64 = 1e-6;
@@ -44,7 +44,7 @@ const ONE_REVERSAL: Pattern = Pattern {
     slips: 0,
 };
 
-/// Kind of a steady state that has been found.
+/// Properties of a steady state that has been found.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found<S> {
     /// Whether the motion repeats.
@@ -134,8 +134,8 @@ impl<S: Float> Candidate<S> {
         Ok(Verdict::No)
     }
 
-    /// Whether the motion keeps its pattern and approaches the fixed point, at which the cycle map is, as fast as the
-    /// multipliers promise.  With μ > 1 other steady states may be close.
+    /// Whether the motion keeps its pattern and approaches the fixed point as fast as the multipliers promise.  At the
+    /// call the cycle map is at the fixed point.  With μ > 1 other steady states may be close.
     fn attracts(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S>,
@@ -155,7 +155,7 @@ impl<S: Float> Candidate<S> {
         let mut cycles = 0;
         let mut keeps = true;
         while keeps && cycles < MOST_FOLLOWED && S::constant(FAR_ENOUGH) < promised {
-            // One turn of this loop is a whole period.
+            // All turns of this loop together are a whole period.
             let maps = if self.map.symmetric { 2 } else { 1 };
             for _ in 0..maps {
                 let mut pattern = Pattern::default();

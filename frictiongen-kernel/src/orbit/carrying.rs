@@ -1,9 +1,9 @@
 //! The derivatives of a known steady state.
 //!
 //! A steady state is a fixed point x = P(x) in a section at a fixed phase.  With dual numbers, a period from x gives
-//! P(x) and the derivative b of P at fixed x, because every event moves with the numbers on which it depends.  A step
-//! of Newton's method then adds (1 − DP)⁻¹b to the derivative of x.  The segments are then followed once more from that
-//! x, and carry derivatives into every result.
+//! P(x) and the derivative b of P at fixed x.  Every event then carries the derivatives of the numbers on which it
+//! depends.  A step of Newton's method then adds (1 − DP)⁻¹b to the derivative of x.  The segments are then followed
+//! once more from that x, and carry derivatives into every result.
 
 use super::build::{settle_free, stuck, to_event};
 use super::closed;
@@ -41,10 +41,10 @@ pub enum NoDerivative {
     Unsettled,
     /// The state is one of a continuum of steady states, or at its end.  The start decides which of them is reached.
     Marginal,
-    /// An event is about to appear or to vanish, so that the results have a kink there.
+    /// An event is about to appear or to vanish, so that the results have a kink.
     Graze,
-    /// The modes themselves have no derivative.  Two modes of the chain, free or with its contact stuck, have the same
-    /// constants, or the contact is about to drive a mode that it does not touch.
+    /// The modes themselves have no derivative.  Two modes of the free or of the stuck chain have the same constants,
+    /// or the contact is about to drive a mode that it does not touch.
     Degenerate,
 }
 
@@ -90,7 +90,7 @@ where
     /// multipliers carry no derivative and are left out, so that `multipliers` is empty.
     ///
     /// # Errors
-    /// [`NoDerivative`] gives the reason why there is none.  Slices of a wrong length give `OutOfDomain`.
+    /// [`NoDerivative`] gives the reason why no derivatives exist.  Slices of a wrong length give `OutOfDomain`.
     #[allow(
         clippy::too_many_arguments,
         reason = "one question and the room for its answer"

@@ -1,8 +1,8 @@
 //! Selection of the member of a continuum of steady motions, which exists at r = 1/2n without damping.
 //!
 //! Two members differ by a free vibration at an even multiple of the excitation's frequency, in step with the
-//! reversals. A motion that never stops keeps its share of that vibration.  Each stop takes a little of it, and ever
-//! less, until the motion reaches the last member that has no stop.
+//! reversals.  A motion that never stops keeps its share of that vibration.  Each stop removes a little of that share,
+//! and ever less, until the motion reaches the last member that has no stop.
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;
@@ -25,8 +25,8 @@ const SHIFT: f64 = 1e-8;
 ///
 /// At the start the cycle map is at the symmetric member, and `workspace.state` is the motion in the same section.  The
 /// result is the ratio of the last member's share to this member's share.  `monotone` states that μ = 1.  With μ > 1 a
-/// stop does not shrink, because the contact sticks until the force has grown, so that only a motion without a stop is
-/// a member.
+/// stop does not shrink, because the contact sticks until the force has grown.  Only a motion without a stop is then a
+/// member.
 pub(super) fn member<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,

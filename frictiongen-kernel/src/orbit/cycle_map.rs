@@ -188,7 +188,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
     }
 }
 
-/// Sets `columns` to the unit matrix, which holds a deviation in each direction.
+/// Sets `columns` to the unit matrix, which has one deviation in each direction.
 pub(super) fn unit<S: Float>(columns: &mut [S], size: usize) {
     for (index, entry) in columns.iter_mut().enumerate() {
         let own = index.checked_rem(size + 1) == Some(0);

@@ -10,10 +10,10 @@ use crate::number::scalar::Float;
 use crate::simulation::{Contact, phase};
 
 /// Half cycles without an event after which a contact counts as stuck, although its free vibration might still add up
-/// with the other forces.  Without damping that vibration never decays, and with damping it can only fall.
+/// with the other forces.  Without damping that vibration never decays, and with damping that vibration can only fall.
 const QUIET: u32 = 256;
 /// Cycles after which, with μ = 1 and without damping, the present offset counts as final.  The remaining slips are
-/// smaller than any before, and never end.
+/// smaller than any before, and continue without end.
 const UNDYING: u32 = 64;
 /// Rounding of the forces in a contact that only just sticks, in roundings of μβ.
 const ROUNDINGS: f64 = 64.0;

@@ -106,8 +106,8 @@ impl<'a, S: Float> Matrix<'a, S> {
                 );
                 (end, rounds) = (end - 1, 0);
             } else if start + 2 == end || rounds >= 60 {
-                // No matrix is known to need sixty rounds.  After them the eigenvalues of the last two by two block are
-                // taken as they are.
+                // No matrix is known to need sixty rounds.  After sixty rounds the eigenvalues of the last two by two
+                // block are taken as they are.
                 let (first, second) = self.pair(end - 2);
                 put(out, end - 2, first);
                 put(out, end - 1, second);

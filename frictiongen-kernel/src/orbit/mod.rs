@@ -2,11 +2,11 @@
 //! its Floquet multipliers.
 //!
 //! The search first follows some cycles from the start, exactly ([`simulation`](crate::simulation)), until their
-//! pattern of events repeats.  Newton's method then converges in a few steps.  It works on the half-period map times
-//! −1, whose fixed point is a symmetric steady state, or on the period map.
+//! pattern of events repeats.  Newton's method then converges in a few steps.  The method works on the half-period map
+//! times −1, whose fixed point is a symmetric steady state, or on the period map.
 //!
 //! A stored steady state is a list of *marks*.  A mark is the start of a segment: the contact's state, the phase and z̄
-//! there.
+//! at that instant.  The *stuck chain* is the chain whose contact sticks.
 
 mod build;
 mod candidate;

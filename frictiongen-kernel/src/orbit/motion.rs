@@ -66,8 +66,8 @@ where
         self.best().value
     }
 
-    /// The lag of the motion's largest |x̄| behind the excitation's maximum, rad, in (−π, π].  It is half a turn more
-    /// where x̄ is negative there.
+    /// The lag of the motion's largest |x̄| behind the excitation's maximum, rad, in (−π, π].  The lag is half a turn
+    /// more if x̄ is negative at that instant.
     ///
     /// If the contact stops at its largest displacement, the lag is that of the beginning of the stop.  If several
     /// maxima are equal, the lag of smallest size counts, and of two such lags the positive one.
@@ -115,7 +115,7 @@ where
     /// is the mean.
     ///
     /// A vibration that turns more than some 10⁴ times within a segment is integrated to its order of magnitude only.
-    /// That concerns a large n, and modes far above the excitation.
+    /// This loss of precision concerns a large n, and modes far above the excitation.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         self.component(S::constant(f64::from(n)), n == 0, |mark| {
             mark.contact_state.t
@@ -327,7 +327,7 @@ impl<S: Float> Best<S> {
         let lag = if one < t { t - two } else { t } * S::pi();
         let clear = self.value < size * near;
         self.value = self.value.max(size);
-        // The lags of equal maxima differ by rounding.  Of two lags of nearly equal size the positive one counts.
+        // The lags of equal maxima differ by rounding.  If two lags have nearly equal size, the positive lag counts.
         let same = S::constant(SAME_LAG.max(ROUNDINGS * S::EPSILON));
         let better = match self.lag {
             Some(known) if !clear => {

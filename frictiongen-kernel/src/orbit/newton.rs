@@ -21,7 +21,7 @@ const SMALL_STEP: f64 = 1e-11;
 const SMALL_ROUNDINGS: f64 = 256.0;
 /// Shortest step that rounding allows, in roundings.
 const LEAST_ROUNDINGS: f64 = 4.0;
-/// Ratio of a small step to the step before, above which rounding holds the method up.
+/// Ratio of a small step to the step before, above which rounding stalls the method.
 const STALLED: f64 = 0.25;
 /// Relative size below which a step ends the method if it is no larger than the square of the step before.
 const QUADRATIC: f64 = 1e-9;

@@ -31,7 +31,7 @@ impl<T: ProvidesOrbit> At<T> {
     /// Returns the steady state at β = F/P in which motion from rest ends, in any regime.
     ///
     /// At the start the excitation is at its maximum, and every mass is at x̄ = 0 without velocity.  A moving base is
-    /// then at Y. A contact with the base therefore starts at z̄ = −Y, and may stick there.
+    /// then at Y.  A contact with the base therefore starts at z̄ = −Y, and may stick there.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.
@@ -41,7 +41,7 @@ impl<T: ProvidesOrbit> At<T> {
     }
 
     /// Returns the steady state as [`orbit`](Self::orbit) does, or the last 64 cycles of a motion from rest that does
-    /// not settle. For such cycles `is_settled()` is false, and an amplitude is the largest of those cycles.
+    /// not settle.  For such cycles `is_settled()` is false, and an amplitude is the largest of those cycles.
     ///
     /// # Errors
     /// [`NoOrbit`] if β is negative or not finite, if the motion is unbounded, if an undamped mode never settles, if a

@@ -125,8 +125,8 @@ pub(super) fn settle<S: Float>(
             }
             cycle_map.restore(workspace.state, &candidate.here);
         }
-        // With μ = 1 the distance of two motions never grows.  A motion that repeats only after several cycles is
-        // therefore one of a continuum.
+        // With μ = 1 the distance of two motions never grows.  A motion that repeats only after several cycles
+        // therefore belongs to a continuum.
         if FIRST_ASKED <= cycles && (!monotone || most <= cycles * 2) {
             match several(cycle_map, workspace, &mut cycles, failure)? {
                 Settled::Not(error) => failure = error,
@@ -257,7 +257,8 @@ fn repeats_sooner<S: Float>(
 }
 
 /// Finds the number of cycles, more than `after` and at most `most`, after which the motion comes back close to its
-/// present state, closer than after fewer cycles.  Returns the number with the pattern of events on the way.
+/// present state.  After fewer cycles the motion must not come back as close.  Returns the number with the pattern of
+/// events on the way.
 fn comes_back<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,

@@ -1,5 +1,5 @@
-//! Growth of small deviations along a motion.  Between events it has a closed form.  At each event deviations jump
-//! (saltation), because the event occurs a little earlier or later.
+//! Growth of small deviations along a motion.  Between events it has a closed form.  At each event a deviation jumps
+//! (saltation), because the event then occurs a little earlier or later.
 
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;

@@ -7,7 +7,7 @@ use crate::number::scalar::Float;
 pub(crate) struct Total<S> {
     /// The sum, rounded.
     pub value: S,
-    /// The rounding error that `value` lacks.
+    /// The accumulated rounding error of `value`.  The exact sum is the sum of both.
     low: S,
 }
 
@@ -37,7 +37,7 @@ impl<S: Float> Total<S> {
 pub(super) struct Clock<S> {
     /// The phase in half-turns, in [0, 2).
     pub t: S,
-    /// The rounding error that `t` lacks.
+    /// The accumulated rounding error of `t`.  The exact phase is the sum of both.
     low: S,
     /// Number of completed cycles.
     pub cycles: u64,

@@ -1,4 +1,4 @@
-//! Transformation between the modes of the chain and those of the chain whose contact sticks.
+//! Transformation between the modes of the chain and the modes of the stuck chain.
 
 use super::part::{Part, lift};
 use super::setting::Setting;
@@ -54,7 +54,7 @@ impl<S: Float> Dynamics<'_, S> {
         }
     }
 
-    /// Computes the state of one of the modes that the contact drives, as [`release`](Self::release) does.
+    /// Computes the state of one mode that the contact drives, as [`release`](Self::release) does for all such modes.
     pub(crate) fn released(
         &self,
         receptance: S,

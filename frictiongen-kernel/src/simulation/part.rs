@@ -10,7 +10,7 @@ use crate::oscillator::decay::{Damped, Decay, Instant, Turn, multipliers, turn};
 use crate::oscillator::mode::{Kind, Mode};
 
 /// Limit of the resonance region |D| < NEAR·x², in which the forced motion is formed from differences that vanish with
-/// D. Elsewhere it is the steady motion plus a free one, which loses at most a factor 1/NEAR of the precision.
+/// D.  Elsewhere it is the steady motion plus a free one, which loses at most a factor 1/NEAR of the precision.
 const NEAR: f64 = 0.02;
 /// Lower limit of 1 − ζ² for a motion that counts as an oscillation and is bounded by its amplitude.
 const OSCILLATES: f64 = 0.05;

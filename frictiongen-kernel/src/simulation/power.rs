@@ -63,7 +63,7 @@ impl<S: Float> Power<S> {
     }
 }
 
-/// A power series up to `reach`, with a bound on its third derivative there.
+/// A power series up to `reach`, with a bound on its third derivative over that length.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen<'p, S> {
     power: &'p Power<S>,

@@ -74,8 +74,9 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     /// [`Part::empty`] for each mode and each mode of the stuck chain.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for r that is not positive and finite, for β or μβ that is NaN, negative or infinite, for a
-    /// state that does not have one finite displacement and velocity for each mass, and for a wrong number of `parts`.
+    /// [`OutOfDomain`] for r that is not positive and finite, and for β or μβ that is NaN, negative or infinite.  A
+    /// state without one finite displacement and velocity for each mass, and a wrong number of `parts`, give the same
+    /// error.
     pub fn new(
         dynamics: Dynamics<'a, S>,
         r: S,

@@ -22,7 +22,7 @@ pub(crate) struct ContactState<S> {
     pub contact: Contact,
     /// At an event, the relative acceleration in the direction of sliding, with which the contact leaves zero velocity.
     pub departing: Option<S>,
-    /// True if the contact has just failed to leave.  Rounding then must not decide that its force exceeds μβ.
+    /// True if the contact has just failed to leave.  Rounding then must not decide that the contact force exceeds μβ.
     pub wedged: bool,
 }
 
@@ -35,7 +35,7 @@ pub(crate) struct End<S> {
     pub event: Option<Event>,
     /// State of the contact after the event.
     pub contact_state: ContactState<S>,
-    /// At an event, the slope of the function that vanishes there: z̄″ before the event, or F′.
+    /// At an event, the slope of the function that vanishes at the event: z̄″ before the event, or F′.
     pub slope: S,
     /// Jump of the contact force at the event: force before less force after.
     pub jump: S,
@@ -173,7 +173,7 @@ pub(super) enum Outcome {
     Goes,
     /// The relative velocity vanishes.
     Halts,
-    /// The contact force reaches ±μβ; true for −μβ.
+    /// The contact force reaches ±μβ; `true` means −μβ.
     Breaks(bool),
     /// The contact cannot leave zero velocity.
     Holds,

@@ -22,7 +22,7 @@ pub struct Setting<'a, S> {
     load: S,
     /// wᵀK̄⁻¹w = Σ c_i/λ_i, the contact's displacement per unit of steady contact force.
     pub(crate) receptance: S,
-    /// Σ 2ζ_i c_i/σ_i over the receptance.
+    /// Σ 2ζ_i c_i/σ_i over the receptance: damping force per unit of velocity of the stuck contact, times m*.
     drag: S,
 }
 
@@ -32,7 +32,7 @@ impl<'a, S: Float> Setting<'a, S> {
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative, zero and infinite r, and for r so near to 0 or ∞ that the formulas leave the
-    /// scalar's range.  The same error for NaN, negative and infinite β and μβ, and for a wrong number of `parts`.
+    /// scalar's range.  NaN, negative and infinite β and μβ, and a wrong number of `parts` give the same error.
     pub fn new(
         dynamics: Dynamics<'a, S>,
         r: S,

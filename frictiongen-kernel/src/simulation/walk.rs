@@ -17,7 +17,7 @@ const PAST: f64 = 4.0;
 pub(crate) trait Walked<S> {
     /// Upper bound on the steps of a walk along the function.
     const MOST: u32 = MAX_STEPS;
-    /// Value and derivatives of the function at τ, with a bound on its third derivative from there on.
+    /// Value and derivatives of the function at τ, with a bound on its third derivative from τ on.
     fn local(&self, tau: S) -> Local<S>;
     /// Series of the function shortly after the start, for a value and a slope that are known better than by
     /// evaluation.

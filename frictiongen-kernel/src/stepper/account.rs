@@ -6,7 +6,8 @@ use super::table::Tables;
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 
-/// Work of the load since the start and its balance, in the scene's unit of force times its unit of length.
+/// Energy balance since the start: work of the load, dissipation and stored energy, in the scene's unit of force times
+/// its unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Work<S> {

@@ -60,7 +60,7 @@ impl Cost {
         let tables = extent.parts * attempt;
         Self {
             tables,
-            // One piece up to the event, one from the event on, and the contact's state between them.
+            // The step costs one piece up to the event, one piece from the event on, and the event between both.
             one_event: tables + 2 * usual + extent.event() + extent.held_force(),
             most: extent.parts
                 * (attempt

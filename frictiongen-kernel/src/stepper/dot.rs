@@ -3,7 +3,7 @@
 use crate::number::scalar::Float;
 
 /// Returns start + Σ a·b, and sums the products first.  Where an input changes its sign within a sub-interval the
-/// products cancel. Adding them one by one to `start` would round them as if they were as large as the larger terms.
+/// products cancel.  Each product added alone to `start` would be rounded at the size of the larger terms.
 #[inline(always)]
 pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) -> S {
     match (a.as_slice(), b.as_slice()) {

@@ -12,8 +12,8 @@ pub struct Sample<'i, S> {
     pub base: [S; 2],
     /// The forces, one for each loaded mass.
     pub forces: &'i [S],
-    /// The kinetic friction force F, not negative.  It acts over the step that leads to this sample, or over the step
-    /// that starts from it if the input is held.
+    /// The kinetic friction force F, not negative.  Friction of this size acts over the step that leads to this sample,
+    /// or over the step that starts from this sample with zero-order hold.
     pub friction: S,
 }
 
@@ -96,7 +96,7 @@ impl<S: Float> Stretch<S> {
 }
 
 /// The base's displacement over a step, with velocities per step.  A linear input gives the cubic with the displacement
-/// and the velocity at both end points.  A held input gives the straight line from the displacement at the start.
+/// and the velocity at both end points.  Zero-order hold gives the straight line from the displacement at the start.
 pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [S; 4] {
     let zero = S::constant(0.0);
     let (two, three) = (S::constant(2.0), S::constant(3.0));

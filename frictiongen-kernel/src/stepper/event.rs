@@ -255,9 +255,9 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     /// chain take over the state.
     ///
     /// The state is projected as the difference between the modes and the rest position of the chain with its contact
-    /// there. Far from the origin these differences are small differences of large numbers, above all in the softest
-    /// mode.  Their rounding would strain stiff springs.  The differences do not displace the contact, so that the
-    /// softest mode's difference follows from the others.
+    /// at that displacement.  Far from the origin these differences are small differences of large numbers, above all
+    /// in the softest mode.  Their rounding would strain stiff springs.  The differences do not displace the contact,
+    /// so that the softest mode's difference follows from the others.
     fn grip(&mut self, place: Option<S>) {
         let dynamics = &self.scene.dynamics;
         let receptance = self.table.pace.receptance;

@@ -17,7 +17,7 @@ pub struct Pace<S> {
     pub terms: u32,
     /// wᵀK̄⁻¹w, the displacement of the contact per unit of steady force.
     pub receptance: S,
-    /// Damping force of the sticking contact per unit of its velocity: Σ 2ζc/σ over the receptance.
+    /// Σ 2ζc/σ over the receptance: damping force per unit of velocity of the sticking contact, times m*.
     pub drag: S,
 }
 

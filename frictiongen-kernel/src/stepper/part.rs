@@ -119,7 +119,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
     }
 
-    /// Advances without friction.  No force then holds the contact, and its turning points are no events.
+    /// Advances without friction.  No force then keeps the contact at rest, so that its turning points are no events.
     ///
     /// The tables serve for the whole sub-interval.  Power series about events would not do.  Their rounded sums do not
     /// keep the energy of an undamped chain in step with the work.
@@ -265,8 +265,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         self.status.dissipated = self.status.dissipated.plus(friction);
     }
 
-    /// The force in the sticking contact without the share of the stuck chain's modes, as a polynomial, and an upper
-    /// bound on its second derivative over the sub-interval.
+    /// The force in the sticking contact without the share of the stuck chain's modes.  The result is a polynomial,
+    /// with an upper bound on its second derivative over the sub-interval.
     pub(super) fn still(&self) -> ([S; 4], S) {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let pace = &self.table.pace;

@@ -40,8 +40,8 @@ pub struct ModeStep<S, const D: usize> {
     pub contact: S,
     /// Weights of the gain of u over the sub-interval.
     pub turn: Row<S, D>,
-    /// Weights of ∫ sʲ y′ ds over the sub-interval, for j = 0, 1, ….  The first is the gain of y.  All of them give the
-    /// work of the drive.
+    /// Weights of ∫ sʲ y′ ds over the sub-interval, for j = 0, 1, ….  The first is the gain of y.  All moments together
+    /// give the work of the drive.
     pub moments: [Row<S, D>; D],
 }
 
@@ -107,9 +107,10 @@ pub(super) fn moments<S: Float, const D: usize>(
 
 /// Writes the gains of y and u over a sub-interval as three shears.
 ///
-/// A product of shears has the determinant 1 with any weights.  With these weights it is a rotation in coordinates that
-/// differ from y and u by a rounding.  Without damping a quadratic form close to the energy is therefore conserved
-/// exactly. The weight `loss` sets the determinant, e^(−2ζΩ), and with it the energy that damping takes.
+/// A product of shears has the determinant 1 with any weights.  With these weights the product is a rotation in
+/// coordinates that differ from y and u by a rounding.  Without damping a quadratic form close to the energy is
+/// therefore conserved exactly.  The weight `loss` sets the determinant, e^(−2ζΩ), and with it the energy that damping
+/// takes.
 fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S, D>; D]; 2]) {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [rises, turns] = rows;

@@ -13,7 +13,7 @@ use crate::simulation::{Contact, law};
 use core::marker::PhantomData;
 
 /// Largest change of the contact's velocity that a friction law may cause in a sub-interval, as a multiple of that
-/// velocity. Under a steeper law a power series converges over a small fraction of the sub-interval only.
+/// velocity.  Under a steeper law a power series converges over a small fraction of the sub-interval only.
 const STEEPEST: f64 = 16.0;
 
 /// The motion under an input that is known step by step.
@@ -110,7 +110,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     }
 
     /// Sets the input at the start, from which the first step of a linear input begins.  Without this call that input
-    /// is zero. [`contact`](Self::contact) reflects the sample at once.  For a moving base it assumes that the base's
+    /// is zero.  [`contact`](Self::contact) reflects the sample at once.  For a moving base it assumes that the base's
     /// velocity stays constant.
     ///
     /// # Errors
@@ -148,16 +148,16 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         self.status.friction = sample.friction / self.scene.units.stiffness;
     }
 
-    /// Takes one step.  A linear input reaches this sample at the end of the step.  A held input keeps it during the
-    /// step.
+    /// Takes one step.  A linear input reaches this sample at the end of the step.  With zero-order hold the input has
+    /// this sample during the whole step.
     ///
     /// # Errors
     /// [`OutOfDomain`] in these cases.  The stepper then keeps its state.
     ///
     /// - "force" for NaN and infinite forces, "base" for such motions of the base, and "friction" for such friction
-    ///   forces and for negative ones.  The same names stand for numbers so large that their squares overflow.
-    /// - "friction" also for a friction force so large that the friction law would change the contact's velocity, in a
-    ///   sub-interval, by more than 16 times that velocity.
+    ///   forces and for negative ones.  Numbers so large that their squares overflow have the same names.
+    /// - "friction" also for a friction force so large that the friction law would change the contact's velocity by
+    ///   more than 16 times that velocity in a sub-interval.
     /// - "forces" for a wrong number of forces.
     /// - "work" once the work exceeds the square of the largest permitted input, so that another step could overflow.
     pub fn advance(&mut self, sample: Sample<'_, S>) -> Result<Stepped<S>, OutOfDomain> {
@@ -215,7 +215,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// Advances through one sub-interval of a step.  Returns the number of events and whether more were due than are
     /// followed.
     // Inlined into the loop, the function makes the compiler prepare addresses for further sub-intervals in every step,
-    // although most steps have one.
+    // although most steps have only one.
     #[inline(never)]
     fn part(&mut self, sample: &Sample<'_, S>, motion: [S; 4], stretch: Stretch<S>) -> (u32, bool) {
         let mut through = self.through(sample, motion, stretch);
@@ -244,8 +244,8 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         }
     }
 
-    /// Accounts for the jump of the base at the start of a step with held input.  A mass that rubs on the base does not
-    /// jump with it.
+    /// Accounts for the jump of the base at the start of a step with zero-order hold.  A mass that rubs on the base
+    /// does not jump with the base.
     fn jump(&mut self, [place, velocity]: [S; 2]) {
         if !self.scene.rubs_on_base() || self.status.unknown {
             return;

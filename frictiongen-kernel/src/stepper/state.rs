@@ -11,8 +11,7 @@ use crate::simulation::{Contact, Total};
 /// Mutable view of a stepper's numbers.
 #[derive(Debug)]
 pub struct StoreMut<'s, S, const D: usize> {
-    /// y and u of the modes.  While the contact sticks, only those of modes that the contact does not drive are
-    /// current.
+    /// y and u of the modes.  While the contact sticks, only modes that the contact does not drive have current values.
     pub modes: &'s mut [[S; 2]],
     /// y and u of the modes of the stuck chain, current while the contact sticks.
     pub held: &'s mut [[S; 2]],
@@ -120,7 +119,8 @@ pub(super) struct Status<S> {
     pub contact: Contact,
     /// True while the contact's state must still be derived from its velocity and from the force in it.
     pub unknown: bool,
-    /// True if the contact was about to slide and could not.  Rounding then must not decide that its force exceeds μF.
+    /// True if the contact was about to slide and could not.  Rounding then must not decide that the contact force
+    /// exceeds μF.
     pub wedged: bool,
     /// Relative displacement of the contact while it sticks.
     pub place: S,

@@ -229,7 +229,7 @@ pub fn fill<S: Float, const D: usize>(
 }
 
 /// Number of terms that a power series needs over a sub-interval in which the fastest oscillator turns by `rate`, at
-/// most 1. The terms left out are below a sixteenth of a scalar's rounding.
+/// most 1.  The terms left out are below a sixteenth of a scalar's rounding.
 #[must_use]
 pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
     let one = S::constant(1.0);

@@ -4,7 +4,7 @@
 //! are sums of two `f64`, so that a result has about 32 digits.
 //!
 //! This file compares every function with the table and with double-double.  `exact` has arguments whose results are
-//! known. `double_double` tests what only that type has to keep.  `arguments` has the arguments, and `measure` the
+//! known.  `double_double` tests what only that type has to keep.  `arguments` has the arguments, and `measure` the
 //! errors.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 

@@ -62,8 +62,8 @@ fn third_derivatives_stay_within_their_bound() {
     assert_eq!(compared, 11 * 400 * 40);
 }
 
-/// Slope and curvature of the searched function agree with differences of the function and of its slope.  That holds
-/// near a resonance too, where a forced motion grows.
+/// Slope and curvature of the searched function agree with differences of the function and of its slope.  They also
+/// agree near a resonance, where a forced motion grows.
 #[test]
 fn slope_and_curve_are_derivatives() {
     // Central differences lose h² to curvature and ε/h to rounding.
