@@ -79,7 +79,7 @@ pub enum NoOrbit {
     Unsettled,
 }
 
-/// Any error of a solver.  A function that calls several solvers can use `?` on the errors of all.
+/// Any error of a solver.  A function that calls several solvers can use `?` on each of their results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

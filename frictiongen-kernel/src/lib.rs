@@ -1,6 +1,6 @@
 //! Functions and types that generated friction solvers call.
 //!
-//! Each module uses only modules that this list names before: [`number`], [`oscillator`], [`modal_sum`], [`contact`],
+//! In this list a module uses only modules before it: [`number`], [`oscillator`], [`modal_sum`], [`contact`],
 //! [`response`], [`table`], [`simulation`], [`stepper`], [`orbit`].  [`errors`] has the error types of all modules.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 

@@ -159,8 +159,8 @@ pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     parts
 }
 
-/// Waves of random rates, the slowest first.  Each wave has its own damping, or none is damped.  Without `rise` they
-/// are waves that the search of the velocity constraint meets.
+/// Waves of random rates, the slowest first.  Each wave has its own damping, or none is damped.  Without `rise` the
+/// waves have the terms of the velocity constraint only.
 pub fn random_waves(
     random: &mut Lcg,
     (low, high): (f64, f64),

@@ -24,7 +24,8 @@ const MOST_GROWN: f64 = 64.0;
 /// a continuum.  A motion that still turns more often may end elsewhere.
 const CALM: u32 = 64;
 
-/// Ratio to the first distance from the fixed point at which following ends, according to the multipliers.
+/// Ratio of the last to the first distance from the fixed point at which following ends.  The multipliers give that
+/// ratio.
 const FAR_ENOUGH: f64 = 0.01;
 /// Fraction of the reduction in distance, promised by the multipliers, that may be missing.
 const SPARE: f64 = 0.1;

@@ -217,8 +217,8 @@ where
         self.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
     }
 
-    /// z̄ of a contact that never slides, if it has not slid on the way there either.  Such a contact is at z̄ = 0, or
-    /// −1 on a moving base.  After a slip the offset depends on every slip, and the state is marginal.
+    /// z̄ of a contact that never slides, if it has not slid on the way to the steady state either.  Such a contact is
+    /// at z̄ = 0, or −1 on a moving base.  After a slip the offset depends on every slip, and the state is marginal.
     fn held_since_the_start<U: Float>(&self) -> Result<U, NoDerivative> {
         let offset = self.offset();
         if offset.is_zero() || offset == -self.setting.base {

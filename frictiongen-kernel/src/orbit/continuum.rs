@@ -57,7 +57,7 @@ pub(super) fn member<S: Float>(
             return Err(NoOrbit::Unsettled);
         }
         // (shift − D)⁻¹ divides the family's share by shift − 1, and hardly changes the other shares.  The weight
-        // restores the family's.
+        // restores the family's share.
         let weight = shift - one;
         for (state, other) in workspace.state.iter_mut().zip(workspace.other.iter()) {
             *state = *other * weight;

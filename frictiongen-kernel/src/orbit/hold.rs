@@ -1,7 +1,7 @@
 //! Detection of a contact that sticks for ever.  From β*_lim on, motion may end with the contact stuck, with or without
 //! an offset.
 //!
-//! Three forces act in a stuck contact: V/H of the forced motion, a constant force of the offset, and the force of the
+//! Three forces act in a stuck contact: V/H of the forced motion, the constant force of an offset, and the force of the
 //! stuck chain's free vibration.  The contact never slides again where their sum cannot exceed μβ.
 
 use super::cycle_map::{CycleMap, Pattern};
@@ -24,7 +24,7 @@ const ONE_SIDED: f64 = 0.1;
 
 /// Watches a motion from β*_lim on for the instant after which the contact sticks for ever.
 pub(super) struct Hold<S> {
-    /// V/H|, the amplitude of the contact force in the forced motion.
+    /// |V/H|, the amplitude of the contact force in the forced motion.
     steady: S,
     /// Whether μ = 1, so that slips shrink.
     monotone: bool,

@@ -65,7 +65,7 @@ struct SegmentStart<S> {
     length: S,
     /// z̄ at the start.
     relative: S,
-    /// Number of following segments that are not stored.  They are computed again from this one.
+    /// Number of following segments that are not stored.  Those segments are computed again from this one.
     more: u32,
 }
 
@@ -102,7 +102,7 @@ fn slack<S: Float>() -> S {
 /// A steady state: a motion that repeats after one cycle of the excitation, or after [`Orbit::period`] cycles.
 ///
 /// `P` owns the oscillators, `V` the scalars of memory ([`numbers`]), and `C` the multipliers, two for each mode that
-/// the contact drives.  They are arrays in emitted code and vectors at run time.
+/// the contact drives.  All three are arrays in emitted code and vectors at run time.
 #[derive(Clone, Debug)]
 pub struct Orbit<'a, S, P, V, C> {
     setting: Setting<'a, S>,
@@ -236,8 +236,8 @@ where
     }
 
     /// The intervals in which the contact sticks: start and length.  The start is τ of the excitation, from 0 to 2π
-    /// times the period.  It counts from a maximum of the excitation.  For a subharmonic state that is the maximum next
-    /// to [`origin`](Self::origin).
+    /// times the period.  That τ counts from a maximum of the excitation.  For a subharmonic state that is the maximum
+    /// next to [`origin`](Self::origin).
     pub fn sticking_intervals(&self) -> impl Iterator<Item = (S, S)> + '_ {
         let stuck = |contact: &Contact| *contact == Contact::Stuck;
         let intervals = self
@@ -258,8 +258,8 @@ where
     }
 
     /// Contact state and friction force over P at τ, which counts from where the relative motion leaves its maximum.
-    /// While the contact slides, the force is β times the sign of the velocity.  While it sticks, the force keeps the
-    /// contact at rest.  A positive force opposes positive sliding.
+    /// While the contact slides, the force is β times the sign of the velocity.  While the contact sticks, the force
+    /// keeps the contact at rest.  A positive force opposes positive sliding.
     pub fn friction(&self, tau: S) -> (Contact, S) {
         let Some((mut segments, mark, since)) = Segments::at(self, tau) else {
             return (Contact::Stuck, S::constant(0.0));

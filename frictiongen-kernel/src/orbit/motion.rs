@@ -70,7 +70,7 @@ where
     /// more if x̄ is negative at that instant.
     ///
     /// If the contact stops at its largest displacement, the lag is that of the beginning of the stop.  If several
-    /// maxima are equal, the lag of smallest size counts, and of two such lags the positive one.
+    /// maxima are equal, the lag of smallest size counts.  If two such lags differ in sign, the positive lag counts.
     pub fn phase(&self) -> S {
         self.best().lag.unwrap_or(S::constant(0.0))
     }
@@ -194,8 +194,8 @@ where
         self.shape.is_none()
     }
 
-    /// Notes the relative motion at all events, because it is largest where its velocity is zero.  It reaches its
-    /// largest displacement at the beginning of a stop, so that the end of a stop is left out.
+    /// Notes the relative motion at all events, because the motion is largest where its velocity is zero.  The motion
+    /// reaches its largest displacement at the beginning of a stop, so that the end of a stop is left out.
     fn at_events(&self, best: &mut Best<S>) {
         let (mut first, mut stuck) = (None, false);
         for mark in self.orbit.segments() {

@@ -44,8 +44,8 @@ impl<T: ProvidesOrbit> At<T> {
     /// not settle.  For such cycles `is_settled()` is false, and an amplitude is the largest of those cycles.
     ///
     /// # Errors
-    /// [`NoOrbit`] if β is negative or not finite, if the motion is unbounded, if an undamped mode never settles, if a
-    /// cycle has too many events, or if following the motion takes too many steps.
+    /// [`NoOrbit`] if β is negative or not finite, if the motion is unbounded, or if an undamped mode never settles.
+    /// [`NoOrbit`] also if a cycle has too many events, or if following the motion takes too many steps.
     #[inline]
     pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
         T::settled(self, beta, Start::Rest, true)

@@ -1,8 +1,8 @@
 //! The largest velocity and acceleration within a segment.
 //!
 //! The search samples sixteen instants in a half-turn of the fastest motion, and refines every extreme between them.
-//! It can only miss an extreme that is within one such step of another.  Two such extremes differ by less than a
-//! thousandth.
+//! The search can only miss an extreme that lies within one sampling step of another extreme.  Two such extremes differ
+//! by less than a thousandth.
 
 use crate::number::scalar::Float;
 use crate::simulation::Sum;

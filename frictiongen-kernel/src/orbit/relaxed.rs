@@ -2,9 +2,9 @@
 //! followed.
 //!
 //! Near a resonance of the masses that the contact does not move, a motion takes more cycles the nearer the resonance
-//! is.  For most of these cycles its events are not those of the steady state, so that Newton's method alone does not
-//! converge.  With μ = 1 the distance of two motions never grows.  Each step x′ = x + (F(x′) − x′)/σ therefore has one
-//! solution, which is nearer to the steady state than x, however long the step is.
+//! is.  For most of these cycles the motion's events are not those of the steady state, so that Newton's method alone
+//! does not converge.  With μ = 1 the distance of two motions never grows.  Each step x′ = x + (F(x′) − x′)/σ therefore
+//! has one solution, which is nearer to the steady state than x, however long the step is.
 
 use super::cycle_map::{CycleMap, unit};
 use super::matrix::Matrix;

@@ -66,7 +66,8 @@ pub(super) fn settle<S: Float>(
     let mut failure = NoOrbit::Unsettled;
     let (mut cycles, mut wanted) = (0, 2);
     let mut halves = [Pattern::default(); 4];
-    // Numbers of successive half cycles with the pattern of the half cycle before, and of the second last one.
+    // Numbers of successive half cycles with an unchanged pattern, compared with half a cycle before and with a cycle
+    // before.
     let mut settled = [0u32; 2];
     while cycles < most {
         while cycles < wanted {

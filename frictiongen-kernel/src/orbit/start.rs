@@ -27,7 +27,7 @@ pub enum Start<'s, S> {
 }
 
 impl<S: Float> Start<'_, S> {
-    /// Sets the cycle map to the start.  The caller sets `Stuck`.
+    /// Sets the cycle map to the start.  For `Stuck` the caller sets the state.
     pub(super) fn place(
         self,
         cycle_map: &mut CycleMap<'_, '_, S>,

@@ -31,7 +31,7 @@ impl<'a, S> Level<'a, S> for Constant {
 /// Kinetic friction in straight lines between points: Stribeck's law.  Without points it is constant.
 #[derive(Clone, Copy, Debug)]
 pub struct Lines<'a, S> {
-    /// Points (v, f): speed in the scene's units, and kinetic friction over that at rest, with v ascending.
+    /// Points (v, f): speed in the scene's units, and kinetic friction over its value at zero speed, with v ascending.
     points: &'a [[S; 2]],
     /// The velocity, in the scene's units, for which dz̄/dτ is 1.
     unit: S,

@@ -59,7 +59,7 @@ pub struct HeldMode<S> {
     pub zeta: S,
     /// √|1 − ζ²|.
     pub q: S,
-    /// −(contact force)/y.
+    /// −(contact force)/y: the contact force per unit of y, with the opposite sign.
     pub force: S,
     /// Symmetric matrix [m₁₁, m₁₂, m₂₂] that transforms the products of a motion with the mode's two states to y and u.
     pub inverse: [S; 3],

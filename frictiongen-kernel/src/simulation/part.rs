@@ -1,7 +1,8 @@
-//! One oscillator between two events: a mode while the contact slides, or a mode of the stuck chain while it sticks.
+//! One oscillator between two events: a mode while the contact slides, or a mode of the stuck chain while the contact
+//! sticks.
 //!
-//! The oscillator has the displacement y and the scaled velocity u = y′/x.  In free motion both turn and decay together
-//! ([`Turn`]).
+//! The oscillator has the displacement y and the scaled velocity u = y′/x.  In free motion y and u turn and decay
+//! together ([`Turn`]).
 
 use super::{HeldMode, rotated};
 use crate::number::complex::{self, Complex};

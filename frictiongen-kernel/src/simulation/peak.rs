@@ -37,7 +37,8 @@ impl<S: Float> Sum<'_, S> {
         let low = start.value.abs() <= self.noise || !(start.curve * start.value < zero);
         if start.slope.abs() <= self.noise * self.rate && low {
             // The function starts at zero or at the bottom of a valley, from where no climb starts.  Two values between
-            // the end points raise the level.  They are constants of S, so that `f32` scenes link no double precision.
+            // the end points raise the level.  The fractions are constants of S, so that `f32` scenes link no double
+            // precision.
             for share in [S::constant(0.3), S::constant(0.5)] {
                 let value = self.local(self.reach * share).value;
                 level = level.max(value.abs());
@@ -105,7 +106,7 @@ impl<S: Float> Sum<'_, S> {
         }
         if S::CARRIES {
             // The instant of the extreme depends on the slope's derivative.  The value does not, because the slope
-            // vanishes there.
+            // vanishes at the extreme.
             at = at.primal();
             local = self.local(at);
             if zero < at && at < self.reach {

@@ -223,8 +223,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
 
     /// Advances to the next event, but at most by `reach` in τ.  A reach of 0 changes nothing.
     ///
-    /// The size of the steps changes neither the events of a run, nor does the rounding of the steps accumulate in its
-    /// phase or its motion.
+    /// The events of a run do not depend on the size of its steps.  The rounding of the steps accumulates neither in
+    /// the phase nor in the motion.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative, infinite or NaN.  The simulation then keeps its state.

@@ -229,8 +229,8 @@ pub(crate) fn seek<S: Float>(
 }
 
 /// Adds derivatives to the instant at which a sum meets its level, for a scalar that carries derivatives.  One step of
-/// Newton's method from the walk's instant gives them.  Without a level no event is met there.  The reach then keeps
-/// its own derivatives, and an instant short of the reach has none.
+/// Newton's method from the walk's instant gives them.  Without a level no event ends the segment.  The reach then
+/// keeps its own derivatives, and an instant short of the reach has none.
 fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
     let Some(level) = level else {
         return if tau < sum.reach {

@@ -32,8 +32,8 @@ pub(super) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
             }
         }
         if curve < zero {
-            // This is the same root of p′ in the form that does not cancel.  The other form would lose it for a small
-            // bound.
+            // This is the same root of p′ in the form that does not cancel.  The other form would lose the root for a
+            // small bound.
             from = ((slope + slope) / (root - curve)).max(zero);
         } else if zero < curve + root {
             from = (curve + root) / bound;

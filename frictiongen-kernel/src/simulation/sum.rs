@@ -44,7 +44,7 @@ impl<'a, S: Float> Sum<'a, S> {
             noise = noise + a.abs() + b.abs();
             rate = rate.max(part.x * (one + part.zeta + part.zeta));
             if part.near {
-                // y⁗|, |y‴| ≤ 4 + 4τ for |x − 1| ≪ 1 and a unit force.
+                // |y⁗|, |y‴| ≤ 4 + 4τ for |x − 1| ≪ 1 and a unit force.
                 let [of_y, of_u] = part.weight;
                 let push = part.push() * (of_y.abs() + of_u.abs()) * two;
                 bound = bound + push * (four + four * reach);
@@ -106,7 +106,8 @@ impl<S: Float> Walked<S> for Sum<'_, S> {
         self.local(tau)
     }
 
-    /// Series from the start with the given value and slope, and the largest τ for which it is exact to rounding.
+    /// Series from the start with the given value and slope, and the largest τ for which the series is exact to
+    /// rounding.
     fn series(&self, value: S, slope: S) -> Series<S> {
         let mut terms = [S::constant(0.0); ORDER];
         let (mut cosine, mut sine) = (self.cosine, self.sine);

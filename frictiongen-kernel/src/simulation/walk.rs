@@ -175,7 +175,7 @@ enum Verdict<S> {
     Above,
     /// The function has a zero at this distance.
     Zero(S),
-    /// The function touches zero without crossing.  At this distance it is again as far above zero.
+    /// The function touches zero without crossing.  At this distance the function is again as far above zero.
     Past(S),
 }
 

@@ -22,7 +22,7 @@ pub struct Work<S> {
 }
 
 impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
-    /// Returns the work done since the start.
+    /// Returns the energy balance since the start.
     #[must_use]
     pub fn work(&self) -> Work<S> {
         let stiffness = self.scene.units.stiffness;

@@ -64,8 +64,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let force = self.held_force();
         let friction = self.status.friction;
         let grip = friction * self.status.stiction;
-        // The acceleration of a moving base is not known before the first step.  That step decides whether the contact
-        // breaks away.
+        // The acceleration of a moving base is not known before the first step.  The first step decides whether the
+        // contact breaks away.
         self.status.holding = force.abs().min(grip).copysign(force);
         if grip < force.abs() && !self.scene.rubs_on_base() {
             // The contact breaks away at once.  The first step finds that again, and counts the event.
@@ -256,8 +256,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     ///
     /// The state is projected as the difference between the modes and the rest position of the chain with its contact
     /// at that displacement.  Far from the origin these differences are small differences of large numbers, above all
-    /// in the softest mode.  Their rounding would strain stiff springs.  The differences do not displace the contact,
-    /// so that the softest mode's difference follows from the others.
+    /// in the softest mode.  The rounding of these differences would strain stiff springs.  The differences do not
+    /// displace the contact, so that the softest mode's difference follows from the others.
     fn grip(&mut self, place: Option<S>) {
         let dynamics = &self.scene.dynamics;
         let receptance = self.table.pace.receptance;

@@ -3,7 +3,7 @@
 /// Course of the input between two samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
-    /// Zero-order hold: a force keeps its value from the start of the step, and the base its velocity from there.
+    /// Zero-order hold: a force keeps its value, and the base its velocity, from the start of the step.
     Hold,
     /// A force follows a straight line to its value at the end of the step.  The base follows the cubic with the
     /// displacements and velocities at both end points.

@@ -77,7 +77,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         self.scene.rubs_on_base().then_some(motions)
     }
 
-    /// The line of the friction law on which the speed lies.  Its speeds are lengths a sub-interval.
+    /// The line of the friction law on which the speed lies.  The line's speeds are in lengths a sub-interval.
     #[inline]
     pub(super) fn line(&self) -> Line<S> {
         let mut line = law::line(self.scene.law, self.status.line);

@@ -52,7 +52,7 @@ pub struct HeldStep<S, const D: usize> {
     pub angle: S,
     /// ζ, the modal damping ratio.
     pub zeta: S,
-    /// −(contact force)/y.
+    /// −(contact force)/y: the contact force per unit of y, with the opposite sign.
     pub force: S,
     /// Rates that the velocity and the acceleration of a moving base add to y and u, where the contact sticks to the
     /// base.

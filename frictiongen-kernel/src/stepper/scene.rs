@@ -30,8 +30,8 @@ pub struct StepScene<'a, S> {
     pub forces: &'a [usize],
     /// Course of the input between two samples.
     pub input: Input,
-    /// Points (v, f) of Stribeck's law: speed, and kinetic friction over that at rest, with v ascending.  Empty for
-    /// Coulomb's law.
+    /// Points (v, f) of Stribeck's law: speed, and kinetic friction over its value at zero speed, with v ascending.
+    /// Empty for Coulomb's law.
     pub law: &'a [[S; 2]],
 }
 
