@@ -1,88 +1,96 @@
-//! Regimes, and what a question outside its domain is answered with.
+//! Regimes of the contact's motion, and the errors of solvers.
 
 use core::fmt;
 
-/// How the contact moves in the steady state.
+/// Regime of the steady state: the way in which the contact moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Regime {
-    /// β < β_lim and β < β*_lim: the closed form exists, and no stuck state.  With μ = 1 it is the only state; with μ > 1
-    /// stick-slip may exist beside it.
+    /// Continuous motion: β < β_lim and β < β*_lim.  The closed form exists, and a stuck state does not.  With μ = 1
+    /// the continuous motion is the only steady state.  With μ > 1 stick-slip states may exist as well.
     Continuous,
-    /// β_lim ≤ β < β*_lim: neither the closed form nor a stuck state exists.  The contact stops and slides in turn.
+    /// Stick-slip: β_lim ≤ β < β*_lim.  Neither the closed form nor a stuck state exists.  The contact stops and slides
+    /// in turn.
     StickSlip,
-    /// β ≥ β_lim and β ≥ β*_lim: a stuck state exists.  With μ = 1 motion from rest always ends in one; with μ > 1 it may
-    /// end in stick-slip instead.
+    /// Stuck: β ≥ β_lim and β ≥ β*_lim.  A stuck state exists.  With μ = 1 motion from rest always ends in a stuck
+    /// state.  With μ > 1 that motion may end in stick-slip instead.
     Stuck,
-    /// β*_lim ≤ β < β_lim, only with μ > 1: the closed form and a stuck state both exist.
+    /// Bistable: β*_lim ≤ β < β_lim, only with μ > 1.  The closed form and a stuck state both exist.
     Bistable,
 }
 
-/// An argument that is NaN or negative, or infinite where that has no meaning.
+/// An argument outside its domain: NaN, negative, or infinite where infinity has no meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OutOfDomain {
-    /// Which argument: "r", "beta", "state", "reach"; or a slice that is too short or too long, "parts",
-    /// "numbers", "multipliers", "continuous", "sliding"; of a stepper "dt", "force", "forces",
-    /// "base", "friction", "stiction", "steps", "saved", "work"; of a map "mass"; of a run in time "amplitude" and "steepness"; or
-    /// "stribeck" where the friction law has no constant kinetic level, which a stepper and `simulation_under` do without.
+    /// Name of the argument that is outside its domain.
+    ///
+    /// - "r", "beta", "state", "start" or "reach" of an orbit, a response or a simulation.
+    /// - "parts", "numbers", "multipliers", "tables", "continuous" or "sliding" for a slice that is too short or too
+    ///   long.
+    /// - "dt", "force", "forces", "base", "friction", "stiction", "steps", "saved" or "work" of a stepper.
+    /// - "mass" of a map or a curve.
+    /// - "amplitude" and "steepness" of a simulation under a friction law that depends on the speed.
+    /// - "damping" where free and stuck modes cannot be distinguished in the scalar.
+    /// - "stribeck" where the friction law has no constant kinetic level.  A stepper and `simulation_under` accept such
+    ///   a law.
     pub argument: &'static str,
 }
 
-/// Why there is no continuous motion.
+/// Reason why a continuous motion does not exist.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum NotContinuous {
-    /// β lies between the limits: the contact stops and slides in turn.
+    /// β lies between the limits, so that the contact stops and slides in turn.
     StickSlip,
     /// β is at or above both limits: no motion slides all the time, and a stuck state exists.
     Stuck,
-    /// On an undamped resonance, with too little friction to bound the amplitude.
+    /// The excitation is on an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,
     /// β is NaN, negative or infinite.
     OutOfDomain,
 }
 
-/// On an undamped resonance of the chain whose contact is stuck.
+/// Error of an excitation on an undamped resonance of the chain whose contact is stuck: no steady response exists.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StuckResonance;
 
-/// Why there is no steady state to report.
+/// Reason why there is no steady state to report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum NoOrbit {
-    /// r, β or the state to start from.
+    /// r, β, or the state to start from is outside its domain.
     OutOfDomain(OutOfDomain),
     /// A cycle has more than 64 segments.
     TooManyEvents,
-    /// On an undamped resonance, with too little friction to bound the amplitude.
+    /// The excitation is on an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,
-    /// Nothing damps this mode, counted from 0 in the order of the natural frequencies: the contact
-    /// does not touch it, the load drives it, and its free vibration never dies.
+    /// Nothing damps this mode, which the load drives and the contact does not touch, so that the mode's free vibration
+    /// never decays.  Modes are counted from 0 in the order of the natural frequencies.
     Undamped(usize),
     /// Every steady state that was found is unstable, and the motion did not come to rest on another.
     Unstable,
-    /// The motion repeats neither after one cycle nor after up to [`MAX_PERIOD`](crate::orbit::MAX_PERIOD), within
-    /// [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) and [`MAX_STEPS`](crate::orbit::MAX_STEPS).
+    /// The motion repeats neither after one cycle nor after up to [`MAX_PERIOD`](crate::orbit::MAX_PERIOD) cycles,
+    /// within [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) and [`MAX_STEPS`](crate::orbit::MAX_STEPS).
     Unsettled,
 }
 
-/// Any error of a solver, so that one function can use `?` on all.
+/// Any error of a solver.  A function that calls several solvers can use `?` on each of their results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Error {
-    /// See [`OutOfDomain`].
+    /// An argument is outside its domain: see [`OutOfDomain`].
     OutOfDomain(OutOfDomain),
-    /// See [`NotContinuous`].
+    /// No continuous motion exists: see [`NotContinuous`].
     NotContinuous(NotContinuous),
-    /// See [`StuckResonance`].
+    /// The stuck chain is excited on an undamped resonance: see [`StuckResonance`].
     StuckResonance(StuckResonance),
-    /// See [`NoOrbit`].
+    /// No steady state can be reported: see [`NoOrbit`].
     NoOrbit(NoOrbit),
 }
 

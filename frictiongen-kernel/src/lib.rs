@@ -1,7 +1,7 @@
-//! What generated friction solvers call.
+//! Functions and types that generated friction solvers call.
 //!
-//! Rooms, each of which knows only those before it: [`number`], [`oscillator`], [`modal_sum`], [`contact`],
-//! [`response`], [`table`], [`simulation`], [`stepper`], [`orbit`].  [`errors`] has what a question outside its domain is answered with.
+//! In this list a module uses only modules before it: [`number`], [`oscillator`], [`modal_sum`], [`contact`],
+//! [`response`], [`table`], [`simulation`], [`stepper`], [`orbit`].  [`errors`] has the error types of all modules.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 pub mod contact;

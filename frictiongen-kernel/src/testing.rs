@@ -1,7 +1,6 @@
-//! What the unit tests of waves and searches share: every derivative of a wave by formulas written here
-//! anew, and random waves.
+//! Helpers of the unit tests of waves and searches: derivatives of a wave by independent formulas, and random waves.
 //!
-//! A wave is made of p, whose derivatives obey p⁽ⁿ⁺²⁾ = −2ζx p⁽ⁿ⁺¹⁾ − x² p⁽ⁿ⁾, and of sinusoids.
+//! A wave is the sum of a free vibration p, whose derivatives obey p⁽ⁿ⁺²⁾ = −2ζx p⁽ⁿ⁺¹⁾ − x² p⁽ⁿ⁾, and of sinusoids.
 
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::oscillator::decay::Damped;
@@ -14,10 +13,10 @@ pub use fuzzing::Random as Lcg;
 
 pub type TestWave = Wave<f64, Damped<f64>>;
 
-/// As many derivatives as a Taylor series of the search has, and what the waves need beyond.
+/// Number of derivatives: those of the search's Taylor series, and those that the waves need beyond them.
 pub const ORDERS: usize = 18;
 
-/// Damping ratios of every kind, both sides of where the closed forms change.
+/// Damping ratios of every kind, on both sides of each change of closed form.
 pub const ZETAS: [f64; 12] = [
     0.0, 1e-6, 0.01, 0.1, 0.3, 0.49, 0.6, 0.9, 1.0, 1.2, 3.0, 20.0,
 ];
@@ -37,7 +36,7 @@ pub fn at_rest(x: f64, zeta: f64) -> TestWave {
     Wave::at_rest(x, damped(zeta))
 }
 
-/// p⁽ⁿ⁾ at τ, n = 0, 1, … to the last asked for.
+/// p⁽ⁿ⁾ at τ for n = 0, 1, …, `last`.
 fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
     let mut out = [0.0; ORDERS];
     let q2 = 1.0 - zeta * zeta;
@@ -53,10 +52,10 @@ fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
             decay_factor * (c - zeta / q * s),
         )
     } else {
-        // The roots multiply to x²: the slow one without a difference.
+        // The product of both roots is x², which gives the slow root without a difference.
         let (slow, fast) = (x / (zeta + q), x * (zeta + q));
         let (a, b) = ((-slow * tau).exp(), (-fast * tau).exp());
-        // Towards τ = 0 the two decays cancel.
+        // Towards τ = 0 the two exponentials cancel, and `exp_m1` keeps their difference.
         let p = -a * (-(fast - slow) * tau).exp_m1() / (fast - slow);
         (p, b - slow * p)
     };
@@ -66,25 +65,25 @@ fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
     out
 }
 
-/// (cos τ)⁽ⁿ⁾ and (sin τ)⁽ⁿ⁾.
+/// (cos τ)⁽ⁿ⁾ and (sin τ)⁽ⁿ⁾ for n = `order`.
 fn turning(tau: f64, order: usize) -> (f64, f64) {
     let (s, c) = tau.sin_cos();
     [(c, s), (-s, c), (-c, -s), (s, -c)][order % 4]
 }
 
-/// y = 1/x² + a·d + b·p, the response to a unit force that changes its sign every half period, by what it
-/// repeats: y(π) = −y(0) and y′(π) = −y′(0), with d = p′ + 2ζx p and d′ = −x²p.
+/// Coefficients a and b of y = 1/x² + a·d + b·p, the response to a unit force that changes its sign every half period.
+/// They follow from y(π) = −y(0) and y′(π) = −y′(0), with d = p′ + 2ζx p and d′ = −x²p.
 fn mass_controlled_parts(x: f64, zeta: f64) -> (f64, f64) {
     let end = free(x, zeta, PI, 1);
     let (p, slope) = (end[0], end[1]);
     let d = slope + 2.0 * zeta * x * p;
-    // (1 + d)a + p·b = −2/x², −x²p·a + (1 + p′)b = 0.
+    // The conditions are (1 + d)a + p·b = −2/x² and −x²p·a + (1 + p′)b = 0.
     let determinant = (1.0 + d) * (1.0 + slope) + x * x * p * p;
     let a = -2.0 / (x * x) * (1.0 + slope) / determinant;
     (a, -2.0 * p / determinant)
 }
 
-/// A wave's derivative of this order at τ.
+/// Derivative of a wave at τ, of this order.
 pub fn derivative(wave: &TestWave, tau: f64, order: usize) -> f64 {
     use crate::oscillator::decay::Decay;
     let (x, zeta) = (wave.x, wave.decay.zeta());
@@ -109,14 +108,14 @@ pub fn derivative(wave: &TestWave, tau: f64, order: usize) -> f64 {
         + wave.rise * rise
 }
 
-/// A sum's derivative of this order at τ.
+/// Derivative of a sum at τ, of this order.
 pub fn sum_derivative(sum: &Sum<'_, f64, Damped<f64>>, tau: f64, order: usize) -> f64 {
     let (c, s) = turning(tau, order);
     let waves = sum.waves.iter().map(|wave| derivative(wave, tau, order));
     sum.cosine * c + sum.sine * s + waves.sum::<f64>()
 }
 
-/// The four parts of a wave one at a time, and a slow wave's whole response.
+/// Waves with one of the four terms each.  A slow mode adds a wave of its whole response.
 pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     let at_rest = at_rest(x, zeta);
     let mut parts = vec![
@@ -160,8 +159,8 @@ pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     parts
 }
 
-/// Waves of random rates, slowest first: damped each for itself, or not at all.  `rise` is left out of what
-/// the velocity constraint searches.
+/// Waves of random rates, the slowest first.  Each wave has its own damping, or none is damped.  Without `rise` the
+/// waves have the terms of the velocity constraint only.
 pub fn random_waves(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -177,7 +176,7 @@ pub fn random_waves(
             } else {
                 [0.0, random.log_uniform(1e-4, 0.5), 0.7, 1.0, 4.0][random.below(5)]
             };
-            // Terms of like size: a fast wave's part by part of order 1.
+            // The terms have similar sizes: each term of a fast wave is of order 1.
             let mut wave = at_rest(x, zeta);
             wave.forced = random.signed();
             wave.forced_slope = random.signed();
@@ -192,8 +191,8 @@ pub fn random_waves(
     waves
 }
 
-/// A motion as a chain's: fundamental component and waves that repeat with the opposite sign after half a period, modes far
-/// below the excitation by their whole response.
+/// A motion like that of a chain: a fundamental component and waves, which repeat with the opposite sign after half a
+/// period.  Modes far below the excitation have their whole response as a wave.
 pub fn random_motion(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -223,7 +222,7 @@ pub fn random_motion(
                     ..at_rest(x, zeta)
                 };
             }
-            // 1/x² + a·d + b·p = (1 − d)/x² + g(cos τ − d)/x² − b(sin τ − p) − g cos τ/x² + b sin τ.
+            // The response is 1/x² + a·d + b·p = (1 − d)/x² + g(cos τ − d)/x² − b(sin τ − p) − g cos τ/x² + b sin τ.
             let (a, b) = mass_controlled_parts(x, zeta);
             let fall = -a - 1.0 / (x * x);
             cosine -= weight * fall;
@@ -241,8 +240,8 @@ pub fn random_motion(
     (waves, cosine, sine)
 }
 
-/// What the velocity constraint searches, and its quotient for τ → 0: waves that vanish together with sin τ at
-/// both ends of the half period, undamped ones odd about its middle.
+/// Waves, sine amplitude and quotient for τ → 0 of a random velocity constraint.  The sum vanishes together with sin τ
+/// at both ends of the half period, and without damping it is odd about the middle.
 pub fn random_constraint(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -265,7 +264,7 @@ pub fn random_constraint(
                 damping[random.below(4)]
             };
             let inverse_mass = random.unit();
-            // y′ = −a x²p + b p′.
+            // The velocity is y′ = −a x²p + b p′.
             let (a, b) = mass_controlled_parts(x, zeta);
             let (forced, forced_slope) = (inverse_mass * a * x * x, -(inverse_mass * b));
             sine -= 2.0 * zeta * x * forced_slope;

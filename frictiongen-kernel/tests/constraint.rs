@@ -1,5 +1,5 @@
-//! The velocity constraint of chains given by their modes, against the printed sum on a grid, and whether a motion
-//! is admitted where sweeps are slow.
+//! The velocity constraint of chains given by their modes agrees with the printed sum on a grid.  Where sweeps are
+//! slow, the test of a single β agrees with the limit.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::sums::{Chain, ContactAt, ModeAt};
@@ -10,7 +10,7 @@ use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use fuzzing::Random;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// A mode by its resonance, damping ratio, and the parts that load and contact have in it.
+/// A mode by its resonance, its damping ratio, and the shares of load and contact in it.
 #[derive(Clone, Copy)]
 struct Part {
     resonance: f64,
@@ -98,7 +98,7 @@ impl<S: Float> At<S> {
             .velocity_constraint(&self.contact, &self.modes, &self.at, &mut self.waves)
     }
 
-    /// What that search may take, from the modes' constants.
+    /// Upper bound on the evaluations of that search, from the modes' constants.
     fn most(&self) -> u32 {
         let one = S::constant(1.0);
         let modes = self.modes.iter().zip(&self.at);
@@ -130,8 +130,9 @@ fn printed(parts: &[Part], inverse_r: f64, tau: f64) -> f64 {
     (parts.iter().map(mode).sum::<f64>() / tau.sin()).abs()
 }
 
-/// Six modes beside neighbouring odd multiples of the excitation's frequency, whose swings are all in step at the
-/// middle of the half period and next to each other nowhere else: the constraint is largest next to the middle.
+/// Six modes near neighbouring odd multiples of the excitation's frequency.  Their vibrations are all in phase at the
+/// middle of the half period, and nearly in phase nowhere else.  The constraint is therefore largest close to the
+/// middle.
 fn in_step(random: &mut Random) -> Vec<Part> {
     let mut odd: Vec<u32> = (12..19).map(|n| 2 * n + 1).collect();
     odd.remove((random.unit() * odd.len() as f64) as usize);
@@ -149,7 +150,7 @@ fn in_step(random: &mut Random) -> Vec<Part> {
     odd.into_iter().map(part).collect()
 }
 
-/// The sum is odd about the middle of the half period, and its largest value may be anywhere up to there.
+/// The sum is odd about the middle of the half period, and its largest value may be anywhere up to the middle.
 #[test]
 fn the_undamped_constraint_is_searched_to_the_middle() {
     let mut random = Random(8);
@@ -198,11 +199,11 @@ fn the_undamped_constraint_is_searched_to_the_middle() {
         let mut at = At::<f64>::new(&parts, inverse_r);
         let peak = at.searched();
         assert!(!peak.exceeded && peak.evaluations <= at.most());
-        // μ = 1: what the quotient is for τ → 0 belongs to it.
+        // For μ = 1 the quotient's limit for τ → 0 belongs to the constraint.
         let want = best.max(at.chain.inverse_mass);
         let got = peak.value / at.contact.scale;
         at_start += u32::from(best <= at.chain.inverse_mass * (1.0 + 1e-12));
-        // Rounding of x beside a pole of a tangent.
+        // Near a pole of a tangent the rounding of x is amplified.
         let pole = parts
             .iter()
             .map(|p| 1.0 / (0.5 * PI * p.resonance * inverse_r).cos().abs())
@@ -220,8 +221,8 @@ fn the_undamped_constraint_is_searched_to_the_middle() {
     assert!(last_sixth >= 10, "{last_sixth}");
 }
 
-/// Whether a motion is admitted, and the limit, are two searches of the same sum.  They say the same also where the
-/// rounding of r turns modes that are hardly damped by so much that two searches find different peaks.
+/// The test of a β and the limit are two searches of the same sum.  They agree even where the rounding of r turns modes
+/// of very low damping so far that two searches find different peaks.
 #[test]
 fn what_is_admitted_is_below_the_limit() {
     let mut random = Random(9);
@@ -250,7 +251,7 @@ fn what_is_admitted_is_below_the_limit() {
         "{compared} β, {differing:?} otherwise than the limit says, {exhausted} searches given up"
     );
     assert_eq!(compared, 9600);
-    // Both then end with the best that the same walk has found.
+    // Both searches then end with the best value that the same walk has found.
     assert!(exhausted >= 5, "{exhausted}");
     assert!(
         differing.is_empty(),

@@ -1,4 +1,5 @@
-//! Of several equal maxima of a motion the one of the smallest |lag| gives the phase, then the positive one.
+//! The phase of a motion with several equal maxima is the lag of smallest size.  If two such lags differ in sign, the
+//! positive lag counts.
 
 use frictiongen_kernel::Complex;
 use frictiongen_kernel::modal_sum::wave::Wave;
@@ -7,7 +8,7 @@ use frictiongen_kernel::response::coefficients::{Friction, Fundamental};
 use frictiongen_kernel::response::motion::Motion;
 use std::f64::consts::PI;
 
-/// cosine·(cos τ − b cos kτ) + sine·(sin τ + b sin kτ), k odd, as a mass's motion behind a contact of this lag.
+/// Phase of cosine·(cos τ − b cos kτ) + sine·(sin τ + b sin kτ), k odd, as a mass's motion with a contact of this lag.
 fn phase(cosine: f64, sine: f64, (k, b): (f64, f64), lag: f64) -> f64 {
     let mut wave = Wave::at_rest(k, Undamped);
     wave.free = sine * k * b;
@@ -28,7 +29,7 @@ fn phase(cosine: f64, sine: f64, (k, b): (f64, f64), lag: f64) -> f64 {
     Motion::of_mass(friction, fundamental, [wave]).phase()
 }
 
-/// An angle moved into (−π, π].
+/// An angle shifted into (−π, π].
 fn wrapped(angle: f64) -> f64 {
     let turns = (angle / (2.0 * PI)).round();
     let angle = angle - 2.0 * PI * turns;
@@ -39,8 +40,8 @@ fn wrapped(angle: f64) -> f64 {
     }
 }
 
-/// Where sin τ + b sin kτ (even) or cos τ − b cos kτ (odd) is largest in the first half, by bisection of the slope
-/// about the highest point of a grid.
+/// Instant in the first half at which sin τ + b sin kτ (even) or cos τ − b cos kτ (odd) is largest.  The slope is
+/// bisected about the highest point of a grid.
 fn first_maximum(odd: bool, (k, b): (f64, f64)) -> f64 {
     let value = |tau: f64| {
         if odd {
@@ -75,7 +76,7 @@ fn first_maximum(odd: bool, (k, b): (f64, f64)) -> f64 {
 
 const SHAPES: [(f64, f64); 5] = [(3.0, 0.5), (3.0, 0.3), (7.0, 0.2), (15.0, 0.2), (31.0, 0.4)];
 
-/// Two maxima of one sign, as far from the middle on either side: the lags are φ + τ and φ + π − τ.
+/// Two maxima of one sign are equally far from the middle on both sides, so that the lags are φ + τ and φ + π − τ.
 #[test]
 fn the_smaller_lag_counts() {
     let (mut compared, mut equal) = (0, 0);
@@ -109,12 +110,12 @@ fn the_smaller_lag_counts() {
     assert!(equal <= 20);
 }
 
-/// Two maxima of one height whose lags differ in sign alone, to rounding.
+/// Two maxima have one height, and their lags differ in sign alone, to rounding.
 #[test]
 fn of_lags_that_differ_in_sign_the_positive_counts() {
     let mut compared = 0;
     for shape in SHAPES {
-        // cos τ − b cos kτ is odd about the middle: lags τ and −τ where the contact has none itself.
+        // cos τ − b cos kτ is odd about the middle, so that the lags are τ and −τ where the contact has no lag.
         let want = first_maximum(true, shape);
         for sign in [1.0, -1.0] {
             let lag = if sign < 0.0 { PI } else { 0.0 };
@@ -125,7 +126,7 @@ fn of_lags_that_differ_in_sign_the_positive_counts() {
             );
             compared += 1;
         }
-        // The even one where the contact lags, or leads, by a quarter turn.
+        // The even shape has such lags where the contact lags or leads by a quarter turn.
         let tau = first_maximum(false, shape);
         for (sign, lag) in [(1.0, -PI / 2.0), (-1.0, PI / 2.0)] {
             let want = PI / 2.0 - tau;

@@ -1,4 +1,4 @@
-//! Where a mode is exactly on its resonance, and the range of 1/r in which a chain is evaluated.
+//! The response of a mode exactly on its resonance, and the range of 1/r in which a chain is evaluated.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::regime::inverse_ratio_range;
@@ -22,13 +22,13 @@ fn undamped<S: Float>(resonance: S) -> Mode<S> {
     }
 }
 
-/// On the pole that v and u share both have the ratio of their neighbours: v = x²/(x² − 1) and u = x·tan(πx/2),
-/// so that u over v tends to −4/π from either side.
+/// On the pole that v and u share, the ratio u over v continues its values on both sides.  With v = x²/(x² − 1) and u =
+/// x·tan(πx/2), u over v tends to −4/π from both sides.
 #[test]
 fn an_exact_resonance_continues_its_neighbours() {
     fn ratio<S: Float>(resonance: S, inverse_r: S) -> S {
         let at = undamped(resonance).response(inverse_r, 0);
-        // u is carried times the size, and response is 1 over the denominator.
+        // `u` is scaled by `size`, and the response is 1 over `denominator`.
         at.u * at.denominator.re / at.size
     }
     let pole = -4.0 / std::f64::consts::PI;
@@ -45,7 +45,7 @@ fn an_exact_resonance_continues_its_neighbours() {
         assert!((wide - pole).abs() < 1e-15, "{resonance}: {wide}");
         for beside in [1e-9, -1e-9] {
             let near = ratio(resonance, (1.0 + beside) / resonance);
-            // First order in the distance, and the rounding of x over it.
+            // The tolerance covers the first order in the distance, and the rounding of x over the distance.
             assert!((exact - near).abs() < 1e-6, "{resonance}: {exact} {near}");
             compared += 1;
         }
@@ -54,8 +54,8 @@ fn an_exact_resonance_continues_its_neighbours() {
     assert_eq!(compared, 20);
 }
 
-/// At both ends no square of √λ/r vanishes, overflows or loses digits, nor does r² times it, whatever the
-/// resonances; and chains of ordinary resonances have the scalar's whole range.
+/// At both bounds of the range no square of √λ/r vanishes, overflows or loses digits, whatever the resonances.  r²
+/// times such a square stays in range too.  Chains of ordinary resonances have the scalar's whole range.
 fn range_is_safe<S: Float>(smallest: f64, powers: &[i32]) {
     let mut compared = 0;
     let normal = |value: S, what: &str, powers: &[i32]| {

@@ -1,8 +1,8 @@
-//! Numbers of any bit pattern, with those more often that break formulas.
+//! Numbers of any bit pattern, with a preference for those that break formulas.
 
 use crate::Random;
 
-/// A number near `landmarks`, of any size, or of any bits.
+/// A double-precision number near one of `landmarks`, of any size, or of any bits.
 pub fn double(random: &mut Random, landmarks: &[f64]) -> f64 {
     match random.below(8) {
         0 => f64::from_bits(random.bits()),
@@ -25,7 +25,7 @@ pub fn double(random: &mut Random, landmarks: &[f64]) -> f64 {
         2 => 10_f64.powf(random.unit() * 616.0 - 308.0),
         3 | 4 => 10_f64.powf(random.unit() * 8.0 - 4.0),
         5 => {
-            // A landmark, its fractions (sub-harmonics), or a few roundings beside.
+            // The number is a landmark or one of its fractions (sub-harmonics), a few roundings off.
             let landmark = random.pick(landmarks).copied().unwrap_or(1.0);
             let fraction = landmark / (1 + random.below(9)) as f64;
             let away = random.below(9) as i64 - 4;
@@ -39,7 +39,7 @@ pub fn double(random: &mut Random, landmarks: &[f64]) -> f64 {
     }
 }
 
-/// The same in single precision.
+/// A single-precision number near one of `landmarks`, of any size, or of any bits.
 pub fn single(random: &mut Random, landmarks: &[f64]) -> f32 {
     match random.below(8) {
         0 | 1 => f32::from_bits(random.bits() as u32),

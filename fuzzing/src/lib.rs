@@ -1,5 +1,5 @@
-//! Mutated inputs, the same in every run: bytes, characters and tokens of a corpus are changed,
-//! repeated, spliced, and given to a check that must neither panic, nor take long, nor complain.
+//! Mutated inputs, the same in every run.  Bytes, characters and tokens of a corpus are changed, repeated and spliced.
+//! A check receives each input, and must not panic, take long, or report a problem.
 
 pub mod bits;
 mod mutate;
@@ -12,15 +12,15 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// What no input may take, on a slow machine, without optimisation, and beside other tests.
+/// Upper bound on the time of one input, for a slow machine, without optimisation, while other tests run.
 const LONGEST: Duration = Duration::from_secs(20);
-/// Findings that are shown before a run ends.
+/// Number of findings after which a run ends.
 const ENOUGH: usize = 5;
 
-/// The files of a folder of the corpus, in the order of their names.
+/// Returns the files of a folder of the corpus, in the order of their names.
 ///
 /// # Errors
-/// Those of the file system.
+/// Errors of the file system.
 pub fn corpus(folder: &str) -> std::io::Result<Vec<Vec<u8>>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("corpus")
@@ -32,17 +32,18 @@ pub fn corpus(folder: &str) -> std::io::Result<Vec<Vec<u8>>> {
     paths.into_iter().map(std::fs::read).collect()
 }
 
-/// What a run did.
+/// Result of a run.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// How many inputs were given.
+    /// Number of inputs that were checked.
     pub count: u64,
-    /// What was found, with the input.
+    /// The problems that were found, each with its input.
     pub findings: Vec<String>,
 }
 
-/// Gives `count` inputs to a check, fewer if the seconds in the environment's SECONDS_EACH are over first.
-/// With SHOW set, every input is printed before it is given: the last is the one that hangs.
+/// Gives `count` inputs to a check.  The run ends earlier after the number of seconds in the environment variable
+/// SECONDS_EACH.  If SHOW is set, every input is printed before its check, so that the last one printed is the one that
+/// hangs.
 pub fn run<I: std::fmt::Debug>(
     count: u64,
     mut next: impl FnMut() -> I,
@@ -83,7 +84,8 @@ pub fn run<I: std::fmt::Debug>(
     }
 }
 
-/// The most memory that this process has held so far, where the system tells (Linux), in bytes.
+/// Largest memory that this process has used so far, in bytes, or `None` where the system does not report it (Linux
+/// does).
 #[must_use]
 pub fn most_memory() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;

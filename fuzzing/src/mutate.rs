@@ -1,4 +1,4 @@
-//! Inputs made from others.
+//! Inputs that are made from other inputs.
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -6,13 +6,13 @@ use proptest::sample::{Index, select};
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
-/// No input grows beyond this.
+/// Upper bound on the length of an input, in bytes.
 const LONGEST: usize = 16 << 10;
 
-/// An input's words, numbers, white space and single signs, in order and with nothing left out.
+/// An input's words, numbers, white space and single signs, in order and complete.
 type Tokens = Vec<Vec<u8>>;
 
-/// Makes inputs from a corpus and words that mean something to what is tested.
+/// Source of inputs from a corpus and from words that the tested code knows.
 #[derive(Debug)]
 pub struct Mutator {
     inputs: BoxedStrategy<Vec<u8>>,
@@ -20,7 +20,7 @@ pub struct Mutator {
 }
 
 impl Mutator {
-    /// `words` are tokens to put in; the corpus's own come in as well.
+    /// Creates a mutator.  `words` are tokens to insert.  The tokens of the corpus are inserted as well.
     #[must_use]
     pub fn new(corpus: Vec<Vec<u8>>, words: &[&str], seed: u64) -> Self {
         let corpus: Vec<Tokens> = corpus.iter().map(|input| tokens(input)).collect();
@@ -42,14 +42,14 @@ impl Mutator {
         }
     }
 
-    /// The next input: one of the corpus with a few changes.
+    /// Returns the next input: one of the corpus with a few changes.
     pub fn input(&mut self) -> Vec<u8> {
         let tree = self.inputs.new_tree(&mut self.runner);
         tree.map(|tree| tree.current()).unwrap_or_default()
     }
 }
 
-/// One of the corpus in which a few stretches, often of no length, make room for others.
+/// Inputs of the corpus in which a few runs of tokens, often empty ones, are replaced by others.
 fn mutated(corpus: Vec<Tokens>, words: Tokens) -> impl Strategy<Value = Vec<u8>> {
     let number = prop_oneof![
         any::<f64>().prop_map(|number| format!("{number:e}")),

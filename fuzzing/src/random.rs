@@ -13,47 +13,48 @@ impl Random {
         self.0
     }
 
-    /// 64 bits: the upper halves of two states, as the lowest bits of a state have short periods.
+    /// Returns 64 random bits.  They are the upper halves of two states, because the lowest bits of a state have short
+    /// periods.
     pub fn bits(&mut self) -> u64 {
         (self.next() >> 32) << 32 | self.next() >> 32
     }
 
-    /// In [0, 1).
+    /// Returns a number in [0, 1).
     pub fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// From −1 to 1.
+    /// Returns a number from −1 to 1.
     pub fn signed(&mut self) -> f64 {
         2.0 * self.unit() - 1.0
     }
 
-    /// Between two numbers.
+    /// Returns a number between `low` and `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    /// A power of ten with an exponent between two numbers.
+    /// Returns a power of ten with an exponent between `low` and `high`.
     pub fn power(&mut self, low: f64, high: f64) -> f64 {
         10_f64.powf(self.between(low, high))
     }
 
-    /// Between two positive numbers, with its logarithm evenly spread.
+    /// Returns a number between two positive numbers, with an evenly distributed logarithm.
     pub fn log_uniform(&mut self, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.unit())
     }
 
-    /// A number below `end`, 0 where that is 0.
+    /// Returns a number below `end`, or 0 if `end` is 0.
     pub fn below(&mut self, end: usize) -> usize {
         ((self.unit() * end as f64) as usize).min(end.saturating_sub(1))
     }
 
-    /// True once in `times`.
+    /// Returns true once in `times`, on average.
     pub fn once_in(&mut self, times: usize) -> bool {
         self.below(times) == 0
     }
 
-    /// One of the items.
+    /// Returns one of the items, or `None` if there are none.
     pub fn pick<'a, T>(&mut self, items: &'a [T]) -> Option<&'a T> {
         items.get(self.below(items.len()))
     }

@@ -1,4 +1,4 @@
-//! From a scene, r and β to its steady state.
+//! Construction of the steady state of a scene at r and β.
 
 use super::candidate::{Found, ON_CIRCLE};
 use super::cycle_map::CycleMap;
@@ -20,14 +20,15 @@ where
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
-    /// The steady state at r and β that is reached from a start at a maximum of the excitation.  `sliding` is β*_lim: from
-    /// there on the motion may end with the contact stuck.
+    /// Computes the steady state at r and β that is reached from a start at a maximum of the excitation.  `sliding` is
+    /// β*_lim, from which on the motion may end with the contact stuck.
     ///
-    /// `last` says what happens where the motion does not settle: with it the answer is the motion's last
-    /// [`MAX_PERIOD`](super::MAX_PERIOD) cycles, and [`Self::is_settled`] is false; without it there is an error.
+    /// `last` decides the result where the motion does not settle.  If `last` is true, the result is the motion's last
+    /// [`MAX_PERIOD`](super::MAX_PERIOD) cycles, and [`Self::is_settled`] is false.  If `last` is false, the result is
+    /// an error.
     ///
     /// # Errors
-    /// [`NoOrbit`] says why there is none; `OutOfDomain` also for room of another size.
+    /// [`NoOrbit`] gives the reason why there is no steady state.  Slices of a wrong length give `OutOfDomain`.
     #[allow(
         clippy::too_many_arguments,
         reason = "one question and the room for its answer"
@@ -61,7 +62,7 @@ where
                 return Err(crate::errors::OutOfDomain { argument }.into());
             }
         }
-        // From β*_lim on a stuck state exists, and what happens decides whether it is reached.
+        // From β*_lim on a stuck state exists.  The motion decides whether that state is reached.
         let holding = (!(beta < sliding)).then_some(dynamics.chain.stiction * sliding);
         let mut unbounded = None;
         for (index, mode) in dynamics.modes.iter().enumerate() {
@@ -99,7 +100,7 @@ where
             .place(&mut cycle_map, &mut workspace)?;
         let settled = match (beta.is_zero() || start == Start::Stuck, holding) {
             (true, None) => Settled::Found(linear(&mut cycle_map, &mut workspace)?),
-            // At β = 0 nothing moves the contact, and nothing holds it.
+            // With β = 0 this case means β*_lim = 0 as well, so that the load does not move the contact.
             (true, Some(_)) => Settled::Stuck(zero),
             _ => {
                 let spare = states.get_mut(..4 * driven).unwrap_or_default();
@@ -119,7 +120,7 @@ where
                 (Settled::Found(found), _) => found,
                 _ => Found::NONE,
             };
-            // However long the way, the period itself may take as much again.
+            // The search may have used up the steps.  The record of the period may take as many again.
             cycle_map.step_budget = MAX_STEPS;
             to_event(&mut cycle_map, found.period)?;
             let at = cycle_map.contact_state.t.sin_cos_pi();
@@ -153,14 +154,14 @@ where
             origin_cycle: origin.1,
         };
         let held = holding.filter(|_| orbit.never_slides());
-        // What is left of the grip carries a constant force.
+        // The rest of μβ can carry a constant force, and with it an offset.
         let held = held.map(|steady| (setting.grip() - steady).max(zero) * setting.receptance);
         orbit.offset_range = held.or(found.reach.map(|reach| orbit.offset().abs() * reach));
         Ok(orbit)
     }
 }
 
-/// Nothing, unless the load drives a mode for ever that neither damping nor the contact touches.
+/// Fails if the load drives a mode for ever that neither damping nor the contact dissipates.
 fn settles<S: Float>(
     dynamics: &Dynamics<'_, S>,
     mode: &Mode<S>,
@@ -176,9 +177,9 @@ fn settles<S: Float>(
     Err(NoOrbit::Undamped(earlier + twins.count()))
 }
 
-/// Nothing, unless a sliding mode grows without bound.
+/// Fails if a sliding mode grows without bound.
 fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
-    // β_n = (π/4)|φᵀp/φᵀw|: friction takes less than the load gives (6.2, 6.26).
+    // Below β_n = (π/4)|φᵀp/φᵀw| friction dissipates less than the load supplies (6.2, 6.26).
     let threshold = S::constant(FRAC_PI_4) * mode.load.abs();
     let resonant = mode.kind == Kind::Undamped && mode.resonance == r;
     if resonant && beta * mode.contact.abs() < threshold {
@@ -187,8 +188,8 @@ fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
     Ok(())
 }
 
-/// The state while the contact never slides (6.11, 6.27, 6.33): every held mode in its steady motion, with z̄ held at
-/// `offset`.
+/// Sets the state in which the contact never slides (6.11, 6.27, 6.33).  Every mode of the stuck chain is in its steady
+/// motion, with z̄ fixed at `offset`.
 pub(super) fn stuck<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -211,12 +212,12 @@ pub(super) fn stuck<S: Float>(
         departing: None,
         wedged: false,
     };
-    // A deviation of the contact stays where it is, one of its velocity is gone at once, and the
-    // held modes' decay by themselves.
+    // A deviation of the contact's displacement stays.  A deviation of its velocity vanishes at once.  Deviations of
+    // the stuck chain's modes decay independently.
     let one = S::constant(1.0);
     let two_pi = S::pi() + S::pi();
     let mut out = workspace.multipliers.iter_mut();
-    // The array ends first: the other way round `zip` takes one more of the multipliers, and leaves it out.
+    // The array has to be the first argument of `zip`.  Otherwise `zip` would take one more multiplier and drop it.
     for (re, out) in [one, zero].into_iter().zip(out.by_ref()) {
         *out = Complex::new(re, zero);
     }
@@ -236,7 +237,7 @@ pub(super) fn stuck<S: Float>(
     })
 }
 
-/// β = 0: every mode in its steady motion.
+/// Sets every mode to its steady motion, for β = 0.
 fn linear<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -283,7 +284,7 @@ pub(super) fn bounded_state<S: Float>(cycle_map: &CycleMap<'_, '_, S>) -> Result
     }
 }
 
-/// To the first event of a period; nowhere where there is none.
+/// Advances to the first event of a period.  A period without an event leaves the contact state as it was.
 pub(super) fn to_event<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     period: u32,
@@ -298,8 +299,8 @@ pub(super) fn to_event<S: Float>(
             cycle_map.contact_state,
             left,
         );
-        // A leap that is too long for one ends without an event; where a mode turns faster than r is
-        // known, there is no end of them.
+        // A leap too long for one search ends without an event.  A mode may turn faster than the precision of r
+        // resolves.  Such leaps then never end, so that the step budget has to end them.
         cycle_map.spend(end.steps)?;
         cycle_map.contact_state = end.contact_state;
         left = left - end.tau;
@@ -313,8 +314,8 @@ pub(super) fn to_event<S: Float>(
     }
 }
 
-/// Whether half a period takes the state to its opposite.  After an even number of cycles the load has the same sign
-/// half a period later, so that nothing is opposite.
+/// Whether half a period takes the state to its opposite.  For an even number of cycles the load has the same sign half
+/// a period later, so that no state is opposite.
 fn is_symmetric<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,

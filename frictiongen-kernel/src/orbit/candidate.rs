@@ -1,4 +1,4 @@
-//! A fixed point that a motion may tend to: whether it is one, and whether the motion is on its way there.
+//! Test whether a motion is near a fixed point of the map, and whether it tends to that point.
 
 use super::cycle_map::{CycleMap, Pattern};
 use super::newton::{Map, Workspace, multipliers, newton, same};
@@ -7,55 +7,56 @@ use crate::errors::NoOrbit;
 use crate::number::scalar::Float;
 use crate::simulation::ContactState;
 
-/// Nearer to the unit circle than this many roundings, a multiplier counts as on it.
+/// Distance from the unit circle, in roundings, below which a multiplier counts as on the circle.
 pub(super) const ON_CIRCLE: f64 = 4096.0;
 
-/// A subharmonic motion repeats after so many cycles at most.
+/// Upper bound on the period of a subharmonic motion, in cycles of the excitation.
 pub const MAX_PERIOD: u32 = 64;
 
-/// For so many cycles at most is a motion followed that should come near to a fixed point.
+/// Upper bound on the cycles for which a motion is followed to see whether it comes near to a fixed point.
 const MOST_FOLLOWED: u32 = 64;
 
-/// By so much at most is a marginal state larger than the motion that tends to it, or than P/k₁: away from
-/// a resonance both are of the order of the excitation.
+/// Upper bound on the ratio of a marginal state's size to the size of the motion that tends to that state.  If P/k₁ is
+/// larger than the motion, the ratio is to P/k₁.  Away from a resonance both are of the order of the excitation.
 const MOST_GROWN: f64 = 64.0;
 
-/// So many half cycles alike, with two turns a cycle at most, tell that a motion has lost what the members of a
-/// continuum do not have: one that still turns more often may end elsewhere.
+/// Number of equal half cycles, with at most two stops or reversals a cycle, after which a motion tends to a member of
+/// a continuum.  A motion that still turns more often may end elsewhere.
 const CALM: u32 = 64;
 
-/// A motion is followed until the multipliers promise that this ratio is left of its distance from the fixed point.
+/// Ratio of the last to the first distance from the fixed point at which following ends.  The multipliers give that
+/// ratio.
 const FAR_ENOUGH: f64 = 0.01;
-/// Of the distance that the multipliers promise to take away, so much may stay.
+/// Fraction of the reduction in distance, promised by the multipliers, that may be missing.
 const SPARE: f64 = 0.1;
-/// The times for which motions stick differ by no more than this ratio where they stop alike.
+/// Largest relative difference of the sticking times of motions that stop alike.
 const STICKS_ALIKE: f64 = 0.25;
-/// Nearer than this, relative to the state, a motion has reached its fixed point.
+/// Distance from the fixed point, relative to the state, at which the fixed point counts as reached.
 const REACHED: f64 = 1e-9;
-/// A motion nearer than this, in P/k₁, is near enough where the contact hardly moves.
+/// Distance from the fixed point, in P/k₁, below which rounding decides the motion of a contact that hardly moves.
 const HARDLY_MOVES: f64 = 1e-6;
-/// For so many cycles at least is a motion followed before one of a continuum is chosen for it.
+/// Lower bound on the cycles for which a motion is followed before a member of a continuum is chosen for it.
 const LEAST_FOLLOWED: u32 = 64;
 
-/// Half a cycle of the continuous regime.
+/// Pattern of half a cycle of continuous motion.
 const ONE_REVERSAL: Pattern = Pattern {
     stops: 0,
     reversals: 1,
     slips: 0,
 };
 
-/// What is found.
+/// Properties of a steady state that has been found.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found<S> {
-    /// Whether the motion repeats at all.
+    /// Whether the motion repeats.
     pub settled: bool,
-    /// In cycles of the excitation.
+    /// Period in cycles of the excitation.
     pub period: u32,
     /// Whether half a period repeats with the opposite sign.
     pub symmetric: bool,
-    /// A member of a continuum, or at its end.
+    /// Whether the state is a member of a continuum, or at its end.
     pub marginal: bool,
-    /// Of a continuum: by how much more than this member the last one is off its centre.
+    /// Ratio of the offset of a continuum's last member to the offset of this member.
     pub reach: Option<S>,
 }
 
@@ -70,27 +71,27 @@ impl<S> Found<S> {
     };
 }
 
-/// What a fixed point is good for.
+/// Result of the test of a fixed point.
 pub(super) enum Verdict<S> {
     Found(Found<S>),
-    /// One of a continuum: the motion must go on before it can be said which.
+    /// The fixed point belongs to a continuum, and the motion must be followed further to select the member.
     Wait,
     No,
 }
 
 pub(super) struct Candidate<S> {
     pub map: Map,
-    /// The pattern of the motion so far.
+    /// Pattern of the motion in the last map.
     pub wanted: Pattern,
-    /// Of the last cycle.
+    /// Pattern of the last cycle.
     pub recent: Pattern,
-    /// So many half cycles in a row have been like the one but one before.
+    /// Number of successive half cycles whose pattern equals that of a cycle before.
     pub alike: u32,
-    /// μ = 1.
+    /// Whether μ = 1.
     pub monotone: bool,
-    /// How many cycles the motion has gone through.
+    /// Number of cycles that the motion has gone through.
     pub cycles: u32,
-    /// How the contact stands in the motion, whose state is in `Workspace::state`.
+    /// State of the contact in the motion, whose oscillators are saved in `Workspace::state`.
     pub here: ContactState<S>,
 }
 
@@ -115,7 +116,8 @@ impl<S: Float> Candidate<S> {
         if on_circle {
             return self.marginal(cycle_map, workspace, far, scale, self.cycles);
         }
-        // With μ = 1 two motions never part, so there is no second steady state to mistake this for.
+        // With μ = 1 the distance of two motions never grows, so that no second steady state can be mistaken for this
+        // one.
         let near = far <= same(scale);
         let same = pattern == self.wanted;
         if self.monotone || (same && (near || self.attracts(cycle_map, workspace, largest)?)) {
@@ -133,8 +135,8 @@ impl<S: Float> Candidate<S> {
         Ok(Verdict::No)
     }
 
-    /// Whether the motion keeps the pattern and comes as near to the fixed point, on which the cycle map
-    /// stands, as its multipliers promise: with μ > 1 other steady states may lie close by.
+    /// Whether the motion keeps its pattern and approaches the fixed point as fast as the multipliers promise.  At the
+    /// call the cycle map is at the fixed point.  With μ > 1 other steady states may be close.
     fn attracts(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S>,
@@ -154,7 +156,7 @@ impl<S: Float> Candidate<S> {
         let mut cycles = 0;
         let mut keeps = true;
         while keeps && cycles < MOST_FOLLOWED && S::constant(FAR_ENOUGH) < promised {
-            // A whole period.
+            // All turns of this loop together are a whole period.
             let maps = if self.map.symmetric { 2 } else { 1 };
             for _ in 0..maps {
                 let mut pattern = Pattern::default();
@@ -171,7 +173,7 @@ impl<S: Float> Candidate<S> {
         cycle_map.save(workspace.state);
         let after = cycle_map.energy_between(workspace.other).sqrt();
         let enough = S::constant(SPARE) + S::constant(1.0 - SPARE) * promised;
-        // Across a graze the states may be close, but not the stops.
+        // At a graze the states may be close although the stops are not.
         let change = (cycle_map.stuck - stuck).abs();
         let alike = change <= S::constant(STICKS_ALIKE) * cycle_map.stuck.max(stuck);
         if !keeps || !alike || !(after <= enough * before.sqrt()) {
@@ -181,7 +183,7 @@ impl<S: Float> Candidate<S> {
         Ok(true)
     }
 
-    /// A steady state with neighbours that are steady too: the motion itself must say which.
+    /// Tests a steady state with steady neighbours.  The motion itself must select the member.
     fn marginal(
         &self,
         cycle_map: &mut CycleMap<'_, '_, S>,
@@ -205,17 +207,17 @@ impl<S: Float> Candidate<S> {
         if self.map.period != 1 {
             return Ok(Verdict::No);
         }
-        // Of a motion so large that friction is below rounding every one seems steady.
+        // For a motion so large that friction is below rounding, every state seems steady.
         let own = workspace.state.iter();
         let own = own.fold(S::constant(1.0), |most, value| most.max(value.abs()));
         if own * S::constant(MOST_GROWN) < scale {
             return Ok(Verdict::No);
         }
-        // With more than μ = 1 a stop does not shrink: the motion is no member, nor does it tend to one.
+        // With μ > 1 a stop does not shrink.  The motion is then no member of the continuum, and does not tend to one.
         if !self.monotone && self.recent.stops > 0 {
             return Ok(Verdict::No);
         }
-        // Where the contact hardly moves, what it does is rounding's, and the motion is near enough.
+        // Where the contact hardly moves, rounding decides its motion, and the motion is near enough.
         let turns = self.recent.stops + self.recent.reversals;
         let calm = far <= S::constant(HARDLY_MOVES) || (turns <= 2 && CALM <= self.alike);
         if !self.map.symmetric || cycles < LEAST_FOLLOWED || !calm {

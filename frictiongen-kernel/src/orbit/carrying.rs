@@ -1,8 +1,9 @@
-//! The derivatives of a steady state that is known.
+//! The derivatives of a known steady state.
 //!
-//! A steady state is x = P(x) in a section at a fixed phase.  Read with dual numbers, a period from x gives P(x) and, as
-//! every event moves with what it depends on, the derivative b of P at fixed x; a step of Newton's method then adds
-//! (1 − DP)⁻¹b to the derivative of x.  The segments once more, from that x, carry derivatives into every answer.
+//! A steady state is a fixed point x = P(x) in a section at a fixed phase.  With dual numbers, a period from x gives
+//! P(x) and the derivative b of P at fixed x.  Every event then carries the derivatives of the numbers on which it
+//! depends.  A step of Newton's method then adds (1 − DP)⁻¹b to the derivative of x.  The segments are then followed
+//! once more from that x, and carry derivatives into every result.
 
 use super::build::{settle_free, stuck, to_event};
 use super::closed;
@@ -18,32 +19,32 @@ use crate::number::scalar::Float;
 use crate::simulation::{Contact, Dynamics, Part, SUM_ROUNDINGS, Setting};
 use core::fmt;
 
-/// Nearer than this share to where an event comes or goes, its instant is not told apart from one that has no
-/// derivative.
+/// Relative distance to a graze below which the derivative of an event's instant is not reliable.  At a graze an event
+/// appears or vanishes.
 const GRAZE: f64 = 1e-9;
-/// Two steps of Newton's method may leave this much between them, of the size of what they find.
+/// Largest difference between the derivatives of two Newton steps, relative to their size.
 const ALIKE: f64 = 1e-6;
 
-/// What rounding of `f64` leaves of a derivative, of the state's size.
+/// Rounding error of a derivative in `f64`, relative to the state's size.
 const ROUNDING: f64 = 1e-14;
-/// r and β within this share of those of the steady state are the same.
+/// Relative difference below which r and β equal those of the steady state.
 const SAME: f64 = 1e-12;
 
-/// Why a steady state has no derivatives.
+/// Reason why a steady state has no derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum NoDerivative {
     /// There is no steady state.
     NoOrbit(NoOrbit),
-    /// The motion does not repeat: what is known are its last cycles.
+    /// The motion does not repeat, and only its last cycles are known.
     Unsettled,
-    /// It is one of a continuum of steady states, or at its end: which of them is reached depends on the start.
+    /// The state is one of a continuum of steady states, or at its end.  The start decides which of them is reached.
     Marginal,
-    /// An event is about to come or to go: the answers bend there.
+    /// An event is about to appear or to vanish, so that the results have a kink.
     Graze,
-    /// Two modes of the chain, free or with its contact held, have the same constants, or the contact is about to drive
-    /// a mode that it does not touch: the modes by themselves have no derivative.
+    /// The modes themselves have no derivative.  Two modes of the free or of the stuck chain have the same constants,
+    /// or the contact is about to drive a mode that it does not touch.
     Degenerate,
 }
 
@@ -82,14 +83,14 @@ where
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
-    /// The steady state `plain` over a scalar that carries a derivative: the same scene's `dynamics`, r and β, whose
-    /// values are those of `plain`.
+    /// Computes the steady state `plain` over a scalar that carries derivatives.  `dynamics`, r and β belong to the
+    /// same scene, and their values equal those of `plain`.
     ///
-    /// `numbers` has room for as many numbers as any orbit of the scene; `masses` for two of each mass.  The multipliers
-    /// carry no derivative and are left out: `multipliers` is empty.
+    /// `numbers` has room for the scalars of any orbit of the scene, and `masses` for two scalars of each mass.  The
+    /// multipliers carry no derivative and are left out, so that `multipliers` is empty.
     ///
     /// # Errors
-    /// [`NoDerivative`] says why there is none, `OutOfDomain` also for room of another size.
+    /// [`NoDerivative`] gives the reason why no derivatives exist.  Slices of a wrong length give `OutOfDomain`.
     #[allow(
         clippy::too_many_arguments,
         reason = "one question and the room for its answer"
@@ -216,8 +217,8 @@ where
         self.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
     }
 
-    /// z̄ of a contact that never slides, if it has not slid on the way either: at rest z̄ is 0, on a moving base −1.  Where
-    /// it has, the offset depends on every slip.
+    /// z̄ of a contact that never slides, if it has not slid on the way to the steady state either.  Such a contact is
+    /// at z̄ = 0, or −1 on a moving base.  After a slip the offset depends on every slip, and the state is marginal.
     fn held_since_the_start<U: Float>(&self) -> Result<U, NoDerivative> {
         let offset = self.offset();
         if offset.is_zero() || offset == -self.setting.base {
@@ -227,14 +228,14 @@ where
         }
     }
 
-    /// Whether it is the closed form's motion: sliding all the time, with one reversal in half a cycle.
+    /// Whether the motion is that of the closed form: sliding all the time, with one reversal in half a cycle.
     fn is_closed(&self) -> bool {
         let (zero, own) = (self.setting.beta.is_zero(), self.period == 1);
         own && self.stops == 0 && self.reversals == 2 && self.symmetric && (zero || !self.marginal)
     }
 
-    /// Puts a cycle map over another scalar on this steady state, into the middle of the longest segment that slides;
-    /// `masses` is room for displacements and velocities.
+    /// Sets a cycle map over another scalar to this steady state, at the middle of the longest segment that slides.
+    /// `masses` has room for displacements and velocities.
     fn place<U: Float>(
         &self,
         cycle_map: &mut CycleMap<'_, '_, U>,
@@ -267,7 +268,7 @@ where
         Ok(())
     }
 
-    /// Whether an event is all but about to come or to go.
+    /// Whether an event is about to appear or to vanish.
     fn grazes(&self) -> bool {
         let graze = S::constant(GRAZE);
         let setting = &self.setting;
@@ -280,7 +281,7 @@ where
             }
             let parts = segments.parts();
             let (modes, held) = setting.split(parts);
-            // Of a contact that has come to rest, how far the force is from what the contact can hold.
+            // Where the contact has come to rest, its force must not be close to μβ.
             if !first && before != Contact::Stuck {
                 let force = setting.holding(modes, mark.contact_state.t.sin_cos_pi());
                 let grip = setting.grip();
@@ -292,7 +293,7 @@ where
             if self.never_slides() {
                 return false;
             }
-            // How steeply the function meets zero whose zero ends the segment.
+            // At the end of the segment the vanishing function must have a slope clearly unlike zero.
             let sum = if before == Contact::Stuck {
                 setting
                     .stick(modes, held, &mark.contact_state, mark.length)
@@ -310,8 +311,8 @@ where
     }
 }
 
-/// Closes the cycle over a scalar that carries a derivative, from where the cycle map stands.  The first step brings the
-/// derivative to the value's precision, the second to the scalar's.
+/// Closes the cycle over a scalar that carries derivatives, from the state of the cycle map.  The first Newton step
+/// brings the derivative to the value's precision, and the second to the scalar's.
 fn closed_in<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -336,7 +337,7 @@ fn closed_in<S: Float>(
                 }
             }
         }
-        // A derivative of 0 has no size of its own; the first step's is rounded as the state is.
+        // A derivative of 0 has no size of its own.  The first step's derivative is rounded as the state is.
         let rounding = cycle_map.scale() * S::constant(ROUNDING);
         if !(change <= alike * size + rounding) {
             return Err(NoDerivative::Graze);

@@ -1,6 +1,6 @@
-//! A steady state that never stops and reverses twice is the closed form's: its state from there.
+//! The state of a steady motion without stops and with two reversals, from the closed form.
 //!
-//! Beside a resonance the fixed point is badly conditioned, while the closed form loses nothing.
+//! Near a resonance the fixed point is badly conditioned, while the closed form loses no precision.
 
 use super::cycle_map::CycleMap;
 use crate::contact::dominant::Partner;

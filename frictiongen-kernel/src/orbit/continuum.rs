@@ -1,8 +1,8 @@
-//! Where a whole family of motions is steady (r = 1/2n without damping): which of them is reached.
+//! Selection of the member of a continuum of steady motions, which exists at r = 1/2n without damping.
 //!
-//! Two members differ by a free vibration at an even multiple of the excitation's frequency, in step
-//! with the reversals.  The motion from the start keeps its share of it while it never stops; where
-//! it stops, each stop takes a little, ever more slowly, down to the last member that need not stop.
+//! Two members differ by a free vibration at an even multiple of the excitation's frequency, in step with the
+//! reversals.  A motion that never stops keeps its share of that vibration.  Each stop removes a little of that share,
+//! and ever less, until the motion reaches the last member that has no stop.
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;
@@ -12,19 +12,21 @@ use crate::errors::NoOrbit;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// So many roundings a half cycle leaves between a member of a continuum and itself.
+/// Rounding of a member of a continuum over half a cycle, in roundings of the state.
 const ROUNDINGS: f64 = 256.0;
-/// The end of a continuum is bisected so often,
+/// Number of bisections towards the end of a continuum.
 const BISECTIONS: u32 = 60;
-/// and looked for up to so many doublings of the motion's own share.
+/// Upper bound on the doublings of the motion's own share that search for the end of a continuum.
 const DOUBLINGS: u32 = 20;
-/// The half-period map is inverted so far beside its multiplier 1.
+/// Distance from the multiplier 1 at which the half-period map is inverted.
 const SHIFT: f64 = 1e-8;
 
-/// The cycle map stands on the symmetric member, and `workspace.state` is the motion in the same section; sets
-/// the cycle map to the member that the motion tends to, and returns by how much more than that member's share the last one
-/// has.  `monotone` says that μ = 1: with more, a stop does not
-/// shrink, because the contact holds until the force has grown, and only a motion that never stops stays.
+/// Sets the cycle map to the member of the continuum that the motion approaches.
+///
+/// At the start the cycle map is at the symmetric member, and `workspace.state` is the motion in the same section.  The
+/// result is the ratio of the last member's share to this member's share.  `monotone` states that μ = 1.  With μ > 1 a
+/// stop does not shrink, because the contact sticks until the force has grown.  Only a motion without a stop is then a
+/// member.
 pub(super) fn member<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -34,15 +36,15 @@ pub(super) fn member<S: Float>(
     let size = cycle_map.size();
     let contact_state = cycle_map.contact_state;
     let scale = cycle_map.scale();
-    // The direction of the family: the eigenvector for 1 of the half-period map, by inverse
-    // iteration from the difference of the motion and the symmetric member.
+    // The direction of the family is the eigenvector of the half-period map for the multiplier 1.  Inverse iteration
+    // finds it from the difference between the motion and the symmetric member.
     for (part, state) in cycle_map.modes.iter().zip(pairs_mut(workspace.state)) {
         if let [y, u] = state {
             (*y, *u) = (*y - part.y, *u - part.u);
         }
     }
     for _ in 0..2 {
-        // The symmetric member is kept where the direction is not needed: in the cycle_map.
+        // The symmetric member is kept in the cycle map, because `other` is needed for the direction.
         cycle_map.save(workspace.other);
         unit(workspace.matrix, size);
         cycle_map.half(Some(workspace.matrix))?;
@@ -54,13 +56,14 @@ pub(super) fn member<S: Float>(
         if !Matrix::new(workspace.matrix, size).solve_shifted(shift, workspace.other) {
             return Err(NoOrbit::Unsettled);
         }
-        // (shift − D)⁻¹ divides the family's share by shift − 1, and leaves all others as they are.
+        // (shift − D)⁻¹ divides the family's share by shift − 1, and hardly changes the other shares.  The weight
+        // restores the family's share.
         let weight = shift - one;
         for (state, other) in workspace.state.iter_mut().zip(workspace.other.iter()) {
             *state = *other * weight;
         }
     }
-    // The largest share up to the motion's own with which no stop is needed.
+    // The search is for the largest share, up to the motion's own, that needs no stop.
     cycle_map.save(workspace.other);
     let shifted = |cycle_map: &mut CycleMap<'_, '_, S>, share: S| -> Result<bool, NoOrbit> {
         let set = |cycle_map: &mut CycleMap<'_, '_, S>| {
@@ -110,7 +113,7 @@ pub(super) fn member<S: Float>(
         return Err(NoOrbit::Unsettled);
     }
     let inside = last_inside(zero, one, |share| shifted(cycle_map, share))?;
-    // A little less: at the very end rounding decides whether it stops.
+    // The share is reduced a little, because at the very end rounding decides whether the contact stops.
     let inside = inside * (one - S::constant(ROUNDINGS * S::EPSILON));
     if inside.is_zero() || !shifted(cycle_map, inside)? {
         return Err(NoOrbit::Unsettled);
@@ -118,7 +121,7 @@ pub(super) fn member<S: Float>(
     Ok(one)
 }
 
-/// The last share of an interval for which the motion is steady: it is at the one end, and not at the other.
+/// Bisects for the largest share with a steady motion.  The motion is steady at `inside` and not at `outside`.
 fn last_inside<S: Float>(
     mut inside: S,
     mut outside: S,

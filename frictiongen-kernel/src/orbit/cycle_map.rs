@@ -6,10 +6,10 @@ use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, ContactState, Event, Part, Setting, leap};
 
-/// No half cycle is followed through more events than this.
+/// Upper bound on the events of a half cycle.
 const MOST_EVENTS: u32 = 4096;
 
-/// What happens in half a cycle, or in a whole one.
+/// Numbers of events in half a cycle, or in several.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Pattern {
     pub stops: u32,
@@ -26,7 +26,7 @@ impl Pattern {
         }
     }
 
-    /// One of so many equal parts of it, if there are such.
+    /// Divides the pattern into `parts` equal patterns, if all numbers are divisible.
     pub(super) fn divided(self, parts: u32) -> Option<Self> {
         let part = |count: u32| {
             let part = count.checked_div(parts)?;
@@ -39,7 +39,7 @@ impl Pattern {
         })
     }
 
-    /// Both together.
+    /// Adds two patterns.
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             stops: self.stops + other.stops,
@@ -49,28 +49,27 @@ impl Pattern {
     }
 }
 
-/// The state at the section, and what moves it on.
+/// The state at the section, with the data that advance it.
 pub(super) struct CycleMap<'f, 'a, S> {
     pub setting: &'f Setting<'a, S>,
     pub modes: &'f mut [Part<S>],
     pub held: &'f mut [Part<S>],
     pub contact_state: ContactState<S>,
-    /// Where the longest segment of the last half cycle had its middle, as half-turns after the
-    /// section.
+    /// Middle of the longest segment of the last half cycle, in half-turns after the section.
     pub middle: S,
-    /// For how long the contact stuck in the last half cycle.
+    /// Time in τ for which the contact stuck in the last half cycle.
     pub stuck: S,
-    /// Steps that are left.
+    /// Number of walk steps that are left.
     pub step_budget: u32,
 }
 
 impl<S: Float> CycleMap<'_, '_, S> {
-    /// How many numbers a state has.
+    /// Number of scalars in a state.
     pub(super) fn size(&self) -> usize {
         2 * self.setting.dynamics.in_contact()
     }
 
-    /// Takes the steps of a leap from what is left.
+    /// Subtracts the steps of a leap from the budget.
     pub(super) fn spend(&mut self, steps: u32) -> Result<(), NoOrbit> {
         self.step_budget = self
             .step_budget
@@ -79,18 +78,18 @@ impl<S: Float> CycleMap<'_, '_, S> {
         Ok(())
     }
 
-    /// Half a cycle on; deviations in `columns` go along.
+    /// Advances half a cycle, and takes the deviations in `columns` along.
     pub(super) fn half(&mut self, columns: Option<&mut [S]>) -> Result<Pattern, NoOrbit> {
         let start = self.contact_state.t;
         let pattern = self.on(S::pi(), columns)?;
-        // Exactly half a cycle, whatever the sum of the lengths says.
+        // The phase advances by exactly half a cycle, free of the rounding in the sum of lengths.
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let t = start + one;
         self.contact_state.t = if t < two { t } else { t - two };
         Ok(pattern)
     }
 
-    /// Moves on by τ.
+    /// Advances by τ.
     pub(super) fn on(&mut self, tau: S, mut columns: Option<&mut [S]>) -> Result<Pattern, NoOrbit> {
         let zero = S::constant(0.0);
         let mut pattern = Pattern::default();
@@ -131,7 +130,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
         Err(NoOrbit::TooManyEvents)
     }
 
-    /// The state, copied out.
+    /// Copies the state into `state`.
     pub(super) fn save(&self, state: &mut [S]) {
         for (part, state) in self.modes.iter().zip(pairs_mut(state)) {
             if let [y, u] = state {
@@ -140,7 +139,8 @@ impl<S: Float> CycleMap<'_, '_, S> {
         }
     }
 
-    /// The state, set anew; how the contact stands is kept if it sticks, else read off.
+    /// Sets the state from `state`.  A sticking contact keeps its contact state.  Otherwise the motion gives the
+    /// contact state.
     pub(super) fn restore(&mut self, state: &[S], contact_state: &ContactState<S>) {
         for (part, state) in self.modes.iter_mut().zip(pairs(state)) {
             if let [y, u] = state {
@@ -176,7 +176,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
         })
     }
 
-    /// The largest of the state's numbers.
+    /// The largest absolute value among the state's scalars.
     pub(super) fn scale(&self) -> S {
         let driven = self.setting.dynamics.in_contact();
         self.modes
@@ -188,7 +188,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
     }
 }
 
-/// Deviations in every direction: the unit matrix.
+/// Sets `columns` to the unit matrix, which has one deviation in each direction.
 pub(super) fn unit<S: Float>(columns: &mut [S], size: usize) {
     for (index, entry) in columns.iter_mut().enumerate() {
         let own = index.checked_rem(size + 1) == Some(0);

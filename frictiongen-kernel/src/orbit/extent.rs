@@ -1,4 +1,4 @@
-//! Between which displacements a steady motion goes, where it is not centred.
+//! Extremes, offset and centred amplitude of a steady motion.
 
 use super::{Orbit, OrbitMotion};
 use crate::number::complex::Complex;
@@ -12,8 +12,8 @@ where
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
-    /// The middle of the contact's relative motion, (max z̄ + min z̄)/2 over P/k₁, for base motion over Y.  It is 0 for a
-    /// symmetric state, and z̄ itself for a contact that sticks off its centre.
+    /// The middle of the contact's relative motion, (max z̄ + min z̄)/2, over P/k₁, for base motion over Y.  It is 0
+    /// for a symmetric state, and z̄ itself for a contact that sticks with an offset.
     pub fn offset(&self) -> S {
         if self.symmetric {
             return S::constant(0.0);
@@ -30,7 +30,7 @@ where
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
-    /// The least and the largest x̄ of the period (P/k₁; for base motion Y).
+    /// The smallest and the largest x̄ of the period, over P/k₁, for base motion over Y.
     pub fn extremes(&self) -> (S, S) {
         let largest = self.amplitude();
         if self.is_symmetric() {
@@ -39,7 +39,7 @@ where
         if self.is_contact() {
             return self.extremes_at_events();
         }
-        // Moved by its largest size the motion has one sign, and what is largest is an extreme.
+        // A motion shifted by its amplitude has one sign, so that its largest |x̄| is at an extreme.
         let shifted = |shift: S| {
             let mut most = S::constant(0.0);
             self.each(|_, sum| {
@@ -55,8 +55,8 @@ where
         (-shifted(-largest), shifted(largest))
     }
 
-    /// Half the distance between the least and the largest x̄ of the period (P/k₁; for base motion Y): the amplitude about
-    /// the motion's own middle.
+    /// Half the distance between the smallest and the largest x̄ of the period, over P/k₁, for base motion over Y.  It
+    /// is the amplitude about the middle of the motion.
     pub fn centred_amplitude(&self) -> S {
         let (least, most) = self.extremes();
         (most - least) * S::constant(0.5)

@@ -1,36 +1,38 @@
-//! A contact that takes hold for good: above β*_lim motion may end with the contact stuck, at the centre or off it.
+//! Detection of a contact that sticks for ever.  From β*_lim on, motion may end with the contact stuck, with or without
+//! an offset.
 //!
-//! A stuck contact carries three forces: V/H of the forced motion, a constant one if it is held off its centre, and what
-//! is left of the held chain's free vibration.  It never slides again where their sum cannot exceed μβ.
+//! Three forces act in a stuck contact: V/H of the forced motion, the constant force of an offset, and the force of the
+//! stuck chain's free vibration.  The contact never slides again where their sum cannot exceed μβ.
 
 use super::cycle_map::{CycleMap, Pattern};
 use super::shooting::MAX_CYCLES;
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, phase};
 
-/// Half cycles without an event after which a contact counts as stuck although its free vibration might add up with the
-/// other forces: without damping it never dies, and with damping it can only fall.
+/// Half cycles without an event after which a contact counts as stuck, although its free vibration might still add up
+/// with the other forces.  Without damping that vibration never decays, and with damping that vibration can only fall.
 const QUIET: u32 = 256;
-/// Cycles after which, with μ = 1 and without damping, the offset is taken as it is: what slips remain are smaller than
-/// any before, and never end.
+/// Cycles after which, with μ = 1 and without damping, the present offset counts as final.  The remaining slips are
+/// smaller than any before, and continue without end.
 const UNDYING: u32 = 64;
-/// Roundings of the forces in a contact that only just holds.
+/// Rounding of the forces in a contact that only just sticks, in roundings of μβ.
 const ROUNDINGS: f64 = 64.0;
-/// With μ = 1 slips shrink without end, and the offset tends to where the contact just holds.  It does so from one side
-/// where a cycle's slip and the free vibration are less than this share of what the offset is too large by.
+/// Ratio below which the offset approaches its limit from one side.  With μ = 1 slips shrink without end, and the
+/// offset tends to where the contact just sticks.  A cycle's slip and the free vibration are compared with the offset's
+/// distance from that limit, all as forces.
 const ONE_SIDED: f64 = 0.1;
 
-/// Watches a motion above β*_lim for the moment from which on the contact sticks for ever.
+/// Watches a motion from β*_lim on for the instant after which the contact sticks for ever.
 pub(super) struct Hold<S> {
-    /// |V/H|, the amplitude of the force that the forced motion needs.
+    /// |V/H|, the amplitude of the contact force in the forced motion.
     steady: S,
     /// Whether μ = 1, so that slips shrink.
     monotone: bool,
-    /// Half cycles in a row without an event.
+    /// Number of successive half cycles without an event.
     quiet: u32,
-    /// Half cycles altogether.
+    /// Number of all half cycles.
     halves: u32,
-    /// The constant force half a cycle ago and a cycle ago.
+    /// Constant contact force half a cycle ago and a cycle ago.
     before: [S; 2],
 }
 
@@ -53,7 +55,7 @@ impl<S: Float> Hold<S> {
         self.quiet = if calm { self.quiet + 1 } else { 0 };
     }
 
-    /// z̄ of a contact that sticks and never slides again, if that is certain or [as good as certain](QUIET).
+    /// z̄ of a contact that sticks and never slides again, if that is certain, or [counts as certain](QUIET).
     pub(super) fn held(&mut self, cycle_map: &mut CycleMap<'_, '_, S>) -> Option<S> {
         let setting = cycle_map.setting;
         let contact_state = cycle_map.contact_state;

@@ -10,7 +10,7 @@ pub(super) struct Matrix<'a, S> {
 }
 
 impl<'a, S: Float> Matrix<'a, S> {
-    /// Over the first size² entries of a slice.
+    /// Creates a matrix from the first size² entries of a slice.
     pub(super) fn new(entries: &'a mut [S], size: usize) -> Self {
         Self { entries, size }
     }
@@ -34,7 +34,7 @@ impl<'a, S: Float> Matrix<'a, S> {
         }
     }
 
-    /// Solves (shift·1 − M)x = b in place; the matrix is used up.  False if it is singular.
+    /// Solves (shift·1 − M)x = b in place, and overwrites the matrix.  Returns false if the matrix is singular.
     pub(super) fn solve_shifted(&mut self, shift: S, b: &mut [S]) -> bool {
         let n = self.size;
         for column in 0..n {
@@ -90,8 +90,8 @@ impl<'a, S: Float> Matrix<'a, S> {
         true
     }
 
-    /// The eigenvalues; the matrix is used up.  Reduction to Hessenberg form by elimination, then
-    /// the double-shift QR iteration of Francis.
+    /// Computes the eigenvalues, and overwrites the matrix.  The method is reduction to Hessenberg form by elimination,
+    /// then the double-shift QR iteration of Francis.
     pub(super) fn eigenvalues(&mut self, out: &mut [Complex<S>]) {
         self.reduce();
         let mut end = self.size;
@@ -106,7 +106,8 @@ impl<'a, S: Float> Matrix<'a, S> {
                 );
                 (end, rounds) = (end - 1, 0);
             } else if start + 2 == end || rounds >= 60 {
-                // After sixty rounds, which no matrix is known to need, the block is read as it is.
+                // No matrix is known to need sixty rounds.  After sixty rounds the eigenvalues of the last two by two
+                // block are taken as they are.
                 let (first, second) = self.pair(end - 2);
                 put(out, end - 2, first);
                 put(out, end - 1, second);
@@ -157,7 +158,7 @@ impl<'a, S: Float> Matrix<'a, S> {
         }
     }
 
-    /// Where the block that ends before `end` starts: at the last negligible subdiagonal entry.
+    /// Start of the block that ends before `end`, at the last negligible subdiagonal entry.
     fn last_block(&mut self, end: usize) -> usize {
         for k in (1..end).rev() {
             let size = self.at(k - 1, k - 1).abs() + self.at(k, k).abs();
@@ -183,7 +184,7 @@ impl<'a, S: Float> Matrix<'a, S> {
             let im = (-discriminant).sqrt();
             return (Complex::new(middle, im), Complex::new(middle, -im));
         }
-        // The smaller in the form that does not cancel.
+        // The smaller eigenvalue is formed without cancellation.
         let shift = difference + discriminant.sqrt().copysign(difference);
         let first = d + shift;
         let second = if shift.is_zero() {
@@ -194,7 +195,7 @@ impl<'a, S: Float> Matrix<'a, S> {
         (Complex::new(first, zero), Complex::new(second, zero))
     }
 
-    /// One double-shift step on the block [start, end).
+    /// Makes one double-shift step on the block [start, end).
     fn francis(&mut self, start: usize, end: usize, rounds: u32) {
         let m = end - 1;
         let (mut s, mut t) = (
@@ -202,7 +203,7 @@ impl<'a, S: Float> Matrix<'a, S> {
             self.at(m - 1, m - 1) * self.at(m, m) - self.at(m - 1, m) * self.at(m, m - 1),
         );
         if rounds % 10 == 9 {
-            // An exceptional shift where the usual one goes round in circles.
+            // An exceptional shift ends a cycle of the usual shifts.
             let w = self.at(m, m - 1).abs() + self.at(m - 1, m - 2).abs();
             (s, t) = (S::constant(1.5) * w, w * w);
         }
@@ -240,7 +241,7 @@ impl<'a, S: Float> Matrix<'a, S> {
         }
     }
 
-    /// (1 − τ v vᵀ) on the entries that `place` names.
+    /// Applies (1 − τ v vᵀ) to the entries that `place` selects.
     fn reflect(
         &mut self,
         v: &[S; 3],
@@ -295,7 +296,7 @@ mod tests {
     use super::*;
     use fuzzing::Random;
 
-    /// Against the power sums: Σλ = tr M, Σλ² = tr M², Σλ³ = tr M³.
+    /// The eigenvalues agree with the traces: Σλ = tr M, Σλ² = tr M², Σλ³ = tr M³.
     #[test]
     fn eigenvalues_have_the_traces() {
         let mut random = Random(7);

@@ -1,9 +1,12 @@
-//! The steady state in any regime: the motion that repeats after one cycle of the excitation or after several, its
-//! stops, and how deviations from it grow.
+//! The steady state in any regime: a motion that repeats after one or several cycles of the excitation, its stops, and
+//! its Floquet multipliers.
 //!
-//! Some cycles are followed from the start, exactly ([`simulation`](crate::simulation)), until their
-//! pattern of events repeats; then Newton's method on the half-period map times −1, whose fixed point
-//! is a symmetric steady state, or on the period map, finishes in a few steps.
+//! The search first follows some cycles from the start, exactly ([`simulation`](crate::simulation)), until their
+//! pattern of events repeats.  Newton's method then converges in a few steps.  The method works on the half-period map
+//! times −1, whose fixed point is a symmetric steady state, or on the period map.
+//!
+//! A stored steady state is a list of *marks*.  A mark is the start of a segment: the contact's state, the phase and z̄
+//! at that instant.  The *stuck chain* is the chain whose contact sticks.
 
 mod build;
 mod candidate;
@@ -40,32 +43,34 @@ use crate::number::scalar::Float;
 use crate::simulation::{Contact, ContactState, Part, Setting};
 use segments::Segments;
 
-/// A cycle of more segments than this is not reported; a period of several cycles may have so many for each.
+/// Upper bound on the segments of a cycle.  A period of several cycles may have this number for each of its cycles.  A
+/// steady state with more segments is not reported.
 pub const MAX_SEGMENTS: usize = 64;
 
-/// How many numbers an orbit of a scene works in: `modes` of which the contact drives `driven`.
+/// Number of scalars of memory that an orbit needs, for a scene with `modes` modes of which the contact drives
+/// `driven`.
 #[must_use]
 pub const fn numbers(modes: usize, driven: usize) -> usize {
     MAX_SEGMENTS * 2 * modes + 4 * driven * driven + 4 * driven
 }
 
-/// A segment of the period.
+/// The start of a segment of the period.
 #[derive(Clone, Copy, Debug)]
 struct SegmentStart<S> {
-    /// How the contact stands at its start, and the excitation within its cycle.
+    /// State of the contact at the start, with the phase of the excitation within its cycle.
     contact_state: ContactState<S>,
-    /// Which cycle that is, counted from the first mark's.
+    /// Cycle of the start, counted from that of the first mark.
     cycle: S,
-    /// Its length in τ.
+    /// Length of the segment in τ.
     length: S,
-    /// z̄ at its start.
+    /// z̄ at the start.
     relative: S,
-    /// So many segments after it are not kept: they are followed anew from this one.
+    /// Number of following segments that are not stored.  Those segments are computed again from this one.
     more: u32,
 }
 
 impl<S: Float> SegmentStart<S> {
-    /// What an array of them starts from.
+    /// Returns a mark of zeros, to initialise arrays.
     fn empty() -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -82,21 +87,22 @@ impl<S: Float> SegmentStart<S> {
         }
     }
 
-    /// z̄ at its end, if it sticks: what it was at the start, to the last digit.
+    /// z̄ at the end of a segment in which the contact sticks, or `None` if the contact slides.  While the contact
+    /// sticks, z̄ at the end equals z̄ at the start to the last digit.
     fn stuck_at(&self) -> Option<S> {
         (self.contact_state.contact == Contact::Stuck).then_some(self.relative)
     }
 }
 
-/// How much longer than a period a segment may seem to be.
+/// Length in τ by which rounding may make a segment longer than the rest of the period.
 fn slack<S: Float>() -> S {
     newton::agreement()
 }
 
-/// A steady state: a motion that repeats after one cycle of the excitation, or after [`Orbit::period`] of them.
+/// A steady state: a motion that repeats after one cycle of the excitation, or after [`Orbit::period`] cycles.
 ///
-/// `P` holds parts, `V` numbers ([`numbers`]) and `C` multipliers (two for each mode that the
-/// contact drives): arrays in emitted code, vectors at run time.
+/// `P` owns the oscillators, `V` the scalars of memory ([`numbers`]), and `C` the multipliers, two for each mode that
+/// the contact drives.  All three are arrays in emitted code and vectors at run time.
 #[derive(Clone, Debug)]
 pub struct Orbit<'a, S, P, V, C> {
     setting: Setting<'a, S>,
@@ -105,21 +111,22 @@ pub struct Orbit<'a, S, P, V, C> {
     multipliers: C,
     marks: [SegmentStart<S>; MAX_SEGMENTS],
     count: usize,
-    /// In cycles of the excitation.
+    /// Period in cycles of the excitation.
     period: u32,
     stops: usize,
     reversals: usize,
     symmetric: bool,
     marginal: bool,
     settled: bool,
-    /// Of a continuum: how far off its centre the contact's motion may be.
+    /// Largest |offset| of the contact's motion in a continuum of steady states, if known.
     offset_range: Option<S>,
-    /// The excitation's phase in half-turns where τ = 0: a maximum of z̄, at its end; and its cycle, as in [`SegmentStart`].
+    /// The excitation's phase in half-turns at τ = 0, which is the end of a maximum of z̄.  `origin_cycle` is its
+    /// cycle, as in [`SegmentStart`].
     origin: S,
     origin_cycle: S,
 }
 
-/// A steady state in arrays: of an emitted solver.
+/// A steady state of an emitted solver, with its data in arrays.
 pub type FixedOrbit<S, const PARTS: usize, const NUMBERS: usize, const MULTIPLIERS: usize> =
     Orbit<'static, S, [Part<S>; PARTS], [S; NUMBERS], [Complex<S>; MULTIPLIERS]>;
 
@@ -143,44 +150,44 @@ where
         self.marks.get(..self.count).unwrap_or_default()
     }
 
-    /// The segments of the period, one after the other.
+    /// Returns the segments of the period, one after the other.
     fn segments(&self) -> Segments<'_, 'a, S, P, V, C> {
         Segments::from(self, 0)
     }
 
-    /// β = F/P.
+    /// Friction ratio β = F/P.
     #[must_use]
     pub fn beta(&self) -> S {
         self.setting.beta
     }
 
-    /// After how many cycles of the excitation the motion repeats: 1, or up to [`MAX_PERIOD`] for a subharmonic state.
+    /// Number of excitation cycles after which the motion repeats: 1, or up to [`MAX_PERIOD`] for a subharmonic state.
     #[must_use]
     pub fn period(&self) -> u32 {
         self.period
     }
 
-    /// Whether the motion repeats.  Otherwise this is what it does in its last [`MAX_PERIOD`] cycles, after it has gone
-    /// through [`MAX_CYCLES`] without settling: an amplitude is the largest that was seen in those, a harmonic the mean
-    /// over them.
+    /// Whether the motion repeats.  Otherwise this is the motion of the last [`MAX_PERIOD`] cycles, after
+    /// [`MAX_CYCLES`] cycles that did not settle.  An amplitude is then the largest of those last cycles, and a
+    /// harmonic the mean over them.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         self.settled
     }
 
-    /// How often the contact stops in a period.
+    /// Number of stops of the contact in a period.
     #[must_use]
     pub fn stops(&self) -> usize {
         self.stops
     }
 
-    /// How often the direction of sliding changes in a period without a stop.
+    /// Number of changes of the sliding direction without a stop in a period.
     #[must_use]
     pub fn reversals(&self) -> usize {
         self.reversals
     }
 
-    /// The part of the period for which the contact sticks.
+    /// Fraction of the period for which the contact sticks.
     #[must_use]
     pub fn stuck_fraction(&self) -> S {
         let stuck = self.sticking_intervals();
@@ -188,13 +195,13 @@ where
         sum * S::inverse_pi() * S::constant(0.5) / self.cycles()
     }
 
-    /// How far the contact slides in a period, ∮|dz̄|.  The friction force takes β times as much work out of the motion.
+    /// Distance that the contact slides in a period, ∮|dz̄|.  Friction dissipates β times this distance as work.
     #[must_use]
     pub fn sliding_distance(&self) -> S {
         let zero = S::constant(0.0);
         let mut distance = zero;
         let mut last: Option<SegmentStart<S>> = None;
-        // Within a segment the direction of sliding does not change.
+        // Within a segment the direction of sliding does not change, so that the end points give its distance.
         for mark in self.segments() {
             if let Some(last) = last {
                 distance = distance + (mark.relative - last.relative).abs();
@@ -206,18 +213,18 @@ where
         distance + closing
     }
 
-    /// The period, in cycles.
+    /// Length of the period in cycles.
     fn cycles(&self) -> S {
         S::constant(f64::from(self.period))
     }
 
-    /// A phase of the period, in half-turns, between 0 and its end.
+    /// Reduces a phase in half-turns to the period, from 0 to its end.
     fn within(&self, t: S) -> S {
         let whole = self.cycles() * S::constant(2.0);
         t - (t / whole).floor() * whole
     }
 
-    /// The excitation's angle at a mark, in half-turns: 0 at the maximum of the excitation next to τ = 0.
+    /// The excitation's angle at a mark, in half-turns.  It is 0 at the maximum of the excitation next to τ = 0.
     fn angle(&self, mark: &SegmentStart<S>) -> S {
         let one = S::constant(1.0);
         let past = if one < self.origin {
@@ -228,9 +235,9 @@ where
         mark.contact_state.t + S::constant(2.0) * (mark.cycle - self.origin_cycle - past)
     }
 
-    /// The intervals for which the contact sticks: start and length.  The start is τ of the excitation, between 0 and 2π
-    /// times the period.  It is 0 at a maximum of the excitation; of several, at the one next to
-    /// [`origin`](Self::origin).
+    /// The intervals in which the contact sticks: start and length.  The start is τ of the excitation, from 0 to 2π
+    /// times the period.  That τ counts from a maximum of the excitation.  For a subharmonic state that is the maximum
+    /// next to [`origin`](Self::origin).
     pub fn sticking_intervals(&self) -> impl Iterator<Item = (S, S)> + '_ {
         let stuck = |contact: &Contact| *contact == Contact::Stuck;
         let intervals = self
@@ -239,9 +246,10 @@ where
         intervals.map(|(start, length, _)| (start, length))
     }
 
-    /// What the contact does, one interval after the other, all around the period: start, as of
-    /// [`sticking_intervals`](Self::sticking_intervals), length, and whether it sticks or which way it slides.  What
-    /// the contact does where the last one ends and the first one begins may be the same.
+    /// The intervals between changes of the contact's state, one after the other all around the period: start, length,
+    /// and whether the contact sticks or its direction of sliding.  The start is defined as in
+    /// [`sticking_intervals`](Self::sticking_intervals).  The last and the first interval may have the same contact
+    /// state.
     pub fn intervals(&self) -> impl Iterator<Item = (S, S, Contact)> + '_ {
         self.segments().map(|mark| {
             let start = self.within(self.angle(&mark)) * S::pi();
@@ -249,8 +257,9 @@ where
         })
     }
 
-    /// What the contact does at τ, counted from where the relative motion leaves its maximum, and the friction force in
-    /// it over P: β while it slides, what holds it while it sticks; positive against positive sliding.
+    /// Contact state and friction force over P at τ, which counts from where the relative motion leaves its maximum.
+    /// While the contact slides, the force is β times the sign of the velocity.  While the contact sticks, the force
+    /// keeps the contact at rest.  A positive force opposes positive sliding.
     pub fn friction(&self, tau: S) -> (Contact, S) {
         let Some((mut segments, mark, since)) = Segments::at(self, tau) else {
             return (Contact::Stuck, S::constant(0.0));
@@ -272,8 +281,8 @@ where
         self.symmetric
     }
 
-    /// The Floquet multipliers: by what small deviations of the modes that the contact drives are
-    /// multiplied in a period.  None where nothing repeats.
+    /// The Floquet multipliers: factors by which small deviations of the modes that the contact drives grow in a
+    /// period.  The slice is empty if the motion does not repeat.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<S>] {
         if self.settled {
@@ -297,23 +306,23 @@ where
             && self.largest_multiplier() <= S::constant(1.0 + candidate::ON_CIRCLE * S::EPSILON)
     }
 
-    /// Whether some deviation stays for good, or dies more slowly than any power: the state is a
-    /// member of a continuum, or at its end.
+    /// Whether some small deviation never decays, or decays more slowly than exponentially.  The state is then a member
+    /// of a continuum of steady states, or at the end of one.
     #[must_use]
     pub fn is_marginal(&self) -> bool {
         self.marginal
     }
 
-    /// How far off its centre the contact may come to rest or slide, |offset| over P/k₁, for base motion over Y: every state
-    /// of a continuum is between −this and this.  A stuck contact has one, and a chain without damping at r = 1/2n; none
-    /// elsewhere, and where it is not known.
+    /// Largest |offset| at which the contact may come to rest or slide, over P/k₁, for base motion over Y.  Every state
+    /// of the continuum has an offset between minus and plus this bound.  A stuck contact has a bound, and so has a
+    /// chain without damping at r = 1/2n.  Elsewhere, and where the bound is not known, the result is `None`.
     #[must_use]
     pub fn offset_range(&self) -> Option<S> {
         self.offset_range
     }
 
-    /// The excitation's angle at τ = 0, where the relative motion in the contact leaves its maximum:
-    /// the load is cos(τ + origin).
+    /// The excitation's angle at τ = 0, where the relative motion in the contact leaves its maximum.  The load is cos(τ
+    /// + origin).
     #[must_use]
     pub fn origin(&self) -> S {
         let angle = self.origin * S::pi();
@@ -329,7 +338,7 @@ where
         OrbitMotion::of_contact(self)
     }
 
-    /// The motion of a mass, by its place in the description; rest if there is no such mass.
+    /// The motion of a mass, by its index in the description.  An index without a mass gives rest.
     pub fn mass(&self, index: usize) -> OrbitMotion<'_, 'a, S, P, V, C> {
         let dynamics = &self.setting.dynamics;
         if dynamics.moves_as_contact(index) {
@@ -339,7 +348,7 @@ where
         }
     }
 
-    /// The same; none if there is no such mass.
+    /// The motion of a mass, by its index in the description, or `None` if there is no such mass.
     pub fn mass_at(&self, index: usize) -> Option<OrbitMotion<'_, 'a, S, P, V, C>> {
         let known = !self.setting.dynamics.shape(index).is_empty();
         known.then(|| self.mass(index))

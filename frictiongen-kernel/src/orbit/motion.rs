@@ -1,4 +1,4 @@
-//! The steady motion of the contact or of a mass as something to ask.
+//! Amplitude, phase, velocity, acceleration and harmonics of the steady motion of the contact or of a mass.
 
 use super::gauss::{PANEL, SIXTEEN};
 use super::segments::Segments;
@@ -8,16 +8,16 @@ use crate::number::phase::{within_cycle, wrapped};
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Part, Sum, lift, rotated};
 
-/// Amplitudes that differ by so many roundings are equal,
+/// Difference, in roundings, below which two amplitudes are equal.
 const ROUNDINGS: f64 = 64.0;
-/// and lags by so much, or in `f32` by so many roundings.
+/// Difference, in rad, below which two lags are equal.  In `f32` the limit is as many roundings as for amplitudes.
 const SAME_LAG: f64 = 1e-9;
 
 /// The steady motion of the contact or of a mass, in an [`Orbit`].
 #[derive(Debug)]
 pub struct OrbitMotion<'o, 'a, S, P, V, C> {
     orbit: &'o Orbit<'a, S, P, V, C>,
-    /// The mass's shape; none for the contact.
+    /// Components of the mass in the mode shapes, or `None` for the contact.
     shape: Option<&'a [S]>,
 }
 
@@ -28,10 +28,10 @@ impl<S, P, V, C> Clone for OrbitMotion<'_, '_, S, P, V, C> {
 }
 impl<S, P, V, C> Copy for OrbitMotion<'_, '_, S, P, V, C> {}
 
-/// A harmonic is integrated over so many panels of a segment at most.
+/// Upper bound on the panels of a segment over which a harmonic is integrated.
 const MOST_PANELS: f64 = (1_u32 << 14) as f64;
 
-/// The largest |x̄| so far, and the lag of the best of its places.
+/// The largest |x̄| found so far, and its lag.
 struct Best<S> {
     value: S,
     lag: Option<S>,
@@ -55,20 +55,22 @@ where
         }
     }
 
-    /// Amplitude and phase, found together: (largest |x̄|, its lag).
+    /// Amplitude and phase from one search: the largest |x̄| and its lag.
     pub fn largest(&self) -> (S, S) {
         let best = self.best();
         (best.value, best.lag.unwrap_or(S::constant(0.0)))
     }
 
-    /// The largest |x̄| of the period (P/k₁; for base motion Y).
+    /// The largest |x̄| of the period, over P/k₁, for base motion over Y.
     pub fn amplitude(&self) -> S {
         self.best().value
     }
 
-    /// The lag of the motion's largest |x̄| behind the excitation's maximum, rad, in (−π, π]; by half
-    /// a turn more where x̄ is negative there.  Where the contact stops at its largest displacement, its lag is that of
-    /// the beginning of the stop.  Of equal maxima the smallest |lag| counts, then the positive one.
+    /// The lag of the motion's largest |x̄| behind the excitation's maximum, rad, in (−π, π].  The lag is half a turn
+    /// more if x̄ is negative at that instant.
+    ///
+    /// If the contact stops at its largest displacement, the lag is that of the beginning of the stop.  If several
+    /// maxima are equal, the lag of smallest size counts.  If two such lags differ in sign, the positive lag counts.
     pub fn phase(&self) -> S {
         self.best().lag.unwrap_or(S::constant(0.0))
     }
@@ -89,8 +91,8 @@ where
         self.asked(tau, |sum, tau| sum.local(tau).slope)
     }
 
-    /// d²x̄/dτ² at τ, counted from where the relative motion in the contact leaves its maximum.  It jumps where the contact
-    /// turns, stops or breaks away; there it is that of what follows.
+    /// d²x̄/dτ² at τ, counted from where the relative motion in the contact leaves its maximum.  The acceleration jumps
+    /// where the contact turns, stops or breaks away.  At a jump the value just after the jump counts.
     pub fn acceleration(&self, tau: S) -> S {
         self.asked(tau, |sum, tau| sum.local(tau).curve)
     }
@@ -102,31 +104,34 @@ where
         largest
     }
 
-    /// The largest |d²x̄/dτ²| of the period, on either side of its jumps.
+    /// The largest |d²x̄/dτ²| of the period.  Both sides of its jumps count.
     pub fn largest_acceleration(&self) -> S {
         let mut largest = S::constant(0.0);
         self.each(|_, sum| largest = largest.max(rates::largest_curve(sum)));
         largest
     }
 
-    /// X_n, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the excitation; X_0 is the mean.
-    /// Where n or a mode's own vibration within a segment goes beyond some 10⁴ turns, what vibrates so
-    /// fast is told by its order of magnitude alone.
+    /// Complex amplitude X_n of a harmonic, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the excitation.  X_0
+    /// is the mean.
+    ///
+    /// A vibration that turns more than some 10⁴ times within a segment is integrated to its order of magnitude only.
+    /// This loss of precision concerns a large n, and modes far above the excitation.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         self.component(S::constant(f64::from(n)), n == 0, |mark| {
             mark.contact_state.t
         })
     }
 
-    /// The component of order k/[`period`](Orbit::period): X in Re Σ X e^{ikτ_e/period}.  It turns k times in a period of
-    /// the motion; every period-th is a [`harmonic`](Self::harmonic).  τ_e counts from the maximum of the excitation next
-    /// to where τ = 0.
+    /// Complex amplitude X of the component of order k/[`period`](Orbit::period), which adds Re X e^{ikτ_e/period} to
+    /// x̄.  The component turns k times in a period of the motion.  If k is a multiple of the period, it is a
+    /// [`harmonic`](Self::harmonic).  τ_e counts from the maximum of the excitation next to τ = 0.
     pub fn subharmonic(&self, k: u32) -> Complex<S> {
         let order = S::constant(f64::from(k)) / self.orbit.cycles();
         self.component(order, k == 0, |mark| self.orbit.angle(mark))
     }
 
-    /// Of any order; with where in the excitation's half-turns a segment starts.
+    /// Complex amplitude of a component of any order.  `starts` returns the excitation's angle at a segment's start, in
+    /// half-turns.
     fn component(
         &self,
         order: S,
@@ -144,7 +149,7 @@ where
             let mut start = zero;
             let mut done = zero;
             while done < panels {
-                // Panel by panel: in one long sum the rounding of each term would add up.
+                // Each panel has its own sum, because in one long sum the rounding of all terms would add up.
                 let mut panel = complex::real(zero);
                 for (node, weight) in SIXTEEN {
                     for side in [-node, node] {
@@ -184,13 +189,13 @@ where
         best
     }
 
-    /// Whether the motion is the relative one in the contact, up to what the contact carries.
+    /// Whether this is the relative motion in the contact.
     pub(super) fn is_contact(&self) -> bool {
         self.shape.is_none()
     }
 
-    /// The relative motion is largest where its velocity is zero: at events.  It comes to its largest displacement where a
-    /// stop begins, not where it ends.
+    /// Notes the relative motion at all events, because the motion is largest where its velocity is zero.  The motion
+    /// reaches its largest displacement at the beginning of a stop, so that the end of a stop is left out.
     fn at_events(&self, best: &mut Best<S>) {
         let (mut first, mut stuck) = (None, false);
         for mark in self.orbit.segments() {
@@ -202,7 +207,7 @@ where
             stuck = mark.contact_state.contact == Contact::Stuck;
         }
         match first {
-            // What the first segment begins with is known once the last one is.
+            // The state before the first segment is known only after the last one.
             Some(first) if !stuck => best.note(first.contact_state.t, first.relative),
             Some(first) if best.lag.is_none() => {
                 best.value = first.relative.abs();
@@ -211,7 +216,7 @@ where
         }
     }
 
-    /// The least and the largest relative displacement.
+    /// The smallest and the largest relative displacement.
     pub(super) fn extremes_at_events(&self) -> (S, S) {
         let mut extremes: Option<(S, S)> = None;
         for mark in self.orbit.segments() {
@@ -241,7 +246,7 @@ where
         }
     }
 
-    /// The motion in one segment, whose parts are in the state at its start.
+    /// The motion in one segment as a sum, for oscillators in the state at the segment's start.
     fn aimed<'p>(&self, parts: &'p mut [Part<S>], mark: &SegmentStart<S>) -> Sum<'p, S> {
         let zero = S::constant(0.0);
         let (setting, contact_state, reach) =
@@ -287,7 +292,8 @@ where
         for (index, part) in modes.iter_mut().enumerate().skip(driven) {
             part.weight = [component(index), zero];
         }
-        // The modes that the contact does not touch stand between those that it does and the held.
+        // The modes that the contact does not touch are stored between those that it drives and those of the stuck
+        // chain.
         let modes = setting.dynamics.modes.len();
         let range = if sticks {
             driven..parts.len()
@@ -321,7 +327,7 @@ impl<S: Float> Best<S> {
         let lag = if one < t { t - two } else { t } * S::pi();
         let clear = self.value < size * near;
         self.value = self.value.max(size);
-        // Twins differ by rounding: of lags of nearly equal size the positive one counts.
+        // The lags of equal maxima differ by rounding.  If two lags have nearly equal size, the positive lag counts.
         let same = S::constant(SAME_LAG.max(ROUNDINGS * S::EPSILON));
         let better = match self.lag {
             Some(known) if !clear => {

@@ -10,29 +10,30 @@ use crate::simulation::{Contact, ContactState};
 
 const NEWTON_STEPS: u32 = 12;
 
-/// What two ways to the same state or instant may differ by,
+/// Relative difference below which two computations of a state or an instant agree.
 const AGREEMENT: f64 = 1e-9;
-/// and in `f32`, in roundings: the events of a cycle add theirs.
+/// Least difference, in roundings, that two agreeing computations may have.  It exceeds `AGREEMENT` in `f32` only.  The
+/// events of a cycle add their roundings.
 const AGREEING_ROUNDINGS: f64 = 1024.0;
-/// A step of Newton's method is small from here on,
+/// Relative size below which a step of Newton's method is small.
 const SMALL_STEP: f64 = 1e-11;
-/// and in `f32` from so many roundings on,
+/// Least size, in roundings, below which a step of Newton's method is small.  It exceeds `SMALL_STEP` in `f32` only.
 const SMALL_ROUNDINGS: f64 = 256.0;
-/// and no step can be below so many.
+/// Shortest step that rounding allows, in roundings.
 const LEAST_ROUNDINGS: f64 = 4.0;
-/// Below a small step rounding holds the method up where a step is more than this ratio of the one before.
+/// Ratio of a small step to the step before, above which rounding stalls the method.
 const STALLED: f64 = 0.25;
-/// From here on, relative to the state, a step that is no more than the square of the one before is the last.
+/// Relative size below which a step ends the method if it is no larger than the square of the step before.
 const QUADRATIC: f64 = 1e-9;
-/// A state has at least this size, so that a division by it is finite.
+/// Lower bound on the size of a state, so that a division by that size stays finite.
 const SMALLEST_SCALE: f64 = 1e-290;
 
-/// How far apart, relative to their size, two are that rounding alone parts.
+/// Relative difference of two numbers that only rounding separates.
 pub(super) fn agreement<S: Float>() -> S {
     S::constant(AGREEMENT.max(AGREEING_ROUNDINGS * S::EPSILON))
 }
 
-/// States of this size that differ by no more than this are the same.
+/// Largest difference of two equal states of size `scale`.
 pub(super) fn same<S: Float>(scale: S) -> S {
     scale * agreement::<S>()
 }
@@ -45,23 +46,23 @@ pub(super) struct Workspace<'m, S> {
     pub multipliers: &'m mut [Complex<S>],
 }
 
-/// What takes a state on by half a period, or a whole one.
+/// Map of a state over half a period, or over a whole one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Map {
-    /// In cycles of the excitation.
+    /// Period in cycles of the excitation.
     pub period: u32,
-    /// Half a period, times −1.
+    /// Whether the map is half a period times −1.
     pub symmetric: bool,
 }
 
 impl Map {
-    /// Of a symmetric state that repeats after one cycle.
+    /// Map of a symmetric state that repeats after one cycle.
     pub const HALF_CYCLE: Self = Self {
         period: 1,
         symmetric: true,
     };
 
-    /// How many half cycles it is.
+    /// Number of half cycles in the map.
     pub fn halves(self) -> u32 {
         if self.symmetric {
             self.period
@@ -71,8 +72,8 @@ impl Map {
     }
 }
 
-/// Newton's method from where the cycle map stands; none if it does not converge.  The cycle map then stands
-/// on the fixed point.
+/// Applies Newton's method from the state of the cycle map.  Returns the pattern of the map, with the cycle map at the
+/// fixed point, or `None` if the method does not converge.
 pub(super) fn newton<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -91,7 +92,7 @@ pub(super) fn newton<S: Float>(
             return Ok(None);
         };
         if (image == Contact::Stuck) != (contact_state.contact == Contact::Stuck) {
-            // The section itself has changed hands; the image is as good a start.
+            // The contact's state in the section has changed.  The image is as good a start.
             contact_state.contact = image;
             contact_state.t = start.t;
             cycle_map.save(workspace.other);
@@ -101,7 +102,7 @@ pub(super) fn newton<S: Float>(
             cycle_map.restore(workspace.other, &contact_state);
             continue;
         }
-        // δ = (1 − A)⁻¹(F(x) − x), in the place of F(x).
+        // `other` receives δ = (1 − A)⁻¹(F(x) − x).
         let scale = cycle_map.scale().max(S::constant(SMALLEST_SCALE));
         let sign = if symmetric { -one } else { one };
         for (part, state) in cycle_map.modes.iter_mut().zip(pairs_mut(workspace.other)) {
@@ -130,9 +131,9 @@ pub(super) fn newton<S: Float>(
         contact_state.t = start.t;
         cycle_map.restore(workspace.other, &contact_state);
         let small = S::constant(SMALL_STEP.max(SMALL_ROUNDINGS * S::EPSILON)) * scale;
-        // A contact that hardly slides has a motion far smaller than P/k₁, whose rounding moves it.
+        // A contact that hardly slides has a motion far smaller than P/k₁, which is rounded at the size of P/k₁.
         let small = step <= small.max(S::constant(LEAST_ROUNDINGS * S::EPSILON));
-        // Below rounding, or as far down as rounding lets it come.
+        // The step is below rounding, or rounding keeps it from falling further, or the method converges quadratically.
         if step <= scale * S::constant(LEAST_ROUNDINGS * S::EPSILON)
             || (small && last * S::constant(STALLED) < step)
             || step <= scale * S::constant(QUADRATIC) && step <= last * last / scale
@@ -144,7 +145,7 @@ pub(super) fn newton<S: Float>(
     Ok(None)
 }
 
-/// The map with its deviations; how the contact stands then.
+/// Applies the map to the state and its deviations.  Returns the contact's state after the map, and the pattern.
 pub(super) fn mapped<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     columns: &mut [S],
@@ -169,8 +170,8 @@ pub(super) fn negate<S: Float>(numbers: &mut [S]) {
     }
 }
 
-/// The multipliers of the period, for which the cycle map stands on a fixed point and stays there; the
-/// largest modulus of those of the map.
+/// Computes the multipliers of the period, for a cycle map at a fixed point, where it stays.  Returns the largest
+/// modulus of the map's multipliers.
 pub(super) fn multipliers<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,

@@ -1,4 +1,4 @@
-//! A scene that provides steady states.
+//! Scenes that provide steady states, and the methods that return them.
 
 use super::{Known, Start, States};
 use crate::contact::regime::check_beta;
@@ -9,15 +9,16 @@ use core::ops::Deref;
 
 /// A scene that provides `orbit`.
 pub trait ProvidesOrbit: Scene {
-    /// The steady state, with a method for each mass.
+    /// Type of the steady state, with a method for each mass.
     type Orbit: Deref<Target: Known>;
-    /// A number for each mass.
+    /// Type of a state of the masses, with one number for each mass.
     type State: AsRef<[Self::Scalar]> + ?Sized;
 
-    /// The steady state from `start`; with `last` the last 64 cycles where it does not settle.
+    /// Returns the steady state reached from `start`.  If `last` is true and the motion does not settle, returns its
+    /// last 64 cycles.
     ///
     /// # Errors
-    /// [`NoOrbit`] says why there is none.
+    /// [`NoOrbit`] gives the reason why there is no steady state.
     fn settled(
         at: &At<Self>,
         beta: Self::Scalar,
@@ -27,32 +28,34 @@ pub trait ProvidesOrbit: Scene {
 }
 
 impl<T: ProvidesOrbit> At<T> {
-    /// The steady state at β = F/P that motion from rest ends in, in any regime: every mass at x̄ = 0 without velocity where
-    /// the excitation is at its maximum.  A base then stands at Y: a contact with it starts at z̄ = −Y, and may stick there.
+    /// Returns the steady state at β = F/P in which motion from rest ends, in any regime.
+    ///
+    /// At the start the excitation is at its maximum, and every mass is at x̄ = 0 without velocity.  A moving base is
+    /// then at Y.  A contact with the base therefore starts at z̄ = −Y, and may stick there.
     ///
     /// # Errors
-    /// [`NoOrbit`] says why there is none.
+    /// [`NoOrbit`] gives the reason why there is no steady state.
     #[inline]
     pub fn orbit(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
         T::settled(self, beta, Start::Rest, false)
     }
 
-    /// The steady state as [`orbit`](Self::orbit) gives it.  Where the motion from rest does not settle, its last 64
-    /// cycles stand in its place: `is_settled()` is false, and an amplitude is the largest of those cycles.
+    /// Returns the steady state as [`orbit`](Self::orbit) does, or the last 64 cycles of a motion from rest that does
+    /// not settle.  For such cycles `is_settled()` is false, and an amplitude is the largest of those cycles.
     ///
     /// # Errors
-    /// [`NoOrbit`] if the motion is unbounded, if following it takes too many steps, or if β is negative or not
-    /// finite.
+    /// [`NoOrbit`] if β is negative or not finite, if the motion is unbounded, or if an undamped mode never settles.
+    /// [`NoOrbit`] also if a cycle has too many events, or if following the motion takes too many steps.
     #[inline]
     pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
         T::settled(self, beta, Start::Rest, true)
     }
 
-    /// The steady state that is reached from another state at a maximum of the excitation: x̄ and dx̄/dτ of every
-    /// mass.
+    /// Returns the steady state that is reached from a given state at a maximum of the excitation: x̄ and dx̄/dτ of
+    /// every mass.
     ///
     /// # Errors
-    /// [`NoOrbit`], also for a state that is not finite or not one number for each mass.
+    /// [`NoOrbit`], also for a state that does not have one finite number for each mass.
     #[inline]
     pub fn orbit_from(
         &self,
@@ -63,12 +66,12 @@ impl<T: ProvidesOrbit> At<T> {
         T::settled(self, beta, start, false)
     }
 
-    /// The steady state as [`orbit_from`](Self::orbit_from) gives it; where the motion does not settle, its last 64 cycles, as
-    /// in [`orbit_or_last_cycles`](Self::orbit_or_last_cycles).
+    /// Returns the steady state as [`orbit_from`](Self::orbit_from) does, or the last 64 cycles of a motion that does
+    /// not settle, as in [`orbit_or_last_cycles`](Self::orbit_or_last_cycles).
     ///
     /// # Errors
-    /// Same errors as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles), also for a state that is not finite or not one
-    /// number for each mass.
+    /// Same errors as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles), also for a state that does not have one
+    /// finite number for each mass.
     #[inline]
     pub fn orbit_or_last_cycles_from(
         &self,
@@ -79,9 +82,11 @@ impl<T: ProvidesOrbit> At<T> {
         T::settled(self, beta, start, true)
     }
 
-    /// Every steady state at β that is found from a fixed list of starts, one at a time: rest, the stuck state, the closed
-    /// form, and motions at neighbouring friction ratios.  The first is that of [`orbit`](Self::orbit), unless motion from
-    /// rest does not settle.  With μ = 1 there is one state, or one continuum.  Unstable states are left out.
+    /// Returns the stable steady states at β that are found from a fixed list of starts, one at a time.
+    ///
+    /// The starts are rest, the stuck state, the closed form, and motions at neighbouring friction ratios.  The first
+    /// state is that of [`orbit`](Self::orbit), unless motion from rest does not settle.  With μ = 1 there is one
+    /// state, or one continuum.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -90,28 +95,29 @@ impl<T: ProvidesOrbit> At<T> {
     }
 }
 
-/// Steady states of a scene with tables are those of the exact formulas.
+/// A scene with tables has the steady states of the exact formulas.
 impl<T: Tabled + ProvidesOrbit> Compiled<T> {
-    /// The steady state at β = F/P that is reached from rest, in any regime.
+    /// Returns the steady state at β = F/P that is reached from rest, in any regime.
     ///
     /// # Errors
-    /// [`NoOrbit`] says why there is none.
+    /// [`NoOrbit`] gives the reason why there is no steady state.
     pub fn orbit(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
         self.exact().orbit(beta)
     }
 
-    /// The same, or the last 64 cycles where the motion does not settle, as [`At::orbit_or_last_cycles`] gives it.
+    /// Returns the steady state, or the last 64 cycles of a motion that does not settle, as
+    /// [`At::orbit_or_last_cycles`] does.
     ///
     /// # Errors
-    /// [`NoOrbit`], as there.
+    /// Same errors as [`At::orbit_or_last_cycles`].
     pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
         self.exact().orbit_or_last_cycles(beta)
     }
 
-    /// The steady state that is reached from another state, as [`At::orbit_from`] gives it.
+    /// Returns the steady state that is reached from another state, as [`At::orbit_from`] does.
     ///
     /// # Errors
-    /// [`NoOrbit`], as there.
+    /// Same errors as [`At::orbit_from`].
     pub fn orbit_from(
         &self,
         beta: T::Scalar,
@@ -120,10 +126,10 @@ impl<T: Tabled + ProvidesOrbit> Compiled<T> {
         self.exact().orbit_from(beta, state)
     }
 
-    /// Every steady state that is found from a fixed list of starts, as [`At::states`] gives them.
+    /// Returns the stable steady states that are found from a fixed list of starts, as [`At::states`] does.
     ///
     /// # Errors
-    /// [`OutOfDomain`], as there.
+    /// Same errors as [`At::states`].
     pub fn states(&self, beta: T::Scalar) -> Result<States<T>, OutOfDomain> {
         self.exact().states(beta)
     }

@@ -1,18 +1,19 @@
 //! The largest velocity and acceleration within a segment.
 //!
-//! Places are taken sixteen to a half-turn of the fastest motion, and every extreme between them is refined.  Two extremes
-//! within one such step would differ by less than a thousandth; that is all this search can miss.
+//! The search samples sixteen instants in a half-turn of the fastest motion, and refines every extreme between them.
+//! The search can only miss an extreme that lies within one sampling step of another extreme.  Two such extremes differ
+//! by less than a thousandth.
 
 use crate::number::scalar::Float;
 use crate::simulation::Sum;
 
-/// Places to a half-turn of the fastest motion.
+/// Number of sampled instants in a half-turn of the fastest motion.
 const PLACES: f64 = 16.0;
-/// The fewest places in a segment,
+/// Lower bound on the sampled instants of a segment.
 const FEWEST: f64 = 8.0;
-/// and the most.
+/// Upper bound on the sampled instants of a segment.
 const MOST: f64 = 4096.0;
-/// Steps of a refinement: each keeps 0.62 of an interval, so that these leave rounding.
+/// Steps of a refinement.  Each keeps 0.62 of an interval, so that after all of them only rounding is left.
 const STEPS: usize = 40;
 
 /// The largest |f′|.
@@ -33,7 +34,7 @@ fn largest<S: Float>(sum: &Sum<'_, S>, size: impl Fn(S) -> S) -> S {
     let step = sum.reach / places;
     let (mut before, mut here) = (zero, size(zero));
     let mut best = here;
-    // An extreme beside an end is between no three places.
+    // No three sampled instants enclose an extreme next to an end point.
     for from in [zero, sum.reach - step] {
         best = best.max(summit(from, from + step, &size));
     }
@@ -50,7 +51,7 @@ fn largest<S: Float>(sum: &Sum<'_, S>, size: impl Fn(S) -> S) -> S {
     best
 }
 
-/// The summit between two places, by golden sections.
+/// The summit between two instants, by golden-section search.
 fn summit<S: Float>(mut low: S, mut high: S, size: &impl Fn(S) -> S) -> S {
     let golden = S::constant(0.618_033_988_749_894_8);
     let (mut a, mut b) = (high - (high - low) * golden, low + (high - low) * golden);

@@ -1,7 +1,7 @@
-//! Writes a steady state down, segment by segment.
+//! Recording of a steady state, segment by segment.
 //!
-//! There is room for [`MAX_SEGMENTS`].  A period of more keeps every second one, then every fourth, and so on; the
-//! others are followed anew when they are asked for.
+//! A record has room for [`MAX_SEGMENTS`] marks.  A period with more segments keeps every second mark, then every
+//! fourth, and so on.  The other segments are computed again when they are needed.
 
 use super::cycle_map::CycleMap;
 use super::{MAX_SEGMENTS, SegmentStart, slack};
@@ -9,36 +9,36 @@ use crate::errors::NoOrbit;
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, ContactState, Event, leap};
 
-/// What is written down.
+/// A record in progress.
 pub(super) struct Record<'s, S> {
     marks: &'s mut [SegmentStart<S>; MAX_SEGMENTS],
     count: usize,
-    /// The states at the starts of the marks.
+    /// The oscillators' states at the marks.
     states: &'s mut [S],
-    /// How many numbers a state has.
+    /// Number of scalars in a state.
     size: usize,
-    /// One in so many segments has a mark of its own.
+    /// Number of segments for each mark.
     stride: u32,
     segments: usize,
     stops: usize,
     reversals: usize,
-    /// z̄ at the end of the segment written down last, if that sticks.
+    /// z̄ at the end of the segment recorded last, if the contact sticks in that segment.
     stuck_at: Option<S>,
-    /// Where the relative motion leaves its maximum: the start of the segment with the largest z̄.
+    /// The start of the segment with the largest z̄, from which the relative motion falls.
     top: Option<SegmentStart<S>>,
 }
 
-/// What is known of all of it.
+/// Result of a record.
 pub(super) struct Recorded<S> {
     pub count: usize,
     pub stops: usize,
     pub reversals: usize,
-    /// Phase and cycle where τ = 0.
+    /// Phase and cycle at τ = 0.
     pub origin: (S, S),
 }
 
 impl<'s, S: Float> Record<'s, S> {
-    /// Nothing yet; `size` is how many numbers a state has.
+    /// Creates an empty record.  `size` is the number of scalars in a state.
     pub(super) fn new(
         marks: &'s mut [SegmentStart<S>; MAX_SEGMENTS],
         states: &'s mut [S],
@@ -58,7 +58,7 @@ impl<'s, S: Float> Record<'s, S> {
         }
     }
 
-    /// A contact that sticks for the whole cycle, with z̄ held at `offset`.
+    /// Records a contact that sticks for the whole cycle, with z̄ at `offset`.
     pub(super) fn stuck(&mut self, cycle_map: &CycleMap<'_, '_, S>, offset: S) {
         if let Some(first) = self.marks.first_mut() {
             first.length = S::pi() + S::pi();
@@ -68,7 +68,7 @@ impl<'s, S: Float> Record<'s, S> {
         self.count = 1;
     }
 
-    /// From event to event, through a period of so many cycles.
+    /// Follows the motion from event to event through a period of `period` cycles, and records its segments.
     pub(super) fn follow(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S>,
@@ -93,7 +93,7 @@ impl<'s, S: Float> Record<'s, S> {
             cycle_map.spend(end.steps)?;
             mark.length = within(end.tau, left);
             left = left - mark.length;
-            // A segment of no length was an attempt to leave that came to nothing.
+            // A segment without length was an unsuccessful attempt to leave zero velocity.
             if zero < mark.length {
                 self.note(mark, end.event);
             }
@@ -103,7 +103,7 @@ impl<'s, S: Float> Record<'s, S> {
         Ok(())
     }
 
-    /// The segment that begins; its state is kept if it is to have a mark.
+    /// Returns the segment that begins.  Its state is stored if it will have a mark.
     fn begin(&mut self, cycle_map: &CycleMap<'_, '_, S>, cycle: S) -> SegmentStart<S> {
         if self.is_due() {
             if self.count == MAX_SEGMENTS {
@@ -166,7 +166,7 @@ impl<'s, S: Float> Record<'s, S> {
                     *place = kept;
                 }
             }
-            // Number by number: copying within a slice can panic.
+            // The scalars are copied one by one, because copying within a slice can panic.
             let (from, to) = (2 * index * size, index * size);
             for offset in 0..size {
                 let value = self.states.get(from + offset).copied();
@@ -202,7 +202,8 @@ impl<'s, S: Float> Record<'s, S> {
     }
 }
 
-/// The length of a segment where so much of the period is left: all of that, if the segment ends within the slack of it.
+/// Length of a segment with `left` of the period remaining.  A segment that ends within the slack of the period's end
+/// takes all of `left`.
 pub(super) fn within<S: Float>(length: S, left: S) -> S {
     if left - slack() < length {
         left
@@ -211,7 +212,7 @@ pub(super) fn within<S: Float>(length: S, left: S) -> S {
     }
 }
 
-/// How many cycles begin between two contact states at a distance of τ.
+/// Number of cycles that begin between two contact states at a distance of τ.
 pub(super) fn passed<S: Float>(from: &ContactState<S>, tau: S, to: &ContactState<S>) -> S {
     let half = S::constant(0.5);
     let turns = (from.t + tau * S::inverse_pi() - to.t) * half;

@@ -1,9 +1,10 @@
-//! The implicit Euler method from cycle to cycle, for motions that tend to their steady state too slowly to be followed.
+//! The implicit Euler method from cycle to cycle, for motions that approach their steady state too slowly to be
+//! followed.
 //!
-//! Beside a resonance of the masses that the contact does not move, a motion takes more cycles the nearer the resonance is.
-//! On most of the way its events are not those of the steady state, and Newton's method alone does not converge.  With
-//! μ = 1 two motions never part, so that each step has one solution: x′ = x + (F(x′) − x′)/σ.  It is nearer to the steady
-//! state than x, however long the step.
+//! Near a resonance of the masses that the contact does not move, a motion takes more cycles the nearer the resonance
+//! is.  For most of these cycles the motion's events are not those of the steady state, so that Newton's method alone
+//! does not converge.  With μ = 1 the distance of two motions never grows.  Each step x′ = x + (F(x′) − x′)/σ therefore
+//! has one solution, which is nearer to the steady state than x, however long the step is.
 
 use super::cycle_map::{CycleMap, unit};
 use super::matrix::Matrix;
@@ -13,24 +14,24 @@ use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 use crate::simulation::Contact;
 
-/// So many steps are made at most,
+/// Upper bound on the steps of the implicit Euler method.
 const MOST_STEPS: u32 = 64;
-/// each by so many of Newton's method at most.
+/// Upper bound on the Newton steps within a step.
 const NEWTON_STEPS: u32 = 10;
-/// A step of Newton's method is small below this share of the way made.
+/// Ratio of a Newton step to the whole step below which the Newton step is small.
 const SMALL: f64 = 1e-3;
-/// The first σ: a step of 16 half cycles.
+/// The first σ, for a step of 16 half cycles.
 const FIRST_SHIFT: f64 = 0.0625;
-/// After a step that succeeds σ is multiplied by this,
+/// Factor on σ after a step that succeeds, which lengthens the next step.
 const LONGER: f64 = 0.25;
-/// and after another by this.
+/// Factor on σ after a step that fails, which shortens the next attempt.
 const SHORTER: f64 = 8.0;
-/// The largest σ; a step of it is shorter than half a cycle.
+/// The largest σ, at which a step is shorter than half a cycle.
 const LARGEST_SHIFT: f64 = 64.0;
-/// Where half a cycle moves the state by less than this share of it, Newton's method can take over.
+/// Change of the state over half a cycle, relative to the state, below which Newton's method can take over.
 const NEAR: f64 = 1e-11;
 
-/// Moves the cycle map towards the symmetric fixed point of one cycle; `last` is room for a state.
+/// Moves the cycle map towards the symmetric fixed point of one cycle.  `last` has room for a state.
 pub(super) fn relax<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -58,7 +59,7 @@ pub(super) fn relax<S: Float>(
     Ok(())
 }
 
-/// A step from `last`; false if Newton's method does not find it.
+/// Makes a step from `last`.  Returns false if Newton's method does not find the step.
 fn step<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,

@@ -1,6 +1,7 @@
 //! The segments of a steady state, one after the other.
 //!
-//! A period of many segments keeps the state at the start of some of them only; the others are followed anew.
+//! A period of many segments has stored states at the start of some segments only.  The other segments are computed
+//! again.
 
 use super::record::{passed, within};
 use super::{Orbit, SegmentStart, slack};
@@ -9,16 +10,16 @@ use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
 use crate::simulation::{Part, leap, span};
 
-/// Goes through the segments of a steady state.
+/// Iterator over the segments of a steady state.
 pub(super) struct Segments<'o, 'a, S, P, V, C> {
     orbit: &'o Orbit<'a, S, P, V, C>,
-    /// The state at the start of the segment given last, once it has been asked for.
+    /// The oscillators for the segment returned last, once they have been requested.
     parts: Option<P>,
-    /// Whether it is there.
+    /// Whether the oscillators have the state at the start of the segment returned last.
     placed: bool,
-    /// The segment given last.
+    /// The segment returned last.
     last: Option<SegmentStart<S>>,
-    /// The mark that is next, and how many segments are to be followed first.
+    /// Index of the next mark.  `more` is the number of segments to compute before it.
     next: usize,
     more: u32,
 }
@@ -30,7 +31,7 @@ where
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
-    /// From a mark on.
+    /// Starts at a mark.
     pub(super) fn from(orbit: &'o Orbit<'a, S, P, V, C>, mark: usize) -> Self {
         Self {
             orbit,
@@ -42,14 +43,15 @@ where
         }
     }
 
-    /// The segment that holds an instant τ after the orbit's own, and how far into it that is.
+    /// Returns the segment that contains the instant τ after the orbit's origin, and the distance of the instant from
+    /// the segment's start.
     pub(super) fn at(
         orbit: &'o Orbit<'a, S, P, V, C>,
         tau: S,
     ) -> Option<(Self, SegmentStart<S>, S)> {
         let two = S::constant(2.0);
         let t = orbit.origin + tau * S::inverse_pi();
-        // The mark that stands last before it.
+        // `found` is the last mark before the instant.
         let mut found: Option<(usize, S)> = None;
         for (index, mark) in orbit.marks().iter().enumerate() {
             let since =
@@ -70,7 +72,7 @@ where
         None
     }
 
-    /// The state at the start of the segment given last.
+    /// The oscillators in the state at the start of the segment returned last.
     pub(super) fn parts(&mut self) -> &mut [Part<S>] {
         let orbit = self.orbit;
         let parts = self.parts.get_or_insert_with(|| orbit.parts.clone());
@@ -91,12 +93,12 @@ where
         parts.as_mut()
     }
 
-    /// Whether the next segment has to be followed.
+    /// Whether the next segment has to be computed from the last one.
     pub(super) fn follows(&self) -> bool {
         0 < self.more
     }
 
-    /// The segment of the next mark.
+    /// Returns the segment of the next mark.
     fn kept(&mut self) -> Option<SegmentStart<S>> {
         let mark = *self.orbit.marks().get(self.next)?;
         self.placed = false;
@@ -105,7 +107,7 @@ where
         Some(mark)
     }
 
-    /// The segment after the last one, followed from there.
+    /// Computes the segment after the last one.
     fn followed(&mut self, last: &SegmentStart<S>) -> Option<SegmentStart<S>> {
         let zero = S::constant(0.0);
         let orbit = self.orbit;
@@ -113,7 +115,7 @@ where
         let end = orbit.marks().first()?.contact_state.t + S::constant(2.0) * orbit.cycles();
         let (modes, held) = setting.split(self.parts());
         let mut mark = *last;
-        // Over the last one; then over attempts to leave that come to nothing.
+        // The first turn passes the last segment.  Further turns pass unsuccessful attempts to leave zero velocity.
         loop {
             let left = (end - mark.contact_state.t - S::constant(2.0) * mark.cycle) * S::pi();
             let reach = left + slack();

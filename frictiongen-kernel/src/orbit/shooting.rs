@@ -1,5 +1,5 @@
-//! The steady state as a fixed point of the half-period map times −1, or of the period map; the period is one cycle of
-//! the excitation, or several.
+//! Search for the steady state as a fixed point of the half-period map times −1, or of the period map.  The period is
+//! one cycle of the excitation, or several.
 
 use super::Start;
 use super::candidate::{Candidate, Found, MAX_PERIOD, Verdict};
@@ -12,23 +12,24 @@ use crate::number::scalar::Float;
 
 /// Upper bound on the cycles followed from rest or from a given state before the search gives up.
 pub const MAX_CYCLES: u32 = 1024;
-/// Upper bound on the cycles followed from a start that may be near a steady state: the stuck state, a closed form, a neighbour.
+/// Upper bound on the cycles followed from a start that may be near a steady state: the stuck state, a closed form, a
+/// neighbour.
 const MAX_CYCLES_NEAR: u32 = 128;
-/// Upper bound on the steps of all walks of one search.  Half of the steady states of random scenes take a thousand
-/// steps, and none has taken half of this bound.  Modes a thousand times as fast as the excitation would need as many in
-/// every cycle.
+/// Upper bound on the steps of all walks of one search.  Ordinary scenes need far fewer.  Modes a thousand times as
+/// fast as the excitation would need as many in every cycle.
 pub const MAX_STEPS: u32 = 1 << 20;
-/// Periods that are tried at a time.
+/// Upper bound on the periods that one search for a subharmonic state tries.
 const MOST_TRIED: u32 = 3;
 /// Cycles after which the search looks for a subharmonic state.
 const FIRST_ASKED: u32 = 16;
-/// One of a period is tried if the motion comes back after it to within this share of itself,
+/// Largest distance, relative to the motion, to which a motion must come back after a period for that period to be
+/// tried.
 const NEARLY_BACK: f64 = 1e-2;
-/// and to within this share of how near it comes after fewer cycles.
+/// Largest ratio of the distance after a period that is tried to the smallest distance after fewer cycles.
 const NEARER: f64 = 0.1;
 
 impl<S> Start<'_, S> {
-    /// How many cycles are followed from here at most.
+    /// Upper bound on the cycles that are followed from this start.
     pub(super) fn most_cycles(&self) -> u32 {
         match self {
             Self::Rest | Self::State(..) => MAX_CYCLES,
@@ -37,18 +38,19 @@ impl<S> Start<'_, S> {
     }
 }
 
-/// Where a motion leads to.
+/// Result of following a motion.
 pub(super) enum Settled<S> {
     Found(Found<S>),
-    /// The contact sticks for ever, with z̄ held at this.
+    /// The contact sticks for ever, with z̄ at this value.
     Stuck(S),
-    /// It has gone through all its cycles, and why none of them repeats.
+    /// No cycle repeats within the bound, for this reason.
     Not(NoOrbit),
 }
 
-/// Follows the motion until a steady state is settled.  The cycle map then stands on it, or on the motion.
-/// `holding` is |V/H| where β is large enough for a stuck state; at most `most` cycles are followed.  `spare` is room for a
-/// state.
+/// Follows the motion until it reaches a steady state.  The cycle map is then at that state, or still on the motion.
+///
+/// `holding` is |V/H| where β is large enough for a stuck state, else `None`.  At most `most` cycles are followed.
+/// `spare` has room for a state.
 pub(super) fn settle<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -64,7 +66,8 @@ pub(super) fn settle<S: Float>(
     let mut failure = NoOrbit::Unsettled;
     let (mut cycles, mut wanted) = (0, 2);
     let mut halves = [Pattern::default(); 4];
-    // How many half cycles in a row have had the pattern of the one or two before.
+    // Numbers of successive half cycles with an unchanged pattern, compared with half a cycle before and with a cycle
+    // before.
     let mut settled = [0u32; 2];
     while cycles < most {
         while cycles < wanted {
@@ -84,11 +87,11 @@ pub(super) fn settle<S: Float>(
             cycles += 1;
         }
         if monotone && hold.is_some() {
-            // Two motions never part, and a stuck one exists: no other is steady.
+            // The distance of two motions never grows, and a stuck state exists, so that no other state is steady.
             wanted = cycles * 2;
             continue;
         }
-        // A section where no event is near.
+        // The section is placed where no event is near.
         let middle = cycle_map.middle * S::pi();
         cycle_map.on(middle, None)?;
         let [last, before, ..] = halves;
@@ -123,7 +126,8 @@ pub(super) fn settle<S: Float>(
             }
             cycle_map.restore(workspace.state, &candidate.here);
         }
-        // With μ = 1 two motions never part: what repeats after several cycles is one of a continuum.
+        // With μ = 1 the distance of two motions never grows.  A motion that repeats only after several cycles
+        // therefore belongs to a continuum.
         if FIRST_ASKED <= cycles && (!monotone || most <= cycles * 2) {
             match several(cycle_map, workspace, &mut cycles, failure)? {
                 Settled::Not(error) => failure = error,
@@ -141,8 +145,8 @@ pub(super) fn settle<S: Float>(
     Ok(Settled::Not(failure))
 }
 
-/// The one steady state of μ = 1 that a motion tends to too slowly to be followed there; where it is not found, the cycle map
-/// stands on the motion.
+/// Finds the one steady state of μ = 1 that a motion approaches too slowly to be followed.  Without success the cycle
+/// map stays on the motion.
 fn slow<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -172,8 +176,8 @@ fn slow<S: Float>(
     None
 }
 
-/// The steady state that repeats after several cycles and that the motion is near to; where none is, the cycle map stands on
-/// the motion.
+/// Finds a steady state near the motion that repeats after several cycles.  Without success the cycle map stays on the
+/// motion.
 fn several<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -204,7 +208,7 @@ fn several<S: Float>(
             if matches!(verdict, Ok(Verdict::Found(_)))
                 && let Some(sooner) = repeats_sooner(cycle_map, workspace, period)?
             {
-                // The same state as one of fewer cycles.
+                // The same state is tried again with the smaller number of cycles.
                 candidate.map.period = sooner;
                 verdict = match candidate
                     .wanted
@@ -230,8 +234,9 @@ fn several<S: Float>(
     Ok(Settled::Not(failure))
 }
 
-/// The number of cycles, fewer than `period`, after which the fixed point repeats, if there is one: a free vibration that
-/// dies slowly comes back to itself, and looks like a longer period.  The cycle map stands on the fixed point, and stays there.
+/// The number of cycles, fewer than `period`, after which the fixed point already repeats, if there is one.  A free
+/// vibration that decays slowly comes back to itself and looks like a longer period.  The cycle map is at the fixed
+/// point, and stays there.
 fn repeats_sooner<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -252,8 +257,9 @@ fn repeats_sooner<S: Float>(
     Ok(sooner)
 }
 
-/// After how many cycles, more than `after` and at most `most`, the motion comes back near to where it is now, nearer
-/// than after fewer; with what happens on the way.
+/// Finds the number of cycles, more than `after` and at most `most`, after which the motion comes back close to its
+/// present state.  After fewer cycles the motion must not come back as close.  Returns the number with the pattern of
+/// events on the way.
 fn comes_back<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -276,8 +282,8 @@ fn comes_back<S: Float>(
     Ok(None)
 }
 
-/// The pattern of half a period, or of a whole one.  Half of an even number of cycles later the load has the same sign,
-/// and no motion is opposite.
+/// The pattern of half a period, or of a whole one.  Half an even number of cycles later the load has the same sign, so
+/// that no motion is opposite.
 fn wanted(total: Pattern, symmetric: bool, period: u32) -> Option<Pattern> {
     if !symmetric {
         return Some(total);

@@ -1,4 +1,4 @@
-//! Where a motion starts that is followed to its steady state.
+//! Starts of a motion that is followed to its steady state.
 
 use super::MAX_STEPS;
 use super::build::bounded_state;
@@ -8,26 +8,26 @@ use super::newton::Workspace;
 use crate::errors::{NoOrbit, OutOfDomain};
 use crate::number::scalar::Float;
 
-/// Cycles that a motion is followed for at a neighbouring friction ratio.
+/// Cycles for which a motion is followed at a neighbouring friction ratio.
 const NEIGHBOURING: u32 = 64;
 
-/// Where a motion starts, with the excitation at its maximum.
+/// Start of a motion, with the excitation at its maximum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Start<'s, S> {
-    /// Every mass at its place and at rest.
+    /// Every mass is at x̄ = 0 without velocity.
     Rest,
     /// Displacements x̄ and velocities dx̄/dτ of the masses.
     State(&'s [S], &'s [S]),
-    /// The stuck state with the contact at its centre; β ≥ β*_lim.
+    /// The stuck state with z̄ = 0, which exists for β ≥ β*_lim.
     Stuck,
-    /// The closed form's motion at this friction ratio, which need not be the one at hand.
+    /// The motion of the closed form at this friction ratio, which need not be the actual one.
     ClosedForm(S),
-    /// From rest, some cycles at this friction ratio first.
+    /// Rest, followed by some cycles at this friction ratio.
     Neighbour(S),
 }
 
 impl<S: Float> Start<'_, S> {
-    /// Puts the cycle map there; `Stuck` is left to the caller.
+    /// Sets the cycle map to the start.  For `Stuck` the caller sets the state.
     pub(super) fn place(
         self,
         cycle_map: &mut CycleMap<'_, '_, S>,
@@ -72,7 +72,7 @@ impl<S: Float> Start<'_, S> {
         Ok(())
     }
 
-    /// The same; an error for a start that does not exist at this β.
+    /// Returns the start, or an error if it does not exist at this β.
     pub(super) fn checked(self, holds: bool) -> Result<Self, OutOfDomain> {
         if self == Self::Stuck && !holds {
             return Err(OutOfDomain { argument: "start" });

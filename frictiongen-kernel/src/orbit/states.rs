@@ -1,4 +1,4 @@
-//! The steady states that exist side by side.
+//! The steady states that exist at one β.
 
 use super::{Orbit, ProvidesOrbit, Start};
 use crate::errors::OutOfDomain;
@@ -8,16 +8,16 @@ use crate::response::{At, Scene};
 use crate::simulation::Part;
 use core::fmt;
 
-/// Starts that are tried.
+/// Upper bound on the starts that are tried.
 const STARTS: usize = 9;
-/// States whose amplitudes and sticking times differ by less than this, relative, are one.
+/// Relative difference of amplitudes and stuck fractions below which two states are the same.
 const ALIKE: f64 = 1e-6;
-/// Shares of β_lim at which the closed form is a start where β is above it,
+/// Fractions of β_lim at which the closed form is a start where β is at or above β_lim.
 const FORMER: [f64; 2] = [0.98, 0.5];
-/// and of β for motions at a neighbouring friction ratio.
+/// Factors of β for starts from motions at neighbouring friction ratios.
 const NEIGHBOURS: [f64; 4] = [0.97, 1.03, 0.8, 1.25];
 
-/// What tells one steady state from another.
+/// Fingerprint of a steady state, by which it is compared with others.
 #[derive(Clone, Copy, Debug)]
 pub struct Print<S> {
     sticks: bool,
@@ -27,10 +27,10 @@ pub struct Print<S> {
 
 /// A steady state as an item of [`States`].
 pub trait Known {
-    /// Its scalar.
+    /// Scalar type of the steady state.
     type Scalar: Float;
 
-    /// What tells it from others.
+    /// Returns the fingerprint of the steady state.
     fn print(&self) -> Print<Self::Scalar>;
 }
 
@@ -53,7 +53,8 @@ where
 }
 
 impl<S: Float> Print<S> {
-    /// Two stuck states belong to one continuum, whatever their offsets.
+    /// Whether two states are the same.  All stuck states count as one, because they belong to one continuum with
+    /// various offsets.
     fn is_alike(&self, other: &Self) -> bool {
         let near = |(a, b): (&S, &S)| (*a - *b).abs() <= a.abs().max(b.abs()) * S::constant(ALIKE);
         let mut sizes = self.sizes.iter().zip(&other.sizes);
@@ -62,7 +63,7 @@ impl<S: Float> Print<S> {
     }
 }
 
-/// The steady states of [`At::states`], each followed when it is asked for.
+/// Iterator over the steady states of [`At::states`].  Each state is computed when it is requested.
 pub struct States<T: Scene> {
     at: At<T>,
     beta: T::Scalar,
@@ -90,7 +91,7 @@ impl<T: ProvidesOrbit> States<T> {
         };
         add(Some(Start::Rest));
         let (zero, one) = (T::Scalar::constant(0.0), T::Scalar::constant(1.0));
-        // With μ = 1 two motions never part.
+        // With μ = 1 the distance of two motions never grows, so that one start is enough.
         if at.scene().numbers().chain.stiction <= one || beta.is_zero() {
             return Ok(Self::of(at, beta, starts));
         }

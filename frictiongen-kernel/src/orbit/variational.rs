@@ -1,12 +1,12 @@
-//! How small deviations grow along a motion: closed forms between events, and at each event the
-//! jump (saltation) that comes from its being met a little earlier or later.
+//! Growth of small deviations along a motion.  Between events it has a closed form.  At each event a deviation jumps
+//! (saltation), because the event then occurs a little earlier or later.
 
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, ContactState, End, Part, Setting};
 
-/// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.
-/// `modes` and `held` are the parts as the segment has left them; what `held` says is used up.
+/// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.  `modes` and `held`
+/// are the oscillators after the segment.  The states in `held` are overwritten.
 pub(super) fn through<S: Float>(
     setting: &Setting<'_, S>,
     modes: &[Part<S>],
@@ -38,7 +38,7 @@ pub(super) fn through<S: Float>(
     }
 }
 
-/// Stuck, a deviation of the contact stays, and the held modes carry the rest.
+/// In a stuck contact a deviation of its displacement stays, and the stuck chain's modes carry the rest.
 fn stuck<S: Float>(
     setting: &Setting<'_, S>,
     held: &mut [Part<S>],
@@ -68,8 +68,8 @@ fn stuck<S: Float>(
     setting.release(held, (moved, zero), states);
 }
 
-/// The event comes δτ = −δf/f′ later; meanwhile the state moves on by the slope before it instead of
-/// that after it, which differ by the jump of the contact force.
+/// Applies the jump of an event that occurs δτ = −δf/f′ later.  Meanwhile the state follows the slope before the event
+/// instead of the slope after it.  Both differ by the jump of the contact force.
 fn jump<S: Float>(
     setting: &Setting<'_, S>,
     contact_state: &ContactState<S>,
@@ -88,7 +88,7 @@ fn jump<S: Float>(
         deviation = deviation
             + mode.contact
                 * if contact_state.contact == Contact::Stuck {
-                    // Of the contact force, times −m*.
+                    // This is the deviation of the contact force, times −m*.
                     sigma * sigma * (*y + two * mode.zeta * *u)
                 } else {
                     sigma / setting.r * *u

@@ -1,13 +1,13 @@
-//! The excitation's phase over a long run, and sums of steps, without the rounding of each step.
+//! The excitation's phase over a long run, and sums of steps, without accumulated rounding.
 
 use crate::number::scalar::Float;
 
-/// A sum of many numbers, with what its roundings left out.
+/// A compensated sum of many numbers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Total<S> {
     /// The sum, rounded.
     pub value: S,
-    /// What is missing in it.
+    /// The accumulated rounding error of `value`.  The exact sum is the sum of both.
     low: S,
 }
 
@@ -19,32 +19,32 @@ impl<S: Float> Total<S> {
         }
     }
 
-    /// The sum with another number.
+    /// Returns the sum with another number added.
     pub(crate) fn plus(self, term: S) -> Self {
         let (value, error) = two_sum(self.value, term);
         let (value, low) = two_sum(value, self.low + error);
         Self { value, low }
     }
 
-    /// How much is missing up to a value.
+    /// The distance from the sum to a value.
     pub(super) fn short_of(self, value: S) -> S {
         (value - self.value) - self.low
     }
 }
 
-/// The excitation's phase and the cycles that are over.
+/// The excitation's phase and the number of completed cycles.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Clock<S> {
     /// The phase in half-turns, in [0, 2).
     pub t: S,
-    /// What is missing in it.
+    /// The accumulated rounding error of `t`.  The exact phase is the sum of both.
     low: S,
-    /// How many cycles are over.
+    /// Number of completed cycles.
     pub cycles: u64,
 }
 
 impl<S: Float> Clock<S> {
-    /// At a maximum of the excitation.
+    /// The clock at a maximum of the excitation.
     pub(super) fn start() -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -54,7 +54,7 @@ impl<S: Float> Clock<S> {
         }
     }
 
-    /// After τ more.
+    /// The clock a time τ = `passed` later.
     pub(super) fn moved(self, passed: Total<S>) -> Self {
         let (turns, error) = two_product(passed.value, S::inverse_pi());
         let error = error + passed.value * inverse_pi_low() + passed.low * S::inverse_pi();
@@ -62,13 +62,13 @@ impl<S: Float> Clock<S> {
         let (t, low) = two_sum(t, self.low + left + error);
         let (two, half) = (S::constant(2.0), S::constant(0.5));
         let mut whole = (t * half).floor();
-        // Just below a multiple of two it may have been rounded up to it.
+        // Rounding may have raised a number just below a multiple of two to that multiple.
         if (t - whole * two).is_zero() && low < S::constant(0.0) {
             whole = whole - S::constant(1.0);
         }
         let (mut t, mut low) = two_sum(t - whole * two, low);
         if !(t < two) {
-            // A phase of two less nothing is told as the last number below it.
+            // A phase that rounds to two is replaced by the last number below two.
             (t, low) = two_sum(two - S::constant(S::EPSILON), low);
         }
         #[allow(
@@ -97,19 +97,19 @@ fn is_double<S: Float>() -> bool {
     S::EPSILON < 1e-10
 }
 
-/// Whether it has so many digits that no run is long enough to see its rounding.
+/// Whether the scalar has so many digits that no run is long enough to show its rounding.
 fn is_wide<S: Float>() -> bool {
     S::EPSILON < 1e-20
 }
 
-/// a + b rounded, and the rounding (Knuth).
+/// a + b rounded, and the rounding error (Knuth).
 fn two_sum<S: Float>(a: S, b: S) -> (S, S) {
     let sum = a + b;
     let of_b = sum - a;
     (sum, (a - (sum - of_b)) + (b - of_b))
 }
 
-/// a·b rounded, and the rounding (Veltkamp, Dekker).
+/// a·b rounded, and the rounding error (Veltkamp, Dekker).
 fn two_product<S: Float>(a: S, b: S) -> (S, S) {
     let product = a * b;
     if is_wide::<S>() {
@@ -120,7 +120,7 @@ fn two_product<S: Float>(a: S, b: S) -> (S, S) {
     (product, error)
 }
 
-/// A number as the sum of two of half its digits.
+/// A number as the sum of two numbers of half its digits.
 fn split<S: Float>(a: S) -> (S, S) {
     let factor = if is_double::<S>() {
         134_217_729.0
@@ -136,7 +136,7 @@ fn split<S: Float>(a: S) -> (S, S) {
 mod tests {
     use super::{Clock, Total};
 
-    /// 200,000 steps of 0.01 in single precision: the phase is that of one step two thousand long, within the
+    /// After 200,000 steps of 0.01 in single precision the phase is that of one step two thousand long, within the
     /// rounding of the phase itself.
     #[test]
     fn steps_leave_no_rounding_in_the_phase() {
@@ -155,7 +155,7 @@ mod tests {
         assert_eq!((compared, clock.cycles), (200_000, 318));
     }
 
-    /// A whole number of cycles, in pieces that rounding takes to either side of it.
+    /// A whole number of cycles is counted once, in pieces whose sum rounding takes to either side of the number.
     #[test]
     fn a_cycle_is_counted_once() {
         for pieces in 1..2000_u32 {

@@ -1,7 +1,7 @@
-//! Sliding where the kinetic level changes with the speed.
+//! Sliding where the kinetic friction changes with the speed.
 //!
-//! On one line of the law the friction force is level + slope·velocity.  It couples the modes; their motion over a stretch
-//! in which neither they, nor the excitation, nor the law turn by more than a radian is a power series.
+//! On one line of the law the friction force is level + slope·velocity, which couples the modes.  A power series gives
+//! their motion over a piece in which modes, excitation and law together turn by at most a radian.
 
 use super::law::Line;
 use super::lines::{Crossing, Lines};
@@ -14,10 +14,10 @@ use super::walk::{Start, Walk, first_zero};
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 
-/// The law changes the motion at most so many times as fast as the fastest mode does.
+/// Upper bound on the rate at which the law changes the motion, as a multiple of the fastest mode's rate.
 pub const MAX_STEEPNESS: u32 = 4096;
 
-/// A stretch is no longer than this many roundings of its length: it has not moved.
+/// Length, in roundings, up to which a piece counts as having no length.
 const STILL: f64 = 64.0;
 
 impl<S: Float> Setting<'_, S> {
@@ -30,7 +30,7 @@ impl<S: Float> Setting<'_, S> {
         })
     }
 
-    /// Nothing, if a law is not too steep to be followed.
+    /// Fails if a law is too steep to be followed.
     pub(super) fn check_lines(
         &self,
         modes: &[Part<S>],
@@ -47,13 +47,14 @@ impl<S: Float> Setting<'_, S> {
         }
     }
 
-    /// How long a stretch is, in τ.
+    /// Length in τ of the piece over which a power series serves.
     fn stretch(&self, modes: &[Part<S>], line: &Line<S>) -> S {
         let steep = self.acceleration(self.beta * line.slope.abs());
         S::constant(1.0) / (self.turning(modes) + steep)
     }
 
-    /// z̄′ as a power series over a stretch, s from 0 to 1; the modes are moved from its start to s = `to`.
+    /// z̄′ as a power series over a piece, with s from 0 to 1.  The modes are advanced from the start of the piece to s
+    /// = `to`.
     fn velocity_series(
         &self,
         modes: &mut [Part<S>],
@@ -66,7 +67,7 @@ impl<S: Float> Setting<'_, S> {
         let (level, slope) = (sign * self.beta * line.level, self.beta * line.slope);
         let driven = self.dynamics.driven();
         for part in modes.iter_mut().take(driven.len()) {
-            // What is left of a term, and the sum of all.
+            // `value` is the current term of the series, and `slope` the sum of all terms.
             (part.value, part.slope) = (part.free, [zero; 2]);
         }
         let mut velocity = Power::zero(TERMS);
@@ -109,7 +110,7 @@ impl<S: Float> Setting<'_, S> {
     }
 }
 
-/// Looks for what ends a stretch of sliding on one line of the law: an event, another line, or its length.
+/// Searches for the end of a piece of sliding on one line of the law: an event, another line, or the end of the series.
 pub(super) fn seek<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
@@ -142,7 +143,8 @@ pub(super) fn seek<S: Float>(
 }
 
 impl<S: Float> Setting<'_, S> {
-    /// Where a stretch on a line with an end leads, in parts of its length; none if the contact does not leave.
+    /// Finds where a piece on a line of bounded speed leads, as a fraction of its length.  `None` if the contact cannot
+    /// leave zero velocity.
     fn slope(
         &self,
         modes: &mut [Part<S>],
@@ -170,7 +172,7 @@ impl<S: Float> Setting<'_, S> {
             Walk::NoStart => return None,
         };
         if !(zero < at) {
-            // Where the line ends at once there is nothing before it.
+            // A piece without length has no earlier crossing.
             return Some((at, crossing));
         }
         let rises = velocity.seen(-sign, -high, at);
@@ -182,7 +184,7 @@ impl<S: Float> Setting<'_, S> {
         })
     }
 
-    /// The same in τ where the level is constant: beyond the last point.
+    /// Finds where a piece leads, in τ, where the kinetic friction is constant beyond the last point of the law.
     fn plateau(
         &self,
         modes: &mut [Part<S>],
@@ -203,7 +205,7 @@ impl<S: Float> Setting<'_, S> {
     }
 }
 
-/// Puts the modes where they are τ after a stretch's start; `to` is the excitation's phase then.
+/// Sets the modes to their state τ after a piece's start.  `to` is the excitation's phase then.
 pub(super) fn place<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],

@@ -1,4 +1,4 @@
-//! Between the modes of the chain and those of the chain with its contact held.
+//! Transformation between the modes of the chain and the modes of the stuck chain.
 
 use super::part::{Part, lift};
 use super::setting::Setting;
@@ -6,7 +6,7 @@ use super::{Dynamics, HeldMode};
 use crate::number::scalar::Float;
 
 impl<S: Float> Dynamics<'_, S> {
-    /// wᵀK̄⁻¹w = Σ c/λ: how far a steady unit force in the contact moves it.
+    /// wᵀK̄⁻¹w = Σ c/λ, the contact's displacement per unit of steady contact force.
     pub(crate) fn receptance(&self) -> S {
         let terms = self.driven().iter();
         terms.fold(S::constant(0.0), |sum, mode| {
@@ -14,8 +14,9 @@ impl<S: Float> Dynamics<'_, S> {
         })
     }
 
-    /// y and u of the held modes for a state (y, u) of the modes, less what a displacement of the
-    /// contact lifts: z, and its rate in the time t√(k₁/m₁).
+    /// Computes y and u of the stuck chain's modes from the state (y, u) of the chain's modes.  The displacement z of
+    /// the contact and its rate in the time t√(k₁/m₁) are subtracted first, with the shape in which they lift the
+    /// modes.
     pub(crate) fn project<'s>(
         &self,
         receptance: S,
@@ -39,7 +40,8 @@ impl<S: Float> Dynamics<'_, S> {
         }
     }
 
-    /// The state of the modes for y and u of the held modes and a displacement of the contact.
+    /// Computes the state of the modes from y and u of the stuck chain's modes and from the displacement of the
+    /// contact.
     pub(crate) fn release<'s>(
         &self,
         receptance: S,
@@ -52,7 +54,7 @@ impl<S: Float> Dynamics<'_, S> {
         }
     }
 
-    /// The same of one of the modes that the contact drives.
+    /// Computes the state of one mode that the contact drives, as [`release`](Self::release) does for all such modes.
     pub(crate) fn released(
         &self,
         receptance: S,
@@ -78,7 +80,7 @@ impl<S: Float> Dynamics<'_, S> {
 }
 
 impl<S: Float> HeldMode<S> {
-    /// y and u from the products of a motion with the mode's two states.
+    /// y and u of the mode from the products of a motion with the mode's two states.
     pub(crate) fn state(&self, first: S, second: S) -> (S, S) {
         let [m11, m12, m22] = self.inverse;
         (m11 * first + m12 * second, m12 * first + m22 * second)
@@ -86,7 +88,7 @@ impl<S: Float> HeldMode<S> {
 }
 
 impl<S: Float> Setting<'_, S> {
-    /// The same for this setting's parts.
+    /// Computes y and u of this setting's stuck chain, as [`Dynamics::project`] does.
     pub(crate) fn project(
         &self,
         states: impl Iterator<Item = [S; 2]> + Clone,
@@ -97,7 +99,7 @@ impl<S: Float> Setting<'_, S> {
         self.dynamics.project(self.receptance, states, lifted, held);
     }
 
-    /// The state of the modes for this setting's held parts.
+    /// Computes the state of the modes from this setting's stuck chain, as [`Dynamics::release`] does.
     pub(crate) fn release<'s>(
         &self,
         held: &[Part<S>],
@@ -110,16 +112,17 @@ impl<S: Float> Setting<'_, S> {
 }
 
 impl<S: Float> Dynamics<'_, S> {
-    /// How much of a motion of the free modes is lost when the contact takes hold and lets go at once: the worst relative
-    /// change of a state in which two modes move and the contact does not.  It is rounding where the held modes are apart;
-    /// where many modes are at or beyond critical damping, held modes crowd, and their parts cancel.
+    /// Worst relative change of a motion of the free modes when the contact sticks and is released at once.  The tested
+    /// states move two modes and not the contact.  The change is of the order of rounding where the modes of the stuck
+    /// chain are well separated.  Where many modes are at or beyond critical damping, the modes of the stuck chain
+    /// crowd together, and their contributions cancel.
     ///
-    /// `states` has room for the modes that the contact drives, `held` for the held modes.
+    /// `states` has room for the modes that the contact drives, and `held` for the modes of the stuck chain.
     pub fn held_loss(&self, states: &mut [[S; 2]], held: &mut [[S; 2]]) -> S {
         let zero = S::constant(0.0);
         let (receptance, still) = (self.receptance(), (zero, zero));
         let driven = self.driven();
-        // The mode that the contact drives most balances each of the others.
+        // The mode that the contact drives most balances each of the others, so that the contact does not move.
         let most = driven
             .iter()
             .enumerate()
@@ -175,7 +178,7 @@ impl<S: Float> Dynamics<'_, S> {
                     let [y, u] = start(of);
                     for change in [state[0] - y, state[1] - u] {
                         let change = change.abs() / weight;
-                        // NaN is lost too, and stays.
+                        // NaN counts as the worst change, and stays.
                         if worst.is_finite() && !(change <= worst) {
                             worst = change;
                         }

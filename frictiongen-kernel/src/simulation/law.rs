@@ -1,19 +1,19 @@
-//! How the kinetic friction force depends on the speed of sliding: lines between points.
+//! The kinetic friction force as a function of the sliding speed: straight lines between points.
 
 use crate::number::scalar::Float;
 
-/// One line of the law: between two speeds the force over F is level + slope·|v|.
+/// One line of the friction law.  Between two speeds the force over F is level + slope·|v|.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Line<S> {
     pub level: S,
     pub slope: S,
-    /// The speed at which it begins.
+    /// The speed at which the line begins.
     pub low: S,
-    /// The speed at which it ends; none for the last.
+    /// The speed at which the line ends, or `None` for the last line.
     pub high: Option<S>,
 }
 
-/// The line with this place.  Without points there is one: Coulomb's law.
+/// Returns the line of index `place`.  A law without points has one line, which is Coulomb's law.
 #[inline(always)]
 pub(crate) fn line<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
@@ -28,7 +28,7 @@ pub(crate) fn line<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
     between(points, place)
 }
 
-/// The same, with points.
+/// Returns the line of index `place` of a law with points.
 fn between<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [low, first] = match place.checked_sub(1) {
@@ -54,12 +54,12 @@ fn between<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
     }
 }
 
-/// The line that holds at a speed.
+/// Index of the line on which a speed lies.
 pub(crate) fn place<S: Float>(points: &[[S; 2]], speed: S) -> usize {
     points.iter().take_while(|[v, _]| *v <= speed).count()
 }
 
-/// The steepest slope, either way.
+/// Largest absolute slope of the law.
 pub(crate) fn steepest<S: Float>(points: &[[S; 2]]) -> S {
     let slopes = (0..points.len()).map(|place| line(points, place).slope.abs());
     slopes.fold(S::constant(0.0), S::max)

@@ -1,18 +1,18 @@
-//! The friction law of a run: one kinetic level, or one in straight lines over the speed.
+//! The friction law of a simulation: one kinetic level, or straight lines over the speed.
 
 use super::law::{self, Line};
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 
-/// What a run knows of the kinetic level.
+/// Kinetic friction as a simulation sees it.
 pub trait Level<'a, S>: Copy {
-    /// Its lines; none where it is constant.
+    /// The lines of the law, or `None` where the kinetic friction is constant.
     fn lines(&self) -> Option<&Lines<'a, S>>;
-    /// The same, to be changed.
+    /// The lines of the law as a mutable reference, or `None` where the kinetic friction is constant.
     fn lines_mut(&mut self) -> Option<&mut Lines<'a, S>>;
 }
 
-/// One kinetic level at every speed: Coulomb's law.
+/// One kinetic friction force at every speed: Coulomb's law.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Constant;
 
@@ -28,43 +28,44 @@ impl<'a, S> Level<'a, S> for Constant {
     }
 }
 
-/// A kinetic level in straight lines between points: Stribeck's law; without points it is constant.
+/// Kinetic friction in straight lines between points: Stribeck's law.  Without points it is constant.
 #[derive(Clone, Copy, Debug)]
 pub struct Lines<'a, S> {
-    /// Points (v, f): speed in the scene's units and kinetic level over that at rest, v ascending.
+    /// Points (v, f): speed in the scene's units, and kinetic friction over its value at zero speed, with v ascending.
     points: &'a [[S; 2]],
     /// The velocity, in the scene's units, for which dz̄/dτ is 1.
     unit: S,
-    /// The line that holds.
+    /// Index of the line on which the speed lies.
     place: usize,
-    /// What the end of the stretch that has been looked through leads to.
+    /// Crossing at the end of the piece that has been searched.
     next: Crossing,
-    /// How many stretches in succession ended where they started, and how many of those rows were cut short.
+    /// Number of successive pieces that ended where they started.  `cut` counts the runs of such pieces that were
+    /// broken off.
     still: u32,
     cut: u32,
 }
 
-/// What a stretch on one line leads to.
+/// Crossing at the end of a piece of motion on one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Crossing {
-    /// The line goes on.
+    /// The motion stays on the line.
     None,
-    /// The next line.
+    /// The speed rises to the next line.
     Faster,
-    /// The line before.
+    /// The speed falls to the previous line.
     Slower,
 }
 
-/// So many stretches of no length pass from line to line before one goes on along its line regardless.
+/// Number of successive pieces without length after which a piece continues along its line regardless of crossings.
 const STILL: u32 = 4;
 
-/// Each goes on twice as far as the one before, up to so often: 2²⁰ roots of a rounding are more than a stretch in
-/// double precision.
+/// Upper bound on the doublings of such a forced piece, each twice as long as the one before.  In double precision the
+/// longest, 2²⁰ roots of a rounding, is a sixty-fourth of the power series' length.
 const CUTS: u32 = 20;
 
 impl<'a, S: Float> Lines<'a, S> {
-    /// The points of the law, speeds in the scene's units, at r under a load of this amplitude; `speed` is the velocity
-    /// in those units for which dz̄/dτ is 1 where both are.
+    /// Creates the lines of a law, with speeds in the scene's units, at r under a load of this amplitude.  `speed` is
+    /// the velocity in the scene's units for which dz̄/dτ is 1 at r = 1 and amplitude 1.
     #[must_use]
     pub fn under(points: &'a [[S; 2]], r: S, amplitude: S, speed: S) -> Self {
         Self {
@@ -73,7 +74,7 @@ impl<'a, S: Float> Lines<'a, S> {
         }
     }
 
-    /// One level.
+    /// Creates a law without lines, which is one constant kinetic level.
     #[must_use]
     pub fn none() -> Self {
         Self::of(&[])
@@ -90,7 +91,7 @@ impl<'a, S: Float> Lines<'a, S> {
         }
     }
 
-    /// Nothing, if the unit of velocity is positive and finite, and no two speeds of the law are one in it.
+    /// Fails if the unit of velocity is not positive and finite, or if two speeds of the law coincide in that unit.
     pub(super) fn check(&self) -> Result<(), OutOfDomain> {
         let sound = |place| {
             let line = Self { place, ..*self }.line();
@@ -109,7 +110,7 @@ impl<'a, S: Float> Lines<'a, S> {
         }
     }
 
-    /// The line that holds, for speeds |dz̄/dτ|.
+    /// The line on which the speed lies, for speeds |dz̄/dτ|.
     pub(super) fn line(&self) -> Line<S> {
         let mut line = law::line(self.points, self.place);
         line.slope = line.slope * self.unit;
@@ -118,18 +119,21 @@ impl<'a, S: Float> Lines<'a, S> {
         line
     }
 
-    /// The steepest slope, either way.
+    /// Largest absolute slope of the law, for speeds |dz̄/dτ|.
     pub(super) fn steepest(&self) -> S {
         law::steepest(self.points) * self.unit
     }
 
-    /// Starts on the line that holds at this speed.
+    /// Starts on the line on which this speed lies.
     pub(super) fn start(&mut self, speed: S) {
         self.place = law::place(self.points, speed * self.unit);
     }
 
-    /// Notes what the stretch leads to.  A grazed point may send the motion to and fro without an end, as roundings have
-    /// it: the stretch is then to go on along its line for as long as the answer says, where nothing has changed yet.
+    /// Records the crossing at the end of the piece, and returns a length if the piece must be extended instead.
+    ///
+    /// At a grazed point of the law, rounding may send the motion to and fro between two lines without end.  After
+    /// `STILL` pieces without length the motion therefore continues along its line over the returned length, which is
+    /// a fraction of the power series' length.
     pub(super) fn leads_to(&mut self, next: Crossing, moves: bool) -> Option<S> {
         self.next = next;
         if moves || next == Crossing::None {
@@ -149,7 +153,7 @@ impl<'a, S: Float> Lines<'a, S> {
         Some(length)
     }
 
-    /// Goes to the line that the stretch leads to; to the first one where it ended at rest.
+    /// Goes to the line to which the piece leads, or to the first line where the piece ended at rest.
     pub(super) fn pass(&mut self, at_rest: bool) {
         self.place = match self.next {
             _ if at_rest => 0,
@@ -192,7 +196,7 @@ mod tests {
             assert_eq!(lines.leads_to(next, true), None);
             lines.pass(false);
         }
-        // Speeds over 0.5·2·0.1.
+        // The speeds of the law are divided by 0.5·2·0.1.
         let [low, high] = [0.1 / 0.1, 0.3 / 0.1];
         let first = (0.0, Some(low));
         assert_eq!(found, [first, first, (low, Some(high)), (high, None)]);
@@ -201,7 +205,8 @@ mod tests {
         assert!(Lines::<f64>::none().lines().is_none() && lines.lines().is_some());
     }
 
-    /// To and fro without moving: every fourth stretch goes on, each twice as far as the one before, and the lines stay.
+    /// To and fro without motion, every fourth piece continues, each twice as long as the one before, and the line
+    /// stays.
     #[test]
     fn to_and_fro_has_an_end() {
         let mut lines = Lines::under(&LAW, 1.0, 1.0, 1.0);
@@ -228,7 +233,7 @@ mod tests {
             (100, f64::EPSILON.sqrt(), true)
         );
         assert_eq!(went[99], f64::EPSILON.sqrt() * f64::from(1 << 20));
-        // What moves begins anew.
+        // A piece with length resets the count.
         assert_eq!(lines.leads_to(Crossing::Faster, true), None);
         let next: Vec<_> = (0..4)
             .map(|_| lines.leads_to(Crossing::Slower, false))

@@ -1,43 +1,44 @@
-//! A function between two events as a walk knows it: by its derivatives at an instant, or as a series from the start.
+//! A function between two events as a walk needs it: its derivatives at an instant, or its series from the start.
 
 use crate::number::scalar::Float;
 
-/// Roundings of a sum over modes, for each unit of its terms' sizes.
+/// Rounding bound of a sum over modes, in roundings of the sum of its terms' sizes.
 pub(crate) const ROUNDINGS: f64 = 4.0;
-/// How far a series reaches, in radians of the fastest oscillator: what is left out, of the order 0.03⁹/9!, is below
-/// rounding.
+/// Length over which a series serves, in radians of the fastest oscillator.  The terms left out, of the order 0.03⁹/9!,
+/// are below rounding.
 pub(super) const SERIES_REACH: f64 = 0.03;
 
-/// A function about one instant.
+/// Value and derivatives of a function at one instant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Local<S> {
     pub value: S,
     pub slope: S,
     pub curve: S,
-    /// What |f‴| cannot exceed from there on, over the reach.
+    /// Upper bound on |f‴| from this instant on, over the reach.
     pub bound: S,
 }
 
-/// How many derivatives a series has.
+/// Number of derivatives in a series, including the value.
 pub(crate) const ORDER: usize = 9;
 
 /// A function by its derivatives at the start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Series<S> {
     terms: [S; ORDER],
-    /// Up to here what is left out is below rounding.
+    /// Length up to which the terms left out are below rounding.
     pub reach: S,
 }
 
 impl<S: Float> Series<S> {
-    /// From the derivatives at the start; beyond `reach` what is left out shows.
+    /// Creates a series from the derivatives at the start.  Beyond `reach` the terms left out exceed rounding.
     pub(crate) fn new(terms: [S; ORDER], reach: S) -> Self {
         Self { terms, reach }
     }
 
-    /// Value, slope and curve.
+    /// Value, slope and curvature at τ.
     pub(crate) fn at(&self, tau: S, bound: S) -> Local<S> {
-        // Written out: in a loop the reciprocals are double-precision divisions on the target.
+        // The terms are written out, because in a loop the reciprocals would be double-precision divisions on the
+        // target.
         let [c0, c1, c2, c3, c4, c5, c6, c7, c8] = self.terms;
         let [h2, h3, h4, h5, h6, h7, h8] = [
             S::constant(1.0 / 2.0),

@@ -1,9 +1,10 @@
-//! The motion in time, exact: closed forms between events, events located to rounding.
+//! The exact motion in time: closed forms between events, and events located to rounding.
 //!
-//! While the contact slides, every mode moves for itself under a constant friction force; while it
-//! sticks, every mode of the chain with its contact held does.  Nothing is stepped through: what is
-//! searched is the next event, the relative velocity's zero or the instant at which the contact
-//! force reaches μβ.
+//! While the contact slides, every mode moves independently under a constant friction force.  While the contact sticks,
+//! every mode of the stuck chain does.  The motion is not integrated in time steps.  The simulation searches for the
+//! next event, which is a zero of the relative velocity, or the instant at which the contact force reaches μβ.
+//!
+//! In this folder the *stuck chain* is the chain whose contact sticks.  Its modes are called `held` in the code.
 
 mod clock;
 mod coupled;
@@ -26,9 +27,9 @@ pub use lines::{Constant, Level, Lines};
 pub use part::Part;
 pub use run::{MAX_STRETCHES, Moment, Segment, Simulation};
 
-/// A run in arrays: of an emitted solver.
+/// A simulation of an emitted solver, with its data in arrays.
 pub type FixedSimulation<S, const PARTS: usize> = Simulation<'static, S, [Part<S>; PARTS]>;
-/// The same with a kinetic level that changes with the speed.
+/// A simulation of an emitted solver whose kinetic friction changes with the speed, with its data in arrays.
 pub type FixedLinesSimulation<S, const PARTS: usize> =
     Simulation<'static, S, [Part<S>; PARTS], Lines<'static, S>>;
 pub use setting::Setting;
@@ -47,45 +48,44 @@ use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 use crate::oscillator::mode::{Kind, Mode};
 
-/// A mode of the chain with its contact held: an oscillator (y, u), u = ẏ/ω in the time t√(k₁/m₁).
+/// A mode of the chain whose contact sticks: an oscillator (y, u), u = ẏ/ω in the time t√(k₁/m₁).
 #[derive(Clone, Copy, Debug)]
 pub struct HeldMode<S> {
-    /// Which closed form applies.
+    /// Kind of the mode, which selects its closed form.
     pub kind: Kind,
-    /// ω, the frequency ratio r at which it resonates undamped.
+    /// ω, the undamped natural frequency as a frequency ratio r.
     pub frequency: S,
-    /// Its damping ratio.
+    /// Modal damping ratio ζ.
     pub zeta: S,
     /// √|1 − ζ²|.
     pub q: S,
-    /// −(contact force)/y.
+    /// −(contact force)/y: the contact force per unit of y, with the opposite sign.
     pub force: S,
-    /// What takes the products of a motion with the mode's two states to y and u: the symmetric
-    /// matrix [m₁₁, m₁₂, m₂₂].
+    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] that transforms the products of a motion with the mode's two states to y and u.
     pub inverse: [S; 3],
 }
 
-/// Everything that the motion in time of a scene rests on; nothing of it depends on r or β.
+/// Data of a scene for its motion in time.  None of them depends on r or β.
 #[derive(Clone, Copy, Debug)]
 pub struct Dynamics<'a, S> {
-    /// What the scene says beyond its modes.
+    /// Constants of the scene other than its modes.
     pub chain: Chain<S>,
-    /// All modes, those that the contact drives first.
+    /// All modes, with those that the contact drives first.
     pub modes: &'a [Mode<S>],
-    /// The modes of the chain with its contact held: one fewer than the contact drives.
+    /// The modes of the stuck chain, one fewer than the contact drives.
     pub held: &'a [HeldMode<S>],
-    /// For each held mode and each mode that the contact drives, how far it takes part in y and u.
+    /// Participation factors of each mode that the contact drives in each mode of the stuck chain, for y and for u.
     pub participations: &'a [[S; 2]],
-    /// φ, mass after mass.
+    /// Mode shapes φ, mass after mass.
     pub shapes: &'a [S],
-    /// φᵀΓ, mode after mode.
+    /// Products φᵀΓ, mode after mode.
     pub weights: &'a [S],
-    /// The mass that rubs on a support; none where two masses rub on each other.
+    /// Index of the mass that rubs on a support, or `None` where two masses rub on each other.
     pub rubbing: Option<usize>,
 }
 
 impl<'a, S: Float> Dynamics<'a, S> {
-    /// How many modes the contact drives.
+    /// Number of modes that the contact drives.
     #[must_use]
     pub fn in_contact(&self) -> usize {
         self.held.len() + 1
@@ -96,21 +96,21 @@ impl<'a, S: Float> Dynamics<'a, S> {
         self.modes.get(..self.in_contact()).unwrap_or_default()
     }
 
-    /// The shape of a mass, one component a mode; empty if there is no such mass.
+    /// Components of a mass in all mode shapes, or an empty slice if there is no such mass.
     pub(crate) fn shape(&self, mass: usize) -> &'a [S] {
         let modes = self.modes.len();
         let mut shapes = self.shapes.chunks_exact(modes.max(1));
         shapes.nth(mass).unwrap_or_default()
     }
 
-    /// Whether the motion of this mass is the contact's: it rubs on a support at rest.
+    /// Whether this mass moves exactly as the contact does, because it rubs on a support at rest.
     pub(crate) fn moves_as_contact(&self, mass: usize) -> bool {
         self.chain.on_moving_base.is_none() && self.rubbing == Some(mass)
     }
 
-    /// The held modes, each with the participations of all modes that the contact drives.
+    /// The modes of the stuck chain, each with the participation factors of all modes that the contact drives.
     pub(crate) fn held_modes(&self) -> impl Iterator<Item = (&'a HeldMode<S>, &'a [[S; 2]])> {
-        // By ranges: an iterator over chunks could panic where the compiler loses their size.
+        // Ranges instead of an iterator over chunks, which could panic where the compiler does not know their size.
         let (participations, size) = (self.participations, self.in_contact());
         let held = self.held.iter().enumerate();
         held.map(move |(index, mode)| {
@@ -123,20 +123,20 @@ impl<'a, S: Float> Dynamics<'a, S> {
     }
 }
 
-/// Whether the contact sticks, or which way it slides.
+/// State of the contact: stuck, or sliding in one direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Contact {
-    /// It sticks.
+    /// The contact sticks.
     Stuck,
-    /// The relative velocity is positive.
+    /// The contact slides with positive relative velocity.
     Forward,
-    /// The relative velocity is negative.
+    /// The contact slides with negative relative velocity.
     Backward,
 }
 
 impl Contact {
-    /// 1, −1, or 0 while it sticks.
+    /// Sign of the relative velocity: 1, −1, or 0 while the contact sticks.
     pub(crate) fn sign<S: Float>(self) -> S {
         S::constant(match self {
             Self::Stuck => 0.0,
@@ -154,7 +154,7 @@ impl Contact {
         }
     }
 
-    /// The other direction.
+    /// Returns the opposite direction of sliding.  A stuck contact stays stuck.
     #[must_use]
     pub fn reversed(self) -> Self {
         match self {
@@ -165,19 +165,19 @@ impl Contact {
     }
 }
 
-/// What ends a segment of the motion.
+/// Event that ends a segment of the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Event {
-    /// The contact stops.
+    /// The contact stops and sticks.
     Stop,
-    /// The contact, stuck, breaks away.
+    /// The stuck contact breaks away.
     Slip,
     /// The direction of sliding changes without a stop.
     Reversal,
 }
 
-/// Re(a·e^{iτ_e}) where the excitation's sine and cosine are these.
+/// Re(a·e^{iτ_e}), from the sine and the cosine of the excitation's angle τ_e.
 #[inline]
 pub(crate) fn rotated<S: Float>(a: Complex<S>, sine: S, cosine: S) -> S {
     a.re * cosine - a.im * sine

@@ -1,6 +1,8 @@
-//! One oscillator between two events: a mode while the contact slides, a held mode while it sticks.
+//! One oscillator between two events: a mode while the contact slides, or a mode of the stuck chain while the contact
+//! sticks.
 //!
-//! Displacement y and scaled velocity u = y′/x; free, they turn and decay together ([`Turn`]).
+//! The oscillator has the displacement y and the scaled velocity u = y′/x.  In free motion y and u turn and decay
+//! together ([`Turn`]).
 
 use super::{HeldMode, rotated};
 use crate::number::complex::{self, Complex};
@@ -8,50 +10,50 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Damped, Decay, Instant, Turn, multipliers, turn};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Nearer to a resonance than this, |D| < NEAR·x², the forced motion is formed from differences that
-/// vanish with D; elsewhere as the steady motion plus a free one, which loses at most 1/NEAR of the
-/// precision.
+/// Limit of the resonance region |D| < NEAR·x², in which the forced motion is formed from differences that vanish with
+/// D.  Elsewhere it is the steady motion plus a free one, which loses at most a factor 1/NEAR of the precision.
 const NEAR: f64 = 0.02;
-/// With 1 − ζ² above this a part counts as an oscillation, whose amplitude bounds it.
+/// Lower limit of 1 − ζ² for a motion that counts as an oscillation and is bounded by its amplitude.
 const OSCILLATES: f64 = 0.05;
 
-/// One oscillator.
+/// One oscillator: a mode, or a mode of the stuck chain.
 #[derive(Clone, Copy, Debug)]
 pub struct Part<S> {
     pub(super) kind: Kind,
-    /// x, its undamped frequency over the excitation's.
+    /// x, the undamped natural frequency over the excitation's.
     pub(crate) x: S,
     pub(super) zeta: S,
     /// √|1 − ζ²|.
     q: S,
     /// 1 − ζ².
     pub(super) q2: S,
-    /// Its frequency for r = 1.
+    /// σ, the undamped natural frequency as a frequency ratio: x = σ/r.
     sigma: S,
-    /// The part of its steady displacement, y = Re(steady·e^{iτ_e}); the force itself if `near`.
+    /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}).  If `near`, it is the complex force
+    /// instead.
     steady: Complex<S>,
-    /// The part of u = (y′ − φ)/x that the drive takes directly, φ/x = Re(direct·e^{iτ_e}).
+    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}), where φ is the share of the drive in u = (y′ − φ)/x.
     direct: Complex<S>,
-    /// Whether the excitation is so near its resonance that differences are used.
+    /// Whether the excitation is so near the resonance that the forced motion is formed from differences.
     pub(super) near: bool,
-    /// The displacement about which it moves.
+    /// Displacement about which the oscillator moves.
     pub(crate) centre: S,
-    /// y and u now, at the start of the segment.
+    /// y and u now, or at the start of the segment.
     pub(crate) y: S,
     pub(crate) u: S,
-    /// The free part of both at the start of the segment.
+    /// The free motion's share of y and u at the start of the segment.
     pub(super) free: [S; 2],
-    /// Of c and s, in the function whose zero is sought, and in its derivative.
+    /// Coefficients of c and s in the searched function.  `slope` has those in its derivative.
     pub(super) value: [S; 2],
     pub(super) slope: [S; 2],
-    /// What its third derivative cannot exceed: times e^{−ζxτ} for an oscillation.
+    /// Upper bound on the oscillator's share in the third derivative.  For an oscillation it falls as e^{−ζxτ}.
     pub(super) bound: S,
-    /// In the function whose zero is sought: weights of y and u.
+    /// Weights of y and u in the searched function.
     pub(crate) weight: [S; 2],
 }
 
 impl<S: Float> Part<S> {
-    /// Nothing yet: what an array starts from.
+    /// Returns an oscillator without data, to initialise arrays.
     #[must_use]
     pub fn empty() -> Self {
         let zero = S::constant(0.0);
@@ -76,7 +78,7 @@ impl<S: Float> Part<S> {
         }
     }
 
-    /// A mode at 1/r, driven by the load.
+    /// Creates the oscillator of a mode at r, driven by the load.
     pub(super) fn of_mode(mode: &Mode<S>, r: S) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
@@ -86,13 +88,14 @@ impl<S: Float> Part<S> {
         part
     }
 
-    /// A held mode at 1/r; `drive` are the two components of what drives it, times r.
+    /// Creates the oscillator of a stuck chain's mode at r.  `drive` has the two components of its drive, times r.
     pub(super) fn of_held(mode: &HeldMode<S>, r: S, drive: [Complex<S>; 2]) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.frequency);
         let [first, second] = drive;
-        // r²Ψ = ωφ₂ + (2ζω + ir)φ₁, the force on y alone; over r, as r³ may be out of range.
+        // The force on y alone is r²Ψ = ωφ₂ + (2ζω + ir)φ₁.  It is formed over r, because r³ may leave the scalar's
+        // range.
         let over_r = mode.frequency / r;
         let loss = (mode.zeta + mode.zeta) * over_r;
         let force = Complex::new(
@@ -104,7 +107,7 @@ impl<S: Float> Part<S> {
         part
     }
 
-    /// Driven at r by `force` times `unit`, and by `direct`.
+    /// Sets the oscillator to the frequency ratio r, with the drives `force` times `unit`, and `direct`.
     fn tuned(&mut self, r: S, force: Complex<S>, unit: S, direct: Complex<S>) {
         let one = S::constant(1.0);
         self.x = self.sigma / r;
@@ -126,19 +129,19 @@ impl<S: Float> Part<S> {
         };
     }
 
-    /// Its free motion over τ = πt.
+    /// Coefficients of the free motion over τ = πt.
     #[inline]
     pub(crate) fn turn(&self, t: S, tau: S) -> Turn<S> {
         turn(self.kind, self.zeta, self.q, self.x, (t, tau))
     }
 
-    /// A free displacement and velocity after that.
+    /// The free displacement and velocity after `turn`.
     #[inline]
     pub(crate) fn turned(&self, free: [S; 2], turn: &Turn<S>) -> [S; 2] {
         turn.moved(self.zeta, free)
     }
 
-    /// The steady part of y and u where the excitation's cosine and sine are these.
+    /// The steady share of y and u, from the sine and the cosine of the excitation's angle.
     #[inline]
     fn carried(&self, (sine, cosine): (S, S)) -> [S; 2] {
         if self.near {
@@ -152,14 +155,14 @@ impl<S: Float> Part<S> {
         ]
     }
 
-    /// The free part at the start of a segment, from y and u there.
+    /// Sets the free share at the start of a segment, from y and u there.
     #[inline]
     pub(super) fn start(&mut self, phase: (S, S)) {
         let [y, u] = self.carried(phase);
         self.free = [self.y - y, self.u - u];
     }
 
-    /// y and u after τ; the excitation has `from` at the start and `phase` then.
+    /// y and u after τ.  The excitation has the phase `from` at the start and `phase` after τ.
     #[inline]
     pub(super) fn at(&self, turn: &Turn<S>, t: S, from: (S, S), phase: (S, S)) -> [S; 2] {
         let [free_y, free_u] = self.turned(self.free, turn);
@@ -171,14 +174,14 @@ impl<S: Float> Part<S> {
         [free_y + y, free_u + u]
     }
 
-    /// y″ + 2ζxy′ + x²y = Re(force·e^{i(θ + τ)}) from rest, beside the resonance: y and three
+    /// The solution of y″ + 2ζxy′ + x²y = Re(force·e^{i(θ + τ)}) from rest, near the resonance: y and three
     /// derivatives.
     pub(super) fn grown(&self, t: S, phase: (S, S)) -> [S; 4] {
         let at = Instant::new(t);
         let (x, one) = (self.x, S::constant(1.0));
         let loss = (self.zeta + self.zeta) * x;
         let detuning = (x - one) * (x + one);
-        // The answers to cos τ and sin τ are the real and the negative imaginary part of k.
+        // The responses to cos τ and sin τ are the real part and the negative imaginary part of k.
         let (k, k_slope) = if detuning.is_zero() && loss.is_zero() {
             let half = S::constant(0.5);
             let grown = at.tau * half;
@@ -208,7 +211,7 @@ impl<S: Float> Part<S> {
         [value, slope, curve, third]
     }
 
-    /// The force as re·cos τ + im·sin τ from a start where the excitation has this sine and cosine.
+    /// The force as re·cos τ + im·sin τ, where τ counts from a start with this sine and cosine of the excitation.
     fn force_from(&self, (sine, cosine): (S, S)) -> Complex<S> {
         Complex::new(
             self.steady.re * cosine - self.steady.im * sine,
@@ -216,7 +219,7 @@ impl<S: Float> Part<S> {
         )
     }
 
-    /// Adds the derivatives of `grown`, in the function sought, at the start.
+    /// Adds the derivatives of `grown` at the start to the derivatives of the searched function.
     pub(super) fn grown_series(&self, phase: (S, S), terms: &mut [S]) {
         let zero = S::constant(0.0);
         let [of_y, of_u] = self.weight;
@@ -231,12 +234,12 @@ impl<S: Float> Part<S> {
         }
     }
 
-    /// The force on it beside its resonance, |steady|.
+    /// Upper bound on |steady|, the amplitude of the force near the resonance.
     pub(super) fn push(&self) -> S {
         self.steady.re.abs() + self.steady.im.abs()
     }
 
-    /// The complex amplitude of its steady displacement; none on an undamped resonance.
+    /// The complex amplitude of the steady displacement, or `None` on an undamped resonance.
     fn steady(&self) -> Option<Complex<S>> {
         Some(if self.near {
             let x = self.x;
@@ -252,7 +255,7 @@ impl<S: Float> Part<S> {
         })
     }
 
-    /// y and u of its steady motion about 0; none on an undamped resonance.
+    /// y and u of the steady motion about 0, or `None` on an undamped resonance.
     fn settled(&self, (sine, cosine): (S, S)) -> Option<[S; 2]> {
         let steady = self.steady()?;
         let y = rotated(steady, sine, cosine);
@@ -260,15 +263,16 @@ impl<S: Float> Part<S> {
         Some([y, slope / self.x - rotated(self.direct, sine, cosine)])
     }
 
-    /// Sets it to its steady motion; none on an undamped resonance.
+    /// Sets the oscillator to its steady motion.  Returns `None` on an undamped resonance.
     pub(crate) fn settle(&mut self, phase: (S, S)) -> Option<()> {
         self.centre = S::constant(0.0);
         [self.y, self.u] = self.settled(phase)?;
         Some(())
     }
 
-    /// Bound on what its free vibration, its motion now less the steady one, adds to the function sought at any later
-    /// time.  The largest number of the scalar on an undamped resonance, where no motion is steady.
+    /// Upper bound on the free vibration's share in the searched function at any later time.  The free vibration is the
+    /// present motion less the steady one.  On an undamped resonance, where no motion is steady, the bound is
+    /// `f64::MAX` as a scalar.
     pub(crate) fn free_amplitude(&self, phase: (S, S)) -> S {
         let Some([y, u]) = self.settled(phase) else {
             return S::constant(f64::MAX);
@@ -277,12 +281,12 @@ impl<S: Float> Part<S> {
         if self.oscillates() {
             (a * a + b * b / self.q2).sqrt()
         } else {
-            // e^{−ζxτ}sin(qxτ)/q stays below 1 for ζ beyond 0.4.
+            // e^{−ζxτ}sin(qxτ)/q stays below 1 for ζ above 0.4.
             a.abs() + b.abs()
         }
     }
 
-    /// Whether its free vibration never dies.
+    /// Whether the free vibration never decays.
     pub(crate) fn is_undamped(&self) -> bool {
         self.kind == Kind::Undamped
     }
@@ -297,13 +301,14 @@ impl<S: Float> Part<S> {
         ]
     }
 
-    /// By what its free motion is multiplied in τ: e^{x(−ζ ± iq)τ}.
+    /// Factors of the free motion over τ: e^{x(−ζ ± iq)τ}.
     pub(crate) fn multipliers(&self, tau: S) -> [Complex<S>; 2] {
         let turn = self.turn(tau * S::inverse_pi(), tau);
         multipliers(self.kind, self.q, &turn)
     }
 
-    /// What it adds to the fundamental component of the function sought: complex amplitude over e^{iτ_e}.
+    /// Complex amplitude, over e^{iτ_e}, of the oscillator's share in the fundamental component of the searched
+    /// function.
     pub(crate) fn fundamental(&self) -> Complex<S> {
         let [of_y, of_u] = self.weight;
         let direct = complex::scale(self.direct, -of_u);
@@ -317,7 +322,8 @@ impl<S: Float> Part<S> {
         )
     }
 
-    /// The coefficients of c and s in weight·(y, u), of its derivative, and the bound on its third.
+    /// Computes the coefficients of c and s in weight·(y, u) and in its derivative, and the bound on its third
+    /// derivative.
     #[inline]
     pub(crate) fn aim(&mut self) {
         let zeta = self.zeta;
@@ -335,13 +341,13 @@ impl<S: Float> Part<S> {
         };
     }
 
-    /// Whether its amplitude is that of a decaying oscillation, rather than a sum of decays that
-    /// may cancel.
+    /// Whether the motion is a decaying oscillation bounded by its amplitude, not a sum of exponentials that may
+    /// cancel.
     pub(super) fn oscillates(&self) -> bool {
         S::constant(OSCILLATES) < self.q2
     }
 
-    /// The coefficients of c and s of a function's derivative.
+    /// The coefficients of c and s in a function's derivative.
     #[inline]
     pub(super) fn derived(&self, [a, b]: [S; 2]) -> [S; 2] {
         [
@@ -351,7 +357,7 @@ impl<S: Float> Part<S> {
     }
 }
 
-/// How a held displacement of the contact lifts a mode.
+/// Displacement of a mode per unit of displacement of the stuck contact.
 pub(crate) fn lift<S: Float>(mode: &Mode<S>, receptance: S) -> S {
     mode.contact / (mode.resonance * mode.resonance * receptance)
 }

@@ -4,24 +4,25 @@ use super::sum::Sum;
 use super::walk::{Start, Walk, first_reach};
 use crate::number::scalar::Float;
 
-/// Values closer than this many roundings count as equal.
+/// Difference, in roundings, below which two values count as equal.
 const EQUAL: f64 = 64.0;
-/// No segment of a smooth sum has more peaks worth climbing than this.
+/// Upper bound on the peaks of a segment that are climbed.
 const MAX_CLIMBS: u32 = 256;
-/// Past a summit the walk goes on where the value has fallen by so many times what counts as equal.
+/// Fall behind a summit at which the walk continues, as a multiple of the difference that counts as equal.
 const BELOW: f64 = 4.0;
-/// A climb takes no more steps than this, halved ones among them.
+/// Upper bound on the steps of a climb, including halved ones.
 const CLIMB_STEPS: usize = 60;
-/// The longest first step of a climb, in radians of the excitation: a halved one is trusted from then on.
+/// Longest step of a climb, in radians of the excitation, until a step is halved.  The halved step is then the longest.
 const TRUSTED: f64 = 0.25;
-/// A step of Newton's method shorter than this is at the summit, where values differ by rounding alone.
+/// Length of a Newton step, in radians of the excitation, below which the climb is at the summit.  Values differ by
+/// rounding there.
 const AT_SUMMIT: f64 = 1e-3;
-/// No step can be below so many roundings.
+/// Shortest step that rounding allows, in roundings.
 const LEAST_ROUNDINGS: f64 = 4.0;
 
 impl<S: Float> Sum<'_, S> {
-    /// Calls `note` with the place and the value of every local extreme that comes up to `level`
-    /// within rounding when it is met; `note` answers with the new level.
+    /// Calls `note` with the instant and the value of every local extreme that reaches `level` within rounding.  `note`
+    /// returns the new level.
     pub(crate) fn peaks(&self, mut level: S, mut note: impl FnMut(S, S) -> S) {
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
         let near = S::constant(1.0 - EQUAL * S::EPSILON);
@@ -35,8 +36,9 @@ impl<S: Float> Sum<'_, S> {
         let start = self.local(zero);
         let low = start.value.abs() <= self.noise || !(start.curve * start.value < zero);
         if start.slope.abs() <= self.noise * self.rate && low {
-            // It starts at zero or from the bottom of a valley, where no climb begins: from between its ends everything is in
-            // sight.  Constants of S, so that `f32` scenes link no double precision.
+            // The function starts at zero or at the bottom of a valley, from where no climb starts.  Two values between
+            // the end points raise the level.  The fractions are constants of S, so that `f32` scenes link no double
+            // precision.
             for share in [S::constant(0.3), S::constant(0.5)] {
                 let value = self.local(self.reach * share).value;
                 level = level.max(value.abs());
@@ -49,7 +51,7 @@ impl<S: Float> Sum<'_, S> {
             };
             let (top, value, curve) = self.climbed(tau);
             level = note(top, value);
-            // Past the summit by as much as it takes to be below the level again.
+            // The walk continues behind the summit, where the function is below the level again.
             let fall = S::constant(BELOW * EQUAL * S::EPSILON) * value.abs();
             let width = (two * fall / curve.abs()).sqrt();
             let mut step = if !width.is_finite() {
@@ -57,7 +59,7 @@ impl<S: Float> Sum<'_, S> {
             } else if zero < width {
                 width
             } else {
-                // Flat at zero, as far as numbers go.
+                // The function is flat at zero within rounding.
                 self.reach * S::constant(1.0 / f64::from(MAX_CLIMBS))
             };
             from = tau.max(top) + step;
@@ -72,7 +74,7 @@ impl<S: Float> Sum<'_, S> {
         }
     }
 
-    /// The extreme next to an instant, by Newton's method on the slope, never downhill.
+    /// Finds the extreme next to an instant by Newton's method on the slope, never downhill.
     fn climbed(&self, tau: S) -> (S, S, S) {
         let zero = S::constant(0.0);
         let mut at = tau;
@@ -103,7 +105,8 @@ impl<S: Float> Sum<'_, S> {
             }
         }
         if S::CARRIES {
-            // The place moves as the slope there does; the value does not see it.
+            // The instant of the extreme depends on the slope's derivative.  The value does not, because the slope
+            // vanishes at the extreme.
             at = at.primal();
             local = self.local(at);
             if zero < at && at < self.reach {

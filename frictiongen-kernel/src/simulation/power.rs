@@ -1,21 +1,21 @@
-//! A function of the contact as a power series about an instant, in the way in which a walk follows it.
+//! A function of the contact as a power series about an instant, for a walk to follow.
 
 use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series};
 use super::walk::Walked;
 use crate::number::scalar::Float;
 
-/// How many terms of a power series are kept at most: 1/24! is below the rounding of every scalar's table.
+/// Upper bound on the terms of a power series.  1/24! is below the rounding of every scalar that has a table.
 pub(crate) const TERMS: usize = 24;
 
-/// No walk along a series has more steps than this.
+/// Upper bound on the steps of a walk along a series.
 pub(crate) const WALK: u32 = 64;
 
-/// Σ c_n sⁿ, and what rounding can do to its first terms.
+/// The series Σ c_n sⁿ, with the size of its first terms for a rounding bound.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Power<S> {
     pub terms: [S; TERMS],
     pub count: usize,
-    /// The sum of the sizes of what its first terms are made of.
+    /// Sum of the sizes of all summands of the first terms.
     pub size: S,
 }
 
@@ -41,7 +41,7 @@ impl<S: Float> Power<S> {
         self.terms.get(place).copied().unwrap_or(S::constant(0.0))
     }
 
-    /// sign·f − level, up to a place.
+    /// The function sign·f − level, up to `reach`.
     pub(crate) fn seen(&self, sign: S, level: S, reach: S) -> Seen<'_, S> {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let mut bound = S::constant(0.0);
@@ -63,7 +63,7 @@ impl<S: Float> Power<S> {
     }
 }
 
-/// A power series up to a place, with a bound on its third derivative there.
+/// A power series up to `reach`, with a bound on its third derivative over that length.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen<'p, S> {
     power: &'p Power<S>,
@@ -108,7 +108,8 @@ impl<S: Float> Walked<S> for Seen<'_, S> {
         }
         let [first, second, ..] = &mut terms;
         (*first, *second) = (value, slope);
-        // No term beyond is left out that shows: what turns by a radian at most has them over factorials.
+        // The terms left out are below rounding, because the terms of a motion that turns by at most a radian fall as
+        // factorials.
         Series::new(terms, S::constant(SERIES_REACH))
     }
 

@@ -1,4 +1,4 @@
-//! A run in time, segment by segment.
+//! A simulation that advances in time, segment by segment.
 
 use super::clock::{Clock, Total};
 use super::lines::{Constant, Level, Lines};
@@ -7,21 +7,21 @@ use super::{Contact, Dynamics, Event, Part, Setting, coupled};
 use crate::errors::OutOfDomain;
 use crate::number::scalar::{Float, Plain};
 
-/// A segment of the motion: the contact sticks, or slides one way.
+/// A segment of the motion, in which the contact sticks or slides in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment<S> {
-    /// τ at its start, within the excitation's cycle: [0, 2π).
+    /// τ at the start of the segment, within the excitation's cycle: [0, 2π).
     pub start: S,
-    /// Its length in τ.
+    /// Length of the segment in τ.
     pub length: S,
-    /// What the contact does.
+    /// State of the contact during the segment.
     pub contact: Contact,
-    /// What ends it; none if it goes on.
+    /// Event that ends the segment, or `None` if the same motion continues after the segment.
     pub event: Option<Event>,
 }
 
-/// A mass at one instant.
+/// Displacement and velocity of a mass at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Moment<S> {
@@ -30,52 +30,53 @@ pub struct Moment<S> {
 }
 
 impl<S: Float> Moment<S> {
-    /// x̄.
+    /// Displacement x̄ of the mass.
     #[must_use]
     pub fn displacement(&self) -> S {
         self.displacement
     }
 
-    /// dx̄/dτ.
+    /// Velocity dx̄/dτ of the mass.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.velocity
     }
 }
 
-/// An exact run in time, from event to event.  An iterator over its segments; one in which nothing
-/// happens for a cycle is given in pieces of a cycle.
+/// An exact simulation in time, from event to event.  It is an iterator over its segments.  A segment without an event
+/// for a cycle is returned in pieces of a cycle.
 ///
-/// `P` holds the parts: an array in emitted code, a vector at run time.  `L` is the kinetic level: [`Constant`], or
-/// [`Lines`] over the speed.
+/// `P` owns the oscillators: an array in emitted code, a vector at run time.  `L` is the kinetic friction:
+/// [`Constant`], or [`Lines`] over the speed.
 #[derive(Clone, Debug)]
 pub struct Simulation<'a, S, P, L = Constant> {
     setting: Setting<'a, S>,
     parts: P,
     level: L,
-    /// How the contact stands at the start of the segment.
+    /// State of the contact at the start of the segment.
     contact_state: ContactState<S>,
-    /// The excitation at the start of the segment, and now.
+    /// Phase of the excitation at the start of the segment, and now.
     start: Clock<S>,
     now: Clock<S>,
-    /// The segment, once it has been looked through, and how much of it is over.  It is looked through once,
-    /// whatever steps it is passed in: a search that began anew beside an event would see it again.
+    /// The segment once its end has been found, and the length of it that has passed.  The search is made once, however
+    /// short the steps of the run.  A new search close to an event would find the event a second time.
     sought: Option<Sought<S>>,
     passed: Total<S>,
 }
 
-/// Where the kinetic level changes with the speed a run goes from line to line: no more stretches than this are followed
-/// at once, then it goes on as another segment.
+/// Upper bound on the pieces that one call follows where the kinetic friction changes with the speed.  A piece ends at
+/// the next line of the friction law.  Beyond the bound the motion continues in another segment.
 pub const MAX_STRETCHES: u32 = 4096;
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> {
-    /// From a state at a maximum of the excitation, τ = 0: the displacements x̄ of the masses and
-    /// their velocities dx̄/dτ.  From rest where there are none.  `parts` has one
-    /// [`Part::empty`] for each mode and each held mode.
+    /// Creates a simulation from a state at a maximum of the excitation, τ = 0.  The state has the displacements x̄ of
+    /// the masses and their velocities dx̄/dτ.  Without a state the motion starts from rest.  `parts` has one
+    /// [`Part::empty`] for each mode and each mode of the stuck chain.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for r that is not positive and finite, for β as everywhere, for a state that is
-    /// not one finite number for each mass, and for another number of parts.
+    /// [`OutOfDomain`] for r that is not positive and finite, and for β or μβ that is NaN, negative or infinite.  A
+    /// state without one finite displacement and velocity for each mass, and a wrong number of `parts`, give the same
+    /// error.
     pub fn new(
         dynamics: Dynamics<'a, S>,
         r: S,
@@ -91,11 +92,11 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
 }
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P, Lines<'a, S>> {
-    /// The same with a kinetic level that changes with the speed.
+    /// Creates a simulation whose kinetic friction changes with the speed, in straight `lines`.
     ///
     /// # Errors
-    /// [`OutOfDomain`] as of [`new`](Simulation::new); ("amplitude") for a load under which the law's speeds leave the
-    /// scalar's range; and ("steepness") for a level that changes the motion more than
+    /// Same errors as [`new`](Simulation::new).  [`OutOfDomain`] ("amplitude") for a load under which the law's speeds
+    /// leave the scalar's range.  [`OutOfDomain`] ("steepness") for a law that changes the motion more than
     /// [`MAX_STEEPNESS`](super::MAX_STEEPNESS) times as fast as the fastest mode does.
     pub fn along(
         dynamics: Dynamics<'a, S>,
@@ -108,7 +109,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P, 
     where
         S: Plain,
     {
-        // What is wrong with r is told of it, not of the speeds that follow from it.
+        // r is checked before the law's speeds, which depend on r, so that an error names the true cause.
         let mut run = Self::of(dynamics, (r, beta, lines), state, parts)?;
         lines.check()?;
         run.setting.check_lines(run.parts.as_ref(), &lines)?;
@@ -146,25 +147,25 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         })
     }
 
-    /// How many cycles of the excitation are over.
+    /// Number of completed cycles of the excitation.
     #[must_use]
     pub fn cycles(&self) -> u64 {
         self.now.cycles
     }
 
-    /// τ within the excitation's cycle, [0, 2π).
+    /// τ within the excitation's cycle, in [0, 2π).
     #[must_use]
     pub fn phase(&self) -> S {
         self.now.t * S::pi()
     }
 
-    /// What the contact does from now on.
+    /// State of the contact from now on.
     #[must_use]
     pub fn contact(&self) -> Contact {
         self.contact_state.contact
     }
 
-    /// A mass now, by its place in the description; at rest if there is no such mass.
+    /// Motion of a mass now, by its index in the description.  An index without a mass gives rest.
     #[must_use]
     pub fn mass(&self, index: usize) -> Moment<S> {
         let shape = self.setting.dynamics.shape(index);
@@ -174,7 +175,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         }
     }
 
-    /// z̄ and dz̄/dτ, the relative motion in the contact, now.
+    /// Relative displacement z̄ of the contact and its derivative dz̄/dτ, now.
     #[must_use]
     pub fn relative(&self) -> (S, S) {
         let at = segment::phase(self.now.t);
@@ -186,8 +187,9 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         (self.setting.relative(self.parts.as_ref(), at), velocity)
     }
 
-    /// The friction force in the contact now, over P: the kinetic one while it slides, what holds it while it
-    /// sticks; positive against positive sliding.
+    /// The friction force in the contact now, over P.  While the contact slides, it is the kinetic friction force.
+    /// While the contact sticks, it is the force that keeps the contact at rest.  A positive force opposes positive
+    /// sliding.
     #[must_use]
     pub fn friction(&self) -> S {
         match self.contact_state.contact {
@@ -219,13 +221,13 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         })
     }
 
-    /// Moves on to the next event, at most by `reach` in τ; by 0 it does nothing.
+    /// Advances to the next event, but at most by `reach` in τ.  A reach of 0 changes nothing.
     ///
-    /// In whatever steps a run is passed, its events are the same, and neither its phase nor its motion
-    /// collects the rounding of the steps.
+    /// The events of a run do not depend on the size of its steps.  The rounding of the steps accumulates neither in
+    /// the phase nor in the motion.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN, which changes nothing.
+    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN.  The simulation then keeps its state.
     pub fn advance(&mut self, reach: S) -> Result<Segment<S>, OutOfDomain> {
         if !(S::constant(0.0) <= reach && reach.is_finite()) {
             return Err(OutOfDomain { argument: "reach" });
@@ -233,7 +235,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         Ok(self.moved(reach))
     }
 
-    /// Moves on by a reach that is finite and not negative.
+    /// Advances by a reach that is finite and not negative.
     fn moved(&mut self, reach: S) -> Segment<S> {
         let zero = S::constant(0.0);
         let mut segment = Segment {
@@ -249,7 +251,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         segment.contact = self.look(reach).contact_state.contact;
         let (length, mut ended) = self.pass(reach);
         segment.length = length;
-        // What was looked through before may end, without an event, short of the reach.
+        // A segment that was searched before may end without an event short of the reach.
         if known && ended == Some(None) && length < reach {
             let (more, next) = self.pass(reach - length);
             segment.length = length + more;
@@ -269,7 +271,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         segment
     }
 
-    /// The segment, looked through for a cycle at least.
+    /// Returns the current segment, and searches at least a cycle for its end if that is still unknown.
     fn look(&mut self, reach: S) -> Sought<S> {
         if let Some(sought) = self.sought {
             return sought;
@@ -284,7 +286,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
             _ => seek(&self.setting, modes, held, self.contact_state, reach),
         };
         if sought.holds() {
-            // The contact could not leave after all: it goes on sticking.
+            // The contact could not leave zero velocity, and continues to stick.
             let contact_state =
                 ended(&self.setting, modes, &sought, segment::phase(self.now.t)).contact_state;
             sought = seek(&self.setting, modes, held, contact_state, reach);
@@ -294,7 +296,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         sought
     }
 
-    /// Moves on within the segment; its length, and what ends the segment if it is over.
+    /// Advances within the segment.  Returns the length advanced, and how the segment ends if it is over.
     fn pass(&mut self, reach: S) -> (S, Option<Option<Event>>) {
         let sought = self.look(reach);
         let (modes, held) = self.setting.split(self.parts.as_mut());
@@ -336,7 +338,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     }
 }
 
-/// Puts the parts where they are so long after the segment's start.
+/// Sets the oscillators to their state τ after the segment's start.
 fn put<'a, S: Float>(
     setting: &Setting<'_, S>,
     (modes, held): (&mut [Part<S>], &mut [Part<S>]),
@@ -363,7 +365,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>> Iter
 }
 
 impl<S: Float> Setting<'_, S> {
-    /// The modes' state for displacements and velocities of the masses.
+    /// Sets the modes' state from displacements and velocities of the masses.
     pub(crate) fn load_state(&self, displacements: &[S], velocities: &[S], parts: &mut [Part<S>]) {
         let masses = displacements.len().max(1);
         let weights = self.dynamics.weights.chunks(masses);

@@ -1,4 +1,4 @@
-//! One segment of the motion: from an event to the next.
+//! One segment of the motion, from one event to the next.
 
 use super::part::Part;
 use super::setting::Setting;
@@ -10,36 +10,36 @@ use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Turn;
 
-/// Roundings of a velocity that vanishes, over the sum of its terms' sizes.
+/// Rounding bound of a velocity that vanishes, in roundings of the sum of its terms' sizes.
 const ROUNDINGS: f64 = 8.0;
 
-/// How the contact stands at an instant.
+/// State of the contact at an instant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ContactState<S> {
     /// The excitation's phase in half-turns, in [0, 2).
     pub t: S,
-    /// Whether it sticks.
+    /// Whether the contact sticks, or its direction of sliding.
     pub contact: Contact,
-    /// At an event: how fast the relative velocity grows from zero, in the direction of sliding.
+    /// At an event, the relative acceleration in the direction of sliding, with which the contact leaves zero velocity.
     pub departing: Option<S>,
-    /// It has just failed to leave: what rounding says of its grip does not count.
+    /// True if the contact has just failed to leave.  Rounding then must not decide that the contact force exceeds μβ.
     pub wedged: bool,
 }
 
-/// How a segment ends.
+/// The end of a segment.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct End<S> {
-    /// Its length, in τ.
+    /// Length of the segment, in τ.
     pub tau: S,
-    /// What ends it, if it is not the reach.
+    /// Event that ends the segment, or `None` at the reach.
     pub event: Option<Event>,
-    /// How the contact stands then.
+    /// State of the contact after the event.
     pub contact_state: ContactState<S>,
-    /// At an event, the slope of the function whose zero it is: z̄″ before, or F′.
+    /// At an event, the slope of the function that vanishes at the event: z̄″ before the event, or F′.
     pub slope: S,
-    /// How much the contact force jumps at the event: before less after.
+    /// Jump of the contact force at the event: force before less force after.
     pub jump: S,
-    /// How many steps it took to find.
+    /// Number of steps of the walk that found the end.
     pub steps: u32,
 }
 
@@ -48,7 +48,7 @@ pub(crate) fn phase<S: Float>(t: S) -> (S, S) {
     t.sin_cos_pi()
 }
 
-/// A phase moved on by τ, in [0, 2).
+/// The phase τ after the phase `t`, in half-turns, in [0, 2).
 pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
     let two = S::constant(2.0);
     let t = within_cycle(t + tau * S::inverse_pi());
@@ -56,7 +56,7 @@ pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
 }
 
 impl<S: Float> Setting<'_, S> {
-    /// How the contact stands in a state that nothing is known of.
+    /// Derives the contact's state from the motion alone.
     pub(crate) fn contact_state(&self, parts: &[Part<S>], t: S) -> ContactState<S> {
         let at = phase(t);
         let (velocity, size) = self.relative_velocity(parts, at);
@@ -78,7 +78,7 @@ impl<S: Float> Setting<'_, S> {
         contact_state
     }
 
-    /// Sets the parts of the modes to sliding, and the function z̄′ times its sign.
+    /// Sets the oscillators of the modes to sliding, and returns the function z̄′ times its sign.
     pub(crate) fn slide<'p>(
         &self,
         modes: &'p mut [Part<S>],
@@ -108,7 +108,7 @@ impl<S: Float> Setting<'_, S> {
         Sum::new(modes, zero, (cosines, sines), at, reach)
     }
 
-    /// Sets the held modes to the state of the modes, and the function F.
+    /// Sets the oscillators of the stuck chain from the state of the modes, and returns the contact force and z̄.
     pub(crate) fn stick<'p>(
         &self,
         modes: &mut [Part<S>],
@@ -142,7 +142,7 @@ impl<S: Float> Setting<'_, S> {
     }
 }
 
-/// Moves every part on by τ from its start.
+/// Advances all oscillators by τ from the segment's start.
 pub(crate) fn advanced<S: Float>(parts: &mut [Part<S>], tau: S, from: (S, S), to: (S, S)) {
     let t = tau * S::inverse_pi();
     for part in parts {
@@ -152,34 +152,34 @@ pub(crate) fn advanced<S: Float>(parts: &mut [Part<S>], tau: S, from: (S, S), to
     }
 }
 
-/// A segment that has been looked through: where it ends, before anything is moved.
+/// A segment whose end has been found, before any oscillator is advanced.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sought<S> {
-    /// How the contact stands at its start.
+    /// State of the contact at the segment's start.
     pub contact_state: ContactState<S>,
-    /// Its length, in τ.
+    /// Length of the segment, in τ.
     pub tau: S,
-    /// z̄ less the base's motion, where the contact sticks.
+    /// z̄, where the contact sticks.
     offset: S,
     pub(super) outcome: Outcome,
     slope: S,
     pub(super) steps: u32,
 }
 
-/// What ends a segment.
+/// The way in which a segment ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Outcome {
-    /// Nothing within the reach.
+    /// No event within the reach.
     Goes,
     /// The relative velocity vanishes.
     Halts,
-    /// The contact force reaches ±μβ; whether it is −μβ.
+    /// The contact force reaches ±μβ; `true` means −μβ.
     Breaks(bool),
-    /// The contact does not leave at all.
+    /// The contact cannot leave zero velocity.
     Holds,
 }
 
-/// Looks for the next event from a contact state, as far as `reach`; the parts are set to the segment.
+/// Searches for the next event from a contact state, as far as `reach`, and sets the oscillators to the segment.
 pub(crate) fn seek<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
@@ -228,9 +228,9 @@ pub(crate) fn seek<S: Float>(
     sought
 }
 
-/// The instant at which a sum meets its level, as far as it moves with what the sum depends on: one step of Newton's
-/// method from the instant that the walk has found.  Without a level nothing is met there: the reach stays what it is, and
-/// an instant short of it does not move.
+/// Adds derivatives to the instant at which a sum meets its level, for a scalar that carries derivatives.  One step of
+/// Newton's method from the walk's instant gives them.  Without a level no event ends the segment.  The reach then
+/// keeps its own derivatives, and an instant short of the reach has none.
 fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
     let Some(level) = level else {
         return if tau < sum.reach {
@@ -244,7 +244,7 @@ fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
     tau.primal() - (gap - gap.primal()) / local.slope.primal()
 }
 
-/// Puts the parts where they are τ after the segment's start; `to` is the excitation's phase then.
+/// Sets the oscillators to their state τ after the segment's start.  `to` is the excitation's phase then.
 pub(crate) fn place<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
@@ -265,7 +265,7 @@ pub(crate) fn place<S: Float>(
     setting.release(held, setting.lifted(sought.offset, to), states);
 }
 
-/// What comes of the end of a segment at which the parts have been placed.
+/// Derives the end of a segment after the oscillators have been set to it.
 pub(crate) fn ended<S: Float>(
     setting: &Setting<'_, S>,
     modes: &[Part<S>],
@@ -303,7 +303,7 @@ pub(crate) fn ended<S: Float>(
                 end.contact_state.contact = Contact::Stuck;
                 end.jump = sign * setting.beta - force;
             } else if zero < force * sign {
-                // It touched zero and goes on.
+                // The velocity touched zero, and the contact continues in the same direction.
                 end.contact_state.departing =
                     Some(setting.acceleration(force.abs() - setting.beta));
             } else {
@@ -318,7 +318,8 @@ pub(crate) fn ended<S: Float>(
     end
 }
 
-/// How far it is from a contact state to the next event, at most `reach`; 0 where the contact, on the point of leaving, does not.
+/// Distance from a contact state to the next event, at most `reach`.  It is 0 where the contact cannot leave zero
+/// velocity.
 pub(crate) fn span<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
@@ -333,7 +334,7 @@ pub(crate) fn span<S: Float>(
     sought.tau
 }
 
-/// From a contact state to the next event, or as far as `reach`.
+/// Advances from a contact state to the next event, or as far as `reach`.
 pub(crate) fn leap<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
@@ -350,7 +351,7 @@ pub(crate) fn leap<S: Float>(
 }
 
 impl<S: Float> Sought<S> {
-    /// Nothing yet.
+    /// Creates a segment whose end is still unknown.
     pub(super) fn none(contact_state: ContactState<S>) -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -363,13 +364,13 @@ impl<S: Float> Sought<S> {
         }
     }
 
-    /// Whether the contact, on the point of leaving, does not.
+    /// Whether the contact cannot leave zero velocity, and so continues to stick.
     pub(crate) fn holds(&self) -> bool {
         self.outcome == Outcome::Holds
     }
 }
 
-/// A segment that ends with no event.
+/// The end of a segment without an event.
 fn quiet<S: Float>(tau: S, contact_state: ContactState<S>, steps: u32) -> End<S> {
     let zero = S::constant(0.0);
     End {

@@ -1,4 +1,4 @@
-//! A scene at one frequency ratio and one friction ratio: what all its segments share.
+//! A scene at one frequency ratio and one friction ratio, which all segments of its motion share.
 
 use super::part::{Part, lift};
 use super::{Dynamics, rotated};
@@ -11,26 +11,28 @@ use crate::number::scalar::Float;
 #[derive(Clone, Copy, Debug)]
 pub struct Setting<'a, S> {
     pub(crate) dynamics: Dynamics<'a, S>,
-    /// r, within the range in which the formulas are evaluated.
+    /// Frequency ratio r, within the range in which the formulas are evaluated.
     pub(crate) r: S,
-    /// β.
+    /// Friction ratio β.
     pub(crate) beta: S,
-    /// s: 1 if the contact rubs on the moving base.
+    /// Base coefficient s: 1 if the contact rubs on the moving base, else 0.
     pub(crate) base: S,
-    /// wᵀΓ⁻¹p + s r², the load on the held contact at a maximum of the excitation, times m*.
+    /// wᵀΓ⁻¹p + s r²: the load on the stuck contact at a maximum of the excitation, times the inverse effective mass
+    /// m*.
     load: S,
-    /// Σ c_i/λ_i = wᵀK̄⁻¹w.
+    /// wᵀK̄⁻¹w = Σ c_i/λ_i, the contact's displacement per unit of steady contact force.
     pub(crate) receptance: S,
-    /// Σ 2ζ_i c_i/σ_i over that.
+    /// Σ 2ζ_i c_i/σ_i over the receptance: damping force per unit of velocity of the stuck contact, times m*.
     drag: S,
 }
 
 impl<'a, S: Float> Setting<'a, S> {
-    /// The scene at r and β; `parts` are filled: one for each mode, then one for each held mode.
+    /// Creates the setting of a scene at r and β, and fills `parts`: one oscillator for each mode, then one for each
+    /// mode of the stuck chain.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN, negative, zero and infinite r, for r so near to 0 or ∞ that the formulas
-    /// leave the scalar's range, and for NaN, negative and infinite β and μβ; for another number of parts.
+    /// [`OutOfDomain`] for NaN, negative, zero and infinite r, and for r so near to 0 or ∞ that the formulas leave the
+    /// scalar's range.  NaN, negative and infinite β and μβ, and a wrong number of `parts` give the same error.
     pub fn new(
         dynamics: Dynamics<'a, S>,
         r: S,
@@ -79,7 +81,8 @@ impl<'a, S: Float> Setting<'a, S> {
         }
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
         for (part, (mode, participations)) in held.iter_mut().zip(self.dynamics.held_modes()) {
-            // The load on each mode, less what moves the held contact along with the base.
+            // The load on each mode is reduced by the inertia and damping of the motion that the base imposes on the
+            // stuck contact.
             let mut sums = [Complex::new(zero, zero); 2];
             for (driven, participation) in self.dynamics.driven().iter().zip(participations) {
                 let lift = self.base * lift(driven, self.receptance);
@@ -97,7 +100,7 @@ impl<'a, S: Float> Setting<'a, S> {
         }
     }
 
-    /// The parts of the modes and of the held modes.
+    /// Splits `parts` into the oscillators of the modes and those of the stuck chain.
     pub(crate) fn split<'p>(
         &self,
         parts: &'p mut [Part<S>],
@@ -108,9 +111,9 @@ impl<'a, S: Float> Setting<'a, S> {
         (modes, rest.split_at_mut(held).0)
     }
 
-    /// Nothing, if a state has a finite displacement and velocity for each mass.
+    /// Fails if a state lacks a finite displacement or velocity for one of the masses.
     pub(crate) fn check_state(&self, (x, v): (&[S], &[S])) -> Result<(), OutOfDomain> {
-        // There are as many modes as masses.
+        // A chain has as many modes as masses.
         let masses = self.dynamics.modes.len();
         let sound =
             |values: &[S]| values.len() == masses && values.iter().all(|value| value.is_finite());
@@ -121,12 +124,12 @@ impl<'a, S: Float> Setting<'a, S> {
         }
     }
 
-    /// μβ.
+    /// Largest contact force that keeps the contact stuck, μβ.
     pub(crate) fn grip(&self) -> S {
         self.dynamics.chain.stiction * self.beta
     }
 
-    /// The contact's relative displacement z̄ for these displacements of the modes.
+    /// Relative displacement z̄ of the contact, from the oscillators of the modes.
     pub(crate) fn relative(&self, parts: &[Part<S>], (_, cosine): (S, S)) -> S {
         let modes = self.dynamics.driven().iter().zip(parts);
         modes.fold(-(self.base * cosine), |sum, (mode, part)| {
@@ -134,7 +137,7 @@ impl<'a, S: Float> Setting<'a, S> {
         })
     }
 
-    /// The contact's relative velocity z̄′, and the size of its terms.
+    /// Relative velocity z̄′ of the contact, and the sum of the sizes of its terms.
     pub(crate) fn relative_velocity(&self, parts: &[Part<S>], (sine, _): (S, S)) -> (S, S) {
         let own = self.base * sine;
         let modes = self.dynamics.driven().iter().zip(parts);
@@ -144,7 +147,7 @@ impl<'a, S: Float> Setting<'a, S> {
         })
     }
 
-    /// The contact force that would keep the relative velocity as it is.
+    /// The contact force that would keep the relative velocity constant.
     pub(crate) fn holding(&self, parts: &[Part<S>], (_, cosine): (S, S)) -> S {
         let two = S::constant(2.0);
         let modes = self.dynamics.driven().iter().zip(parts);
@@ -155,14 +158,13 @@ impl<'a, S: Float> Setting<'a, S> {
         sum / self.dynamics.chain.inverse_mass
     }
 
-    /// The relative acceleration z̄″ under a contact force of which `excess` is more than it takes
-    /// to keep the velocity.
+    /// Relative acceleration z̄″ under a contact force that exceeds by `excess` the force that would keep the velocity.
     pub(crate) fn acceleration(&self, excess: S) -> S {
         self.dynamics.chain.inverse_mass * excess / (self.r * self.r)
     }
 
-    /// The constant and the fundamental component of the contact force while z̄ = z₀ + s cos τ_e, held modes left
-    /// out.
+    /// Constant and fundamental component of the contact force while the contact sticks at z̄ = `offset`, so that wᵀx̄
+    /// = offset + s cos τ_e.  The share of the stuck chain's modes is left out.
     pub(crate) fn held_force(&self, offset: S) -> (S, Complex<S>) {
         let inverse_mass = self.dynamics.chain.inverse_mass;
         let base = self.base;
@@ -175,7 +177,7 @@ impl<'a, S: Float> Setting<'a, S> {
         )
     }
 
-    /// The displacements of a mode that the contact holds at z, per scaled velocity too.
+    /// Displacement of the stuck contact including the base's, and its velocity in the time t√(k₁/m₁).
     pub(crate) fn lifted(&self, offset: S, (sine, cosine): (S, S)) -> (S, S) {
         let z = Complex::new(self.base, S::constant(0.0));
         (

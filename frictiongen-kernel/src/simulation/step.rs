@@ -1,15 +1,15 @@
-//! How far a function that is positive now stays positive, from what its third derivative can do.
+//! Safe step of a walk: the length over which a positive function stays positive, from a bound on its third derivative.
 
 use crate::number::scalar::Float;
 
-/// Steps of Newton's method towards a root of the cubic at most.
+/// Upper bound on the steps of Newton's method towards a root of the cubic.
 const STEPS: usize = 12;
-/// A root is found when Newton's method moves by less than this part of it: the walk asks again from there, and with a
-/// thousandth steady states took 1.04 to 1.12 times as long.
+/// Relative step of Newton's method below which a root counts as found.  The walk starts again from the root, so that a
+/// tighter tolerance costs time and gains nothing.
 const CLOSE: f64 = 0.1;
 
-/// The smallest positive root of f + f′h + f″h²/2 − Bh³/6 for f ≥ 0, f′ > 0 if f = 0: up to there the
-/// function is positive wherever |f‴| ≤ B.  Never beyond the root, to rounding; at most `most`.
+/// Returns the smallest positive root of p = f + f′h + f″h²/2 − Bh³/6 for f ≥ 0, and f′ > 0 if f = 0.  Up to the root
+/// the function is positive wherever |f‴| ≤ B.  The result never exceeds the root, to rounding, nor `most`.
 pub(super) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     let (zero, half) = (S::constant(0.0), S::constant(0.5));
     let sixth = S::constant(1.0 / 6.0);
@@ -18,21 +18,22 @@ pub(super) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     if zero < value(most) && (zero <= slope || zero < least(f, slope, curve, bound)) {
         return most;
     }
-    // p is convex up to its inflection and concave from there on.
+    // The cubic p is convex up to its inflection and concave from there on.
     let inflection = (curve / bound).max(zero);
     let discriminant = curve * curve + (bound + bound) * slope;
     let mut from = inflection;
     if zero < discriminant {
         let root = discriminant.sqrt();
         if slope < zero && zero < curve {
-            // A dip: the smaller root of p′, in the form that does not cancel.
+            // The dip is the smaller root of p′, in the form that does not cancel.
             let dip = -(slope + slope) / (curve + root);
             if value(dip) <= zero {
                 return from_left(value, tangent);
             }
         }
         if curve < zero {
-            // The same root of p′, in the form that does not cancel: a slight bound would leave nothing of it.
+            // This is the same root of p′ in the form that does not cancel.  The other form would lose the root for a
+            // small bound.
             from = ((slope + slope) / (root - curve)).max(zero);
         } else if zero < curve + root {
             from = (curve + root) / bound;
@@ -40,11 +41,11 @@ pub(super) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     } else if !(zero < value(inflection)) {
         return from_left(value, tangent);
     }
-    // From the right of the root p falls ever more steeply: Newton's method stays there.
+    // Right of the root p falls ever more steeply, so that Newton's method stays on that side.
     let top = value(from);
     let fall = tangent(from);
     let steep = -(curve - bound * from);
-    // Three upper bounds: the tangent there, what it bends by, and the cube alone.
+    // Three upper bounds on the root: the tangent at `from`, the curvature at `from`, and the cubic term alone.
     let mut h = from + (top * S::constant(6.0) / bound).max(S::constant(1.0));
     if fall < zero {
         h = h.min(from - top / fall);
@@ -82,7 +83,7 @@ pub(super) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     }
 }
 
-/// The value at the bottom of a dip, or where there is none the value itself.
+/// The value at the bottom of a dip, or the present value where there is no dip.
 fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     let discriminant = curve * curve + (bound + bound) * slope;
     let zero = S::constant(0.0);
@@ -94,7 +95,7 @@ fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     }
 }
 
-/// Newton's method from 0 on a convex fall: it never steps beyond the root.
+/// Newton's method from 0 on a convex, falling function, which never steps beyond the root.
 fn from_left<S: Float>(value: impl Fn(S) -> S, tangent: impl Fn(S) -> S) -> S {
     let zero = S::constant(0.0);
     let mut h = zero;
@@ -118,13 +119,14 @@ mod tests {
 
     #[test]
     fn a_slight_bound_leaves_a_fall_its_root() {
-        // 2h − h²/2 less next to nothing vanishes at 4: from the top at 2 the root is found from the right, and never passed.
+        // 2h − h²/2 less almost nothing vanishes at 4.  From the top at 2 the root is found from the right, and never
+        // passed.
         for bound in [1e-12_f32, 1e-9, 1e-7, 1e-4] {
             let h = safe(0.0, 2.0, -1.0, bound, 10.0);
-            // Where Newton's method ends the chord is nearer.
+            // Where Newton's method ends, the chord is nearer to the root.
             assert!((3.99..=4.000_001).contains(&h), "{bound:e}: {h}");
         }
-        // The same about a top that lies before: 1 − h − h²/2.
+        // 1 − h − h²/2 has its top before h = 0.
         let h = safe(1.0, -1.0, -1.0, 1e-9_f32, 10.0);
         assert!((0.731..=0.732_06).contains(&h), "{h}");
     }

@@ -1,12 +1,13 @@
-//! A function of time between two events: a fundamental component at the excitation's frequency and a sum over
-//! oscillators, with its derivatives and what the third of them cannot exceed.
+//! A function of time between two events, with its derivatives and a bound on the third.  The function is a fundamental
+//! component at the excitation's frequency plus a sum over oscillators.
 
 use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series};
 use super::part::Part;
 use super::walk::Walked;
 use crate::number::scalar::Float;
 
-/// constant + cosine·cos τ + sine·sin τ + what is left of the parts.
+/// The function constant + cosine·cos τ + sine·sin τ + Σ of the oscillators' free motions.  An oscillator near its
+/// resonance adds its growing forced motion too.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sum<'a, S> {
     pub parts: &'a [Part<S>],
@@ -15,18 +16,18 @@ pub(crate) struct Sum<'a, S> {
     pub sine: S,
     /// Sine and cosine of the excitation's angle at the start.
     pub phase: (S, S),
-    /// How far the function is asked for, in τ.
+    /// Length in τ over which the function is searched.
     pub reach: S,
-    /// What rounding can do to a value.
+    /// Rounding noise of a value.
     pub noise: S,
-    /// The largest rate at which a derivative can exceed what it derives.
+    /// Largest ratio of a derivative to the function that it derives.
     pub(crate) rate: S,
-    /// The bounds of the fundamental component and of the parts beside a resonance.
+    /// Bound on the third derivative of the fundamental component and of the oscillators near a resonance.
     bound: S,
 }
 
 impl<'a, S: Float> Sum<'a, S> {
-    /// The parts are aimed already.
+    /// Creates the sum.  `parts` must have been prepared with [`Part::aim`].
     pub(crate) fn new(
         parts: &'a [Part<S>],
         constant: S,
@@ -63,7 +64,7 @@ impl<'a, S: Float> Sum<'a, S> {
         }
     }
 
-    /// The function after τ.
+    /// Value and derivatives of the function at τ.
     #[inline]
     pub(crate) fn local(&self, tau: S) -> Local<S> {
         let t = tau * S::inverse_pi();
@@ -105,7 +106,8 @@ impl<S: Float> Walked<S> for Sum<'_, S> {
         self.local(tau)
     }
 
-    /// Value, slope and curve after τ, and the largest τ for which they hold to rounding.
+    /// Series from the start with the given value and slope, and the largest τ for which the series is exact to
+    /// rounding.
     fn series(&self, value: S, slope: S) -> Series<S> {
         let mut terms = [S::constant(0.0); ORDER];
         let (mut cosine, mut sine) = (self.cosine, self.sine);

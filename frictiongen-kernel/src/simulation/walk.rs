@@ -1,54 +1,56 @@
-//! From event to event, none missed: each step goes as far as what the third derivative can do keeps
-//! the function positive.  The steps shrink onto the zero from the left and are its root finder too.
+//! A walk along a function to its first zero, which misses no zero.  A bound on the third derivative limits each step
+//! to where the function is certainly positive.  The steps shrink onto the zero from the left, and so also serve as the
+//! root finder.
 
 use super::local::{Local, ROUNDINGS, Series};
 use super::step;
 use crate::number::scalar::Float;
 
-/// No segment is walked with more steps than this; one that needs more goes on as another segment.
+/// Upper bound on the steps of a walk along one segment.  A segment that needs more continues in another segment.
 pub const MAX_STEPS: u32 = 4000;
-/// What has just failed to leave must pass the level by so many times what rounding can do.
+/// Factor on the rounding noise by which a force must pass its level after the contact has just failed to leave.
 const WEDGED: f64 = 16.0;
-/// Behind a graze the walk goes on so many roundings of its instant later at least.
+/// Least advance behind a graze of zero, in roundings of the instant.
 const PAST: f64 = 4.0;
 
 /// A function that a walk follows.
 pub(crate) trait Walked<S> {
-    /// No walk along it has more steps than this.
+    /// Upper bound on the steps of a walk along the function.
     const MOST: u32 = MAX_STEPS;
-    /// The function after τ.
+    /// Value and derivatives of the function at τ, with a bound on its third derivative from τ on.
     fn local(&self, tau: S) -> Local<S>;
-    /// The function shortly after the start, from its value and slope there, which are known better than it gives them.
+    /// Series of the function shortly after the start, for a value and a slope that are known better than by
+    /// evaluation.
     fn series(&self, value: S, slope: S) -> Series<S>;
-    /// What rounding can do to a value.
+    /// Rounding noise of a value.
     fn noise(&self) -> S;
-    /// How far it is asked for.
+    /// Length in τ over which the function is searched.
     fn reach(&self) -> S;
 }
 
-/// How a walk ends.
+/// Result of a walk.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Walk<S> {
-    /// A zero, and whether it is the second function's.
+    /// A zero at this instant.  The flag is true for a function that meets −level instead of level.
     Zero(S, bool),
-    /// None until here.
+    /// No zero up to this instant.
     Until(S),
     /// The function does not leave zero upwards.
     NoStart,
 }
 
-/// Where the function stands at the start.
+/// Value of the function at the start of a walk.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Start<S> {
-    /// Wherever the sum says.
+    /// The value that evaluation gives.
     Anywhere,
-    /// On zero, with this slope, exactly.
+    /// Exactly zero, with this slope.
     Zero(S),
-    /// Where it has just failed to leave: it must pass the level by more than rounding.
+    /// The function has just failed to leave.  It must pass the level by more than rounding.
     Wedged,
 }
 
-/// The first zero of a positive sum; `steps` counts on.
+/// Finds the first zero of a function that starts positive, and adds the walk's steps to `steps`.
 pub(crate) fn first_zero<S: Float, F: Walked<S>>(
     sum: &F,
     start: Start<S>,
@@ -103,8 +105,8 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
     Walk::Until(tau)
 }
 
-/// The first instant from `from` on at which |sum| reaches `level`; the flag says whether it is −level.
-/// `steps` counts on.
+/// Finds the first instant from `from` on at which |sum| reaches `level`.  The flag is true if the sum reaches −level.
+/// The walk's steps are added to `steps`.
 pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     sum: &F,
     level: S,
@@ -146,12 +148,12 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     Walk::Until(tau)
 }
 
-/// A function that is flat to rounding meets zero where rounding says, not beyond what is asked for.
+/// Clamps an instant to the searched length, because rounding may place the zero of a flat function beyond it.
 fn within<S: Float>(sum: &impl Walked<S>, tau: S) -> S {
     tau.max(S::constant(0.0)).min(sum.reach())
 }
 
-/// level ∓ the function.
+/// The function level − f, or level + f if `negative`.
 fn gap<S: Float>(local: &Local<S>, level: S, negative: bool) -> Local<S> {
     if negative {
         Local {
@@ -169,11 +171,11 @@ fn gap<S: Float>(local: &Local<S>, level: S, negative: bool) -> Local<S> {
 }
 
 enum Verdict<S> {
-    /// Positive.
+    /// The function is positive.
     Above,
-    /// On a zero, so far from here.
+    /// The function has a zero at this distance.
     Zero(S),
-    /// It touches zero without crossing: this far beyond, it is as far above again.
+    /// The function touches zero without crossing.  At this distance the function is again as far above zero.
     Past(S),
 }
 
@@ -197,7 +199,7 @@ fn judged<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> Verdict<
     }
     let mut shift = -(value / slope);
     if !((shift * curve).abs() <= slope.abs()) {
-        // The slope is all but zero, and its tangent may lead far beyond: the curve says where the zero is.
+        // The slope is almost zero, and its tangent may lead far beyond.  The curvature then gives the zero.
         let two = S::constant(2.0);
         let root = (slope * slope - two * value * curve).sqrt();
         shift = two * value / (root - slope);

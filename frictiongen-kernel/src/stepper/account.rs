@@ -1,4 +1,4 @@
-//! Work and energy.
+//! Work and energy of a stepper's run.
 
 use super::run::Stepper;
 use super::state::Store;
@@ -6,22 +6,23 @@ use super::table::Tables;
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 
-/// What the load has done since the start, and where it went, in the scene's unit of force times its unit of length.
+/// Energy balance since the start: work of the load, dissipation and stored energy, in the scene's unit of force times
+/// its unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Work<S> {
-    /// The work of the forces and of the moving base.
+    /// Work of the forces and of the moving base.
     pub load: S,
-    /// What friction took.
+    /// Work dissipated by friction.
     pub friction: S,
-    /// What modal damping took: what is left of the load's work.
+    /// Work dissipated by modal damping: the rest of the load's work.
     pub damping: S,
-    /// By how much more is stored, in motion and in springs, than at the start.
+    /// Increase of kinetic and elastic energy since the start.
     pub stored: S,
 }
 
 impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
-    /// The work done since the start.
+    /// Returns the energy balance since the start.
     #[must_use]
     pub fn work(&self) -> Work<S> {
         let stiffness = self.scene.units.stiffness;
@@ -38,7 +39,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// Fails where the work has become so large that another step could take it beyond the scalar's range.
+    /// Fails if the work has become so large that another step could take it beyond the scalar's range.
     pub(super) fn check_work(&self) -> Result<(), OutOfDomain> {
         let (_, most) = S::inverse_ratio_range();
         let status = &self.status;
@@ -50,7 +51,8 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// The energy of the chain, over k₁: in motion, in its springs, and in those that the base pulls at.
+    /// Kinetic and elastic energy of the chain, over k₁.  [`pull`](Self::pull) adds the share of the base's
+    /// displacement.
     pub(super) fn energy(&self) -> S {
         let half = S::constant(0.5);
         let modes = self.scene.dynamics.modes.iter().enumerate();
@@ -61,7 +63,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         sum * half
     }
 
-    /// What the springs to the moving base hold because it is displaced, over k₁.
+    /// Energy that the springs to the moving base store because of the base's displacement, over k₁.
     pub(super) fn pull(&self) -> S {
         let zero = S::constant(0.0);
         if !self.scene.on_base {

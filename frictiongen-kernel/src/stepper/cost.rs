@@ -1,53 +1,56 @@
-//! What a step costs at most, counted from what it loops over.
+//! Upper bounds on the cost of a step, counted from the lengths of its loops.
 
 use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::simulation::WALK;
 
-/// The sizes that the cost of a step follows from.
+/// Sizes from which the cost of a step follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extent {
-    /// How many modes there are.
+    /// Number of modes.
     pub modes: u64,
-    /// How many of them the contact drives.
+    /// Number of modes that the contact drives.
     pub driven: u64,
-    /// How many inputs there are.
+    /// Number of inputs.
     pub inputs: u64,
-    /// How many coefficients each has over a part.
+    /// Number of coefficients of an input's polynomial over a sub-interval.
     pub coefficients: u64,
-    /// How many terms of a power series are formed.
+    /// Number of terms of a power series.
     pub terms: u64,
-    /// Into how many parts a step is cut.
+    /// Number of sub-intervals into which a step is cut.
     pub parts: u64,
     /// Whether the contact rubs on a moving base.
     pub on_moving_base: bool,
-    /// Whether the friction law has lines beside the last: a second walk looks for the end of each.
+    /// Whether the friction law has more lines than the last one.  A second walk then looks for the end of each line.
     pub lines: bool,
 }
 
 /// Floating-point operations of a step: sums, products, quotients and comparisons.
 ///
-/// `tables` and `most` are bounds by construction: no step by the tables and no step at all has more.
-/// An emulated Cortex-M4F takes [`Cost::INSTRUCTIONS`] for each of them at most, beside [`Cost::FIXED`] a part, in
-/// single precision and optimised for size; `scripts/firmware` checks it.
+/// `tables` and `most` are bounds by construction.  No step by the tables exceeds `tables`, and no step exceeds `most`.
+/// On an emulated Cortex-M4F, in single precision and optimised for size, an operation takes at most
+/// [`Cost::INSTRUCTIONS`] instructions, and a sub-interval at most [`Cost::FIXED`] further instructions.
+/// `scripts/firmware` checks these bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cost {
-    /// A step in which no part is looked through.
+    /// Cost of a step in which no sub-interval is searched for events.
     pub tables: u64,
-    /// A step with one event, every part but one by the tables, each of its walks in [`Cost::WALK`] evaluations.
+    /// Cost of a step with one event.  All other sub-intervals go by the tables, and each walk takes [`Cost::WALK`]
+    /// evaluations.
     pub one_event: u64,
-    /// Any step: in every part [`MAX_STRETCHES`] stretches, each walk with as many evaluations as it may have.
+    /// Cost bound of any step: [`MAX_STRETCHES`] pieces in every sub-interval, each walk with as many evaluations as it
+    /// may have.
     pub most: u64,
 }
 
 impl Cost {
-    /// Instructions an operation, at most.
+    /// Upper bound on the instructions of an operation.
     pub const INSTRUCTIONS: u64 = 4;
-    /// Instructions a part beside those.
+    /// Upper bound on the further instructions of a sub-interval.
     pub const FIXED: u64 = 400;
-    /// So many evaluations does a walk to an event usually have at most.
+    /// Usual upper bound on the evaluations of a walk to an event.
     pub const WALK: u64 = 8;
 
-    /// From the sizes of a scene and its tables.
+    /// Computes the cost from the sizes of a scene and its tables.
     #[must_use]
     pub const fn of(extent: &Extent) -> Self {
         let attempt = extent.attempt();
@@ -57,7 +60,7 @@ impl Cost {
         let tables = extent.parts * attempt;
         Self {
             tables,
-            // To the event and from there on, and what the contact does between.
+            // The step costs one piece up to the event, one piece from the event on, and the event between both.
             one_event: tables + 2 * usual + extent.event() + extent.held_force(),
             most: extent.parts
                 * (attempt
@@ -70,7 +73,7 @@ impl Cost {
 }
 
 impl Extent {
-    /// A part by the tables, or the attempt at it.
+    /// Cost of a sub-interval by the tables, or of the attempt at it.
     const fn attempt(&self) -> u64 {
         let Self {
             modes,
@@ -80,7 +83,7 @@ impl Extent {
             ..
         } = *self;
         let load = 2 * inputs * d;
-        // The rows of a mode's table, the work, the bound on the bend.
+        // A mode costs the rows of its table, the work, and the bound on the second derivative.
         let mode = load + (d + 1) * (3 + 2 * d) + 4 * d + 30;
         let base = if self.on_moving_base { 8 * d } else { 0 };
         let held = 2 * load + base + 2 * d * (3 + 4 * d) + (5 * inputs + 9) * d + 30;
@@ -91,11 +94,12 @@ impl Extent {
         } else {
             sliding
         };
-        // Input, base, accounts of work.
+        // Inputs, base and work are counted in the constants.
         (modes - driven) * mode + contact + 80 + 6 * inputs * d
     }
 
-    /// The force in the held contact without the held modes, and the work of the base that carries it.
+    /// Cost of the force in the sticking contact without the stuck chain's modes, and of the work of the base that
+    /// carries it.
     const fn still(&self) -> u64 {
         let d = self.coefficients;
         let base = if self.on_moving_base {
@@ -106,12 +110,12 @@ impl Extent {
         4 * self.inputs * d + 12 + base
     }
 
-    /// The force in the held contact at the end of a part.
+    /// Cost of the force in the sticking contact at the end of a sub-interval.
     const fn held_force(&self) -> u64 {
         self.still() + 2 * self.driven
     }
 
-    /// One stretch of a part that is looked through, its walk left out.
+    /// Cost of one piece of a searched sub-interval, without its walk.
     const fn stretch(&self) -> u64 {
         let Self {
             driven,
@@ -120,24 +124,24 @@ impl Extent {
             terms,
             ..
         } = *self;
-        // The series: a mode's share of the function, its drive, its next coefficients.
+        // The series costs, for each mode, its share of the function, its drive, and its next coefficients.
         let base = if self.on_moving_base { 8 } else { 0 };
         let series = terms * (driven * (16 + base) + 14) + d * driven * 4 * inputs;
-        // The oscillators moved on by their moments, and the inputs seen from there.
+        // The moments advance the oscillators, and the inputs' polynomials are shifted to the end of the piece.
         let moved = driven * (terms * (14 + 7 * d) + (8 * inputs + 9) * d + 12);
         let rest = 4 * terms + (inputs + 1) * d * d + 60;
         let on_base = if self.on_moving_base { 50 + 20 * d } else { 0 };
-        // The bound on the third derivative.
+        // The last term is the bound on the third derivative.
         series + moved + rest + on_base + 8 * terms
     }
 
-    /// One evaluation of a walk: the series and two derivatives, and how far the next step goes.
+    /// Cost of one evaluation of a walk: the series, two derivatives, and the length of the next step.
     const fn evaluation(&self) -> u64 {
-        // Twelve steps of Newton's method, with a square root.
+        // The walk's step takes at most twelve steps of Newton's method and one square root.
         6 * self.terms + 12 * 14 + 120
     }
 
-    /// From sliding to sticking or back: each oscillator of one kind from all of the other.
+    /// Cost of a change between sliding and sticking: each oscillator of one chain is summed from all of the other.
     const fn event(&self) -> u64 {
         self.driven * (8 * self.driven + 2 * self.inputs + 12) + 40
     }

@@ -1,9 +1,9 @@
-//! Sums over the few coefficients of an input, written out: on a microcontroller a loop costs more than what it sums.
+//! Sums over the few coefficients of an input, without loops.  On a microcontroller a loop costs more than its sum.
 
 use crate::number::scalar::Float;
 
-/// start + Σ a·b.  The products come first: where an input changes its sign within a part they cancel, and a rounding of
-/// their sum with the start would be one of the larger terms.
+/// Returns start + Σ a·b, and sums the products first.  Where an input changes its sign within a sub-interval the
+/// products cancel.  Each product added alone to `start` would be rounded at the size of the larger terms.
 #[inline(always)]
 pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) -> S {
     match (a.as_slice(), b.as_slice()) {
@@ -19,7 +19,7 @@ pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) ->
     }
 }
 
-/// sum + factor·terms.
+/// Adds factor·terms to `sum`.
 #[inline(always)]
 pub(super) fn add<S: Float, const D: usize>(sum: &mut [S; D], factor: S, terms: &[S; D]) {
     match (sum.as_mut_slice(), terms.as_slice()) {
@@ -42,7 +42,7 @@ pub(super) fn add<S: Float, const D: usize>(sum: &mut [S; D], factor: S, terms: 
     }
 }
 
-/// The largest that a drive can be over a part, and its slope.
+/// Upper bounds on the size of a drive over a sub-interval, and on the size of its slope.
 #[inline(always)]
 pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
     let (two, three) = (S::constant(2.0), S::constant(3.0));
@@ -66,7 +66,7 @@ pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
     }
 }
 
-/// All moments but the first, each from its row.
+/// Fills all moments but the first, each from its row.
 #[inline(always)]
 pub(super) fn later<S, R, const D: usize>(
     moments: &mut [S; D],

@@ -1,4 +1,4 @@
-//! The input between two samples, as a polynomial over each part of a step.
+//! The input between two samples, as a polynomial over each sub-interval of a step.
 
 use super::input::Input;
 use super::scene::StepScene;
@@ -8,25 +8,25 @@ use crate::number::scalar::Float;
 /// The input at one instant, in the scene's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample<'i, S> {
-    /// Displacement and velocity of the base; not looked at if the base is at rest.
+    /// Displacement and velocity of the base.  A scene whose base is at rest ignores them.
     pub base: [S; 2],
     /// The forces, one for each loaded mass.
     pub forces: &'i [S],
-    /// The kinetic friction force F, not negative.  It holds over the step that leads to this sample, or that starts
-    /// from it if the input is held.
+    /// The kinetic friction force F, not negative.  Friction of this size acts over the step that leads to this sample,
+    /// or over the step that starts from this sample with zero-order hold.
     pub friction: S,
 }
 
 impl<S: Float> Sample<'_, S> {
-    /// Nothing, if a scene can take it.
+    /// Fails if the sample is outside the scene's domain.
     pub(super) fn check(&self, scene: &StepScene<'_, S>, stiction: S) -> Result<(), OutOfDomain> {
         let (_, limit) = S::inverse_ratio_range();
         let most = limit * scene.units.stiffness;
         let energy = limit * limit * scene.units.stiffness;
         let sound = |value: S| {
             let size = value.abs();
-            // What it does in a step is a few times its square over k₁, which has to stay finite too.  Of two infinities
-            // neither is less.
+            // The work of an input in a step is a few times its square over k₁, which has to stay finite too.  The
+            // comparison must be strict, because infinity is not less than infinity.
             size <= most && size * size < energy
         };
         if self.forces.len() != scene.forces.len() {
@@ -50,12 +50,12 @@ impl<S: Float> Sample<'_, S> {
     }
 }
 
-/// The part of a step with this place among so many, as a straight line or a cubic sees it.
+/// A sub-interval of a step, in fractions of the step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch<S> {
-    /// Where it starts, from 0 to 1.
+    /// Start of the sub-interval, from 0 to 1.
     pub start: S,
-    /// Its length.
+    /// Length of the sub-interval.
     pub length: S,
 }
 
@@ -68,7 +68,7 @@ impl<S: Float> Stretch<S> {
         }
     }
 
-    /// A straight line over the part, from its values at the step's ends.
+    /// The straight line over the sub-interval, from its values at the start and at the end of the step.
     pub(super) fn line<const D: usize>(self, from: S, to: S) -> [S; D] {
         let rise = to - from;
         let mut terms = [S::constant(0.0); D];
@@ -79,7 +79,7 @@ impl<S: Float> Stretch<S> {
         terms
     }
 
-    /// A cubic over the step, seen from the part.
+    /// The cubic over the step, as a polynomial over the sub-interval.
     pub(super) fn cubic(self, cubic: [S; 4]) -> [S; 4] {
         let mut terms = cubic;
         if self.length == S::constant(1.0) {
@@ -95,8 +95,8 @@ impl<S: Float> Stretch<S> {
     }
 }
 
-/// The base's displacement over a step: a cubic with the displacement and the velocity at both ends, or what goes on
-/// from the first.  Velocities are per step.
+/// The base's displacement over a step, with velocities per step.  A linear input gives the cubic with the displacement
+/// and the velocity at both end points.  Zero-order hold gives the straight line from the displacement at the start.
 pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [S; 4] {
     let zero = S::constant(0.0);
     let (two, three) = (S::constant(2.0), S::constant(3.0));
@@ -113,7 +113,7 @@ pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [
     }
 }
 
-/// The polynomial about another place.
+/// Shifts the instant about which a polynomial is written by `by`.
 pub(super) fn shift<S: Float>(terms: &mut [S], by: S) {
     let count = terms.len();
     for start in 0..count {
@@ -131,13 +131,13 @@ pub(super) fn derived<S: Float>([_, b, c, d]: [S; 4]) -> [S; 4] {
     [b, two * c, three * d, S::constant(0.0)]
 }
 
-/// A polynomial at a place.
+/// The value of a polynomial at `place`.
 pub(super) fn at<S: Float>(terms: &[S], place: S) -> S {
     let terms = terms.iter().rev();
     terms.fold(S::constant(0.0), |sum, term| sum * place + *term)
 }
 
-/// By how much a polynomial grows from 0 to a place.
+/// The growth of a polynomial from 0 to `place`.
 pub(super) fn growth<S: Float>(terms: &[S], place: S) -> S {
     at(terms.get(1..).unwrap_or_default(), place) * place
 }

@@ -1,4 +1,4 @@
-//! One part of a step, looked through: from event to event.
+//! One sub-interval of a step that is searched for events and followed from event to event.
 
 use super::drive::derived;
 use super::part::{ROUNDINGS, Through};
@@ -6,17 +6,17 @@ use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Start, Walk, first_reach, first_zero, law, lift};
 
-/// The contact, on the point of leaving zero velocity.
+/// The contact at the instant at which it leaves zero velocity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Departure<S> {
-    /// How fast its velocity grows in the direction of sliding.
+    /// Relative acceleration in the direction of sliding.
     slope: S,
-    /// Whether it stuck until now: where.
+    /// Displacement at which the contact stuck until now, if it stuck.
     stuck: Option<S>,
 }
 
 impl<S: Float, const D: usize> Through<'_, '_, S, D> {
-    /// Follows the contact from event to event to the end of the part.
+    /// Follows the contact from event to event to the end of the sub-interval.
     pub(super) fn look(&mut self) {
         let one = S::constant(1.0);
         let mut departing = None;
@@ -37,8 +37,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
     }
 
-    /// The rest of the part without events, in a way that creates no energy: held where the contact is at rest,
-    /// without friction where it is not.
+    /// Advances over the rest of the sub-interval without events, in a way that creates no energy.  A contact at rest
+    /// stays stuck, and a sliding contact slides without friction.
     fn without_events(&mut self, departing: Option<Departure<S>>) {
         self.exceeded = true;
         let left = S::constant(1.0) - self.place;
@@ -55,7 +55,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         self.move_held(left);
     }
 
-    /// Says what the contact does before the first step, under the inputs of its start.
+    /// Determines the contact's state before the first step, under the inputs at the start.
     pub(super) fn begin(&mut self) {
         self.judge();
         if self.status.contact != Contact::Stuck {
@@ -64,10 +64,11 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         let force = self.held_force();
         let friction = self.status.friction;
         let grip = friction * self.status.stiction;
-        // The first step tells how a moving base speeds up, and with it whether the contact goes.
+        // The acceleration of a moving base is not known before the first step.  The first step decides whether the
+        // contact breaks away.
         self.status.holding = force.abs().min(grip).copysign(force);
         if grip < force.abs() && !self.scene.rubs_on_base() {
-            // It goes at once: the first step finds that again, and counts the event.
+            // The contact breaks away at once.  The first step finds that again, and counts the event.
             self.leave();
             self.status.contact = Contact::along(force);
             self.status.holding = friction.copysign(force);
@@ -75,7 +76,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
     }
 
-    /// Says what the contact does, of which nothing is known but the state.
+    /// Determines the contact's state from the motion alone.
     pub(super) fn judge(&mut self) {
         self.status.unknown = false;
         self.status.wedged = false;
@@ -87,12 +88,12 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         self.status.line = law::place(self.scene.law, speed);
         let size = velocity.size + self.status.given * pace.span;
         if rate.abs() <= size * S::constant(ROUNDINGS * S::EPSILON) {
-            // Whether it leaves at once, the force that holds it will say.
+            // The search that follows decides from the force in the contact whether it breaks away at once.
             self.grip(None);
         }
     }
 
-    /// Sticks until the force in the contact reaches the grip, or to the end of the part.
+    /// Sticks until the force in the contact reaches μF, or to the end of the sub-interval.
     fn stick(&mut self) -> Option<Departure<S>> {
         let zero = S::constant(0.0);
         let left = S::constant(1.0) - self.place;
@@ -128,7 +129,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             self.move_held(tau);
         }
         let contact = breaks?;
-        // The force is what it was found to be, unless it jumped.
+        // The force has reached μF, unless it had jumped beyond μF at the start.
         let force = if zero < tau {
             grip
         } else {
@@ -144,7 +145,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         })
     }
 
-    /// Slides until the contact stops, its speed reaches the next line of the law, or the part ends.
+    /// Slides until the contact stops, its speed reaches the next line of the law, or the sub-interval ends.
     fn slide(&mut self, departing: Option<Departure<S>>) -> Option<Departure<S>> {
         let zero = S::constant(0.0);
         let sign: S = self.status.contact.sign();
@@ -166,7 +167,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             }
         };
         let mut rises = false;
-        // Where the line ends at once there is nothing before it.
+        // A piece of motion without length has no earlier crossing.
         if let Some(high) = line.high.filter(|_| zero < tau) {
             let seen = velocity.seen(-sign, -high, tau);
             match first_zero(&seen, Start::Anywhere, &mut steps) {
@@ -204,7 +205,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         })
     }
 
-    /// How far a series of the sliding motion holds: a steep law bends it more than the modes do.
+    /// Length over which a power series of the sliding motion converges.  A steep law bends the motion more than the
+    /// modes do.
     fn reach(&self, slope: S) -> S {
         let left = S::constant(1.0) - self.place;
         let pace = &self.table.pace;
@@ -216,19 +218,19 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
     }
 
-    /// The contact's acceleration under a force of so much more than it takes to keep its velocity.
+    /// Acceleration of the contact under a force that exceeds by `excess` the force that would keep its velocity.
     fn acceleration(&self, excess: S) -> S {
         self.scene.acceleration(&self.table.pace, excess)
     }
 
-    /// The force in the held contact.
+    /// The force in the sticking contact.
     fn held_force(&self) -> S {
         let ([still, ..], _) = self.still();
         let held = self.table.held.iter().zip(&*self.store.held);
         held.fold(still, |sum, (step, [y, _])| sum - step.force * *y)
     }
 
-    /// The contact force that would keep the relative velocity as it is, while the contact slides.
+    /// The contact force that would keep the relative velocity constant, while the contact slides.
     fn holding(&self) -> S {
         let two = S::constant(2.0);
         let mut sum = S::constant(0.0);
@@ -249,11 +251,13 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         sum / self.scene.dynamics.chain.inverse_mass
     }
 
-    /// From sliding to sticking, at this place or where the modes say: the held modes take over.
+    /// Changes from sliding to sticking, at `place` or at the displacement that the modes give.  The modes of the stuck
+    /// chain take over the state.
     ///
-    /// What is held is how far the modes are from those of the chain at rest with its contact there.  Far from the origin
-    /// these are small differences of large numbers, in the softest mode above all, and their rounding would strain stiff
-    /// springs.  The contact moves by none of them, so that the softest mode's follows from the others'.
+    /// The state is projected as the difference between the modes and the rest position of the chain with its contact
+    /// at that displacement.  Far from the origin these differences are small differences of large numbers, above all
+    /// in the softest mode.  The rounding of these differences would strain stiff springs.  The differences do not
+    /// displace the contact, so that the softest mode's difference follows from the others.
     fn grip(&mut self, place: Option<S>) {
         let dynamics = &self.scene.dynamics;
         let receptance = self.table.pace.receptance;
@@ -288,7 +292,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         dynamics.project(receptance, states, (zero, rate), held);
     }
 
-    /// From sticking to sliding: the modes take over.
+    /// Changes from sticking to sliding.  The modes take over the state.
     pub(super) fn leave(&mut self) {
         let [base, rate] = self.carried();
         let lifted = (self.status.place + base, rate);

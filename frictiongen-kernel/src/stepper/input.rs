@@ -1,11 +1,11 @@
-//! What the input does between samples.
+//! The course of the input between samples.
 
-/// What the input does between two samples.
+/// Course of the input between two samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
-    /// A force stays what it was at the start of the step; the base goes on with the velocity that it had there.
+    /// Zero-order hold: a force keeps its value, and the base its velocity, from the start of the step.
     Hold,
-    /// A force moves in a straight line to what it is at the end of the step; the base along the cubic with the
-    /// displacements and velocities at both ends.
+    /// A force follows a straight line to its value at the end of the step.  The base follows the cubic with the
+    /// displacements and velocities at both end points.
     Linear,
 }

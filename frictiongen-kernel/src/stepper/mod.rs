@@ -1,12 +1,16 @@
-//! The motion under a force that nobody knows in advance, by steps of a fixed length.
+//! The motion under a force that is known sample by sample, in steps of a fixed length.
 //!
-//! Over a step the input is a polynomial, and each oscillator answers it in closed form: what it does from the
-//! step's start to its end is a constant table.  A step in which the contact certainly keeps sliding, or keeps
-//! sticking, is one product with that table.  Otherwise the step is looked through: the contact's velocity, or the
-//! force that holds it, is a power series about an instant, whose first zero the simulation's walk finds.
+//! A step is cut into equal sub-intervals, called `parts` in the code.  A sub-interval is so short that no oscillator
+//! turns by more than a radian in it.  A power series over a sub-interval therefore converges, and its cost is bounded.
 //!
-//! Time is counted in parts of a step, so short that no oscillator turns by more than a radian: a part's series
-//! converges, and its cost is bounded.  Section 11 of docs/derivation.md derives it.
+//! Over a sub-interval the input is a polynomial, and each oscillator has a closed-form response.  A constant table
+//! takes the oscillator's state from the start of the sub-interval to its end.  Where the contact certainly keeps
+//! sliding, or certainly keeps sticking, the motion over the sub-interval is one product with that table.
+//!
+//! Otherwise the stepper searches the sub-interval for events, and follows the motion in *pieces* between them.  The
+//! contact's velocity, or the force that keeps the contact stuck, is then a power series about an instant.  The
+//! simulation's walk finds the first zero of that series.  The *stuck chain* is the chain whose contact sticks.  The
+//! code calls its modes `held`.  Section 11 of docs/derivation.md derives the method.
 
 mod account;
 mod cost;
@@ -37,12 +41,13 @@ pub use scene::{StepScene, Units};
 pub use state::{FixedStore, Saved, Store, StoreMut, StoreRef};
 pub use table::{Channel, FixedTables, HeldLoad, Tables, View, fill, series_terms};
 
-/// In one part of a step no more events than this are followed.  For what is left of the part the contact is held at rest.
+/// Upper bound on the events that are followed in one sub-interval of a step.  For the rest of the sub-interval a
+/// contact at rest stays stuck, and a sliding contact slides without friction.
 pub const MAX_EVENTS: u32 = 8;
 
-/// A part is followed in no more stretches than this.  An event ends one; so does the next line of the friction law, and
-/// the end of what a power series reaches where that law is steep.
+/// Upper bound on the pieces of motion that are followed in one sub-interval of a step.  A piece ends at an event,
+/// where the next line of the friction law begins, or where the power series of a steep law stops converging.
 pub const MAX_STRETCHES: u32 = 8 * MAX_EVENTS;
 
-/// A step is cut into no more parts than this.
+/// Upper bound on the sub-intervals of one step.
 pub const MAX_PARTS: u32 = 1024;

@@ -1,4 +1,4 @@
-//! The motion within a part as power series about an instant, and stretches of it.
+//! The motion within a sub-interval of a step as power series about an instant, and pieces of that motion.
 
 use super::drive::{derived, growth, shift};
 use super::part::{Through, product};
@@ -12,7 +12,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         self.scene.terms(self.table.pace.terms)
     }
 
-    /// The relative velocity as a power series about here, under the friction force level + slope·velocity.
+    /// The relative velocity as a power series about the present instant, under the friction force level +
+    /// slope·velocity.
     pub(super) fn velocity(&mut self, [level, slope]: [S; 2]) -> Power<S> {
         let zero = S::constant(0.0);
         let mut velocity = Power::zero(self.terms());
@@ -55,7 +56,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         velocity
     }
 
-    /// The force in the held contact as a power series about here.
+    /// The force in the sticking contact as a power series about the present instant.
     pub(super) fn force(&mut self) -> Power<S> {
         let zero = S::constant(0.0);
         let mut force = Power::zero(self.terms());
@@ -102,7 +103,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         force
     }
 
-    /// Moves the modes that the contact drives on by a stretch of sliding.
+    /// Advances the modes that the contact drives by a piece of sliding of length `tau`.
     pub(super) fn move_modes(&mut self, velocity: &Power<S>, [level, slope]: [S; 2], tau: S) {
         let zero = S::constant(0.0);
         let mut work = zero;
@@ -148,7 +149,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         self.passed(tau);
     }
 
-    /// Moves the held modes on by a stretch of sticking.
+    /// Advances the modes of the stuck chain by a piece of sticking of length `tau`.
     pub(super) fn move_held(&mut self, tau: S) {
         let zero = S::constant(0.0);
         let mut work = self.carried_work(None, tau);
@@ -175,7 +176,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         self.passed(tau);
     }
 
-    /// The inputs about the place that has been reached.
+    /// Advances the instant by `tau` and shifts the inputs' polynomials to the new instant.
     fn passed(&mut self, tau: S) {
         let one = S::constant(1.0);
         let end = one - self.place <= tau;
@@ -187,12 +188,12 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 }
 
-/// ∫ of a power series from 0 to a place.
+/// Integrates a power series from 0 to `place`.
 fn integral<S: Float>(terms: &[S], place: S) -> S {
     product(terms, &[S::constant(1.0)], place)
 }
 
-/// What the inputs add to the u′ of a mode, one coefficient.
+/// One coefficient of the rate that the inputs add to the u of a mode.
 #[inline]
 fn load_term<S: Float, const D: usize>(loads: &[S], inputs: &[[S; D]], place: usize) -> S {
     let zero = S::constant(0.0);
@@ -205,7 +206,7 @@ fn load_term<S: Float, const D: usize>(loads: &[S], inputs: &[[S; D]], place: us
     })
 }
 
-/// What the inputs add to the y′ and u′ of a held mode, one coefficient.
+/// One coefficient of the rates that the inputs add to y and u of a stuck chain's mode.
 #[inline]
 fn held_load_term<S: Float, const D: usize>(
     loads: &[HeldLoad<S>],

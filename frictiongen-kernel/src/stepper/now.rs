@@ -1,4 +1,4 @@
-//! What a stepper answers: the masses, the contact and the force in it.
+//! The state that a stepper reports: the masses, the contact, and the friction force.
 
 use super::cost::Cost;
 use super::part::ROUNDINGS;
@@ -8,17 +8,18 @@ use super::table::Tables;
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, law};
 
-/// What a step has led to.
+/// Result of one step of a stepper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stepped<S> {
-    /// What the contact does at its end.
+    /// The contact at the end of the step: stuck, or its direction of sliding.
     pub contact: Contact,
-    /// The friction force in the contact at its end.
+    /// The friction force in the contact at the end of the step, in the scene's unit of force.
     pub force: S,
-    /// How many stops, break-aways and reversals there were.
+    /// Number of stops, break-aways and reversals in the step.
     pub events: u32,
-    /// Whether there were more in a part of it than are followed.
+    /// True if a sub-interval of the step reached the bound on followed events or pieces, so that its rest was
+    /// simplified.
     pub exceeded: bool,
 }
 
@@ -31,13 +32,13 @@ pub struct MassNow<S> {
 }
 
 impl<S: Float> MassNow<S> {
-    /// Its displacement, in the scene's unit of length.
+    /// Displacement of the mass, in the scene's unit of length.
     #[must_use]
     pub fn displacement(&self) -> S {
         self.displacement
     }
 
-    /// Its velocity, in that unit a second.
+    /// Velocity of the mass, in the scene's unit of length a second.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.velocity
@@ -54,32 +55,32 @@ pub struct ContactNow<S> {
 }
 
 impl<S: Float> ContactNow<S> {
-    /// The relative displacement.
+    /// Relative displacement of the contact, in the scene's unit of length.
     #[must_use]
     pub fn displacement(&self) -> S {
         self.motion.displacement
     }
 
-    /// The relative velocity; 0 while the contact sticks.
+    /// Relative velocity of the contact, in the scene's unit of length a second.  It is 0 while the contact sticks.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.motion.velocity
     }
 
-    /// The friction force, in the scene's unit of force: what holds the contact while it sticks; positive against
-    /// positive sliding.
+    /// Friction force in the contact, in the scene's unit of force.  While the contact sticks, it is the force that
+    /// keeps the contact at rest.  A positive force opposes sliding in the positive direction.
     #[must_use]
     pub fn force(&self) -> S {
         self.force
     }
 
-    /// Whether it sticks, or which way it slides.
+    /// Returns whether the contact sticks, or in which direction it slides.
     #[must_use]
     pub fn contact(&self) -> Contact {
         self.contact
     }
 
-    /// Whether it sticks.
+    /// Returns whether the contact sticks.
     #[must_use]
     pub fn is_sticking(&self) -> bool {
         self.contact == Contact::Stuck
@@ -87,7 +88,7 @@ impl<S: Float> ContactNow<S> {
 }
 
 impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
-    /// What a step costs at most.
+    /// Upper bounds on the cost of a step.
     #[must_use]
     pub fn cost(&self) -> Cost {
         let pace = self.tables.view().pace;
@@ -100,7 +101,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         self.tables.view().pace.step
     }
 
-    /// How many steps were taken.
+    /// Number of steps taken since the start.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.status.steps
@@ -109,7 +110,8 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
     /// The time since the start, in seconds.
     #[must_use]
     pub fn time(&self) -> S {
-        // Halves of 32 bits become a scalar without double precision, which a microcontroller emulates.
+        // Two halves of 32 bits become a scalar without double precision, which a microcontroller would have to
+        // emulate.
         let [high, low] = [
             self.status.steps >> 32,
             self.status.steps & u64::from(u32::MAX),
@@ -118,7 +120,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         (high * S::constant(4_294_967_296.0) + low) * self.dt()
     }
 
-    /// In how many steps more events happened than are followed.
+    /// Number of steps in which a sub-interval reached the bound on followed events or pieces.
     #[must_use]
     pub fn exceeded(&self) -> u64 {
         self.status.exceeded
@@ -130,7 +132,8 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         self.status.stiction
     }
 
-    /// What the contact's velocity says of it: at rest where that is no more than the roundings of its terms.
+    /// Derives the contact's state from its velocity.  A velocity no larger than the rounding of its terms counts as
+    /// rest.
     pub(super) fn direction(&self) -> Contact {
         let [_, velocity] = self.carrying();
         let (mut sum, mut size) = (-velocity, velocity.abs() + self.status.given);
@@ -146,7 +149,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// The motion of the contact as the modes say.
+    /// Sums the relative motion of the contact over the modes.
     fn contact_sum(&self) -> MassNow<S> {
         let zero = S::constant(0.0);
         let modes = self.scene.dynamics.driven();
@@ -158,13 +161,14 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// Where the held contact is, and how fast, in the time t√(k₁/m₁).
+    /// Displacement of the sticking contact including the base's, and its velocity in the time t√(k₁/m₁).
     pub(super) fn lifted(&self) -> (S, S) {
         let [place, velocity] = self.carrying();
         (self.status.place + place, velocity)
     }
 
-    /// The base's motion where it carries the contact, in the time t√(k₁/m₁).
+    /// Displacement and velocity of the base in the time t√(k₁/m₁), or zeros if the contact does not rub on a moving
+    /// base.
     fn carrying(&self) -> [S; 2] {
         if self.scene.rubs_on_base() {
             let [place, velocity] = self.status.base;
@@ -174,7 +178,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// A mass now, by its place in the description; at rest if there is no such mass.
+    /// Motion of a mass now, by its index in the description.  An index without a mass gives rest.
     #[must_use]
     pub fn mass(&self, index: usize) -> MassNow<S> {
         let sticks = self.status.contact == Contact::Stuck && !self.status.unknown;
@@ -188,7 +192,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         self.sum(|mode| shape.get(mode).copied().unwrap_or(S::constant(0.0)))
     }
 
-    /// A weighted sum of the modes' displacements, and of their velocities.
+    /// Returns a weighted sum of the modes' displacements, and the same sum of their velocities.
     pub(super) fn sum(&self, weight: impl Fn(usize) -> S) -> MassNow<S> {
         let zero = S::constant(0.0);
         let (mut displacement, mut velocity) = (zero, zero);
@@ -203,7 +207,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// A mode's displacement, and its velocity in the time t√(k₁/m₁).
+    /// Displacement of a mode, and its velocity in the time t√(k₁/m₁).
     pub(super) fn mode(&self, index: usize) -> [S; 2] {
         let zero = S::constant(0.0);
         let dynamics = &self.scene.dynamics;
@@ -241,7 +245,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// The friction force now.
+    /// The friction force now, in the scene's unit of force.
     pub(super) fn force(&self) -> S {
         let zero = S::constant(0.0);
         let status = &self.status;

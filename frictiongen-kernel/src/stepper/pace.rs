@@ -1,28 +1,28 @@
-//! How a step is cut.
+//! Division of a step into sub-intervals.
 
 use crate::number::scalar::Float;
 
-/// How a step is cut, and what the scene adds to that.
+/// Division of a step into sub-intervals, with the constants of the scene that go with it.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace<S> {
     /// The step, in seconds.
     pub step: S,
-    /// Into how many parts it is cut.
+    /// Number of sub-intervals into which the step is cut.
     pub parts: u32,
-    /// A part in the time t√(k₁/m₁).
+    /// Length of a sub-interval in the time t√(k₁/m₁).
     pub span: S,
-    /// By how much the fastest oscillator turns in a part, its damping included; at most 1.
+    /// Angle by which the fastest oscillator turns in a sub-interval, including its damping, in rad.  It is at most 1.
     pub rate: S,
-    /// How many terms of a power series reach the end of a part.
+    /// Number of terms that a power series needs over a sub-interval.
     pub terms: u32,
-    /// wᵀK̄⁻¹w: how far a steady unit force moves the contact.
+    /// wᵀK̄⁻¹w, the displacement of the contact per unit of steady force.
     pub receptance: S,
-    /// What the velocity of the held contact adds to the force in it: Σ 2ζc/σ over that.
+    /// Σ 2ζc/σ over the receptance: damping force per unit of velocity of the sticking contact, times m*.
     pub drag: S,
 }
 
 impl<S: Float> Pace<S> {
-    /// What is filled.
+    /// Returns a division of zeros, to be filled.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);

@@ -1,4 +1,5 @@
-//! One part of a step: by the tables where the contact certainly has no event.
+//! One sub-interval of a step: by the tables where the contact certainly has no event, by a search for events
+//! elsewhere.
 
 use super::dot::add;
 use super::drive::{at, derived, growth};
@@ -10,24 +11,24 @@ use crate::number::scalar::Float;
 use crate::simulation::Contact;
 use crate::simulation::law::{self, Line};
 
-/// Roundings of a sum over modes, for each unit of its terms' sizes.
+/// Rounding bound of a sum over modes, in roundings of the sum of its terms' sizes.
 pub(super) const ROUNDINGS: f64 = 8.0;
-/// A function over a unit of time is off its chord by its largest second derivative times 1/8 at most.
+/// Over a unit of time a function deviates from its chord by at most this multiple of its largest second derivative.
 const OFF_CHORD: f64 = 0.125;
 
-/// A stepper on its way through one part of a step.
+/// A stepper within one sub-interval of a step.
 pub(super) struct Through<'t, 'a, S, const D: usize> {
     pub scene: &'t StepScene<'a, S>,
     pub table: View<'t, S, D>,
     pub store: StoreMut<'t, S, D>,
     pub status: &'t mut Status<S>,
-    /// The base's displacement over the part, where the contact rubs on it.
+    /// The base's displacement over the sub-interval as a polynomial, where the contact rubs on the base.
     pub base: [S; 4],
-    /// Where in the part it is, from 0 to 1: the inputs are polynomials about here.
+    /// Progress through the sub-interval, from 0 to 1.  The polynomials of the inputs are about this instant.
     pub place: S,
-    /// How many events the part had.
+    /// Number of events in the sub-interval so far.
     pub events: u32,
-    /// Whether it had more than are followed.
+    /// Whether the bound on followed events or pieces was reached.
     pub exceeded: bool,
 }
 
@@ -36,7 +37,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         self.scene.dynamics.in_contact().min(self.store.modes.len())
     }
 
-    /// What the inputs add to the u′ of a mode.
+    /// Rate that the inputs add to the u of a mode.
     #[inline]
     pub(super) fn load(&self, mode: usize) -> [S; D] {
         let mut sum = [S::constant(0.0); D];
@@ -47,7 +48,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         sum
     }
 
-    /// What the inputs, and the base that carries the contact, add to the y′ and u′ of a held mode.
+    /// Rates that the inputs, and the base that carries the contact, add to y and u of a stuck chain's mode.
     #[inline]
     pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {
         let mut sum = [[S::constant(0.0); D]; 2];
@@ -69,14 +70,14 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         sum
     }
 
-    /// Velocity and acceleration of the base where it carries the contact.
+    /// Velocity and acceleration of the base as polynomials, if the contact rubs on the base.
     pub(super) fn moving_base(&self) -> Option<[[S; 4]; 2]> {
         let velocity = derived(self.base);
         let motions = [velocity, derived(velocity)];
         self.scene.rubs_on_base().then_some(motions)
     }
 
-    /// The line of the friction law that holds, with speeds in lengths a part.
+    /// The line of the friction law on which the speed lies.  The line's speeds are in lengths a sub-interval.
     #[inline]
     pub(super) fn line(&self) -> Line<S> {
         let mut line = law::line(self.scene.law, self.status.line);
@@ -91,7 +92,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         line
     }
 
-    /// How fast the base moves where it carries the contact, at both ends of the part.
+    /// Velocity of the base that carries the contact, at the start and at the end of the sub-interval.
     fn base_velocities(&self) -> [S; 2] {
         if !self.scene.rubs_on_base() {
             return [S::constant(0.0); 2];
@@ -100,7 +101,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         [velocity[0], at(&velocity, S::constant(1.0))]
     }
 
-    /// Goes through the part.
+    /// Advances through the sub-interval.
     pub(super) fn go(&mut self) {
         if self.status.friction.is_zero() {
             return self.free();
@@ -118,10 +119,10 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
     }
 
-    /// Without friction nothing holds the contact, and its turning points are no events.
+    /// Advances without friction.  No force then keeps the contact at rest, so that its turning points are no events.
     ///
-    /// A part with an event is followed by power series, whose rounded sums do not keep the energy of an undamped chain
-    /// in step with the work as the tables do.
+    /// The tables serve for the whole sub-interval.  Power series about events would not do.  Their rounded sums do not
+    /// keep the energy of an undamped chain in step with the work.
     fn free(&mut self) {
         if self.status.contact == Contact::Stuck && !self.status.unknown {
             self.leave();
@@ -132,7 +133,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         self.glide(0);
     }
 
-    /// The modes from this one on, which feel no friction, over the whole part.
+    /// Advances the modes from index `first` on, which feel no friction, over the whole sub-interval.
     fn glide(&mut self, first: usize) {
         for index in first..self.store.modes.len() {
             let Some(step) = self.table.modes.get(index) else {
@@ -148,7 +149,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         }
     }
 
-    /// By the tables, if the contact certainly keeps sliding; whether it does.
+    /// Advances by the tables if the contact certainly keeps sliding, and returns whether it does.
     fn slides(&mut self) -> bool {
         let zero = S::constant(0.0);
         let line = self.line();
@@ -206,7 +207,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         true
     }
 
-    /// By the tables, if the contact certainly keeps sticking; whether it does.
+    /// Advances by the tables if the contact certainly keeps sticking, and returns whether it does.
     fn sticks(&mut self) -> bool {
         let zero = S::constant(0.0);
         if self.status.wedged {
@@ -264,7 +265,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         self.status.dissipated = self.status.dissipated.plus(friction);
     }
 
-    /// The force in the held contact without the held modes: a polynomial, and what its curve cannot exceed over a part.
+    /// The force in the sticking contact without the share of the stuck chain's modes.  The result is a polynomial,
+    /// with an upper bound on its second derivative over the sub-interval.
     pub(super) fn still(&self) -> ([S; 4], S) {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let pace = &self.table.pace;
@@ -299,7 +301,8 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         (sum, two * c.abs() + six * d.abs())
     }
 
-    /// The work of the inputs on the chain while the base carries the held contact, held modes left out, up to a place.
+    /// Work of the inputs up to `place` while the base carries the sticking contact, without the share of the stuck
+    /// chain's modes.
     pub(super) fn carried_work(&self, still: Option<&[S; 4]>, place: S) -> S {
         let zero = S::constant(0.0);
         if !self.scene.rubs_on_base() {
@@ -314,7 +317,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
         work - product(&still, &velocity, place)
     }
 
-    /// The work that the inputs do by way of one held mode, from its moments up to a place.
+    /// Work that the inputs do through one mode of the stuck chain, from the mode's moments up to `place`.
     pub(super) fn held_work(
         &self,
         mode: usize,
@@ -332,7 +335,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
             }
         }
         if self.scene.rubs_on_base() {
-            // −∫F b′ by parts, b from where it is now.
+            // −∫F b′ is integrated by parts, with b counted from its present value.
             let rise = growth(&self.base, place);
             let mut sum = to * rise;
             for (term, moment) in self.base.iter().zip(moments).skip(1) {
@@ -344,7 +347,7 @@ impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     }
 }
 
-/// ∫ of a product of two polynomials from 0 to a place.
+/// Integrates the product of two polynomials from 0 to `place`.
 pub(super) fn product<S: Float>(a: &[S], b: &[S], place: S) -> S {
     let one = S::constant(1.0);
     let mut sum = S::constant(0.0);

@@ -1,4 +1,4 @@
-//! What an oscillator does over a part of a step, as products of constants with its state and its drive.
+//! The response of an oscillator over a sub-interval of a step, as products of constants with its state and its drive.
 
 use super::dot::dot;
 use crate::number::scalar::Float;
@@ -6,63 +6,65 @@ use crate::simulation::TERMS;
 
 /// Weights of a mode's state, y and u, and of the coefficients of its drive.
 ///
-/// The first moment and `turn` form three shears instead, so that rounded weights create no energy:
-/// y gains before·u, u gains turn·y + loss·u, y gains after·u.  The first moment has [before, after] as its `state`,
-/// `turn` has [turn, loss].  See docs/decisions/0001-passive-step.md.
+/// The first moment and `turn` are three shears instead, so that rounded weights create no energy.  First y gains
+/// before·u, then u gains turn·y + loss·u, then y gains after·u.  The `state` of the first moment is [before, after],
+/// and that of `turn` is [turn, loss].  See docs/decisions/0001-passive-step.md.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<S, const D: usize> {
-    /// Of y and u at the start.
+    /// Weights of y and u at the start.
     pub state: [S; 2],
-    /// Of the drive's coefficients.
+    /// Weights of the drive's coefficients.
     pub drive: [S; D],
 }
 
-/// Weights of a held mode's state, and of the coefficients of what drives y′ and u′.  The first moment and the first of
-/// `turns` are three shears, as of [`Row`].
+/// Weights of a stuck chain's mode: of its state, and of the coefficients of the drives of y′ and u′.  The first moment
+/// and the first of `turns` are three shears, as described at [`Row`].
 #[derive(Clone, Copy, Debug)]
 pub struct HeldRow<S, const D: usize> {
-    /// Of y and u at the start.
+    /// Weights of y and u at the start.
     pub state: [S; 2],
-    /// Of the coefficients of what drives y and of what drives u.
+    /// Weights of the coefficients of the drive of y′ and of the drive of u′.
     pub drive: [[S; D]; 2],
 }
 
-/// A mode over a part of a step: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with the part's length as the unit of time.
+/// A mode over a sub-interval of a step: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with the sub-interval as the unit of time.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeStep<S, const D: usize> {
-    /// Ω, the angle by which it would turn undamped.
+    /// Ω, the angle by which the mode would turn without damping, in rad.
     pub angle: S,
-    /// ζ.
+    /// ζ, the modal damping ratio.
     pub zeta: S,
-    /// What a force on the mode adds to u′: Ω/σ².
+    /// Rate of u per unit of force on the mode: Ω/σ².
     pub per_force: S,
-    /// φᵀw: its displacement in the contact's.
+    /// φᵀw, the mode's share in the contact's displacement.
     pub contact: S,
-    /// Over the part, what u gains.
+    /// Weights of the gain of u over the sub-interval.
     pub turn: Row<S, D>,
-    /// Over the part, ∫ sʲ y′ ds for j = 0, 1, …: the first is what y gains, all of them are the drive's work.
+    /// Weights of ∫ sʲ y′ ds over the sub-interval, for j = 0, 1, ….  The first is the gain of y.  All moments together
+    /// give the work of the drive.
     pub moments: [Row<S, D>; D],
 }
 
-/// A mode of the chain with its contact held, over a part of a step: y′ = Ωu + drive, u′ = −Ω(y + 2ζu) + drive.
+/// A mode of the stuck chain over a sub-interval of a step: y′ = Ωu + drive, u′ = −Ω(y + 2ζu) + drive.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldStep<S, const D: usize> {
-    /// Ω.
+    /// Ω, the angle by which the mode would turn without damping, in rad.
     pub angle: S,
-    /// ζ.
+    /// ζ, the modal damping ratio.
     pub zeta: S,
-    /// −(contact force)/y.
+    /// −(contact force)/y: the contact force per unit of y, with the opposite sign.
     pub force: S,
-    /// What the velocity and the acceleration of a moving base, on which the contact is held, add to y′ and u′.
+    /// Rates that the velocity and the acceleration of a moving base add to y and u, where the contact sticks to the
+    /// base.
     pub from_base: [[S; 2]; 2],
-    /// Over the part, ∫ sʲ y′ ds.
+    /// Weights of ∫ sʲ y′ ds over the sub-interval.
     pub moments: [HeldRow<S, D>; D],
-    /// Over the part, ∫ sʲ u′ ds.
+    /// Weights of ∫ sʲ u′ ds over the sub-interval.
     pub turns: [HeldRow<S, D>; D],
 }
 
-/// The next coefficients of an oscillator's power series times their order, from those before and those of what
-/// drives y′ and u′.
+/// Next coefficients of an oscillator's power series times their order, from the present coefficients and those of the
+/// drives of y′ and u′.
 #[inline]
 pub(super) fn next<S: Float>(
     (angle, zeta): (S, S),
@@ -74,7 +76,7 @@ pub(super) fn next<S: Float>(
     [rise, turn]
 }
 
-/// An oscillator from a state under a drive, up to a place: ∫ sʲ y′ ds and ∫ sʲ u′ ds.
+/// Integrates ∫ sʲ y′ ds and ∫ sʲ u′ ds of an oscillator up to `place`, from a state and under a drive.
 pub(super) fn moments<S: Float, const D: usize>(
     of: (S, S),
     mut state: [S; 2],
@@ -103,11 +105,12 @@ pub(super) fn moments<S: Float, const D: usize>(
     sums
 }
 
-/// Writes the gains of y and u over a part as three shears.
+/// Writes the gains of y and u over a sub-interval as three shears.
 ///
-/// A product of shears has the determinant 1 with any weights, and with these it is a rotation in coordinates that
-/// differ from y and u by a rounding: without damping a quadratic form next to the energy is conserved exactly.  The weight
-/// `loss` sets the determinant, e^(−2ζΩ), and thereby what damping takes.
+/// A product of shears has the determinant 1 with any weights.  With these weights the product is a rotation in
+/// coordinates that differ from y and u by a rounding.  Without damping a quadratic form close to the energy is
+/// therefore conserved exactly.  The weight `loss` sets the determinant, e^(−2ζΩ), and with it the energy that damping
+/// takes.
 fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S, D>; D]; 2]) {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [rises, turns] = rows;
@@ -127,7 +130,7 @@ fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S
             *rise = *rise - after * turn;
         }
     }
-    // A constant force on an undamped oscillator is a kick between its shears.
+    // A constant force on an undamped oscillator is an impulse between its shears.
     let [_, of_force] = &mut rise.drive;
     if let (true, [constant, ..]) = (undamped, &mut of_force[..]) {
         *constant = zero;
@@ -156,7 +159,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
         step
     }
 
-    /// What an array of them starts from.
+    /// Returns an entry of zeros, to initialise arrays.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -183,7 +186,7 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         step
     }
 
-    /// The weights of all moments, from the motions that a unit of each state and drive causes.
+    /// Computes the weights of all moments, from the motions that a unit of each state and of each drive causes.
     fn rows(of: (S, S)) -> [[HeldRow<S, D>; D]; 2] {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let mut rows = [[HeldRow::zero(); D]; 2];
@@ -222,7 +225,7 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         rows
     }
 
-    /// What an array of them starts from.
+    /// Returns an entry of zeros, to initialise arrays.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -246,7 +249,7 @@ impl<S: Float, const D: usize> HeldRow<S, D> {
         }
     }
 
-    /// The sum over state and drive.
+    /// Returns the weighted sum over state and drive.
     #[inline]
     pub(super) fn times(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> S {
         let [first, second] = &self.drive;
@@ -257,7 +260,7 @@ impl<S: Float, const D: usize> HeldRow<S, D> {
 }
 
 impl<S: Float, const D: usize> Row<S, D> {
-    /// The sum over state and drive.
+    /// Returns the weighted sum over state and drive.
     #[inline]
     pub(super) fn times(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
         let sum = self.state[0] * y + self.state[1] * u;

@@ -1,4 +1,4 @@
-//! A stepper on its way: from sample to sample.
+//! A stepper that advances from sample to sample.
 
 use super::Input;
 use super::drive::{Sample, Stretch, base_motion};
@@ -12,14 +12,14 @@ use crate::number::scalar::Float;
 use crate::simulation::{Contact, law};
 use core::marker::PhantomData;
 
-/// A friction law may change the contact's velocity within a part by so many times that velocity at most: where it is
-/// steeper, a power series reaches a small fraction of the part alone.
+/// Largest change of the contact's velocity that a friction law may cause in a sub-interval, as a multiple of that
+/// velocity.  Under a steeper law a power series converges over a small fraction of the sub-interval only.
 const STEEPEST: f64 = 16.0;
 
 /// The motion under an input that is known step by step.
 ///
-/// `T` holds the tables and `V` the state: arrays or constants in emitted code, vectors at run time.  `D` is the number
-/// of coefficients that an input has over a step.
+/// `T` owns the tables and `V` the state: arrays or constants in emitted code, vectors at run time.  `D` is the number
+/// of coefficients of an input's polynomial over a step.
 #[derive(Clone, Debug)]
 pub struct Stepper<'a, S, const D: usize, T, V> {
     pub(super) scene: StepScene<'a, S>,
@@ -29,7 +29,7 @@ pub struct Stepper<'a, S, const D: usize, T, V> {
     inputs: PhantomData<[S; D]>,
 }
 
-/// A stepper in arrays: of an emitted solver.
+/// A stepper of an emitted solver, with all data in arrays.
 pub type FixedStepper<
     S,
     const D: usize,
@@ -45,12 +45,12 @@ pub type FixedStepper<
 >;
 
 impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, S, D, T, V> {
-    /// At rest under no load, or in a state: displacements and velocities of the masses.
+    /// Creates a stepper at rest under no load, or in a given state: displacements and velocities of the masses.
     ///
-    /// `store` is at rest.
+    /// `store` must be at rest.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a state that is not one finite number for each mass.
+    /// [`OutOfDomain`] for a state that does not have one finite displacement and velocity for each mass.
     pub fn new(
         scene: StepScene<'a, S>,
         tables: T,
@@ -71,7 +71,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         Ok(stepper)
     }
 
-    /// Puts the masses somewhere.
+    /// Sets the displacements and velocities of the masses.
     fn place(&mut self, displacements: &[S], velocities: &[S]) -> Result<(), OutOfDomain> {
         let masses = self.scene.dynamics.modes.len();
         let sound = |values: &[S]| {
@@ -109,11 +109,12 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         Ok(())
     }
 
-    /// The input at the start, from which the first step goes on if inputs are linear: none unless said so.  The contact
-    /// and its force answer at once, of a moving base as if its velocity stayed.
+    /// Sets the input at the start, from which the first step of a linear input begins.  Without this call that input
+    /// is zero.  [`contact`](Self::contact) reflects the sample at once.  For a moving base it assumes that the base's
+    /// velocity stays constant.
     ///
     /// # Errors
-    /// [`OutOfDomain`] as of [`advance`](Self::advance); "steps" after the first step.
+    /// Same errors as [`advance`](Self::advance), and [`OutOfDomain`] ("steps") after the first step.
     pub fn begin(&mut self, sample: Sample<'_, S>) -> Result<(), OutOfDomain> {
         sample.check(&self.scene, self.status.stiction)?;
         if self.status.steps != 0 {
@@ -147,20 +148,25 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         self.status.friction = sample.friction / self.scene.units.stiffness;
     }
 
-    /// Takes a step: to this input if inputs are linear, with it if they are held.
+    /// Takes one step.  A linear input reaches this sample at the end of the step.  With zero-order hold the input has
+    /// this sample during the whole step.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and infinite forces ("force"), motions of the base ("base") and friction forces, also
-    /// negative ones ("friction"), for numbers so large that their squares overflow, and for another number of forces
-    /// ("forces"); once the work exceeds what the squares of the largest inputs come to ("work").  The stepper is then what
-    /// it was.
+    /// [`OutOfDomain`] in these cases.  The stepper then keeps its state.
+    ///
+    /// - "force" for NaN and infinite forces, "base" for such motions of the base, and "friction" for such friction
+    ///   forces and for negative ones.  Numbers so large that their squares overflow have the same names.
+    /// - "friction" also for a friction force so large that the friction law would change the contact's velocity by
+    ///   more than 16 times that velocity in a sub-interval.
+    /// - "forces" for a wrong number of forces.
+    /// - "work" once the work exceeds the square of the largest permitted input, so that another step could overflow.
     pub fn advance(&mut self, sample: Sample<'_, S>) -> Result<Stepped<S>, OutOfDomain> {
         sample.check(&self.scene, self.status.stiction)?;
         self.check_work()?;
         let pace = self.tables.view().pace;
         let steep = law::steepest(self.scene.law);
         if S::constant(0.0) < steep {
-            // How much the law bends the motion within a part.
+            // Relative change of the contact's velocity that the law causes within a sub-interval.
             let friction = sample.friction / self.scene.units.stiffness;
             let seconds = pace.step / S::constant(f64::from(pace.parts));
             let rate = self.scene.acceleration(&pace, friction * steep / seconds);
@@ -206,8 +212,10 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         Ok(stepped)
     }
 
-    /// Goes through one part of a step; how many events it had, and whether there were more than are followed.
-    // In a loop the compiler prepares addresses for parts that mostly do not come: a seventh of a step.
+    /// Advances through one sub-interval of a step.  Returns the number of events and whether more were due than are
+    /// followed.
+    // Inlined into the loop, the function makes the compiler prepare addresses for further sub-intervals in every step,
+    // although most steps have only one.
     #[inline(never)]
     fn part(&mut self, sample: &Sample<'_, S>, motion: [S; 4], stretch: Stretch<S>) -> (u32, bool) {
         let mut through = self.through(sample, motion, stretch);
@@ -215,7 +223,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         (through.events, through.exceeded)
     }
 
-    /// At the start of a part, with the inputs laid over it.
+    /// Returns the state of a sub-interval at its start, with the inputs written as polynomials over the sub-interval.
     #[inline]
     fn through(
         &mut self,
@@ -236,7 +244,8 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         }
     }
 
-    /// The base where a held input puts it: it leaves a contact behind that rubs on it.
+    /// Accounts for the jump of the base at the start of a step with zero-order hold.  A mass that rubs on the base
+    /// does not jump with the base.
     fn jump(&mut self, [place, velocity]: [S; 2]) {
         if !self.scene.rubs_on_base() || self.status.unknown {
             return;
@@ -254,14 +263,14 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         self.status.unknown = true;
     }
 
-    /// Writes the modes' state while the contact sticks.
+    /// Writes the state of the modes from that of the stuck chain, while the contact sticks.
     fn release(&mut self) {
         let lifted = self.lifted();
         let receptance = self.tables.view().pace.receptance;
         self.store.change().release(&self.scene, receptance, lifted);
     }
 
-    /// The inputs over a part of the step; the base's motion for the contact.
+    /// Writes the inputs over a sub-interval as polynomials, and returns the polynomial of the base's motion.
     fn lay(&mut self, sample: &Sample<'_, S>, motion: [S; 4], stretch: Stretch<S>) -> [S; 4] {
         let on_base = self.scene.on_base;
         let hold = self.scene.input == Input::Hold;
@@ -285,10 +294,10 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         base
     }
 
-    /// Another μ, from now on.
+    /// Sets μ, static over kinetic friction force, from the next step on.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN, infinity, and less than 1.
+    /// [`OutOfDomain`] ("stiction") for NaN, infinity, numbers beyond the scalar's safe range, and numbers less than 1.
     pub fn set_stiction(&mut self, mu: S) -> Result<(), OutOfDomain> {
         let (_, most) = S::inverse_ratio_range();
         if !(S::constant(1.0) <= mu && mu <= most) {

@@ -1,4 +1,4 @@
-//! What a stepper is told of a scene.
+//! The data of a scene that a stepper needs.
 
 use super::cost::{Cost, Extent};
 use super::input::Input;
@@ -6,7 +6,7 @@ use super::pace::Pace;
 use crate::number::scalar::Float;
 use crate::simulation::{Dynamics, TERMS};
 
-/// What takes the groups of a scene to the units that it is written in.
+/// Factors from non-dimensional groups to the units of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units<S> {
     /// k₁, force over displacement.
@@ -20,35 +20,36 @@ pub struct Units<S> {
 /// A scene as a stepper needs it.
 #[derive(Clone, Copy, Debug)]
 pub struct StepScene<'a, S> {
-    /// The modes, and those of the chain with its contact held.
+    /// The modes of the chain, and the modes of the chain whose contact sticks.
     pub dynamics: Dynamics<'a, S>,
-    /// The units.
+    /// Factors to the units of the scene.
     pub units: Units<S>,
     /// Whether the base moves.
     pub on_base: bool,
-    /// The masses that a force acts on, by their places in the description: the excited one first.
+    /// Indices of the masses that a force acts on, in the description.  The excited mass is the first.
     pub forces: &'a [usize],
-    /// What the input does between two samples.
+    /// Course of the input between two samples.
     pub input: Input,
-    /// Stribeck's law: points (v, f), speed and kinetic level over that at rest, v ascending.  Empty for Coulomb's.
+    /// Points (v, f) of Stribeck's law: speed, and kinetic friction over its value at zero speed, with v ascending.
+    /// Empty for Coulomb's law.
     pub law: &'a [[S; 2]],
 }
 
 impl<S: Float> StepScene<'_, S> {
-    /// How many inputs there are: the base's motion, and a force for each loaded mass.
+    /// Number of inputs: the base's motion, and a force for each loaded mass.
     #[must_use]
     pub fn channels(&self) -> usize {
         usize::from(self.on_base) + self.forces.len()
     }
 
-    /// The angle by which the fastest oscillator turns in a second, its damping included, in rad: a step dt is cut into
-    /// as many parts as this times dt.
+    /// The angle by which the fastest oscillator turns in a second, including its damping, in rad.  A step dt is cut
+    /// into as many sub-intervals as this rate times dt, rounded up.
     #[must_use]
     pub fn fastest(&self) -> S {
         self.turning() * self.units.rate
     }
 
-    /// The same in the time t√(k₁/m₁).
+    /// The angle by which the fastest oscillator turns in a unit of the time t√(k₁/m₁), including its damping, in rad.
     pub(super) fn turning(&self) -> S {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let turned = |frequency: S, zeta: S| frequency * (one + two * zeta);
@@ -59,7 +60,8 @@ impl<S: Float> StepScene<'_, S> {
         modes.chain(held).fold(S::constant(0.0), S::max)
     }
 
-    /// How many coefficients the input has over a step: those of emitted tables, where a system's have room for more.
+    /// Number of coefficients of an input's polynomial over a step in emitted tables.  The tables of a system at run
+    /// time may have room for more.
     fn coefficients(&self) -> usize {
         match (self.input, self.on_base) {
             (Input::Hold, false) => 1,
@@ -68,19 +70,20 @@ impl<S: Float> StepScene<'_, S> {
         }
     }
 
-    /// How many terms of a power series are formed, if so many reach the end of a part.
+    /// Number of terms of a power series, where `enough` terms converge over a sub-interval.
     pub(super) fn terms(&self, enough: u32) -> usize {
         let terms = if self.law.is_empty() {
             usize::try_from(enough).unwrap_or(TERMS)
         } else {
             TERMS
         };
-        // The input's last coefficient starts a series of its own, so many terms later.
+        // The input's last coefficient starts a series of its own, so that its order adds to the number of terms.
         (terms + self.coefficients()).clamp(5, TERMS)
     }
 
-    /// What a step costs at most that is cut into so many parts, from how many coefficients an input has and how many
-    /// terms of a power series reach the end of a part ([`series_terms`](super::series_terms)).
+    /// Upper bounds on the cost of a step that is cut into `parts` sub-intervals.  `coefficients` is the number of
+    /// coefficients of an input, and `terms` the number of terms of a power series over a sub-interval
+    /// ([`series_terms`](super::series_terms)).
     #[must_use]
     pub fn cost(&self, coefficients: usize, parts: u32, terms: u32) -> Cost {
         let count = |size: usize| u64::try_from(size).unwrap_or(u64::MAX);
@@ -96,7 +99,7 @@ impl<S: Float> StepScene<'_, S> {
         })
     }
 
-    /// How strongly an input drives a mode.
+    /// Load of a mode per unit of an input.
     pub(super) fn load(&self, channel: usize, mode: usize) -> S {
         let zero = S::constant(0.0);
         if self.on_base && channel == 0 {
@@ -109,7 +112,7 @@ impl<S: Float> StepScene<'_, S> {
         shape.get(mode).copied().unwrap_or(zero)
     }
 
-    /// The contact's acceleration, in lengths a part squared, under this force.
+    /// The contact's acceleration under `force`, in lengths a sub-interval squared.
     pub(super) fn acceleration(&self, pace: &Pace<S>, force: S) -> S {
         self.dynamics.chain.inverse_mass * force * pace.span * pace.span
     }

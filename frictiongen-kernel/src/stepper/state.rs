@@ -1,4 +1,4 @@
-//! Where a stepper stands.
+//! The state of a stepper, and its saving and restoring.
 
 use super::input::Input;
 use super::run::Stepper;
@@ -8,24 +8,24 @@ use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, Total};
 
-/// The numbers of a stepper, to be changed.
+/// Mutable view of a stepper's numbers.
 #[derive(Debug)]
 pub struct StoreMut<'s, S, const D: usize> {
-    /// y and u of the modes; while the contact sticks, of those alone that it does not drive.
+    /// y and u of the modes.  While the contact sticks, only modes that the contact does not drive have current values.
     pub modes: &'s mut [[S; 2]],
-    /// y and u of the held modes, while the contact sticks.
+    /// y and u of the modes of the stuck chain, current while the contact sticks.
     pub held: &'s mut [[S; 2]],
-    /// Room for as many as there are modes.
+    /// Working space of one entry for each mode.
     pub scratch: &'s mut [[S; 2]],
-    /// The inputs over a part of a step.
+    /// Polynomials of the inputs over a sub-interval of the step.
     pub drive: &'s mut [[S; D]],
-    /// The forces at the last sample.
+    /// The forces at the last sample, over k₁.
     pub last: &'s mut [S],
 }
 
 impl<S: Float, const D: usize> StoreMut<'_, S, D> {
-    /// Writes the state of the modes that the contact drives, from that of the held modes and from where the held contact
-    /// is, and how fast.
+    /// Writes the state of the modes that the contact drives, from the state of the stuck chain and from the
+    /// displacement and velocity of the sticking contact.
     pub(super) fn release(&mut self, scene: &StepScene<'_, S>, receptance: S, lifted: (S, S)) {
         let held = self.held.iter().copied();
         let modes = self.modes.iter_mut().map(|[y, u]| (y, u));
@@ -33,22 +33,22 @@ impl<S: Float, const D: usize> StoreMut<'_, S, D> {
     }
 }
 
-/// The numbers of a stepper.
+/// Read-only view of a stepper's numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct StoreRef<'s, S> {
     /// y and u of the modes.
     pub modes: &'s [[S; 2]],
-    /// y and u of the held modes.
+    /// y and u of the modes of the stuck chain.
     pub held: &'s [[S; 2]],
-    /// The forces at the last sample.
+    /// The forces at the last sample, over k₁.
     pub last: &'s [S],
 }
 
-/// What holds the numbers of a stepper: arrays, or vectors.
+/// Storage of a stepper's numbers: arrays or vectors.
 pub trait Store<S, const D: usize> {
-    /// All of them, to be changed.
+    /// Returns all numbers as mutable slices.
     fn change(&mut self) -> StoreMut<'_, S, D>;
-    /// Those that say where it stands.
+    /// Returns the numbers that define the stepper's state.
     fn read(&self) -> StoreRef<'_, S>;
 }
 
@@ -66,7 +66,7 @@ pub struct FixedStore<S, const D: usize, const MODES: usize, const HELD: usize, 
 impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
     FixedStore<S, D, MODES, HELD, INPUTS>
 {
-    /// At rest.
+    /// Creates the numbers of a stepper at rest.
     #[must_use]
     pub fn new() -> Self {
         let zero = S::constant(0.0);
@@ -112,35 +112,38 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
     }
 }
 
-/// What a stepper knows beyond the state of its oscillators.
+/// State of a stepper apart from its oscillators.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Status<S> {
-    /// What the contact does.
+    /// Whether the contact sticks, or its direction of sliding.
     pub contact: Contact,
-    /// Nothing is known of the contact yet: its velocity and the force in it will tell.
+    /// True while the contact's state must still be derived from its velocity and from the force in it.
     pub unknown: bool,
-    /// It was about to leave and could not: what rounding says of its grip does not count.
+    /// True if the contact was about to slide and could not.  Rounding then must not decide that the contact force
+    /// exceeds μF.
     pub wedged: bool,
-    /// While it sticks: where, relative to what it rubs on.
+    /// Relative displacement of the contact while it sticks.
     pub place: S,
-    /// Which line of the friction law holds.
+    /// Index of the line of the friction law on which the contact's speed lies.
     pub line: usize,
     /// Displacement and velocity of the base at the end of the last step.
     pub base: [S; 2],
-    /// F and μ, F over k₁.
+    /// F over k₁.  `stiction` is μ.
     pub friction: S,
     pub stiction: S,
     pub steps: u64,
-    /// In how many of them the bound on events was met.
+    /// Number of steps in which the bound on events was reached.
     pub exceeded: u64,
-    /// The force in the contact at the end of the last step, over k₁, if it sticks or is unknown.
+    /// The force in the contact at the end of the last step, over k₁, if the contact sticks or its state is unknown.
     pub holding: S,
-    /// The work of the load and that taken by friction, over k₁, and the energy at the start.
+    /// Work of the load, work dissipated by friction (`dissipated`), and the chain's energy at the start (`energy`),
+    /// all over k₁.
     pub load: Total<S>,
     pub dissipated: Total<S>,
     pub energy: S,
     pub pull: S,
-    /// The sizes of what the contact's velocity in a state at the start was summed from: none after the first step.
+    /// Sum of the sizes of the terms of the contact's velocity in a given start state.  It is zero after the first
+    /// step.
     pub given: S,
 }
 
@@ -168,17 +171,17 @@ impl<S: Float> Status<S> {
     }
 }
 
-/// A stepper's state, apart from its tables: what [`Stepper::save`](super::Stepper::save) gives.
+/// A stepper's state without its tables, as [`Stepper::save`](super::Stepper::save) returns it.
 #[derive(Clone, Copy, Debug)]
 pub struct Saved<S, V> {
     pub(super) status: Status<S>,
     pub(super) store: V,
-    /// [`Stepper::mark`](super::Stepper::mark) of the stepper that it is of.
+    /// Hash of the scene and step, from `Stepper::mark`.
     mark: u64,
 }
 
 impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
-    /// Where it stands: everything that a run goes on from.
+    /// Returns the state from which [`restore`](Self::restore) continues the run.
     #[must_use]
     pub fn save(&self) -> Saved<S, V>
     where
@@ -191,10 +194,11 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// Goes back to where it stood: the same steps lead to the same bits.
+    /// Returns to a saved state.  The same steps from there give the same bits.
     ///
     /// # Errors
-    /// [`OutOfDomain`] ("saved") for the state of a stepper of another scene or step, as their hash tells.
+    /// [`OutOfDomain`] ("saved") if the state comes from a stepper of another scene or step, according to a hash of
+    /// both.
     pub fn restore(&mut self, saved: &Saved<S, V>) -> Result<(), OutOfDomain>
     where
         V: Clone,
@@ -211,7 +215,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         Ok(())
     }
 
-    /// A hash of what the state means: the scene with its units and loads, and the step.
+    /// Hashes everything that gives the state its meaning: the scene with its units and loads, and the step.
     fn mark(&self) -> u64 {
         let View {
             pace,
@@ -247,7 +251,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
     }
 }
 
-/// A hash of numbers: FNV-1a over words of 64 bits, folded.
+/// A hash of numbers: FNV-1a over words of 64 bits, with the upper half folded into the lower one.
 struct Hash(u64);
 
 impl Hash {
@@ -257,7 +261,7 @@ impl Hash {
 
     fn word(&mut self, word: u64) -> &mut Self {
         let mixed = (self.0 ^ word).wrapping_mul(0x0100_0000_01b3);
-        // The product carries upwards alone.
+        // The product carries only upwards, so that the upper half has to be folded back.
         self.0 = mixed ^ (mixed >> 32);
         self
     }

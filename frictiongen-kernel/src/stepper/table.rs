@@ -1,4 +1,4 @@
-//! The constants of a step: what every oscillator and every input does over a part of it.
+//! The constant tables of a step: responses of every oscillator over a sub-interval of the step.
 
 use super::MAX_PARTS;
 use super::pace::Pace;
@@ -8,68 +8,68 @@ use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 use crate::simulation::{TERMS, lift};
 
-/// A power series goes on until its terms are so many times below a rounding.
+/// A power series is continued until its terms are this many times smaller than a rounding.
 const BELOW_ROUNDING: f64 = 16.0;
 
-/// What an input has to do with a held mode.
+/// Coupling of one input to one mode of the stuck chain.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldLoad<S> {
-    /// What it adds to y′ and u′.
+    /// Rates of y and u of the mode per unit of the input.
     pub drive: [S; 2],
-    /// How far y and u move the place that it acts on.
+    /// Displacement of the input's point of action per unit of y, and per unit of u.
     pub reach: [S; 2],
 }
 
-/// What an input has to do with the contact.
+/// Coupling of one input to the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Channel<S> {
-    /// wᵀΓ⁻¹p: what it accelerates the contact by.
+    /// wᵀΓ⁻¹p, the contact's acceleration per unit of the input.
     pub residue: S,
-    /// How far a displacement of the held contact moves the place that it acts on.
+    /// Displacement of the input's point of action per unit of displacement of the sticking contact.
     pub lift: S,
 }
 
-/// The tables of a scene at a step.
+/// View of the tables of a scene for one step length.
 #[derive(Clone, Copy, Debug)]
 pub struct View<'t, S, const D: usize> {
-    /// How the step is cut.
+    /// Division of the step into sub-intervals.
     pub pace: Pace<S>,
-    /// All modes.
+    /// Tables of all modes.
     pub modes: &'t [ModeStep<S, D>],
-    /// The modes of the held chain.
+    /// Tables of the modes of the stuck chain.
     pub held: &'t [HeldStep<S, D>],
-    /// For each mode and input, what the input adds to u′.
+    /// Rate of u per unit of input, for each mode and input.
     pub loads: &'t [S],
-    /// For each held mode and input.
+    /// Coupling of the inputs to the modes of the stuck chain, for each mode and input.
     pub held_loads: &'t [HeldLoad<S>],
-    /// For each input.
+    /// Coupling of the inputs to the contact, for each input.
     pub channels: &'t [Channel<S>],
 }
 
 impl<'t, S, const D: usize> View<'t, S, D> {
-    /// What each input adds to the u′ of a mode.
+    /// Rate of a mode's u per unit of each input.
     #[inline]
     pub(super) fn loads_of(&self, mode: usize) -> &'t [S] {
         row(self.loads, mode, self.channels.len())
     }
 
-    /// What each input has to do with a held mode.
+    /// Coupling of each input to a mode of the stuck chain.
     #[inline]
     pub(super) fn held_loads_of(&self, mode: usize) -> &'t [HeldLoad<S>] {
         row(self.held_loads, mode, self.channels.len())
     }
 }
 
-/// One of the rows of so many entries that follow each other.
+/// Returns row `index` of a slice whose rows have `length` entries each.
 #[inline]
 fn row<T>(entries: &[T], index: usize, length: usize) -> &[T] {
     let start = index * length;
     entries.get(start..start + length).unwrap_or_default()
 }
 
-/// What holds the tables: arrays, a constant, or vectors.
+/// Storage of the tables: arrays, a constant, or vectors.
 pub trait Tables<S, const D: usize> {
-    /// All of them.
+    /// Returns a view of all tables.
     fn view(&self) -> View<'_, S, D>;
 }
 
@@ -82,27 +82,27 @@ pub struct FixedTables<
     const HELD: usize,
     const INPUTS: usize,
 > {
-    /// How the step is cut.
+    /// Division of the step into sub-intervals.
     pub pace: Pace<S>,
-    /// All modes.
+    /// Tables of all modes.
     pub modes: [ModeStep<S, D>; MODES],
-    /// The modes of the held chain.
+    /// Tables of the modes of the stuck chain.
     pub held: [HeldStep<S, D>; HELD],
-    /// For each mode and input, what the input adds to u′.
+    /// Rate of u per unit of input, for each mode and input.
     pub loads: [[S; INPUTS]; MODES],
-    /// For each held mode and input.
+    /// Coupling of the inputs to the modes of the stuck chain, for each mode and input.
     pub held_loads: [[HeldLoad<S>; INPUTS]; HELD],
-    /// For each input.
+    /// Coupling of the inputs to the contact, for each input.
     pub channels: [Channel<S>; INPUTS],
 }
 
 impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
     FixedTables<S, D, MODES, HELD, INPUTS>
 {
-    /// The tables of a scene for a step in seconds.
+    /// Creates the tables of a scene for a step, in seconds.
     ///
     /// # Errors
-    /// [`OutOfDomain`] as of [`fill`].
+    /// Same errors as [`fill`].
     pub fn new(scene: &StepScene<'_, S>, step: S) -> Result<Self, OutOfDomain> {
         let mut tables = Self {
             pace: Pace::zero(),
@@ -149,12 +149,14 @@ impl<S, const D: usize, T: Tables<S, D>> Tables<S, D> for &T {
     }
 }
 
-/// Fills the tables of a scene for a step in seconds: one entry a mode, one a held mode; one a mode and input, one a
-/// held mode and input, one an input.
+/// Fills the tables of a scene for a step, in seconds.
+///
+/// The slices have these numbers of entries: one for each mode, one for each mode of the stuck chain, one for each pair
+/// of mode and input, one for each pair of a stuck chain's mode and input, and one for each input.
 ///
 /// # Errors
-/// [`OutOfDomain`] for a step ("dt") that is not positive and finite, or in which the fastest oscillator turns by more
-/// than [`MAX_PARTS`] radians; for slices of another length ("tables").
+/// [`OutOfDomain`] ("dt") for a step that is not positive and finite, or in which the fastest oscillator turns by more
+/// than [`MAX_PARTS`] radians.  [`OutOfDomain`] ("tables") for slices of another length.
 pub fn fill<S: Float, const D: usize>(
     scene: &StepScene<'_, S>,
     step: S,
@@ -226,8 +228,8 @@ pub fn fill<S: Float, const D: usize>(
     Ok(pace)
 }
 
-/// How many terms of a power series reach the end of a part in which the fastest oscillator turns by so much, at most 1,
-/// to a sixteenth of a scalar's rounding.
+/// Number of terms that a power series needs over a sub-interval in which the fastest oscillator turns by `rate`, at
+/// most 1.  The terms left out are below a sixteenth of a scalar's rounding.
 #[must_use]
 pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
     let one = S::constant(1.0);
@@ -239,7 +241,7 @@ pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
     u32::try_from(terms).unwrap_or(u32::MAX)
 }
 
-/// How a step is cut.
+/// Divides a step into sub-intervals.
 fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDomain> {
     let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
     let dynamics = &scene.dynamics;
@@ -274,7 +276,7 @@ fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDom
 }
 
 impl<S: Float> HeldLoad<S> {
-    /// What an array of them starts from.
+    /// Returns an entry of zeros, to initialise arrays.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -286,7 +288,7 @@ impl<S: Float> HeldLoad<S> {
 }
 
 impl<S: Float> Channel<S> {
-    /// What an array of them starts from.
+    /// Returns an entry of zeros, to initialise arrays.
     #[must_use]
     pub fn zero() -> Self {
         Self {

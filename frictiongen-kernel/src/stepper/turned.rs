@@ -1,11 +1,11 @@
-//! What an oscillator does over a whole part by its table.
+//! The motion of an oscillator over a whole sub-interval by its table.
 
 use super::dot::{dot, later, sizes};
 use super::rows::{HeldStep, ModeStep};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize> ModeStep<S, D> {
-    /// The state after a part, and the work of the load in it.
+    /// Returns the state after a sub-interval, and the work of the load in it.
     #[inline]
     pub(super) fn moved(&self, [y, u]: [S; 2], drive: &[S; D], load: &[S; D]) -> ([S; 2], S) {
         let mut moments = [S::constant(0.0); D];
@@ -22,7 +22,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
         (next, work / self.per_force)
     }
 
-    /// What |u″| cannot exceed over the part.
+    /// Upper bound on |u″| over the sub-interval.
     #[inline]
     pub(super) fn bend(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
         let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);
@@ -32,7 +32,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
 }
 
 impl<S: Float, const D: usize> HeldStep<S, D> {
-    /// The state after a part, and the moments of both rates.
+    /// Returns the state after a sub-interval, and the moments of both rates.
     #[inline]
     pub(super) fn moved(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> ([S; 2], [[S; D]; 2]) {
         let mut moments = [[S::constant(0.0); D]; 2];
@@ -58,7 +58,7 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         (next, moments)
     }
 
-    /// What |y″| cannot exceed over the part.
+    /// Upper bound on |y″| over the sub-interval.
     #[inline]
     pub(super) fn bend(&self, [y, u]: [S; 2], [first, second]: &[[S; D]; 2]) -> S {
         let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);

@@ -1,4 +1,4 @@
-//! The rows of the table, and random arguments.
+//! The rows of the reference table, and random arguments.
 
 use frictiongen_kernel::number::dd::Dd;
 use fuzzing::Random;
@@ -33,13 +33,13 @@ pub fn rows() -> Vec<Row> {
 pub struct Source(pub Random);
 
 impl Source {
-    /// Of random sign, with an exponent evenly spread over the range.
+    /// A number of random sign, with an exponent evenly distributed over the range.
     fn spread(&mut self, low: f64, high: f64) -> f64 {
         let size = (low + (high - low) * self.0.unit()).exp2();
         if self.0.bits() & 1 == 0 { size } else { -size }
     }
 
-    /// Arguments fit for the function, in half-turns or radians as it wants them.
+    /// Arguments in the range of the function `name`, in half-turns or radians as the function requires.
     pub fn arguments(&mut self, name: &str, reach: f64) -> (f64, f64) {
         let near = (self.0.bits() % 41) as f64 / 4.0;
         match name {

@@ -1,4 +1,4 @@
-//! What only double-double has to keep: the ends of the range, its second part.
+//! Tests that only double-double needs: the limits of its range, and its second component.
 
 use crate::arguments::Source;
 use crate::measure::difference;
@@ -24,7 +24,7 @@ fn double_double_at_the_ends_of_the_range() {
     assert_eq!(format!("{}", Dd::from(0.0)), "0e0");
 }
 
-/// A power of two changes no quotient by more than its error, whichever of the two is next to overflow.
+/// Scaling by a power of two changes no quotient by more than its error, whichever operand is close to overflow.
 #[test]
 fn double_double_divides_next_to_overflow() {
     let (mut source, mut points) = (Source(Random(4)), 0);
@@ -36,15 +36,16 @@ fn double_double_divides_next_to_overflow() {
         let (x, y) = (number(&mut source), number(&mut source));
         let want = x / y;
         let mut power = |most: f64| 2.0_f64.powf((most + 1.0 - 50.0 * source.0.unit()).floor());
-        // A quotient of 2^−1013 has a first digit that is still normal.
+        // A quotient of 2^−1013 has a first component that is still normal.
         let (up, down) = (power(1023.0), power(1012.0));
         for (up, down) in [(up, 1.0), (1.0, down), (up, down)] {
             let scaled = |value: Dd, by: f64| Dd::new(value.hi * by, value.lo * by);
             let back = |value: f64| value * (down / up);
             let got = scaled(x, up) / scaled(y, down);
-            // A digit close to the least number loses its own end, and in the product with it some more.
+            // A component close to the least number loses its last bits, and the product with such a component loses
+            // more.
             let lost = 16.0 * 2.0_f64.powi(-1074) * (down / up);
-            // Both quotients may be off by 2^−103.
+            // Each of both quotients may have an error of 2^−103.
             let budget = 2.0 * 2.0_f64.powi(-103) * want.hi + lost;
             let off = difference(Dd::new(back(got.hi), back(got.lo)), want);
             assert!(
@@ -54,7 +55,7 @@ fn double_double_divides_next_to_overflow() {
             points += 1;
         }
     }
-    // The largest number: its product with the first digit, or a part of it, rounds up to infinity.
+    // For the largest number, the product with the first component, or a term of that product, rounds up to infinity.
     let (largest, half) = (Dd::from(f64::MAX), Dd::from(f64::MAX / 2.0));
     for by in (3..2003).step_by(2) {
         let by = Dd::from(f64::from(by));
@@ -67,7 +68,7 @@ fn double_double_divides_next_to_overflow() {
     assert_eq!(points, 31_000);
 }
 
-/// The exact product's error term must not loop on what cannot be split.
+/// The error term of an exact product must not loop on a number that cannot be split.
 #[test]
 fn double_double_infinities_end() {
     let infinite = Dd::from(f64::INFINITY);
@@ -77,7 +78,7 @@ fn double_double_infinities_end() {
     assert_eq!((Dd::from(3.0) / infinite).to_f64(), 0.0);
 }
 
-/// What is left of an integer by its second part counts.
+/// The second component decides the rounding where the first component is an integer.
 #[test]
 fn double_double_rounds_down() {
     let tiny = 2.0_f64.powi(-60);
@@ -95,12 +96,12 @@ fn double_double_rounds_down() {
         let found = Float::floor(value);
         assert_eq!((found.hi, found.lo), (expected, 0.0), "⌊{value:?}⌋");
     }
-    // Beyond 2⁵³ the second part has a fraction of its own.
+    // Beyond 2⁵³ the second component has a fraction of its own.
     let found = Float::floor(Dd::sum(2.0_f64.powi(60), -0.5));
     assert_eq!((found.hi, found.lo), (2.0_f64.powi(60), -1.0));
 }
 
-/// Only the ratio of its arguments counts, however large or small they are.
+/// Only the ratio of the arguments counts, however large or small they are.
 #[test]
 fn double_double_angles_of_any_size() {
     let three = Dd::from(3.0);
@@ -111,7 +112,7 @@ fn double_double_angles_of_any_size() {
         let error = (found - expected).abs().hi;
         assert!(error < 1e-31, "2^{power}: {error:e}");
     }
-    // Their hypotenuse overflows.
+    // The hypotenuse of both arguments overflows.
     let largest = Dd::from(f64::MAX);
     let error = (largest.atan2(largest) - Dd::PI * Dd::from(0.25)).abs().hi;
     assert!(error < 1e-31, "{error:e}");

@@ -1,10 +1,11 @@
 //! The scalar functions against an independent table, and against double-double.
 //!
-//! `data/scalar_reference.csv` was written by `tools/coefficients.py reference` with mpmath at
-//! 1400 bits: arguments and results are sums of two `f64`, so a result has about 32 digits.
+//! `tools/coefficients.py reference` wrote `data/scalar_reference.csv` with mpmath at 1400 bits.  Arguments and results
+//! are sums of two `f64`, so that a result has about 32 digits.
 //!
-//! Here every function meets the table and double-double; `exact` has arguments whose results are known, `double_double`
-//! what only that type has to keep, `arguments` what the functions are asked, `measure` how far they are off.
+//! This file compares every function with the table and with double-double.  `exact` has arguments whose results are
+//! known.  `double_double` tests what only that type has to keep.  `arguments` has the arguments, and `measure` the
+//! errors.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
 mod arguments;
@@ -20,10 +21,10 @@ use frictiongen_kernel::{Float, Scalar};
 use fuzzing::Random;
 use measure::{Worst, difference, error, error_f32};
 
-/// What the arithmetic of double-double, and what its functions may be off, relatively.
+/// Largest relative errors of double-double: of its arithmetic, and of its functions.
 const DD_BUDGETS: [f64; 2] = [2.5e-32, 2e-31];
 
-/// Every function of the table, with the units in the last place that `f64` may be off, and `f32`.
+/// Every function of the table, with its largest error in units in the last place, for `f64` and for `f32`.
 const FUNCTIONS: [(&str, f64, f64); 13] = [
     ("sin_cos_pi", 1.1, 1.1),
     ("sin_cos_pi_minus", 1.2, 1.2),
@@ -120,7 +121,7 @@ fn f64_meets_double_double() {
                 worst.see(error(got, want), || format!("{x:e}, {y:e}"));
             }
         }
-        // What was meant to be half a unit may pass it by what the reference lacks.
+        // A result rounded at half a unit may exceed that budget by the error of the reference.
         worst.check(name, budget + 1e-12, 200_000);
     }
 }
@@ -144,7 +145,7 @@ fn f32_meets_double_double() {
     }
 }
 
-/// A stride through all bit patterns, so through every exponent and both signs.
+/// The stride visits all exponents and both signs among the bit patterns.
 #[test]
 fn f32_trigonometry_on_all_exponents() {
     let (mut pair, mut sinc) = (Worst::default(), Worst::default());
@@ -161,7 +162,7 @@ fn f32_trigonometry_on_all_exponents() {
         pair.see(error_f32(cos, c), || format!("{h:e}"));
         let want = exact.one_minus_sinc_pi();
         let off = error_f32(h.one_minus_sinc_pi(), want);
-        // Among the subnormals every term of the sum is rounded to the same place.
+        // Among the subnormals every term of the sum is rounded to the same digit.
         let terms = if want.hi < 4.0 * f64::from(f32::MIN_POSITIVE) {
             3.0
         } else {

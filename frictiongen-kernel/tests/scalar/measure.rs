@@ -1,13 +1,13 @@
-//! How far a result is off, and the worst of many.
+//! The error of a result, and the largest of many errors.
 
 use frictiongen_kernel::number::dd::Dd;
 
-/// got − want without the subtraction of [`Dd`], which is under test itself.
+/// got − want without the subtraction of [`Dd`], which is itself under test.
 pub fn difference(got: Dd, want: Dd) -> f64 {
     (got.hi - want.hi) + (got.lo - want.lo)
 }
 
-/// One unit in the last place of the nearest number of `bits` bits, exponents from `least` on.
+/// One unit in the last place of the nearest number of `bits` bits, whose exponents start at `least`.
 fn place(value: f64, bits: i32, least: i32) -> f64 {
     let exponent = ((value.abs().to_bits() >> 52) as i32 - 1023).max(least);
     2.0_f64.powi(exponent - bits + 1)
@@ -28,7 +28,7 @@ pub fn error_f32(got: f32, want: Dd) -> f64 {
     difference(Dd::from(f64::from(got)), want).abs() / place(want.hi, 24, -126)
 }
 
-/// The largest error of some function, and where.
+/// The largest error of a function, and the arguments at which it occurs.
 #[derive(Default)]
 pub struct Worst {
     pub error: f64,
@@ -39,7 +39,7 @@ pub struct Worst {
 impl Worst {
     pub fn see(&mut self, error: f64, at: impl FnOnce() -> String) {
         self.points += 1;
-        // A NaN is the worst of all.
+        // A NaN counts as the largest error.
         if error.is_nan() || error > self.error {
             self.error = if error.is_nan() { f64::INFINITY } else { error };
             self.at = at();

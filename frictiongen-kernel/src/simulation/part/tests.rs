@@ -1,4 +1,5 @@
-//! What says how far a walk may step: derivatives of a part's motion, and the bound on the third.
+//! Tests of the quantities that limit a walk's steps: derivatives of an oscillator's motion, and the bound on the
+//! third.
 
 use super::super::sum::Sum;
 use super::*;
@@ -54,18 +55,18 @@ fn third_derivatives_stay_within_their_bound() {
             }
         }
         println!("ζ {zeta}: {most} of the bound");
-        // No looser than it need be, or walks are slow.
+        // A loose bound would make walks slow.
         assert!(most > 0.3, "ζ {zeta}: {most}");
     }
     println!("{compared} derivatives compared, none skipped");
     assert_eq!(compared, 11 * 400 * 40);
 }
 
-/// Slope and curve of the function sought against differences of the one before, beside a resonance too, where
-/// a forced motion grows.
+/// Slope and curvature of the searched function agree with differences of the function and of its slope.  They also
+/// agree near a resonance, where a forced motion grows.
 #[test]
 fn slope_and_curve_are_derivatives() {
-    // Central differences: h² is lost to curvature, ε/h to rounding.
+    // Central differences lose h² to curvature and ε/h to rounding.
     const STEP: f64 = 1e-5;
     let mut random = Random(31);
     let (mut compared, mut beside) = (0, 0);
@@ -116,7 +117,7 @@ fn slope_and_curve_are_derivatives() {
     assert!(compared == 6000 && beside > 100);
 }
 
-/// Beside its resonance the answer to the load grows from 0: its Taylor series at the start is that of its closed form.
+/// Near a resonance the response to the load grows from 0.  Its Taylor series at the start is that of its closed form.
 #[test]
 fn the_series_of_what_grows() {
     let mut random = Random(31);
@@ -137,7 +138,7 @@ fn the_series_of_what_grows() {
                 });
                 let [value, slope, ..] = part.grown(tau / core::f64::consts::PI, (sine, cosine));
                 let expected = part.weight[0] * value + part.weight[1] * slope / part.x;
-                // The series ends with τ¹²/12!; the closed form divides by what lies between it and its pole.
+                // The series ends with τ¹²/12!.  The closed form divides by the distance from its pole.
                 assert!(
                     (sum - expected).abs() <= 1e-12 * tau,
                     "ζ {zeta}, {apart} from the pole, τ {tau}: {sum} for {expected}"
