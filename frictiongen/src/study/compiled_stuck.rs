@@ -36,7 +36,7 @@ impl<'a, S: Float> TabledStuck for &'a CompiledSystem<'a, S> {
 pub struct CompiledStuck<'a, S: Float = f64>(Sticking<&'a CompiledSystem<'a, S>>);
 
 impl<'a, S: Float> CompiledStuck<'a, S> {
-    /// The complex amplitude of a mass.
+    /// Returns the complex amplitude of a mass.
     ///
     /// # Errors
     /// [`UnknownMass`] if there is none of this name.
