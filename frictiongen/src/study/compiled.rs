@@ -313,7 +313,7 @@ impl<'a, S: Float> CompiledMotion<'a, S> {
     /// Returns the motion of a mass, by the exact formulas.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<MotionOf<&'a CompiledSystem<'a, S>>, UnknownMass> {
         let system = self.at().scene().system;
         let motion = self.mass_at(system.mass_index(name)?);

@@ -39,7 +39,7 @@ impl<'a, S: Float> CompiledStuck<'a, S> {
     /// Returns the complex amplitude of a mass.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<Complex<S>, UnknownMass> {
         let system = self.at().scene().system();
         let amplitude = self.mass_at(system.mass_index(name)?);

@@ -31,7 +31,7 @@ impl<'a, S: Float> SystemMotion<'a, S> {
     /// Returns the motion of a mass.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<SystemSteady<'a, S>, UnknownMass> {
         let system = self.at().scene();
         let motion = self.mass_at(system.mass_index(name)?);
@@ -64,7 +64,7 @@ impl<S: Float> SystemStuck<'_, S> {
     /// Returns the complex amplitude of a mass.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<Complex<S>, UnknownMass> {
         let system = self.at().scene();
         let amplitude = self.mass_at(system.mass_index(name)?);

@@ -69,7 +69,7 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
     /// Returns the motion of a mass.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<SystemOrbitMotion<'_, 'a, S>, UnknownMass> {
         Ok(self.orbit.mass(self.system.mass_index(name)?))
     }

@@ -65,7 +65,7 @@ impl System {
     /// Returns the motion of this name: a mass, or `contact` for the relative motion in the contact.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn motion_named(&self, name: &str) -> Result<Of, UnknownMass> {
         if name == "contact" {
             return Ok(Of::Contact);
@@ -81,7 +81,7 @@ impl System {
     ///
     /// In physical units no derivative depends on the order of masses and springs. The phase of the contact is that of
     /// the motion as the description writes it ([`contact_is_reversed`](Self::contact_is_reversed)). A change of m₁ or
-    /// k₁ also changes the groups:
+    /// k₁ also changes the groups.
     ///
     /// ```
     /// use frictiongen::study::{Load, OperatingPoint, Parameter, Quantity, System};
@@ -117,8 +117,9 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`StudyError`] for an operating point outside the domain, a load that does not fit, a motion that does not
-    /// exist, and where there is no steady motion. [`NoDerivative`] where the response has no derivative.
+    /// [`StudyError`] for an operating point outside the domain, a load that does not fit, and a motion that does not
+    /// exist. [`StudyError`] also where there is no steady motion. [`NoDerivative`] where the response has no
+    /// derivative.
     pub fn response_sensitivities(
         &self,
         point: OperatingPoint,

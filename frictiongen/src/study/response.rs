@@ -63,7 +63,7 @@ impl Swing {
     };
 }
 
-/// The quantity by which a motion is measured, in groups: over P/k₁, for base motion over Y.
+/// The quantity of a motion whose largest value is wanted, over P/k₁, for base motion over Y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Size {
     /// The largest displacement |x̄|.

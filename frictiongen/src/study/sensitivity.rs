@@ -112,8 +112,8 @@ impl Varied {
     /// ```
     ///
     /// # Errors
-    /// [`NoDerivative`] where there is no steady state, where it does not repeat, where it is one of a continuum, and
-    /// where an event is about to appear or disappear.
+    /// [`NoDerivative`] where there is no steady state, where it does not repeat, and where it is one of a continuum.
+    /// [`NoDerivative`] also where an event is about to appear or disappear.
     pub fn orbit(
         &self,
         r: Sensitive,

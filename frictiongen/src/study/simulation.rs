@@ -180,7 +180,7 @@ impl<'a, S: Float> SystemSimulation<'a, S> {
     /// Returns the present state of a mass.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<Moment<S>, UnknownMass> {
         Ok(self.run.mass(self.system.mass_index(name)?))
     }

@@ -151,12 +151,12 @@ enum Acting<S> {
 }
 
 impl<'n, S: Float> SystemInput<'n, S> {
-    /// Sets a force on the excited mass.
+    /// Creates an input with a force on the excited mass.
     pub fn force(force: S) -> Self {
         Self::new(Acting::Force(force))
     }
 
-    /// Sets displacement and velocity of the base.
+    /// Creates an input with a displacement and a velocity of the base.
     pub fn base(displacement: S, velocity: S) -> Self {
         Self::new(Acting::Base([displacement, velocity]))
     }
@@ -269,9 +269,9 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
     /// whole step.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a number that is NaN or infinite, for friction below zero, for a force where the base is
-    /// excited, and for a base motion where a mass is excited. [`UnknownMass`] for an unknown name. The stepper is
-    /// unchanged after an error.
+    /// [`OutOfDomain`] for a number that is NaN or infinite, and for friction below zero. [`OutOfDomain`] also for a
+    /// force where the base is excited, and for a base motion where a mass is excited. [`UnknownMass`] for an unknown
+    /// name. The stepper is unchanged after an error.
     pub fn advance(&mut self, input: SystemInput<'_, S>) -> Result<Stepped<S>, StudyError> {
         let (base, friction) = self.lay(&input)?;
         let forces = &self.forces;
@@ -308,7 +308,7 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
     /// Returns the present state of a mass.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<MassNow<S>, UnknownMass> {
         Ok(self.stepper.mass(self.system.mass_index(name)?))
     }

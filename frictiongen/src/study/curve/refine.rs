@@ -1,4 +1,4 @@
-//! Adds points between the places of a curve where the curve bends.
+//! Adds points where a curve bends, between its places. A place is a frequency ratio of the first grid.
 //!
 //! All open intervals are halved in turn, wide ones before narrow ones, so that a bound on the work leaves the whole
 //! range equally fine.

@@ -1,4 +1,5 @@
-//! Curves whose points start from the steady state of the last point, as in a laboratory sweep.
+//! Curves whose points start from the steady state of the last point, as in a laboratory sweep. A place is a frequency
+//! ratio that the sweep reaches in any case.
 
 use super::answer::{Curve, End};
 use super::pieces;

@@ -218,8 +218,8 @@ impl<T: Number> Numbers<T> {
 }
 
 impl Numbers<Interval> {
-    /// Returns y − p over an interval of y, with the functions of the pole's modes times y − p. `None` if the interval
-    /// is too wide for an enclosure.
+    /// Returns the gap y − p over an interval of y, and the functions of the pole's modes times this gap. `None` if the
+    /// interval is too wide for an enclosure.
     pub fn near(&self, y: Interval, pole: &Pole) -> Option<Near<Interval>> {
         let two_over_pi = Interval::rounded(std::f64::consts::FRAC_2_PI);
         let half_pi = Interval::rounded(std::f64::consts::FRAC_PI_2);

@@ -249,7 +249,7 @@ impl<'m> Function<'m> {
         let numbers = Numbers::of(along, self.mass, |value| value);
         let target = match self.target {
             Target::Sliding(value) => {
-                // The target keeps the sign of its own level.
+                // The level keeps the sign that it has in the target.
                 let sign = if value < Dd::ZERO { -Dd::ONE } else { Dd::ONE };
                 Target::Sliding(beta * Dual::fixed(sign))
             }

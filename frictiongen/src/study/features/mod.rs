@@ -116,8 +116,8 @@ pub struct Resonance {
     pub damping_ratio: f64,
     /// Threshold β_n,i (6.2, 6.26) of the chain without its damping. `None` for a mode that the contact does not drive.
     pub threshold: Option<Sensed>,
-    /// β_lim at the resonance. Without damping it equals the threshold. With damping it is the value that (7.62)
-    /// estimates.
+    /// β_lim at the resonance, in N under a load. Without damping it equals the threshold. With damping, (7.62) is an
+    /// estimate of it.
     pub continuous_limit: f64,
 }
 

@@ -65,9 +65,9 @@ impl Features<'_> {
     /// Returns the peak of a motion at every resonance of the chain, at β: the estimate (7.60) and the largest
     /// amplitude over all regimes.
     ///
-    /// The true peaks are sampled and refined. The samples are close together near three kinds of frequency: resonances
-    /// of the chain, resonances of the chain with its contact stuck, and odd sub-harmonics of both. 96 samples lie
-    /// between. A steady amplitude takes much work where the contact stops, so no resolution is promised.
+    /// The true peaks are sampled and refined. The samples are close together near the resonances of the chain, free
+    /// and with its contact stuck, and near sub-harmonics of both. Further samples are evenly spaced in 96 steps. A
+    /// steady amplitude takes much work where the contact stops, so no resolution is promised.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::UnknownMass`].

@@ -99,7 +99,7 @@ struct Follower<'a, 'o> {
 }
 
 impl Follower<'_, '_> {
-    /// Advances from event to event up to `part` of a cycle. Fails if this takes too many events.
+    /// Advances from event to event to the fraction `part` of a cycle. Fails if this takes too many events.
     fn pass(
         &mut self,
         cycle: u64,

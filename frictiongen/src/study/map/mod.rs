@@ -161,8 +161,9 @@ impl System {
     /// `false`, the remaining columns are left out.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a frequency ratio or a friction ratio that is negative, NaN or infinite, for a mass that the
-    /// scene does not have, and ("stribeck") for `friction: stribeck`. A point without a response contains the reason.
+    /// [`OutOfDomain`] for a frequency ratio or a friction ratio that is negative, NaN or infinite, and for a mass that
+    /// the scene does not have. [`OutOfDomain`] ("stribeck") for `friction: stribeck`. A point without a response
+    /// contains the reason.
     pub fn map(
         &self,
         request: &MapRequest,

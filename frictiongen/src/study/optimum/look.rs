@@ -1,15 +1,16 @@
-//! The result of evaluating a band at one friction ratio, called a look.
+//! Looks at a band. A look evaluates the amplitude over the band at one friction ratio and finds its local maxima.
+//!
+//! The first look at a friction ratio takes some places only. A whole look takes all of them.
 
 use super::amplitude::Friction;
 use super::peaks::{PLACE, Peak};
 use super::places::Place;
 
-/// Within the first number, as a ratio of two friction ratios, an amplitude is expected to change by at most the second
-/// number as a factor.
+/// Largest ratio of two friction ratios for which the second number, a factor, bounds the expected change of amplitude.
 const FIRST: [f64; 2] = [1.5, 2.0];
-/// As `FIRST`, where the whole band is evaluated.
+/// The same two numbers as in `FIRST`, for a whole look.
 const WHOLE: [f64; 2] = [1.1, 4.0];
-/// Factor for an amplitude of which less is known.
+/// Factor for an amplitude that is known only at a more distant friction ratio.
 const UNKNOWN: f64 = 5.0;
 
 /// The precision of a look at a band.

@@ -4,9 +4,8 @@
 //! and with its contact stuck, and near their sub-harmonics. They are on both sides of every point where a limit is
 //! equal to β, and on a grid.
 //!
-//! Closed forms come first. If they exceed the cutoff, no motion is followed. Every local maximum that may be the
-//! largest is refined.
-//! be the largest is refined.
+//! A look at the band evaluates closed forms first. If they exceed the cutoff, no motion is followed. Every local
+//! maximum that may be the largest is refined.
 
 use super::amplitude::{Amplitude, Friction};
 use super::line;

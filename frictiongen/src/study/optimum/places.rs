@@ -1,4 +1,7 @@
-//! Frequency ratios at which a band is evaluated, and those at which a motion has to be followed.
+//! Places of a band: frequency ratios at which its amplitude is evaluated. A place is closed where the response has a
+//! closed form. Elsewhere a motion has to be followed.
+//!
+//! The first look at a friction ratio follows motions only at some of the places.
 
 use super::amplitude::Friction;
 use crate::study::system::System;

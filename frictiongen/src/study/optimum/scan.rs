@@ -18,7 +18,8 @@ const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
 const DIFFERENCE: f64 = 1e-6;
 /// Largest number of times that a scan without an upper bound doubles its range.
 const LONGER: usize = 12;
-/// A scan without an upper bound stops when its last values exceed the best by this factor.
+/// A scan without an upper bound stops when each of its last four values rises with friction or exceeds the best by
+/// this factor.
 const FAR_ABOVE: f64 = 2.0;
 /// Friction ratios of the scan above the friction that bounds all resonances, as shares of it.
 const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];

@@ -25,7 +25,7 @@ const SECTIONS: usize = 40;
 const NARROW: f64 = 1e-7;
 /// The smaller share of a golden section.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
-/// A peak counts as stationary if a relative change of friction changes it by less than this share of that change.
+/// A peak counts as stationary if its relative change is below this multiple of the relative change of friction.
 const STATIONARY: f64 = 1e-4;
 /// Bound on the work of one of the many searches of a tuning, a few seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
@@ -78,7 +78,7 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     }
     let mut candidates = of_scan(&scan);
     let top = best(&scan);
-    // No amplitude is below 0. Just below the friction that holds the contact, motions too small to settle approach it.
+    // No amplitude is below 0. Just below the friction that holds the contact, motions too small to settle approach 0.
     if 0.0 < top {
         let mut top = top;
         for (below, above) in between(&scan, top) {

@@ -12,9 +12,10 @@ pub use number::{Tunable, UnknownTunable};
 use tried::Search;
 
 impl System {
-    /// Returns the friction and the value of one number of the description that together keep the largest amplitude of
-    /// a motion over a band of frequencies smallest. The number is a stiffness, a mass, a damping ratio, a damping
-    /// factor or μ. Band, load and friction force keep their values in Hz, N and m, also if m₁ or k₁ varies.
+    /// Returns the friction and the value of one number of the description that together are best. They keep the
+    /// largest amplitude of a motion over a band of frequencies smallest. The number is a stiffness, a mass, a damping
+    /// ratio, a damping factor or μ. Band, load and friction force keep their values in Hz, N and m, also if m₁ or k₁
+    /// varies.
     ///
     /// For 17 values, both bounds among them, the search finds the best friction as [`optimum`](Self::optimum) does,
     /// over all friction. It also computes the derivative of the amplitude with respect to the number, while friction

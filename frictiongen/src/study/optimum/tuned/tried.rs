@@ -230,7 +230,7 @@ impl<'s> Search<'s> {
         }
         let weights = weights(&all)?;
         match weights.as_slice() {
-            // The contact is stuck, or there is no friction.
+            // A peak at its own minimum must be stationary in friction. Otherwise there is no derivative.
             [_] if least.kind == Kind::Smooth => {
                 if STATIONARY < relative(0, Parameter::Friction)?.abs() {
                     return None;
