@@ -1,4 +1,4 @@
-//! Makes a run-time system a scene of the kernel's response.
+//! Implements the kernel's response for a run-time system.
 
 use super::few::Few;
 use super::motion::{SystemMotion, SystemStuck};

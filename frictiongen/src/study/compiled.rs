@@ -28,8 +28,8 @@ enum Pieces<S> {
 
 /// A system with tables of its limits and of its contact's motion, to a declared accuracy over a range of r.
 ///
-/// Within the range it gives the same answers as the system. The tables do not contain the motions of masses while the
-/// contact slides, nor some other answers. The exact formulas give these.
+/// Within the range it gives the same answers as the system. The exact formulas give the motions of masses while the
+/// contact slides, and every other answer that the tables do not contain.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, LimitsAt, System};

@@ -2,7 +2,7 @@
 //!
 //! The eigenvectors V of Γ^−½K̄Γ^−½ make the columns of G·V orthogonal, except for digits that forming K̄ has lost. A
 //! small frequency among large ones loses most digits. One or two sweeps of one-sided Jacobi on these columns, in
-//! double precision, restore them.
+//! double precision, restore the digits.
 
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Scene;

@@ -74,10 +74,11 @@ impl System {
     }
 
     /// Returns the exact derivatives of amplitude and phase of a motion, and of both limits, with respect to every
-    /// parameter. They exist in any regime.
+    /// parameter. The response may be in any regime.
     ///
-    /// The closed form gives them where the contact slides all the time. The steady state from rest gives them where
-    /// the contact stops and slides. The stuck response gives them where the contact never slides.
+    /// Where the contact slides all the time, the derivatives come from the closed form. Where the contact stops and
+    /// slides, they come from the steady state from rest. Where the contact never slides, they come from the stuck
+    /// response.
     ///
     /// In physical units no derivative depends on the order of masses and springs. The phase of the contact is that of
     /// the motion as the description writes it ([`contact_is_reversed`](Self::contact_is_reversed)). A change of m₁ or

@@ -56,7 +56,7 @@ pub type Sensitive = Dual<Dd>;
 pub struct Varied {
     system: System<Sensitive>,
     data: Modal<Sensitive>,
-    /// The system without derivatives, and its data for motion in time with derivatives. The first use computes them.
+    /// The system without derivatives, and its data for motion in time with derivatives. The first use computes both.
     plain: OnceLock<System>,
     transient: OnceLock<Option<Transient<Sensitive>>>,
 }
@@ -157,7 +157,7 @@ impl Varied {
     }
 
     /// Returns the data for motion in time, with derivatives. `None` where modes coincide and the quantity separates
-    /// them.
+    /// the modes.
     pub(super) fn transient(&self) -> Option<&Transient<Sensitive>> {
         let transient = self
             .transient

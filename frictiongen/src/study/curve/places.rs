@@ -1,4 +1,4 @@
-//! The frequency ratios at which a curve is cut, and those at which its refinement starts.
+//! Selects the places of a curve: frequency ratios at which the curve is cut, or between which its refinement starts.
 
 use super::answer::End;
 use super::request::CurveRequest;

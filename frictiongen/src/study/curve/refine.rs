@@ -17,11 +17,11 @@ use rayon::prelude::*;
 
 /// If two points within this relative distance still differ, they are on two sides of a jump.
 pub(super) const NARROW: f64 = 1e-7;
-/// As `NARROW`, where amplitudes scatter. Motions that do not settle scatter. So does motion from rest that ends in one
-/// or another of several steady states, however close its neighbours are.
+/// Relative distance in place of `NARROW` where amplitudes scatter. Motions that do not settle scatter. So does motion
+/// from rest that ends in one or another of several steady states, however close its neighbours are.
 pub(super) const NARROW_SCATTERED: f64 = 1e-3;
-/// Largest number of intervals between two places of the first grid that may still be open. With more of them the
-/// motion counts as scattered.
+/// Largest number of intervals between two places of the first grid that may still be open. With more open intervals
+/// the motion counts as scattered.
 const MOST_BENT: usize = 32;
 /// Relative width down to which a change of the contact's pattern of stops is located.
 pub(super) const NARROW_PATTERN: f64 = 1e-4;
@@ -198,7 +198,7 @@ impl<'a> Refine<'a> {
                     NARROW
                 }
                 (Ok(_), Ok(_)) => NARROW_SCATTERED,
-                // Points between two equal errors would give nothing new.
+                // Points between two equal errors give no new information.
                 (Err(a), Err(b)) if a == b => continue,
                 _ => NARROW_GAP,
             };

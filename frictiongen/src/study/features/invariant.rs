@@ -1,5 +1,5 @@
 //! Frequencies at which friction does not change a motion, ranges in which it enlarges the motion, and frequencies at
-//! which the motion vanishes without friction. All of them are for chains without damping.
+//! which the motion vanishes without friction. All three exist only for chains without damping.
 
 use super::functions::Target;
 use super::isolate::{Crowded, Function, Zero};

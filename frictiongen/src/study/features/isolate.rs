@@ -17,7 +17,8 @@ pub(super) const MOST_POLES: usize = 20_000;
 const MOST_INTERVALS: usize = 20 * MOST_POLES;
 /// A zero nearer to a pole than this relative distance cancels with the pole. Neither of the two shows in the function.
 const CANCELLED: f64 = 1e-13;
-/// Two zeros may be one touching zero within this distance, relative to y or to the distance from a pole.
+/// Two zeros within this distance count as one touch of 0. The distance is relative to y, or to the distance from a
+/// pole.
 const TOUCH: f64 = 1e-9;
 /// Touching zeros within this relative distance count as one.
 const ONE_TOUCH: f64 = 1e-6;

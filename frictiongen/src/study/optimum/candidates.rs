@@ -42,8 +42,8 @@ pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
         scanned.complete && (scanned.value - last.value).abs() <= HOLDS * last.value
     };
     let first = scan.iter().rev().take_while(same).last()?;
-    // The last point is the friction that holds the contact for good, if all places were evaluated there. Otherwise it
-    // is only the last of the scan.
+    // A whole last point has the friction that keeps the contact stuck over the band. Otherwise the first of the equal
+    // points counts.
     Some((if last.whole { last.beta } else { first.beta }, last.value))
 }
 

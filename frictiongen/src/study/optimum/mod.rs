@@ -34,8 +34,8 @@ impl System {
     /// At one friction ratio the search evaluates the amplitude near every resonance of the chain, free and with its
     /// contact stuck. It also evaluates sub-harmonics, both sides of regime changes and a grid. A scan over friction,
     /// from none to so much that nothing slides, finds the least of the largest amplitudes. Closed forms are evaluated
-    /// first. If they exceed the best amplitude so far, the friction ratio is rejected. Motions are followed only where
-    /// they may be the largest.
+    /// first. If they exceed the best amplitude so far by a margin, the friction ratio is rejected. Motions are
+    /// followed only where they may be the largest.
     ///
     /// The work of a search is bounded and counted, so the result is the same on every machine. Motions that jump and
     /// do not settle take most work. [`Optimum::end`] reports whether the search met the bound, or ended at a jump to

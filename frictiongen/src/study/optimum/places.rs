@@ -90,7 +90,7 @@ pub(super) fn places(system: &System, from: f64, to: f64) -> Vec<Place> {
     let free = free.map(|(resonance, zeta)| (resonance.to_f64(), zeta.to_f64()));
     let held = system.dynamics().held.iter();
     let held = held.map(|mode| (mode.frequency, mode.zeta));
-    // These are the resonances as the results know them, equal to the last bit.
+    // The resonances of the system are equal to those of its results, to the last bit.
     places.extend(system.resonances().iter().map(|r| (*r, true)));
     for (resonance, zeta) in free.chain(held) {
         places.push((resonance, true));

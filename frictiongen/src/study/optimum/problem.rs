@@ -148,7 +148,7 @@ impl<'s> Problem<'s> {
     }
 
     /// Returns d ln X/d ln p at the optimum. For one peak it is the derivative of the peak. For two equal peaks it is
-    /// their common derivative, while friction keeps them equal.
+    /// their common derivative, while friction keeps the peaks equal.
     fn sensitivities(&self, beta: f64, peaks: &[OptimumPeak]) -> Option<Vec<(Parameter, f64)>> {
         let all = self.slopes(self.load?, beta, peaks)?;
         let weights = weights(&all)?;

@@ -11,8 +11,8 @@ const SCAN: usize = 40;
 /// Number of additional friction ratios in geometric steps. The first one is `LEAST` times the middle sliding limit.
 const GEOMETRIC: usize = 24;
 const LEAST: f64 = 0.02;
-/// With μ > 1 a motion from rest may slide although a stuck state exists. The scan therefore continues to these
-/// multiples of the friction that holds the contact over the whole band.
+/// With μ > 1 a motion from rest may slide although a stuck state exists. The scan therefore continues beyond the
+/// friction from which a stuck state exists over the whole band, to these multiples of it.
 const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
 /// Relative step of a finite difference of a peak that moves.
 const DIFFERENCE: f64 = 1e-6;
@@ -241,7 +241,7 @@ pub(super) fn slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
     (at(beta + h) - at(beta - h)) / (h + h)
 }
 
-/// Returns true if the amplitude is smooth at a maximum. Next to a kink a tangent says nothing about the peak.
+/// Returns true if the amplitude is smooth at a maximum. At a kink a tangent says nothing about the peak.
 fn is_smooth(band: &Band<'_>, beta: f64, peak: &Peak, along_r: f64) -> bool {
     if along_r.abs() * peak.r <= 1e-7 * peak.value {
         return true;
