@@ -111,8 +111,8 @@ impl Builder {
         self
     }
 
-    /// Sets the friction law. The default is Coulomb's law. With any other law `at` returns an error, and only the stepper and
-    /// `simulation_under` compute a motion.
+    /// Sets the friction law. The default is Coulomb's law. With any other law `at` returns an error, and only the
+    /// stepper and `simulation_under` compute a motion.
     ///
     /// ```
     /// use frictiongen::study::System;
